@@ -1,0 +1,135 @@
+"""Cameras on a sphere about the origin.
+
+World: right-handed, +Z up, the object's front faces -Y. Camera: x right, y up, looks along -z
+(OpenGL). Azimuth 0 stands at -Y and grows counter-clockwise seen from above (90 degrees at +X).
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+NEAR, FAR = 0.1, 10.0
+
+
+@dataclass(frozen=True)
+class Cameras:
+    """A batch of perspective cameras that look at the origin; angles in radians."""
+
+    azimuth: Float[Tensor, " b"]
+    elevation: Float[Tensor, " b"]
+    distance: Float[Tensor, " b"]
+    fovy: Float[Tensor, " b"]
+
+    @classmethod
+    def orbit(
+        cls,
+        azimuth_deg: "list[float] | Tensor",
+        elevation_deg: "list[float] | Tensor",
+        distance: float = 3.0,
+        fovy_deg: float = 40.0,
+    ) -> "Cameras":
+        """Cameras from degrees; one distance and one vertical field of view for all."""
+        azimuth = torch.as_tensor(azimuth_deg, dtype=torch.float32).deg2rad()
+        elevation = torch.as_tensor(elevation_deg, dtype=torch.float32).deg2rad()
+        azimuth, elevation = torch.broadcast_tensors(azimuth, elevation)
+        full = torch.full_like(azimuth, math.radians(fovy_deg))
+        return cls(azimuth, elevation, torch.full_like(azimuth, distance), full)
+
+    def __len__(self) -> int:
+        return len(self.azimuth)
+
+    def __getitem__(self, index: "slice | Tensor") -> "Cameras":
+        return Cameras(
+            self.azimuth[index], self.elevation[index], self.distance[index], self.fovy[index]
+        )
+
+    def to(self, device: "torch.device | str") -> "Cameras":
+        """The same cameras on ``device``."""
+        return Cameras(
+            self.azimuth.to(device),
+            self.elevation.to(device),
+            self.distance.to(device),
+            self.fovy.to(device),
+        )
+
+    @property
+    def back(self) -> Float[Tensor, "b 3"]:
+        """Unit vector from the origin to the camera: its +z axis."""
+        a, e = self.azimuth, self.elevation
+        return torch.stack([a.sin() * e.cos(), -a.cos() * e.cos(), e.sin()], -1)
+
+    @property
+    def eye(self) -> Float[Tensor, "b 3"]:
+        """Position in the world."""
+        return self.distance[:, None] * self.back
+
+    @property
+    def rotation(self) -> Float[Tensor, "b 3 3"]:
+        """World to camera; rows are right, up, back. Defined at the poles too."""
+        a, e = self.azimuth, self.elevation
+        right = torch.stack([a.cos(), a.sin(), torch.zeros_like(a)], -1)
+        up = torch.stack([-a.sin() * e.sin(), a.cos() * e.sin(), e.cos()], -1)
+        return torch.stack([right, up, self.back], 1)
+
+    @property
+    def w2c(self) -> Float[Tensor, "b 4 4"]:
+        """World to camera, homogeneous."""
+        matrix = torch.zeros(len(self), 4, 4, dtype=self.azimuth.dtype, device=self.azimuth.device)
+        matrix[:, :3, :3] = self.rotation
+        matrix[:, 2, 3] = -self.distance
+        matrix[:, 3, 3] = 1
+        return matrix
+
+    def projection(self, aspect: float = 1.0) -> Float[Tensor, "b 4 4"]:
+        """OpenGL perspective matrix; ``aspect`` is width over height."""
+        focal = 1 / (self.fovy / 2).tan()
+        matrix = torch.zeros(len(self), 4, 4, dtype=self.azimuth.dtype, device=self.azimuth.device)
+        matrix[:, 0, 0] = focal / aspect
+        matrix[:, 1, 1] = focal
+        matrix[:, 2, 2] = -(FAR + NEAR) / (FAR - NEAR)
+        matrix[:, 2, 3] = -2 * FAR * NEAR / (FAR - NEAR)
+        matrix[:, 3, 2] = -1
+        return matrix
+
+    @property
+    def mvp(self) -> Float[Tensor, "b 4 4"]:
+        """World to clip space of a square picture."""
+        return self.projection() @ self.w2c
+
+
+@dataclass(frozen=True, kw_only=True)
+class CameraConfig:
+    """The distribution that a training draws its cameras from."""
+
+    distance: tuple[float, float] = (3.0, 3.0)  # uniform, training units
+    fovy_deg: tuple[float, float] = (40.0, 40.0)  # uniform
+    elevation_deg: tuple[float, float] = (-20.0, 78.0)
+    elevation: Literal["sphere", "angle"] = "sphere"  # uniform in the sine (on the sphere), or in it
+    azimuth_jitter: float = 1.0  # share of a stratum; the strata fill the circle
+
+
+def sample_cameras(n: int, config: CameraConfig, generator: torch.Generator) -> Cameras:
+    """``n`` cameras, their azimuth stratified over the batch, so that all sides are seen.
+
+    Source: paper, "Implementation Details" (uniform on the sphere); the released code's strata.
+    """
+
+    def uniform(low: float, high: float) -> Tensor:
+        return low + (high - low) * torch.rand(n, generator=generator)
+
+    start = torch.rand(1, generator=generator)
+    jitter = 0.5 + (torch.rand(n, generator=generator) - 0.5) * config.azimuth_jitter
+    azimuth = 2 * math.pi * ((torch.arange(n) + jitter) / n + start)
+    low, high = (math.radians(x) for x in config.elevation_deg)
+    if config.elevation == "sphere":
+        elevation = uniform(math.sin(low), math.sin(high)).asin()
+    else:
+        elevation = uniform(low, high)
+    elevation = elevation[torch.randperm(n, generator=generator)]
+    return Cameras(
+        azimuth, elevation, uniform(*config.distance), torch.deg2rad(uniform(*config.fovy_deg))
+    )

@@ -1,0 +1,36 @@
+"""What a user can mend. Anything else keeps its traceback."""
+
+
+class UserError(Exception):
+    """A sentence for the user: what was got and expected (``text``), and what to do (``fix``)."""
+
+    status = 2  # the process's exit status: the user's input
+
+    def __init__(self, text: str, fix: str = "") -> None:
+        super().__init__(f"{text} {fix}".strip())
+        self.text = text
+        self.fix = fix
+
+
+class MissingError(UserError):
+    """Something is not installed or not there."""
+
+    status = 3
+
+
+class MemoryShortError(UserError):
+    """The machine's or the GPU's memory does not hold the job."""
+
+    status = 4
+
+
+class NoSurfaceError(UserError):
+    """The surface vanished and could not be brought back."""
+
+    status = 5
+
+
+class Cancelled(UserError):
+    """The user stopped the run; its folder resumes."""
+
+    status = 130
