@@ -1,0 +1,135 @@
+"""The seam between the trainings and a diffusion model.
+
+A ``Guidance`` turns renders into latents, words into an ``Embedding``, and predicts the noise in a
+diffused latent: ε̂_φ(z_t; y, t) of Eqs. 1, 5 and 9. The trainings know nothing more about it.
+
+Pictures arrive as the renderer gives them, over black: ``n`` and ``srgb`` are zero where the
+coverage ``o`` is, and already weighted by it at the silhouette. A guidance that wants another
+background adds ``(1 - o) * background`` itself.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Literal
+
+import torch
+import torch.nn.functional as F
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.camera import Cameras
+
+NormalFrame = Literal["object", "camera"]
+
+
+class Embedding:
+    """A prompt as one guidance understands it. Opaque: only the guidance that made it reads it."""
+
+
+@dataclass(frozen=True)
+class Views:
+    """What a guidance may know about the batch of pictures."""
+
+    cameras: Cameras
+    # The object-frame coarse latent [n, 2o - 1] of the same views: the geometry, which the
+    # appearance training gives to a guidance that can use it. None: not given.
+    normals: Float[Tensor, "b 4 h w"] | None = None
+
+    def __getitem__(self, index: "slice | Tensor") -> "Views":
+        """The views of a part of the batch."""
+        normals = None if self.normals is None else self.normals[index]
+        return Views(self.cameras[index], normals)
+
+    def __len__(self) -> int:
+        return len(self.cameras)
+
+
+class Guidance(ABC):
+    """A diffusion model over latents (B, 4, ``latent_size``, ``latent_size``)."""
+
+    alpha_bar: Float[
+        Tensor, " t"
+    ]  # the schedule; z_t = sqrt(alpha_bar) z + sqrt(1 - alpha_bar) eps
+    latent_size: int
+    normal_frame: NormalFrame  # the axes in which it wants its normals
+
+    @abstractmethod
+    def embed(self, prompt: str, negative_prompt: str) -> Embedding:
+        """Read the two prompts once, before the training.
+
+        Raises:
+            UserError: what it cannot read, and what to write instead.
+        """
+
+    @abstractmethod
+    def encode_normals(
+        self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """The latent of a normal picture (fine geometry), differentiable.
+
+        Args:
+            n: normals in ``normal_frame``, in [-1, 1], weighted by coverage (zero outside).
+            o: coverage in [0, 1].
+        """
+
+    @abstractmethod
+    def encode_color(
+        self, srgb: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """The latent of a shaded picture (appearance), differentiable.
+
+        Args:
+            srgb: sRGB-encoded colour in [0, 1] over black (zero outside).
+            o: coverage in [0, 1].
+        """
+
+    @abstractmethod
+    def eps_hat(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        embedding: Embedding,
+        views: Views,
+        guidance_scale: float,
+    ) -> Float[Tensor, "b 4 s s"]:
+        """ε̂_φ(z_t; y, t) with classifier-free guidance; without gradient.
+
+        Args:
+            t: indices into ``alpha_bar``.
+            guidance_scale: 1 is no guidance.
+        """
+
+
+def coarse_latent(
+    n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"], size: int
+) -> Float[Tensor, "b 4 {size} {size}"]:
+    """ñ as a latent: [n, 2o - 1], area-downsampled; the paper's early phase (§4.2).
+
+    Args:
+        n: normals weighted by coverage, as ``render_normals`` gives them.
+        o: coverage in [0, 1]; it goes to [-1, 1], the range of a normal's component.
+    """
+    picture = torch.cat([n, 2 * o - 1], -1).permute(0, 3, 1, 2)
+    return F.adaptive_avg_pool2d(picture, size)
+
+
+def make_guidance(spec: str, device: "torch.device | str", *, chunk: int = 4) -> Guidance:
+    """The guidance that the user names.
+
+    Args:
+        spec: "builtin", or a Stable Diffusion checkpoint in diffusers' format: its folder, or its
+            hub id where it is in the local cache.
+        chunk: pictures that go through a large network at a time.
+
+    Raises:
+        UserError: neither a known name nor a checkpoint.
+        MissingError: a hub id that is not on this machine.
+    """
+    # Imported here: each brings libraries that the other does not need.
+    if spec == "builtin":
+        from core.guidance.builtin import load_builtin
+
+        return load_builtin(device)
+    from core.guidance.stable_diffusion import StableDiffusion
+
+    return StableDiffusion.load(spec, device, chunk=chunk)

@@ -1,0 +1,169 @@
+"""Score distillation sampling (SDS) on a batch of latents.
+
+Source: Fantasia3D Eqs. 1, 5 and 9, and "Implementation Details" for w(t).
+Notation: sigma is the paper's variance-preserving noise level, ``sigma**2 = 1 - alpha_bar``.
+It is not the EDM / k-diffusion sigma, which is ``sqrt((1 - alpha_bar) / alpha_bar)``.
+"""
+
+from typing import Literal
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.errors import UserError
+from core.guidance.guidance import Embedding, Guidance, Views
+
+Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+
+
+class NotFiniteError(UserError):
+    """NaN or infinity came out of the guidance, or went in."""
+
+
+def add_noise(
+    z: Float[Tensor, "b 4 h w"], eps: Float[Tensor, "b 4 h w"], alpha_bar: Float[Tensor, " b"]
+) -> Float[Tensor, "b 4 h w"]:
+    """Diffuse ``z``: z_t = sqrt(alpha_bar) z + sigma eps."""
+    alpha_bar = alpha_bar[:, None, None, None]
+    return alpha_bar.sqrt() * z + (1 - alpha_bar).sqrt() * eps
+
+
+def eps_from_v(
+    v: Float[Tensor, "b 4 h w"], z_t: Float[Tensor, "b 4 h w"], alpha_bar: Float[Tensor, " b"]
+) -> Float[Tensor, "b 4 h w"]:
+    """The noise that a v-prediction implies: eps = sqrt(alpha_bar) v + sigma z_t.
+
+    v = sqrt(alpha_bar) eps - sigma z. Source: Salimans and Ho 2022, appendix D.
+    """
+    alpha_bar = alpha_bar[:, None, None, None]
+    return alpha_bar.sqrt() * v + (1 - alpha_bar).sqrt() * z_t
+
+
+def guide(
+    eps_cond: Float[Tensor, "b 4 h w"], eps_uncond: Float[Tensor, "b 4 h w"], scale: float
+) -> Float[Tensor, "b 4 h w"]:
+    """Classifier-free guidance: ``eps_uncond + scale * (eps_cond - eps_uncond)``.
+
+    ``scale = 1`` is no guidance. DreamFusion counts from the conditional side instead, so its
+    omega is ``scale - 1``.
+    """
+    return eps_uncond + scale * (eps_cond - eps_uncond)
+
+
+def perp_neg(
+    direction: Float[Tensor, "b 4 h w"], negative: Float[Tensor, "b 4 h w"]
+) -> Float[Tensor, "b 4 h w"]:
+    """The part of ``negative`` that is perpendicular to ``direction``, picture by picture.
+
+    Subtracting it steers away from the negative words without weakening the positive ones.
+    Both are differences to the unconditional prediction. Source: Armandpour et al. 2023, Eq. 6.
+    """
+    dot = (negative * direction).sum((1, 2, 3), keepdim=True)
+    # The smallest positive float keeps 0 / 0 at 0: without a direction all of it is perpendicular.
+    norm2 = direction.square().sum((1, 2, 3), keepdim=True).clamp(min=1e-30)
+    return negative - dot / norm2 * direction
+
+
+def weight(alpha_bar: Float[Tensor, " b"], kind: Weighting) -> Float[Tensor, " b"]:
+    """The SDS weight w(t).
+
+    Args:
+        alpha_bar: cumulative product of alphas at t, in (0, 1).
+        kind: ``sigma2`` for early geometry, ``sigma2_sqrt`` = sigma^2 sqrt(1 - sigma^2) for late
+            geometry and early appearance, ``inv_sigma2`` = 1 / sigma^2 for late appearance.
+    """
+    sigma2 = 1 - alpha_bar
+    if kind == "sigma2":
+        return sigma2
+    if kind == "sigma2_sqrt":
+        return sigma2 * alpha_bar.sqrt()
+    return 1 / sigma2
+
+
+def sample_t(
+    n: int, low: float, high: float, steps: int, generator: torch.Generator
+) -> Int[Tensor, " {n}"]:
+    """``n`` timesteps, uniform over the whole numbers from low * steps to high * steps.
+
+    Args:
+        low, high: shares of the schedule, 0 <= low <= high <= 1; anneal them with ``anneal``.
+        steps: length of the schedule, ``len(guidance.alpha_bar)``.
+    """
+    if not 0 <= low <= high <= 1:
+        raise UserError(
+            f"Timesteps from {low:g} to {high:g} of the schedule are an empty range.",
+            "Give two shares with 0 <= low <= high <= 1.",
+        )
+    first, last = (min(round(share * steps), steps - 1) for share in (low, high))
+    return torch.randint(first, last + 1, (n,), generator=generator, device=generator.device)
+
+
+def anneal(start: float, end: float, progress: float) -> float:
+    """Linear from ``start`` at progress 0 to ``end`` at progress 1, constant outside."""
+    return start + (end - start) * min(max(progress, 0.0), 1.0)
+
+
+def cap_rms(grad: Float[Tensor, "b 4 h w"], cap: float) -> Float[Tensor, "b 4 h w"]:
+    """Scale each view's gradient down to a root mean square of at most ``cap``.
+
+    Per view, so that a batch split for gradient accumulation gives what the whole batch gives.
+    """
+    rms = grad.square().mean((1, 2, 3), keepdim=True).sqrt()
+    return grad * (cap / rms.clamp(min=cap))
+
+
+def sds_grad(
+    guidance: Guidance,
+    z: Float[Tensor, "b 4 s s"],
+    embedding: Embedding,
+    views: Views,
+    *,
+    t: Int[Tensor, " b"],
+    eps: Float[Tensor, "b 4 s s"],
+    weighting: Weighting,
+    guidance_scale: float,
+    cap: float | None = None,
+) -> Float[Tensor, "b 4 s s"]:
+    """w(t) (ε̂_φ(z_t; y, t) - ε), the SDS gradient in the latent (Eqs. 1, 5, 9).
+
+    Args:
+        z: clean latents; only their values are used.
+        t: indices into ``guidance.alpha_bar``.
+        eps: standard normal noise, drawn by the caller.
+        cap: the largest root mean square of a view's gradient (``cap_rms``). None: as it is.
+
+    Raises:
+        NotFiniteError: the latents or the guidance's answer hold NaN or infinity.
+    """
+    z = z.detach()
+    _require_finite(z, t, "The picture that goes to the guidance")
+    alpha_bar = guidance.alpha_bar.to(z)[t.to(z.device)]
+    with torch.no_grad():
+        z_t = add_noise(z, eps, alpha_bar)
+        eps_hat = guidance.eps_hat(z_t, t, embedding, views, guidance_scale)
+    _require_finite(eps_hat, t, "The guidance's noise prediction")
+    grad = weight(alpha_bar, weighting)[:, None, None, None] * (eps_hat - eps)
+    return grad if cap is None else cap_rms(grad, cap)
+
+
+def sds_loss(z: Float[Tensor, "b 4 h w"], grad: Float[Tensor, "b 4 h w"]) -> Float[Tensor, ""]:
+    """A scalar whose gradient in ``z`` is exactly ``grad``.
+
+    The U-Net's Jacobian is left out on purpose (Eq. 1), so ``grad`` is a constant here. The value
+    is half the squared gradient's sum: it shows the pull that is left, not a loss that must fall.
+    """
+    grad = grad.detach()
+    # Not 0.5 * (z - target)**2: the rounding of z - (z - grad) would reach the gradient.
+    return 0.5 * grad.square().sum() + (grad * (z - z.detach())).sum()
+
+
+def _require_finite(x: Tensor, t: Tensor, what: str) -> None:
+    finite = x.isfinite()
+    if bool(finite.all()):
+        return
+    bad = (~finite.flatten(1).all(1)).nonzero()[:, 0].tolist()
+    raise NotFiniteError(
+        f"{what} is not finite in {len(bad)} of {len(x)} views (t = {t.cpu()[bad].tolist()}).",
+        "Lower the learning rate or the guidance scale; in 16-bit, use 32-bit precision.",
+    )
