@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 import torch
-import torch.nn.functional as F
 from jaxtyping import Float, Int
 from torch import Tensor
 
@@ -110,7 +109,7 @@ def coarse_latent(
         o: coverage in [0, 1]; it goes to [-1, 1], the range of a normal's component.
     """
     picture = torch.cat([n, 2 * o - 1], -1).permute(0, 3, 1, 2)
-    return F.adaptive_avg_pool2d(picture, size)
+    return torch.nn.functional.adaptive_avg_pool2d(picture, size)
 
 
 def make_guidance(spec: str, device: "torch.device | str", *, chunk: int = 4) -> Guidance:

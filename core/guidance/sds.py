@@ -118,11 +118,11 @@ def sds_grad(
     z: Float[Tensor, "b 4 s s"],
     embedding: Embedding,
     views: Views,
-    *,
     t: Int[Tensor, " b"],
     eps: Float[Tensor, "b 4 s s"],
     weighting: Weighting,
     guidance_scale: float,
+    *,
     cap: float | None = None,
 ) -> Float[Tensor, "b 4 s s"]:
     """w(t) (ε̂_φ(z_t; y, t) - ε), the SDS gradient in the latent (Eqs. 1, 5, 9).
