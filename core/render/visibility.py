@@ -1,0 +1,243 @@
+"""Which face is seen at each pixel centre: the renderer's one non-differentiable step.
+
+Plain torch, the same on CPU and GPU: every triangle is cut into the rows of pixel centres that it
+crosses, every row into a span, and the spans meet in a z-buffer. A span's ends are where the row
+crosses two of the triangle's edges. Neighbours compute the crossing of their common edge from the
+same numbers in the same order, and spans are half open, so a surface has neither gaps nor pixels
+hit twice (this is the top-left rule). Nothing depends on how large a triangle is.
+"""
+
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Bool, Float, Int
+from torch import Tensor
+
+# Z-buffer entry: depth bits in the upper half, face in the lower; a float >= 0 sorts as its bits do.
+EMPTY = 1 << 62
+FACE_BITS = 0xFFFFFFFF
+# Bounding-box pixels drawn at once; bounds the memory at about 300 MB.
+CHUNK = 1 << 21
+
+
+class Triangles(NamedTuple):
+    """N triangles on the screen."""
+
+    corners: Float[Tensor, "n 3 3"]  # (column, row, depth in [0, 1]) of each corner, pixels
+    view: Int[Tensor, " n"]
+    face: Int[Tensor, " n"]
+
+
+def to_screen(clip: Float[Tensor, "*b 4"], height: int, width: int) -> Float[Tensor, "*b 3"]:
+    """Clip coordinates to (column, row, depth): pixels, row 0 at the top; depth 0 near, 1 far."""
+    inverse_w = 1 / clip[..., 3]
+    return torch.stack(
+        [
+            (clip[..., 0] * inverse_w * 0.5 + 0.5) * width,
+            (0.5 - clip[..., 1] * inverse_w * 0.5) * height,
+            clip[..., 2] * inverse_w * 0.5 + 0.5,
+        ],
+        -1,
+    )
+
+
+@torch.no_grad()
+def visibility(
+    clip: Float[Tensor, "b v 4"],
+    faces: Int[Tensor, "f 3"],
+    height: int,
+    width: int,
+    cull: bool = True,
+) -> Int[Tensor, "b {height} {width}"]:
+    """The nearest face at each pixel centre, -1 where there is none.
+
+    ``clip`` are OpenGL clip coordinates; what lies before the near plane (z < -w) is cut away.
+    ``cull`` drops faces seen from behind (clockwise on the screen): right for closed surfaces,
+    and half the work. At equal depth the face with the smaller index wins.
+    """
+    b = clip.shape[0]
+    keys = torch.full((b * height * width,), EMPTY, dtype=torch.int64, device=clip.device)
+    if len(faces) and b:
+        before = clip[..., 2] + clip[..., 3] > 0
+        if bool(before.all()):
+            draw(keys, gather(to_screen(clip, height, width), faces, cull), (height, width), cull)
+        else:
+            draw(keys, clipped(clip, faces, before, (height, width)), (height, width), cull)
+    face_id = torch.where(keys == EMPTY, -1, keys & FACE_BITS)
+    return face_id.view(b, height, width)
+
+
+def gather(screen: Float[Tensor, "b v 3"], faces: Int[Tensor, "f 3"], cull: bool) -> Triangles:
+    """The triangles whose bounding box holds a pixel centre of the endless grid and which face us."""
+    # Vertices first: a gathered row then holds all views, which is what makes the gather cheap.
+    x, y = screen[..., 0].t().contiguous(), screen[..., 1].t().contiguous()
+    x0, x1, x2 = (x.index_select(0, i) for i in faces.unbind(1))
+    y0, y1, y2 = (y.index_select(0, i) for i in faces.unbind(1))
+    keep = holds_centre(x0, x1, x2) & holds_centre(y0, y1, y2)
+    if cull:
+        # Rows grow downwards, so counter-clockwise has negative area here. Slivers whose sign is
+        # rounding are kept: their spans are empty, or else are needed to close the surface.
+        p, q = (x1 - x0) * (y2 - y0), (x2 - x0) * (y1 - y0)
+        keep &= p - q <= 4e-7 * (p.abs() + q.abs())
+    face, view = keep.nonzero(as_tuple=True)
+    corner = faces.index_select(0, face) + (view * screen.shape[1])[:, None]
+    points = screen.reshape(-1, 3).index_select(0, corner.view(-1))
+    return Triangles(points.view(-1, 3, 3), view, face)
+
+
+def holds_centre(
+    a: Float[Tensor, "f b"], b: Float[Tensor, "f b"], c: Float[Tensor, "f b"]
+) -> Bool[Tensor, "f b"]:
+    """Whether the interval spanned by three coordinates holds a pixel centre (i + 0.5)."""
+    low = torch.minimum(torch.minimum(a, b), c)
+    high = torch.maximum(torch.maximum(a, b), c)
+    return high.sub_(0.5).ceil_() > low.sub_(0.5).ceil_()
+
+
+def clipped(
+    clip: Float[Tensor, "b v 4"],
+    faces: Int[Tensor, "f 3"],
+    before: Bool[Tensor, "b v"],
+    size: tuple[int, int],
+) -> Triangles:
+    """All triangles, cut at the near plane: one corner before it leaves one, two leave two."""
+    count = before[:, faces].sum(-1)
+    parts = []
+    for seen in (1, 2, 3):
+        view, face = (count == seen).nonzero(as_tuple=True)
+        corner = faces.index_select(0, face)
+        points = clip[view[:, None], corner]
+        if seen < 3:
+            # Turn the triangle so that the corner on its own side of the plane comes first.
+            lone = (before[view[:, None], corner] == (seen == 1)).to(torch.uint8).argmax(1)
+            turn = (lone[:, None] + torch.arange(3, device=lone.device)) % 3
+            points = points.gather(1, turn[..., None].expand(-1, -1, 4))
+        for triangle in cut(points, seen):
+            parts.append(Triangles(to_screen(triangle, *size), view, face))
+    return Triangles(*(torch.cat(part) for part in zip(*parts, strict=True)))
+
+
+def cut(points: Float[Tensor, "n 3 4"], seen: int) -> list[Float[Tensor, "n 3 4"]]:
+    """Triangles with ``seen`` corners before the near plane; the lone corner comes first."""
+    a, b, c = points.unbind(1)
+    if seen == 3:
+        return [points]
+    if seen == 1:
+        return [torch.stack([a, on_near_plane(a, b), on_near_plane(a, c)], 1)]
+    ab, ac = on_near_plane(b, a), on_near_plane(c, a)
+    return [torch.stack([ab, b, c], 1), torch.stack([ab, c, ac], 1)]
+
+
+def on_near_plane(
+    before: Float[Tensor, "n 4"], behind: Float[Tensor, "n 4"]
+) -> Float[Tensor, "n 4"]:
+    """Where the edge meets z = -w; from the visible end, so that both neighbours get the same."""
+    d0, d1 = before[:, 2] + before[:, 3], behind[:, 2] + behind[:, 3]
+    return before + (d0 / (d0 - d1))[:, None] * (behind - before)
+
+
+class Edge(NamedTuple):
+    """An edge as a function of the row: column(row) and depth(row), from its upper end."""
+
+    row: Float[Tensor, " n"]
+    column: Float[Tensor, " n"]
+    depth: Float[Tensor, " n"]
+    end: Float[Tensor, " n"]  # column of the lower end
+    slope: Float[Tensor, " n"]  # columns a row
+    depth_slope: Float[Tensor, " n"]
+
+
+def edge_between(upper: Float[Tensor, "n 3"], lower: Float[Tensor, "n 3"]) -> Edge:
+    """The edge from its upper end (smaller row) to its lower end."""
+    (x0, y0, z0), (x1, y1, z1) = upper.unbind(1), lower.unbind(1)
+    # A level edge crosses no row of centres; its slope is never asked for.
+    inverse = 1 / (y1 - y0).clamp(min=1e-30)
+    return Edge(y0, x0, z0, x1, (x1 - x0) * inverse, (z1 - z0) * inverse)
+
+
+def draw(keys: Int[Tensor, " p"], triangles: Triangles, size: tuple[int, int], cull: bool) -> None:
+    """Writes the nearest of ``triangles`` into the z-buffer, a bounded number of pixels at a time."""
+    height, width = size
+    corners = triangles.corners
+    low, high = corners[..., :2].amin(1), corners[..., :2].amax(1)
+    limit = low.new_tensor([width, height])
+    start = torch.minimum((low - 0.5).ceil().clamp(min=0), limit)
+    extent = (torch.minimum((high - 0.5).ceil(), limit) - start).clamp(min=0)
+    area = extent.prod(1)
+    used = ((area > 0) & torch.isfinite(corners).flatten(1).all(1)).nonzero().squeeze(1)
+    parts = [used]
+    if len(used) and int(area[used].sum(dtype=torch.float64)) > CHUNK:
+        chunk = (area[used].to(torch.float64).cumsum(0) / CHUNK).long()
+        parts = list(used.split(torch.unique_consecutive(chunk, return_counts=True)[1].tolist()))
+    for part in parts:
+        rows = (start[part, 1].long(), extent[part, 1].long())
+        draw_spans(keys, Triangles(*(t[part] for t in triangles)), rows, size, cull)
+
+
+def draw_spans(
+    keys: Int[Tensor, " p"],
+    triangles: Triangles,
+    rows: tuple[Int[Tensor, " n"], Int[Tensor, " n"]],
+    size: tuple[int, int],
+    cull: bool,
+) -> None:
+    """Draws triangles row by row; ``rows`` are the first row and the number of rows of each."""
+    height, width = size
+    first, count = rows
+    corners, order = sort_by_row(triangles.corners)
+    top, middle, bottom = corners.unbind(1)
+    long = edge_between(top, bottom)
+    upper, lower = edge_between(top, middle), edge_between(middle, bottom)
+
+    triangle = torch.repeat_interleave(count)
+    row = first[triangle] + ramp(count)
+    y = row + 0.5
+    below = y >= middle[:, 1][triangle]
+    short = Edge(*(torch.where(below, b[triangle], a[triangle]) for a, b in zip(upper, lower)))
+    left, right = cross(Edge(*(e[triangle] for e in long)), y), cross(short, y)
+    # Counter-clockwise (in rows that grow downwards): with the corners in an even order the long
+    # edge is on the right. From behind it is the other way about, which leaves the span empty.
+    swap = order[triangle] if cull else left[0] > right[0]
+    (x0, z0), (x1, z1) = (
+        tuple(torch.where(swap, b, a) for a, b in zip(left, right)),
+        tuple(torch.where(swap, a, b) for a, b in zip(left, right)),
+    )
+    begin = (x0 - 0.5).ceil().clamp(0, width)
+    length = ((x1 - 0.5).ceil().clamp(max=width) - begin).clamp(min=0).long()
+
+    z_slope = (z1 - z0) / (x1 - x0).clamp(min=1e-12)
+    z_begin = z0 + (begin + 0.5 - x0) * z_slope
+    pixel = (triangles.view[triangle] * height + row) * width + begin.long()
+    span = torch.repeat_interleave(length)
+    step = ramp(length)
+    depth = z_begin[span] + step * z_slope[span]
+    # Within the span's ends: a sliver's slope may be large and rounded.
+    low, high = torch.minimum(z0, z1).clamp(min=0), torch.maximum(z0, z1).clamp(min=0)
+    depth = torch.minimum(torch.maximum(depth, low[span]), high[span])
+    key = (depth.float().view(torch.int32).long() << 32) | triangles.face[triangle][span]
+    keys.scatter_reduce_(0, pixel[span] + step, key, "amin")
+
+
+def sort_by_row(
+    corners: Float[Tensor, "n 3 3"],
+) -> tuple[Float[Tensor, "n 3 3"], Bool[Tensor, " n"]]:
+    """Corners from the top row to the bottom one, and whether their order became even."""
+    order = corners[..., 1].argsort(stable=True, dim=1)
+    even = (order[:, 1] - order[:, 0]) % 3 == 1
+    return corners.gather(1, order[..., None].expand(-1, -1, 3)), even
+
+
+def cross(edge: Edge, y: Float[Tensor, " n"]) -> tuple[Float[Tensor, " n"], Float[Tensor, " n"]]:
+    """Column and depth where ``edge`` crosses the rows ``y``."""
+    t = y - edge.row
+    x = edge.column + t * edge.slope
+    low, high = torch.minimum(edge.column, edge.end), torch.maximum(edge.column, edge.end)
+    return torch.minimum(torch.maximum(x, low), high), edge.depth + t * edge.depth_slope
+
+
+def ramp(count: Int[Tensor, " n"]) -> Int[Tensor, " m"]:
+    """0, 1, ..., count - 1 for each entry of ``count``, one after another."""
+    end = count.cumsum(0)
+    total = int(end[-1]) if len(end) else 0
+    index = torch.arange(total, device=count.device)
+    return index - torch.repeat_interleave(end - count, count, output_size=total)
