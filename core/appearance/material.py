@@ -9,7 +9,11 @@ from typing import NamedTuple
 
 import torch
 from jaxtyping import Float
-from torch import Tensor
+from torch import Tensor, nn
+
+from core.config import AppearanceConfig
+from core.hash_grid import HashGrid
+from core.ops import normalize
 
 
 class Material(NamedTuple):
@@ -24,3 +28,49 @@ class Material(NamedTuple):
 def specular_color(material: Material) -> Float[Tensor, "n 3"]:
     """k_s = (1 - m) 0.04 + m k_d, the paper's specular term (§4.3)."""
     return torch.lerp(torch.full_like(material.kd, 0.04), material.kd, material.metallic)
+
+
+class MaterialNet(nn.Module):
+    """Γ over its hash grid β: points to :class:`Material`, by sigmoids to the config's ranges.
+
+    The released code's ninth output is not used by its shading and is left out.
+    """
+
+    def __init__(self, config: AppearanceConfig, generator: torch.Generator) -> None:
+        super().__init__()
+        self.config = config
+        self.encoding = HashGrid(
+            log2_size=config.log2_hash_size, finest=config.finest, generator=generator
+        )
+        widths = [self.encoding.width] + [config.hidden] * (config.layers - 1) + [8]
+        self.layers = nn.ModuleList(
+            nn.Linear(i, o, bias=False) for i, o in zip(widths[:-1], widths[1:], strict=True)
+        )
+        for layer in self.layers:
+            nn.init.kaiming_uniform_(layer.weight, nonlinearity="relu", generator=generator)
+
+    def raw(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
+        """The MLP's output before the sigmoids."""
+        x = self.encoding(points)
+        for layer in self.layers[:-1]:
+            x = torch.relu(layer(x))
+        return self.layers[-1](x)
+
+    def forward(self, points: Float[Tensor, "n 3"]) -> Material:
+        """The material at ``points``, training units."""
+        return to_ranges(self.raw(points), self.config)
+
+
+def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
+    """Sigmoids of ``raw`` spread over the ranges; kn's x and y reach ``bump``, its z is positive."""
+    share = raw.sigmoid()
+    kd = _between(share[:, 0:3], config.kd_range)
+    roughness = _between(share[:, 3:4], config.roughness_range)
+    metallic = _between(share[:, 4:5], config.metallic_range)
+    tilt = (2 * share[:, 5:7] - 1) * config.bump
+    kn = normalize(torch.cat([tilt, share[:, 7:8].clamp(min=1e-3)], -1))
+    return Material(kd, roughness, metallic, kn)
+
+
+def _between(share: Tensor, bounds: tuple[float, float]) -> Tensor:
+    return bounds[0] + (bounds[1] - bounds[0]) * share

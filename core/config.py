@@ -1,0 +1,241 @@
+"""Settings of a run: frozen dataclasses nested by stage, and the three presets.
+
+``paper`` is the paper's text with the released code's values where the text is silent;
+``standard`` is the same method on one GPU; ``draft`` is for the built-in prior on a CPU.
+"""
+
+import dataclasses
+import difflib
+from dataclasses import dataclass, field, fields, replace
+from typing import Any, Literal, get_args, get_origin
+
+from core.camera import CameraConfig
+from core.errors import UserError
+
+Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhaseConfig:
+    """One phase of a training: how much noise is added, and how its score is weighed."""
+
+    steps: int
+    size: int  # side of the rendered picture, pixels
+    weighting: Weighting  # w(t)
+    t_low: float = 0.02  # share of the diffusion's T steps
+    t_high: tuple[float, float] = (0.5, 0.5)  # at the phase's first and last step
+    guidance_scale: float = 100.0  # 1 is no guidance
+
+
+@dataclass(frozen=True, kw_only=True)
+class GeometryConfig:
+    """Ψ and its training (§4.1, §4.2)."""
+
+    encoding: Literal["hash", "fourier"] = "hash"
+    hidden: int = 32  # width of the MLP ("Implementation Details")
+    layers: int = 3
+    log2_hash_size: int = 19
+    finest: int = 4096  # the hash grid's finest level, cells along the lattice's edge
+    resolution: tuple[int, int] = (128, 128)  # lattice cubes along an edge: coarse phase, fine phase
+    radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
+    fit_steps: int = 401  # Eq. 3
+    coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
+    fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
+    views: int = 24  # cameras of one step
+    views_at_once: int = 24  # cameras rendered together; the rest is accumulated
+    cameras: CameraConfig = CameraConfig()
+    learning_rate: float = 1e-3
+    learning_rate_end: float = 1.0  # share of the rate that is left at the last step
+    rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
+    gradient_cap: float = 0.0  # upper bound of the score's RMS; 0 is none
+    gradient_clip: float = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
+    ray_mask_share: float = 0.0  # share of all steps that also move the mask along empty rays
+    eikonal: float = 0.0  # weight of (|∇s| - 1)²
+    smooth_normals: float = 0.0  # weight of 1 - cos between neighbouring faces
+
+
+@dataclass(frozen=True, kw_only=True)
+class AppearanceConfig:
+    """Γ and its training (§4.3)."""
+
+    hidden: int = 32
+    layers: int = 2
+    log2_hash_size: int = 19
+    finest: int = 4096
+    early: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="sigma2_sqrt")
+    late: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="inv_sigma2")
+    views: int = 24
+    views_at_once: int = 24
+    cameras: CameraConfig = CameraConfig()
+    learning_rate: float = 1e-2
+    learning_rate_end: float = 1.0
+    gradient_cap: float = 0.0
+    rotate_light: bool = True  # a fixed light bakes into kd
+    kd_range: tuple[float, float] = (0.03, 0.97)
+    roughness_range: tuple[float, float] = (0.08, 0.9)
+    metallic_range: tuple[float, float] = (0.0, 1.0)
+    bump: float = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
+    smooth: float = 0.0  # weight of the material's change between neighbouring points
+
+
+@dataclass(frozen=True, kw_only=True)
+class TextureConfig:
+    """The unwrap and the bake (§4.3, "Texturing")."""
+
+    size: int = 2048  # side of the maps, texels
+    max_faces: int = 20000  # the mesh is simplified to this before the unwrap
+    samples: int = 4  # of one texel
+
+
+@dataclass(frozen=True, kw_only=True)
+class Config:
+    """All settings of one run."""
+
+    geometry: GeometryConfig = field(default_factory=GeometryConfig)
+    appearance: AppearanceConfig = field(default_factory=AppearanceConfig)
+    texture: TextureConfig = field(default_factory=TextureConfig)
+
+
+PAPER = Config(
+    geometry=GeometryConfig(cameras=CameraConfig(elevation_deg=(-90.0, 90.0))),
+    appearance=AppearanceConfig(
+        early=PhaseConfig(
+            steps=300, size=512, weighting="sigma2_sqrt", t_high=(0.98, 0.98), guidance_scale=50.0
+        ),
+        late=PhaseConfig(steps=1700, size=512, weighting="inv_sigma2", guidance_scale=50.0),
+        cameras=CameraConfig(elevation_deg=(-90.0, 90.0)),
+    ),
+)
+
+# The released code's cameras: fovy 25.7 to 45 degrees, elevation -10 to 45, jitter ±0.4.
+RELEASED_CAMERAS = CameraConfig(
+    fovy_deg=(25.7, 45.0), elevation_deg=(-10.0, 45.0), elevation="angle", azimuth_jitter=0.8
+)
+
+STANDARD = replace(
+    PAPER,
+    geometry=replace(PAPER.geometry, views=8, views_at_once=4, cameras=RELEASED_CAMERAS),
+    appearance=replace(PAPER.appearance, views=8, views_at_once=4, cameras=RELEASED_CAMERAS),
+)
+
+DRAFT = Config(
+    geometry=GeometryConfig(
+        encoding="fourier",
+        hidden=64,
+        resolution=(40, 64),
+        coarse=PhaseConfig(
+            steps=200, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=10.0
+        ),
+        fine=PhaseConfig(
+            steps=150, size=128, weighting="sigma2_sqrt", t_high=(0.6, 0.4), guidance_scale=7.5
+        ),
+        views=6,
+        views_at_once=6,
+        learning_rate=2e-3,
+        learning_rate_end=0.3,
+        gradient_cap=0.1,
+        gradient_clip=1.0,
+        ray_mask_share=0.4,
+        eikonal=0.05,
+        smooth_normals=0.0,
+    ),
+    appearance=AppearanceConfig(
+        log2_hash_size=15,
+        finest=128,
+        early=PhaseConfig(
+            steps=120, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=5.0
+        ),
+        late=PhaseConfig(
+            steps=60, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=3.0
+        ),
+        views=6,
+        views_at_once=6,
+        learning_rate_end=0.1,
+        gradient_cap=0.1,
+        bump=0.0,
+    ),
+    texture=TextureConfig(size=1024),
+)
+
+PRESETS: dict[str, Config] = {"draft": DRAFT, "standard": STANDARD, "paper": PAPER}
+
+
+def preset(name: str) -> Config:
+    """The preset ``name``; UserError for one that is not there."""
+    if name not in PRESETS:
+        raise UserError(f"There is no preset {name!r}.", f"Take one of {', '.join(PRESETS)}.")
+    return PRESETS[name]
+
+
+def with_settings(config: Config, settings: dict[str, Any]) -> Config:
+    """``config`` with ``{"geometry.coarse.steps": 100}`` and the like put in.
+
+    Values may be text, as they come from ``--set``; tuples are numbers with commas.
+
+    Raises:
+        UserError: a key that is not there (with the nearest one), or a value of another type.
+    """
+    for key, value in settings.items():
+        config = _with_setting(config, key, key.split("."), value)
+    return config
+
+
+def setting_names(config: Any, prefix: str = "") -> list[str]:
+    """All keys that :func:`with_settings` takes."""
+    names = []
+    for f in fields(config):
+        value = getattr(config, f.name)
+        if dataclasses.is_dataclass(value):
+            names += setting_names(value, f"{prefix}{f.name}.")
+        else:
+            names.append(prefix + f.name)
+    return names
+
+
+def _with_setting(config: Any, key: str, path: list[str], value: Any) -> Any:
+    kinds = {f.name: f.type for f in fields(config)}
+    name, rest = path[0], path[1:]
+    here = getattr(config, name, None) if name in kinds else None
+    if name not in kinds or bool(rest) != dataclasses.is_dataclass(here):
+        raise UserError(f"There is no setting {key!r}.", _did_you_mean(key))
+    new = _with_setting(here, key, rest, value) if rest else _parse(key, kinds[name], here, value)
+    return replace(config, **{name: new})
+
+
+def _did_you_mean(key: str) -> str:
+    names = setting_names(Config())
+    tail = key.rsplit(".", 1)[-1]
+    near = difflib.get_close_matches(key, names, n=3, cutoff=0.5)
+    near += [n for n in names if n.rsplit(".", 1)[-1] == tail and n not in near]
+    return f"Did you mean {' or '.join(near[:3])}?" if near else f"It takes {', '.join(names)}."
+
+
+def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
+    """``value`` as the type of the field, of which ``here`` is a present value."""
+    try:
+        if get_origin(kind) is Literal:
+            if value not in get_args(kind):
+                raise ValueError
+            return value
+        if isinstance(here, bool):
+            return {"true": True, "false": False}[str(value).lower()]
+        if isinstance(here, tuple):
+            parts = value.split(",") if isinstance(value, str) else list(value)
+            if len(parts) != len(here):
+                raise ValueError
+            return tuple(type(x)(p) for x, p in zip(here, parts, strict=True))
+        number = type(here)(value)
+        if number != number or number in (float("inf"), float("-inf")):
+            raise ValueError
+        return number
+    except (ValueError, KeyError, TypeError):
+        takes = " or ".join(get_args(kind)) if get_origin(kind) is Literal else _describe(here)
+        raise UserError(f"{key} is {value!r}.", f"It takes {takes}.") from None
+
+
+def _describe(here: Any) -> str:
+    if isinstance(here, bool):
+        return "true or false"
+    if isinstance(here, tuple):
+        return f"{len(here)} numbers with commas, such as {','.join(map(str, here))}"
+    return "a whole number" if isinstance(here, int) else "a number"

@@ -1,0 +1,151 @@
+"""The whole method: text in, an asset folder out (docs/architecture.md, "Data flow").
+
+Every stage leaves its result in the run folder's checkpoint, so a resumed run goes on in the
+middle of the stage where it stopped.
+"""
+
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+import torch
+from torch import Tensor
+
+from core.appearance.environment import Environment, load_light
+from core.appearance.material import MaterialNet
+from core.asset import place, write_asset
+from core.config import Config, preset, with_settings
+from core.errors import MissingError, UserError
+from core.geometry.init_shape import ellipsoid, fit, mesh_shape
+from core.geometry.mesh import Mesh, load_mesh, normalise
+from core.geometry.sdf_net import SdfNet
+from core.guidance.guidance import Embedding, Guidance
+from core.guidance.make import make_guidance
+from core.protocol import Job
+from core.render.shaded import UvMesh
+from core.run_folder import RunFolder
+from core.stages.appearance import learn_appearance, show
+from core.stages.geometry import learn_geometry
+from core.stages.texturing import bake_maps, unwrap_shape
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """Everything that a job names, loaded and checked before the first file is written."""
+
+    config: Config
+    device: torch.device
+    guidance: Guidance
+    embedding: Embedding
+    light: Tensor  # lat-long, linear
+    shape: Mesh | None  # the guide mesh, or the mesh to texture
+
+
+def prepare(job: Job) -> Inputs:
+    """Load what ``job`` names; UserError for the first thing that is not right."""
+    config = config_of(job)
+    device = device_of(job.device)
+    path = job.mesh or job.guide_mesh
+    shape = load_mesh(Path(path)) if path else None
+    light = load_light(job.light)
+    guidance = make_guidance(job.guidance, device)
+    embedding = guidance.embed(job.prompt, job.negative_prompt)
+    return Inputs(config, device, guidance, embedding, light, shape)
+
+
+def generate(run: RunFolder, inputs: Inputs) -> Path:
+    """Carry out the run from where it stands; the path of its asset folder."""
+    job, config, device = run.job, inputs.config, inputs.device
+
+    # GEOMETRY: Ψ learns the shape, from an ellipsoid or from the guide mesh
+    mesh = load_unwrapped(run)
+    if mesh is None and job.command == "generate":
+        generator = torch.Generator().manual_seed(job.seed)
+        net = SdfNet.of(config.geometry, generator).to(device)
+        if not run.has("geometry"):
+            start = mesh_shape(inputs.shape) if inputs.shape else ellipsoid(config.geometry.radii)
+            with run.timed("fit"):
+                fit(net, start, config.geometry.fit_steps, generator)
+        verts, faces = learn_geometry(
+            net, inputs.guidance, inputs.embedding, config.geometry, run, generator
+        )
+        shape = Mesh(verts.cpu(), faces.cpu())
+    else:
+        shape = inputs.shape
+
+    # UNWRAP: once, within the face budget
+    if mesh is None:
+        verts, _, _ = normalise(shape.verts)
+        mesh = unwrap_shape(replace(shape, verts=verts), config.texture, run)
+        save_unwrapped(run, mesh)
+    mesh = mesh.to(device)
+
+    # APPEARANCE: Γ learns the material
+    generator = torch.Generator().manual_seed(job.seed + 1)
+    material = MaterialNet(config.appearance, generator).to(device)
+    environment = Environment.of(inputs.light).to(device)
+    learn_appearance(
+        material, mesh, environment, inputs.guidance, inputs.embedding, run, generator
+    )
+
+    # TEXTURING: Γ on the texels, edge padding, the asset folder
+    maps = bake_maps(mesh, material, config.texture, run)
+    verts = place(mesh.verts.cpu()) if job.command == "generate" else inputs.shape.verts
+    return write_asset(
+        run.asset, verts, mesh.faces, mesh.uv, mesh.face_uvs, maps, info_of(job, run),
+        show(material, mesh, environment),
+    )  # fmt: skip
+
+
+def config_of(job: Job) -> Config:
+    """The preset with the job's own sizes and settings."""
+    config = preset(job.preset)
+    if job.texture_size:
+        config = replace(config, texture=replace(config.texture, size=job.texture_size))
+    if job.max_faces:
+        config = replace(config, texture=replace(config.texture, max_faces=job.max_faces))
+    config = with_settings(config, job.settings)
+    return shortened(config, job.guide_strength) if job.guide_mesh else config
+
+
+def shortened(config: Config, strength: float) -> Config:
+    """``config`` for a guide mesh: the coarse phase, which decides the shape, is cut short.
+
+    ``strength`` 0 keeps it whole; at 1 there is none, and the fine phase only touches up.
+    """
+    g = config.geometry
+    coarse = replace(g.coarse, steps=round(g.coarse.steps * (1 - strength)))
+    fine = replace(g.fine, steps=max(1, round(g.fine.steps * (1 - 0.8 * strength))))
+    return replace(config, geometry=replace(g, coarse=coarse, fine=fine))
+
+
+def device_of(name: str) -> torch.device:
+    """The torch device ``name``; "auto" is the first GPU, or else the CPU."""
+    found = {"cuda": torch.cuda.is_available(), "mps": torch.backends.mps.is_available()}
+    if name == "auto":
+        return torch.device(next((kind for kind, here in found.items() if here), "cpu"))
+    kind = name.split(":")[0]
+    if kind not in ("cpu", *found):
+        raise UserError(f"There is no device {name!r}.", "Take auto, cpu, cuda or mps.")
+    if not found.get(kind, True):
+        raise MissingError(f"This torch finds no {kind} device.", "Take --device auto or cpu.")
+    return torch.device(name)
+
+
+def load_unwrapped(run: RunFolder) -> UvMesh | None:
+    """The unwrapped mesh of an earlier session of this run."""
+    found = run.load("mesh")
+    return UvMesh.of(*(found[0][k] for k in ("verts", "faces", "uv", "face_uvs"))) if found else None
+
+
+def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:
+    """Keep the unwrapped mesh: from here on the geometry is not trained again."""
+    parts = {"verts": mesh.verts, "faces": mesh.faces, "uv": mesh.uv, "face_uvs": mesh.face_uvs}
+    run.save("mesh", parts, {})
+
+
+def info_of(job: Job, run: RunFolder) -> dict:
+    """What asset.json says about the making."""
+    told = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
+    job_told = {key: value for key, value in asdict(job).items() if key in told}
+    timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}
+    return job_told | {"timings": timings, "distribution": "GGX"}

@@ -1,0 +1,130 @@
+"""What the core and a window on it say to each other: job.json and events.jsonl.
+
+Standard library only. The files lie in the run folder (docs/architecture.md).
+"""
+
+import dataclasses
+import difflib
+import json
+import os
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, get_origin
+
+from core.errors import UserError
+
+VERSION = 1
+COMMANDS = ("generate", "texture")
+EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
+LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
+MAX_PROMPT = 2000  # characters
+
+
+@dataclass(frozen=True, kw_only=True)
+class Job:
+    """One asset, as the user asked for it. Written once, never changed."""
+
+    prompt: str
+    command: str = "generate"  # or "texture"
+    negative_prompt: str = ""
+    seed: int = 0
+    preset: str = "draft"
+    guidance: str = "builtin"  # or a folder, or a hub id
+    guide_mesh: str = ""  # a file whose shape the geometry starts from; "" is the ellipsoid
+    guide_strength: float = 0.5  # 0 is a start only, 1 keeps the shape
+    mesh: str = ""  # of "texture": the user's own mesh
+    light: str = "studio"  # a name or an HDR or EXR file
+    texture_size: int = 0  # texels; 0 is the preset's
+    max_faces: int = 0  # 0 is the preset's
+    device: str = "auto"
+    settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}
+    version: int = VERSION
+
+    def __post_init__(self) -> None:
+        _check(self)
+
+    @classmethod
+    def from_json(cls, text: str) -> "Job":
+        """Parse ``text``; an unknown key is refused, so that a misspelt one is never ignored."""
+        try:
+            data = json.loads(text)
+        except ValueError as error:
+            raise UserError(f"job.json is no JSON ({error}).", "Start a new run.") from None
+        if not isinstance(data, dict):
+            raise UserError("job.json holds no object.", "Start a new run.")
+        if data.get("version") != VERSION:
+            raise UserError(
+                f"job.json has version {data.get('version')!r}; this core reads {VERSION}.",
+                "Install the add-on and the core of the same release.",
+            )
+        known = [f.name for f in dataclasses.fields(cls)]
+        for key in sorted(data.keys() - set(known)):
+            near = difflib.get_close_matches(key, known, n=1)
+            hint = f"Did you mean {near[0]!r}?" if near else f"It takes {', '.join(known)}."
+            raise UserError(f"job.json has no setting {key!r}.", hint)
+        if "prompt" not in data:
+            raise UserError("job.json has no prompt.", "Say what to make.")
+        return cls(**data)
+
+    def to_json(self) -> str:
+        """The text of job.json."""
+        return json.dumps(dataclasses.asdict(self), ensure_ascii=False, indent=1) + "\n"
+
+
+def _check(job: Job) -> None:
+    for f in dataclasses.fields(job):
+        value = getattr(job, f.name)
+        kind = get_origin(f.type) or f.type
+        if isinstance(value, bool) or not isinstance(value, (int, float) if kind is float else kind):
+            raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
+    if not job.prompt.strip():
+        raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')
+    for name in ("prompt", "negative_prompt"):
+        if len(getattr(job, name)) > MAX_PROMPT:
+            raise UserError(
+                f"The {name.replace('_', ' ')} has {len(getattr(job, name))} characters.",
+                f"Shorten it to {MAX_PROMPT} or less.",
+            )
+    if job.command not in COMMANDS:
+        raise UserError(f"There is no command {job.command!r}.", f"Take {' or '.join(COMMANDS)}.")
+    if job.command == "texture" and not job.mesh:
+        raise UserError("There is no mesh to texture.", "Name an OBJ, PLY, GLB or STL file.")
+    if not 0 <= job.guide_strength <= 1:
+        raise UserError(f"The guide strength is {job.guide_strength}.", "It takes 0 to 1.")
+    if not 0 <= job.seed < 2**63:
+        raise UserError(f"The seed is {job.seed}.", "It takes a whole number from 0 to 2**63 - 1.")
+    if job.texture_size and not 64 <= job.texture_size <= 8192:
+        raise UserError(f"The texture size is {job.texture_size}.", "It takes 64 to 8192 texels.")
+    if job.max_faces and job.max_faces < 100:
+        raise UserError(f"The face budget is {job.max_faces}.", "It takes 100 faces or more.")
+
+
+class EventWriter:
+    """Appends events, one line each; the file is closed between, so a reader sees whole lines."""
+
+    def __init__(self, run: Path) -> None:
+        self._path = run / "events.jsonl"
+
+    def write(self, type: str, **fields: Any) -> dict[str, Any]:
+        """Append one event; fields that are None are left out."""
+        assert type in EVENTS, type
+        event = {"type": type, "time": round(time.time(), 3)}
+        event |= {key: value for key, value in fields.items() if value is not None}
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(event, ensure_ascii=False) + "\n")
+        return event
+
+
+def read_events(run: Path) -> list[dict[str, Any]]:
+    """All whole lines of a run's events.jsonl."""
+    path = run / "events.jsonl"
+    text = path.read_bytes() if path.exists() else b""
+    return [json.loads(line) for line in text[: text.rfind(b"\n") + 1].splitlines()]
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a small text file whole: aside, then renamed."""
+    aside = path.with_name(path.name + ".tmp")
+    aside.write_text(text, encoding="utf-8")
+    os.replace(aside, path)

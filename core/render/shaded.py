@@ -1,0 +1,114 @@
+"""Pictures of a mesh with a material under a light: x = {L(p, ω)} of §4.3."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.appearance.environment import Environment
+from core.appearance.material import Material
+from core.appearance.tangents import corner_tangents
+from core.camera import Cameras
+from core.ops import dot, linear_to_srgb, normalize
+from core.render.antialias import EdgeTable, antialias, edge_table
+from core.render.normals import vertex_normals
+from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
+from core.render.shade import perturb, shade
+
+# The material at P points of the surface, known by position (P,3) and uv (P,2).
+MaterialSource = Callable[[Tensor, Tensor], Material]
+
+
+@dataclass(frozen=True, eq=False)
+class UvMesh:
+    """A mesh with everything that its shading needs; made once, its shape is final."""
+
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    uv: Float[Tensor, "u 2"]
+    face_uvs: Int[Tensor, "f 3"]
+    normals: Float[Tensor, "v 3"]
+    tangents: Float[Tensor, "f 3 4"]  # MikkTSpace, by corner
+    edges: EdgeTable
+    closed: bool
+
+    @classmethod
+    def of(
+        cls,
+        verts: Float[Tensor, "v 3"],
+        faces: Int[Tensor, "f 3"],
+        uv: Float[Tensor, "u 2"],
+        face_uvs: Int[Tensor, "f 3"],
+    ) -> "UvMesh":
+        """Derive normals, tangents and edges."""
+        normals = vertex_normals(verts, faces)
+        edges = edge_table(faces)
+        tangents = corner_tangents(verts, faces, normals, uv, face_uvs).to(verts)
+        closed = bool((edges.faces >= 0).all())
+        return cls(verts, faces, uv, face_uvs, normals, tangents, edges, closed)
+
+    def to(self, device: "torch.device | str") -> "UvMesh":
+        """The same mesh on ``device``."""
+        return UvMesh.of(*(x.to(device) for x in (self.verts, self.faces, self.uv, self.face_uvs)))
+
+
+class Shaded(NamedTuple):
+    """What :func:`render_shaded` saw."""
+
+    srgb: Float[Tensor, "b h w 3"]  # over black, weighted by coverage
+    o: Float[Tensor, "b h w 1"]  # coverage
+    n: Float[Tensor, "b h w 3"]  # the shape's own normals, object frame, weighted by coverage
+    points: Float[Tensor, "p 3"]  # of the covered pixels
+    material: Material  # there
+
+
+class Surface(NamedTuple):
+    """The surface at the covered pixels."""
+
+    points: Float[Tensor, "p 3"]
+    uv: Float[Tensor, "p 2"]
+    normal: Float[Tensor, "p 3"]  # unit, towards the camera's side on an open mesh
+    tangent: Float[Tensor, "p 4"]
+    to_eye: Float[Tensor, "p 3"]  # unit
+
+
+def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
+    """Interpolate the mesh's attributes at the covered pixels."""
+    points = interpolate(mesh.verts, fragments)
+    normal = normalize(interpolate(mesh.normals, fragments))
+    uv = interpolate(mesh.uv[mesh.face_uvs], fragments)
+    tangent = interpolate(mesh.tangents, fragments)
+    to_eye = normalize(cameras.eye[fragments.view] - points)
+    if not mesh.closed:
+        normal = torch.where(dot(normal, to_eye) < 0, -normal, normal)
+    return Surface(points, uv, normal, tangent, to_eye)
+
+
+def render_shaded(
+    mesh: UvMesh,
+    source: MaterialSource,
+    cameras: Cameras,
+    size: int,
+    environment: Environment,
+) -> Shaded:
+    """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material."""
+    fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
+    surface = surface_at(mesh, fragments, cameras)
+    material = source(surface.points, surface.uv)
+    normal = perturb(surface.normal, surface.tangent, material.kn)
+    color = shade(
+        normal, surface.to_eye, material.kd, material.roughness, material.metallic, environment
+    )
+    srgb = linear_to_srgb(saturate(color))
+    values = torch.cat([srgb, surface.normal, torch.ones_like(srgb[:, :1])], -1)
+    picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
+    srgb, n, o = picture.split([3, 3, 1], -1)
+    return Shaded(srgb, o, n, surface.points, material)
+
+
+def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
+    """``x`` cut to [0, 1], as a screen does; the gradient passes, so that glare can be mended."""
+    return x + (x.clamp(0, 1) - x).detach()
