@@ -1,0 +1,44 @@
+"""The core's own Python environment: found, made, repaired and checked.
+
+Standard library only, and no bpy. ``run.py`` and the panel's "Set up" button share this package;
+it loads under Python 3.8 or newer. The dependencies stand in ``pyproject.toml`` alone.
+
+The environment lies in the user's data folder as ``fantasia3d/env-HASH``, HASH being that of the
+core's requirements. It is complete when its marker is there, which is written last: whatever a
+killed set-up leaves is made anew by the next one. Nothing is installed into Blender.
+
+Variables: FANTASIA3D_ENV (another folder), FANTASIA3D_PYTHON (an interpreter to use as it is),
+FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
+"""
+
+from .doctor import Line, examine
+from .install import Progress, ensure
+from .layout import (
+    data_folder,
+    env_folder,
+    env_python,
+    lacking,
+    log_file,
+    project_root,
+    requirements,
+)
+from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia
+
+__all__ = [
+    "PYTHON",
+    "Line",
+    "Progress",
+    "SetupError",
+    "clean_environ",
+    "data_folder",
+    "ensure",
+    "env_folder",
+    "env_python",
+    "examine",
+    "find_python",
+    "has_nvidia",
+    "lacking",
+    "log_file",
+    "project_root",
+    "requirements",
+]

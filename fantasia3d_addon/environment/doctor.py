@@ -1,0 +1,135 @@
+"""What is here, what is missing, and how to mend it: ``run.py doctor`` and the panel's "Check"."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from . import layout, machine
+from .machine import SetupError
+
+OK, MISSING, NOTE = "ok", "MISSING", "-"
+
+# Run by the environment's own Python; its arguments are the pinned requirements.
+PROBE = """
+import importlib.metadata, importlib.util, json, sys
+from pathlib import Path
+facts = {"python": sys.version.split()[0], "wrong": []}
+for pin in sys.argv[1:]:
+    name, _, wanted = pin.partition("==")
+    try:
+        found = importlib.metadata.version(name.partition("[")[0])
+    except importlib.metadata.PackageNotFoundError:
+        found = "none"
+    if found.partition("+")[0] != wanted:
+        facts["wrong"].append(f"{name} {found} (wanted {wanted})")
+    if name == "bpy" and found != "none":
+        facts["bpy"] = found
+        folder = Path(importlib.util.find_spec("bpy").origin).parent
+        facts["lights"] = len(list(folder.glob("*/datafiles/studiolights/world/*")))
+if importlib.util.find_spec("torch"):
+    import torch
+    facts["torch"], facts["threads"] = torch.__version__, torch.get_num_threads()
+    if torch.cuda.is_available():
+        free, total = (n / 1e9 for n in torch.cuda.mem_get_info())
+        facts["gpu"] = f"{torch.cuda.get_device_name()}, {free:.0f} of {total:.0f} GB free"
+    elif torch.backends.mps.is_available():
+        facts["gpu"] = "Apple GPU (mps)"
+print(json.dumps(facts))
+"""
+
+
+class Line(NamedTuple):
+    """One finding: its ``state`` is "ok", "MISSING" (the main job cannot run) or "-"."""
+
+    name: str
+    state: str
+    text: str
+
+
+def examine(root: Path) -> list[Line]:
+    """All findings; takes a few seconds, for torch is loaded in the environment's Python."""
+    return [*_python(root), *_environment(root), *_data(root)]
+
+
+def _python(root: Path) -> list[Line]:
+    lines = [Line("launcher", NOTE, f"Python {sys.version.split()[0]}, {root}")]
+    name = f"Python {machine.PYTHON}"
+    try:
+        return [*lines, Line(name, OK, str(machine.find_python()))]
+    except SetupError as error:
+        needed = "core" in layout.lacking(layout.env_folder(root), root)
+        needed = needed and not os.environ.get("FANTASIA3D_PYTHON")
+        return [*lines, Line(name, MISSING if needed else NOTE, str(error))]
+
+
+def _environment(root: Path) -> list[Line]:
+    folder, given = layout.env_folder(root), os.environ.get("FANTASIA3D_PYTHON")
+    lacking = [] if given else layout.lacking(folder, root, ("blender",))
+    make = "generate makes it, and so does: python3 run.py setup blender"
+    if "core" in lacking:
+        return [Line("environment", MISSING, f"{folder} is not made yet; {make}")]
+    lines = [Line("environment", OK, given or str(folder))]
+    if lacking:
+        lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
+    groups = [group for group in ("core", "blender") if group not in lacking]
+    pins = [pin for group in groups for pin in layout.requirements(root, group)]
+    return lines + _packages(given or str(layout.env_python(folder)), pins)
+
+
+def _packages(python: str, pins: Sequence[str]) -> list[Line]:
+    """What the environment's own Python says of its packages and of the GPU."""
+    mend = "mend it with: python3 run.py setup --renew blender"
+    try:
+        done = subprocess.run(
+            [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
+        )
+    except OSError as error:
+        return [Line("packages", MISSING, f"{python} does not run ({error.strerror}); {mend}")]
+    if done.returncode:
+        said = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no word"]
+        return [Line("packages", MISSING, f"{said[-1]}; {mend}")]
+    facts = json.loads(done.stdout.decode("utf-8"))
+    lines = [Line("packages", OK, f"as pinned, under Python {facts['python']}")]
+    if facts["wrong"]:
+        lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {mend}")]
+    lines.append(Line("torch", OK if "torch" in facts else MISSING, facts.get("torch", mend)))
+    gpu = facts.get("gpu") or f"none; the CPU is used, with {facts.get('threads', 1)} threads"
+    if "gpu" not in facts and machine.has_nvidia():
+        gpu = f"there is one, but torch does not see it; {mend}"
+    lines.append(Line("GPU", NOTE, gpu))
+    if "bpy" in facts:
+        lines.append(Line("Blender module", OK, f"bpy {facts['bpy']}"))
+        lines.append(Line("studio lights", NOTE, f"{facts['lights']} of Blender's"))
+    return lines
+
+
+def _data(root: Path) -> list[Line]:
+    weights = sorted((root / "core" / "guidance" / "weights").glob("*.safetensors"))
+    size = sum(path.stat().st_size for path in weights) / 1e6
+    names = ", ".join(path.name for path in weights)
+    data = layout.data_folder()
+    place = next(path for path in (data, *data.parents) if path.exists())
+    free = shutil.disk_usage(str(place)).free / 1e9
+    return [
+        Line("built-in weights", OK, f"{names} ({size:.1f} MB)")
+        if weights
+        else Line("built-in weights", MISSING, "core/guidance/weights is empty; clone it again"),
+        Line("Stable Diffusion", NOTE, _hub_models() or "none in the hub's cache; optional: "
+             "--guidance FOLDER takes any diffusers folder"),
+        Line("disk", NOTE, f"{free:.0f} GB free at {place}"),
+    ]  # fmt: skip
+
+
+def _hub_models() -> str:
+    """The diffusers models in the hub's cache on this machine."""
+    home = os.environ.get("HF_HOME") or Path.home() / ".cache" / "huggingface"
+    hub = Path(os.environ.get("HF_HUB_CACHE") or Path(home, "hub"))
+    found = hub.glob("models--*/snapshots/*/model_index.json")
+    return ", ".join(sorted({p.parents[2].name[8:].replace("--", "/") for p in found}))

@@ -1,0 +1,299 @@
+"""The set-up of the environment: a venv, torch for this machine, the pinned packages."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import queue
+import re
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import IO, Any, Protocol
+
+from . import layout, machine
+from .machine import SetupError
+from .words import explain, offers_cuda, pip_sources, step_of
+
+
+class Progress(Protocol):
+    """Hears of the set-up's steps."""
+
+    def __call__(self, text: str, share: float) -> None:
+        """``text`` is a line for the user; ``share`` is done, from 0 to 1."""
+
+
+SIZES = {"core": 1.6e9, "blender": 0.9e9, "test": 0.4e9}  # bytes on disk, measured
+CUDA_SIZE = 6e9  # what torch's CUDA build adds
+SILENCE = 15.0  # seconds after which a long step is said to go on
+CHECKS = {  # what must load before a group counts as installed
+    "core": "import torch, numpy, safetensors, PIL; print('torch', torch.__version__)",
+    "blender": "import bpy, os, sys; print('bpy', bpy.app.version_string); sys.stdout.flush(); "
+    "os._exit(0)",  # an ordinary exit may hang with bpy 4.5
+}
+LIBRARIES = "libx11-6 libxi6 libxxf86vm1 libxfixes3 libxrender1 libxkbcommon0 libsm6 libgl1 libegl1"
+
+
+def ensure(
+    root: Path,
+    groups: Sequence[str],
+    progress: Progress,
+    allow_cuda: bool = False,
+    renew: bool = False,
+) -> Path:
+    """The interpreter of an environment that holds the core and ``groups``; made if need be.
+
+    An interpreter named in FANTASIA3D_PYTHON is taken as it is. ``allow_cuda`` takes torch's CUDA
+    build on a machine without a GPU too; ``renew`` makes the environment anew.
+
+    Raises:
+        SetupError: something is missing that the user can mend; nothing half-made is left.
+    """
+    given = os.environ.get("FANTASIA3D_PYTHON")
+    if given:
+        found = shutil.which(str(Path(given).expanduser()))
+        if not found:
+            raise SetupError(
+                f"FANTASIA3D_PYTHON is {given}, which is no program.",
+                "Name a Python that has this project's packages, or unset it.",
+            )
+        return Path(found)
+    folder = layout.env_folder(root)
+    if renew or layout.lacking(folder, root, groups):
+        with _locked(folder, progress) as lock:
+            todo = ["core", *groups] if renew else layout.lacking(folder, root, groups)
+            if todo:  # no other process has done it meanwhile
+                _SetUp(folder, root, progress, lock).carry_out(todo, allow_cuda)
+    return layout.env_python(folder)
+
+
+@contextlib.contextmanager
+def _locked(folder: Path, progress: Progress) -> Iterator[IO[bytes]]:
+    """Hold the set-up's lock, which the system lets go when its last holder dies."""
+    path = folder.with_name(folder.name + ".lock")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        file = path.open("ab")
+    except OSError as error:
+        raise SetupError(
+            f"{path.parent} cannot be written ({error.strerror}).",
+            "Mend its permissions, or name another folder in FANTASIA3D_ENV.",
+        ) from None
+    with file:
+        told = False
+        while not _try_lock(file):
+            if not told:
+                progress("Another set-up of the same environment is running; waiting for it.", 0.0)
+                told = True
+            time.sleep(0.5)
+        yield file
+
+
+def _try_lock(file: IO[bytes]) -> bool:
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(0)
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+def remove(folder: Path) -> None:
+    """Remove an environment of ours, whole or half-made; nothing else.
+
+    Raises:
+        SetupError: ``folder`` holds something that this project did not make.
+    """
+    if not folder.exists():
+        return
+    ours = (folder / layout.MARKER).exists() or (folder / layout.BUILDING).exists()
+    if not ours and (not folder.is_dir() or any(folder.iterdir())):
+        raise SetupError(
+            f"{folder} holds files that are not this project's.",
+            "Name an empty or new folder in FANTASIA3D_ENV.",
+        )
+    (folder / layout.BUILDING).touch()  # it stays ours if the removal is cut short
+    (folder / layout.MARKER).unlink(missing_ok=True)
+    for entry in list(folder.iterdir()):
+        if entry.name != layout.BUILDING:
+            shutil.rmtree(entry) if entry.is_dir() and not entry.is_symlink() else entry.unlink()
+    shutil.rmtree(folder)
+
+
+class _SetUp:
+    """One set-up of ``folder``; ``lock`` is held, and handed on to the children that write."""
+
+    def __init__(self, folder: Path, root: Path, progress: Progress, lock: IO[bytes]) -> None:
+        self.folder, self.root, self.progress, self.lock = folder, root, progress, lock
+        self.python = str(layout.env_python(folder))
+        self.start = time.monotonic()
+        self.free = shutil.disk_usage(folder.parent).free
+        self.expected = 1.0  # bytes to be written
+
+    def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
+        """Install the groups ``todo``; all from nothing if ``core`` is among them."""
+        fresh, base, gpu = "core" in todo, machine.find_python(), machine.has_nvidia()
+        self.expected = sum(SIZES.get(group, 1e8) for group in todo)
+        self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
+        machine.check_disk(self.folder, 1.4 * self.expected)  # downloads lie beside what they hold
+        log = layout.log_file(self.folder)
+        self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
+        with log.open("w", encoding="utf-8", errors="replace") as self.log:
+            try:
+                if fresh:
+                    self._make_folder(base)
+                    self._choose_torch(gpu, allow_cuda)
+                self._install(todo)
+            except BaseException:
+                if fresh and not layout.read_marker(self.folder):
+                    remove(self.folder)
+                raise
+        self.progress(f"The environment is ready ({self._seconds()} s).", 1.0)
+
+    def _make_folder(self, base: Path) -> None:
+        remove(self.folder)
+        self.folder.mkdir(parents=True)
+        (self.folder / layout.BUILDING).touch()
+        self.progress(f"making a virtual environment of {base}", 0.01)
+        self._run([str(base), "-m", "venv", str(self.folder)])
+
+    def _install(self, todo: Sequence[str]) -> None:
+        """Install, check and mark the groups, the core's pins always among the wishes."""
+        wanted = {group: layout.requirements(self.root, group) for group in ("core", *todo)}
+        pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
+        self._pip("install", "--no-compile", *pins)
+        for group in todo:
+            self._check(group)
+            marker = layout.read_marker(self.folder) or {"python": sys.version, "groups": {}}
+            marker["groups"][group] = layout.digest(wanted[group])
+            layout.write_marker(self.folder, marker)
+
+    def _check(self, group: str) -> None:
+        """Load what ``group`` brought."""
+        if group not in CHECKS:
+            return
+        self.progress(f"checking {group}", 0.97)
+        try:
+            self._run([self.python, "-I", "-c", CHECKS[group]])
+        except SetupError as error:
+            fix = f"On Debian and Ubuntu: apt install {LIBRARIES}." if group == "blender" else ""
+            raise SetupError(
+                f"The packages of {group} are installed, but do not load: {error.text}",
+                f"{fix} {error.fix}".strip(),
+            ) from None
+
+    def _choose_torch(self, gpu: bool, allow_cuda: bool) -> None:
+        """Install torch's CPU build where pip alone would bring gigabytes of CUDA in vain.
+
+        On a machine with a GPU for which pip finds a CPU build only, the CUDA build is tried.
+        """
+        core = layout.requirements(self.root, "core")
+        pin = next(line for line in core if re.match(r"torch\b", line))
+        report = self.folder / "report.json"
+        self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
+        cuda = offers_cuda(json.loads(report.read_text(encoding="utf-8")), sys.platform)
+        if cuda and not gpu and not allow_cuda:
+            try:
+                self._uv(pin, "cpu")
+            except SetupError as error:
+                raise SetupError(
+                    f"pip finds only the CUDA build of {pin} here (3 GB to download, 6 GB on disk),"
+                    f" this machine has no NVIDIA GPU, and the CPU build could not be had: "
+                    f"{error.text}",
+                    "Name a folder with its wheel in PIP_FIND_LINKS, or take the CUDA build all "
+                    f"the same: python3 run.py setup --allow-cuda. {error.fix}",
+                ) from None
+        elif gpu and not cuda and sys.platform != "darwin":
+            try:
+                self._uv(pin, "auto")
+            except SetupError as error:
+                self.progress(f"taking torch's CPU build; no CUDA build: {error.text}", 0.1)
+
+    def _uv(self, pin: str, backend: str) -> None:
+        """Install torch through uv, which knows where torch's own builds lie."""
+        tool = self.folder / "uv"
+        self._pip("install", "--no-deps", "--target", str(tool),
+                  *layout.requirements(self.root, "setup"))  # fmt: skip
+        sources = pip_sources(machine.output([self.python, "-m", "pip", "config", "list"]))
+        uv = tool / "bin" / ("uv.exe" if sys.platform == "win32" else "uv")
+        self._run([str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend,
+                   pin], sources)  # fmt: skip
+        shutil.rmtree(tool)
+
+    def _pip(self, verb: str, *args: str) -> None:
+        wheels = os.environ.get("FANTASIA3D_WHEELS")
+        offline = ["--no-index", "--find-links", wheels] if wheels else []
+        head = ["-m", "pip", "--no-input", "--no-color", "--disable-pip-version-check", verb]
+        self._run([self.python, *head, "--progress-bar", "off", *offline, *args])
+
+    def _run(self, command: Sequence[str], environ: dict[str, str] | None = None) -> None:
+        """Run ``command``: its output goes into the log, its long steps to ``progress``.
+
+        Raises:
+            SetupError: it failed; the sentence says why, as far as its output tells.
+        """
+        self.log.write(f"$ {' '.join(command)}\n")
+        handed_on: dict[str, Any] = {}
+        if sys.platform != "win32":  # a child that outlives this process keeps the lock
+            handed_on["pass_fds"] = (self.lock.fileno(),)
+        child = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            env={**machine.clean_environ(), "PYTHONIOENCODING": "utf-8", **(environ or {})},
+            **handed_on,
+        )  # fmt: skip
+        try:
+            said = self._follow(child)
+            status = child.wait()
+        except BaseException:  # Ctrl-C among them
+            child.terminate()
+            child.wait()
+            raise
+        if status:
+            raise explain(said, layout.log_file(self.folder))
+
+    def _follow(self, child: subprocess.Popen[bytes]) -> str:
+        """The child's last lines; a long silence is filled with what the disk tells."""
+        lines: queue.Queue[bytes | None] = queue.Queue()
+
+        def read() -> None:
+            assert child.stdout
+            for line in child.stdout:
+                lines.put(line)
+            lines.put(None)
+
+        threading.Thread(target=read, daemon=True).start()
+        said: list[str] = []
+        while True:
+            try:
+                raw = lines.get(timeout=SILENCE)
+            except queue.Empty:
+                self.progress(f"still at it ({self._seconds()} s)", self._share())
+                continue
+            if raw is None:
+                return "".join(said[-200:])
+            line = raw.decode("utf-8", "replace")
+            self.log.write(line)
+            self.log.flush()
+            said.append(line)
+            step = step_of(line)
+            if step:
+                self.progress(step, self._share())
+
+    def _share(self) -> float:
+        written = self.free - shutil.disk_usage(self.folder.parent).free
+        return min(0.95, max(0.02, written / self.expected))
+
+    def _seconds(self) -> int:
+        return round(time.monotonic() - self.start)

@@ -1,0 +1,98 @@
+"""What the environment must hold, where it lies, and whether it is complete."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from .machine import SetupError
+
+MARKER = "fantasia3d.json"  # in a complete environment, written last
+BUILDING = "fantasia3d.building"  # in one that is being made: it may be removed again
+
+
+def project_root() -> Path:
+    """The folder that holds ``pyproject.toml`` and ``core``: this tree, or the packaged add-on."""
+    addon = Path(__file__).resolve().parent.parent
+    for root in (addon, addon.parent):
+        if (root / "pyproject.toml").is_file() and (root / "core").is_dir():
+            return root
+    raise SetupError(f"{addon} has no core beside it.", "Install the whole package again.")
+
+
+def requirements(root: Path, group: str) -> list[str]:
+    """The pinned requirements of ``group``: ``core``, or an optional one of pyproject.toml."""
+    import tomllib  # not in Python 3.8 to 3.10, under which run.py still starts
+
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    return project["dependencies"] if group == "core" else project["optional-dependencies"][group]
+
+
+def digest(lines: Sequence[str]) -> str:
+    """A short hash of requirements, for the folder's name and the marker."""
+    return hashlib.sha256("\n".join(sorted(lines)).encode()).hexdigest()[:12]
+
+
+def data_folder() -> Path:
+    """The user's data folder of this project (not made here)."""
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local"
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Application Support"
+    else:
+        base = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    return Path(base) / "fantasia3d"
+
+
+def env_folder(root: Path) -> Path:
+    """Where the environment of this version's requirements lies, or will lie.
+
+    FANTASIA3D_ENV names another folder.
+    """
+    given = os.environ.get("FANTASIA3D_ENV")
+    if given:
+        return Path(given).expanduser().absolute()
+    return data_folder() / f"env-{digest(requirements(root, 'core'))}"
+
+
+def env_python(folder: Path) -> Path:
+    """The interpreter of the environment ``folder``."""
+    return folder / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+
+
+def log_file(folder: Path) -> Path:
+    """The log of the last set-up of ``folder``, beside it."""
+    return folder.with_name(folder.name + ".log")
+
+
+def read_marker(folder: Path) -> dict[str, Any]:
+    """What the environment ``folder`` holds; empty while it is not complete."""
+    try:
+        marker = json.loads((folder / MARKER).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return marker if env_python(folder).exists() else {}
+
+
+def write_marker(folder: Path, marker: dict[str, Any]) -> None:
+    """Say, in one step, what ``folder`` holds."""
+    aside = folder / (MARKER + ".tmp")
+    aside.write_text(json.dumps(marker, indent=1) + "\n", encoding="utf-8")
+    aside.replace(folder / MARKER)
+
+
+def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:
+    """Those of ``core`` and ``groups`` that are not installed as pyproject.toml pins them.
+
+    Without the core's packages as pinned, nothing in ``folder`` counts.
+    """
+    done = read_marker(folder).get("groups", {})
+    wanted = {group: digest(requirements(root, group)) for group in ("core", *groups)}
+    if done.get("core") != wanted["core"]:
+        return list(wanted)
+    return [group for group, value in wanted.items() if done.get(group) != value]

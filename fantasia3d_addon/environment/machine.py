@@ -1,0 +1,136 @@
+"""What this machine offers to the set-up: a Python, a GPU, room on the disk."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+PYTHON = "3.11"  # bpy 4.5's wheel is for this one alone
+CLEAN = (
+    "PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
+    "PIP_TARGET", "PIP_PREFIX", "PIP_USER",
+)  # fmt: skip  # variables that would lead another Python astray
+
+
+class SetupError(Exception):
+    """What the user can mend: ``text`` says what is missing, ``fix`` what to do."""
+
+    status = 3  # the process's exit status: something is not installed or not there
+
+    def __init__(self, text: str, fix: str = "") -> None:
+        super().__init__(f"{text} {fix}".strip())
+        self.text = text
+        self.fix = fix
+
+
+def clean_environ() -> dict[str, str]:
+    """The process's variables without those that would lead another Python astray."""
+    return {key: value for key, value in os.environ.items() if key not in CLEAN}
+
+
+def output(command: Sequence[str], timeout: float = 20) -> str:
+    """What ``command`` prints; empty if it fails, hangs or is not there."""
+    try:
+        done = subprocess.run(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            env=clean_environ(), timeout=timeout, check=True,
+        )  # fmt: skip
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return done.stdout.decode("utf-8", "replace").strip()
+
+
+def has_nvidia() -> bool:
+    """Whether an NVIDIA GPU with its driver is here."""
+    if Path("/proc/driver/nvidia/version").exists():
+        return True
+    tool = shutil.which("nvidia-smi")
+    return tool is not None and "GPU " in output([tool, "-L"])
+
+
+PROBE = """import sys, importlib.util as u
+print("%d.%d" % sys.version_info[:2], sys.maxsize > 2**32,
+      all(u.find_spec(name) for name in ("venv", "ensurepip")),
+      getattr(sys, "_base_executable", None) or sys.executable, sep="|")"""
+
+
+def python_candidates() -> Iterator[str]:
+    """Interpreters that may be the wanted one, the likeliest first; some may not exist."""
+    version, name = PYTHON, f"python{PYTHON}"
+    home, in_blender = Path.home(), "bpy" in sys.modules
+    if not in_blender and sys.executable:
+        yield sys.executable
+    for word in (name, "python3", "python"):
+        yield shutil.which(word) or ""
+    pyenv = Path(os.environ.get("PYENV_ROOT") or home / ".pyenv")
+    uv = Path(os.environ.get("UV_PYTHON_INSTALL_DIR") or home / ".local/share/uv/python")
+    for folder, pattern in (
+        (pyenv / "versions", f"{version}*"),
+        (pyenv / "pyenv-win/versions", f"{version}*"),
+        (uv, f"cpython-{version}*"),
+    ):
+        for found in sorted(folder.glob(pattern), reverse=True):
+            yield str(found / "bin" / name)
+            yield str(found / "python.exe")
+    local = os.environ.get("LOCALAPPDATA")
+    if local:
+        yield str(
+            Path(local, "Programs", "Python", "Python" + version.replace(".", ""), "python.exe")
+        )
+    for place in (
+        "/usr/bin", "/usr/local/bin", "/opt/homebrew/bin", f"/opt/{name}/bin",
+        f"/Library/Frameworks/Python.framework/Versions/{version}/bin",
+    ):  # fmt: skip
+        yield f"{place}/{name}"
+    if sys.platform == "win32":
+        yield output(["py", f"-{version}", "-c", "import sys; print(sys.executable)"])
+    if shutil.which("uv"):
+        yield output(["uv", "python", "find", "--no-python-downloads", version])
+    if in_blender:  # the last resort: the environment dies with this Blender
+        yield sys.executable
+
+
+def find_python() -> Path:
+    """A Python of the wanted version that can make environments.
+
+    Raises:
+        SetupError: there is none.
+    """
+    version, without_venv = PYTHON, ""
+    for candidate in dict.fromkeys(python_candidates()):
+        answer = output([candidate, "-I", "-c", PROBE]) if candidate else ""
+        found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
+        if found == version and wide == "True":
+            if makes_envs == "True":
+                return Path(base)
+            without_venv = candidate
+    if without_venv:
+        raise SetupError(
+            f"{without_venv} cannot make environments: its venv or ensurepip module is missing.",
+            f"Install it (on Debian and Ubuntu: apt install python{version}-venv).",
+        )
+    raise SetupError(
+        f"Python {version} is not on this machine (this one is {sys.version.split()[0]}), "
+        "and Blender's Python module is made for that version alone.",
+        f"Install it beside the Python you have: from python.org, from your system's packages, or "
+        f"with `uv python install {version}`.",
+    )
+
+
+def check_disk(folder: Path, need: float) -> None:
+    """Refuse a set-up of ``need`` bytes that the disk of ``folder`` could not hold.
+
+    Raises:
+        SetupError: there is too little room.
+    """
+    there = next(path for path in (folder, *folder.parents) if path.exists())
+    free = shutil.disk_usage(there).free
+    if free < need:
+        raise SetupError(
+            f"The set-up needs {need / 1e9:.1f} GB; the disk of {there} has {free / 1e9:.1f} GB.",
+            "Free some space, or name a folder on another disk in FANTASIA3D_ENV.",
+        )

@@ -1,0 +1,89 @@
+"""What pip and uv say, read: their steps, their reports, and why they failed."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+from typing import Any
+
+from .machine import SetupError
+
+LARGE = 5.0  # MB; smaller downloads are not worth a line
+
+NETWORK = re.compile(
+    r"NewConnectionError|NameResolutionError|Temporary failure in name resolution|"
+    r"Failed to establish a new connection|getaddrinfo failed|Name or service not known|"
+    r"ConnectTimeoutError|ReadTimeoutError|Read timed out|ProxyError|SSLError|"
+    r"Connection refused|Connection reset|Connection broken|Network is unreachable|"
+    r"IncompleteRead|error sending request|dns error"
+)
+DISK = re.compile(r"No space left on device|Errno 28|not enough space on the disk|Disk quota")
+NO_MATCH = re.compile(r"No matching distribution found for (\S+)")
+
+
+def step_of(line: str) -> str:
+    """A step worth telling the user in a line of pip's; empty for the rest."""
+    fetched = re.match(r"\s*Downloading (?:\S*/)?(\S+) \(([\d.]+) ([MG])B\)", line)
+    if fetched:
+        file, size, unit = fetched.groups()
+        large = float(size) * (1000 if unit == "G" else 1) >= LARGE
+        return f"downloading {' '.join(file.split('-')[:2])} ({size} {unit}B)" if large else ""
+    if line.startswith("Installing collected packages:"):
+        return f"unpacking {line.count(',') + 1} packages"
+    return ""
+
+
+def offers_cuda(report: dict[str, Any], platform: str) -> bool:
+    """Whether the torch of a pip report is a CUDA build on ``platform`` (sys.platform)."""
+    found = report["install"][0]["metadata"]
+    if "+cu" in found["version"]:
+        return True
+    needs = [need for need in found.get("requires_dist", []) if "extra ==" not in need]
+    brings = any(need.startswith(("nvidia-", "cuda-")) for need in needs)
+    return brings and platform.startswith("linux")
+
+
+def pip_sources(config: str) -> dict[str, str]:
+    """uv's variables for the indexes and wheel folders in ``pip config list``'s answer."""
+    names = {
+        "find-links": "UV_FIND_LINKS",
+        "index-url": "UV_DEFAULT_INDEX",
+        "extra-index-url": "UV_INDEX",
+    }
+    found: dict[str, str] = {}
+    for line in config.splitlines():
+        key, equals, value = line.partition("=")
+        name = names.get(key.rpartition(".")[2])
+        if equals and name:
+            words = str(ast.literal_eval(value)).split()
+            found[name] = (" " if name == "UV_INDEX" else ",").join(words)
+    return found
+
+
+def explain(said: str, log: Path) -> SetupError:
+    """The failure of a command as a sentence with its cure; ``said`` is its last output."""
+    if DISK.search(said):
+        return SetupError(
+            "The disk filled up during the set-up.",
+            "Free some space, or name a folder on another disk in FANTASIA3D_ENV (and for "
+            f"temporary files in TMPDIR); then start again. The log is {log}.",
+        )
+    if NETWORK.search(said):
+        return SetupError(
+            "The package registry cannot be reached.",
+            "Check the network and pip's configuration (pip config list), or name a folder of "
+            f"wheels in FANTASIA3D_WHEELS; then start again. The log is {log}.",
+        )
+    missing = NO_MATCH.search(said)
+    if missing:
+        return SetupError(
+            f"There is no package {missing.group(1)} for this system and Python in the registry.",
+            "Add its wheel's folder to pip's find-links, or name a folder of wheels in "
+            f"FANTASIA3D_WHEELS. The log is {log}.",
+        )
+    lines = [line.strip() for line in said.splitlines() if line.strip()] or ["it said nothing"]
+    errors = [line for line in lines if re.match(r"(ERROR|\w*Error)\b", line)]
+    return SetupError(
+        f"A step of the set-up failed ({(errors or lines)[-1]}).", f"The log is {log}."
+    )

@@ -1,0 +1,300 @@
+#!/usr/bin/env python3
+"""Fantasia3D for Blender from the command line: text in, a textured mesh in a Blender scene out.
+
+    python3 run.py COMMAND ...
+    blender -b --python-exit-code 1 --python run.py -- COMMAND ...
+
+Commands:
+    generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
+    texture MESH "PROMPT"      a material for your own mesh; the same options
+    resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    render ASSET --out FILE    a picture of an asset under a light
+    inspect ASSET|MESH         the mesh's health as JSON
+    export ASSET --format blend|glb|obj --out FILE
+    bench [NAME...]            measure this machine
+    doctor                     what is here, what is missing, how to mend it
+    setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
+    test [PYTEST ARGUMENTS]    run the tests
+    python [ARGUMENTS]         the environment's Python
+
+COMMAND --help tells a command's options. The first run makes an environment for the method's
+Python packages in your data folder (about 3 GB; `doctor` tells where).
+
+Exit status: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
+5 no surface could be kept; 130 cancelled.
+"""
+
+from __future__ import annotations
+
+import difflib
+import importlib.util
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+ROOT = Path(__file__).resolve().parent
+JOBS = ("generate", "texture", "resume")  # these end in an asset that Blender may take
+CORE = (*JOBS, "render", "inspect", "export", "bench")
+OWN = ("doctor", "setup", "test", "python")
+PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
+
+
+class InputError(Exception):
+    """What the user asked for cannot be: a sentence and its cure."""
+
+    status = 2
+
+
+def load_environment() -> Any:
+    """The add-on's ``environment`` package, without the add-on, which would need Blender."""
+    folder = ROOT / "fantasia3d_addon" / "environment"
+    spec = importlib.util.spec_from_file_location(
+        "fantasia3d_environment", folder / "__init__.py", submodule_search_locations=[str(folder)]
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+environment = load_environment()
+
+
+# The command line
+
+
+def take(arguments: Sequence[str], option: str) -> tuple[str | None, list[str]]:
+    """The value of ``option`` (``--name VALUE`` or ``--name=VALUE``), and the other arguments.
+
+    Raises:
+        InputError: the value is missing, or there are two.
+    """
+    value, rest, words = None, [], iter(arguments)
+    for word in words:
+        name, equals, given = word.partition("=")
+        if name != option:
+            rest.append(word)
+            continue
+        if value is not None:
+            raise InputError(f"{option} stands there twice. Name one file.")
+        value = given if equals else next(words, "")
+        if not value or (not equals and value.startswith("--")):
+            raise InputError(f"{option} has no value. Write {option} FILE.")
+    return value, rest
+
+
+def split(argv: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """The core's part of a command line, and Blender's: the files for ``blend`` and ``render``.
+
+    The core's part is empty where Blender alone has something to do (``export --format blend``).
+    """
+    arguments, blender = list(argv), {}
+    if argv[0] in JOBS:
+        for name in ("blend", "render"):
+            value, arguments = take(arguments, f"--{name}")
+            if value is not None:
+                blender[name] = value
+    elif argv[0] == "export" and take(argv, "--format")[0] == "blend":
+        out, rest = take(take(argv, "--format")[1], "--out")
+        if out is None:
+            raise InputError("export has no --out. Write --out FILE.blend.")
+        if len(rest) != 2:
+            raise InputError(f"export takes one asset, and got {rest[1:]}. Name its folder.")
+        return [], {"asset": rest[1], "blend": out}
+    return arguments, blender
+
+
+def check_targets(blender: dict[str, str]) -> None:
+    """Refuse files that could not be written after an hour's work.
+
+    Raises:
+        InputError: a wrong ending, a folder, or a place that cannot be written.
+    """
+    for name, endings in (("blend", (".blend",)), ("render", PICTURES)):
+        if name not in blender:
+            continue
+        path = Path(blender[name]).expanduser().absolute()
+        if path.suffix.lower() not in endings:
+            raise InputError(f"--{name} is {blender[name]!r}. Its name ends in {endings[0]}.")
+        place = next(p for p in path.parents if p.exists())
+        if path.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
+            raise InputError(f"{path} cannot be written. Name a file in a folder of yours.")
+
+
+def check_command(argv: Sequence[str]) -> None:
+    """Refuse a command that is not there, by name."""
+    if argv[0] in (*CORE, *OWN):
+        return
+    near = difflib.get_close_matches(argv[0], (*CORE, *OWN), n=1)
+    hint = f"Did you mean {near[0]}?" if near else f"It takes {', '.join((*CORE, *OWN))}."
+    raise InputError(f"There is no command {argv[0]!r}. {hint}")
+
+
+# Handing over
+
+
+def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
+    """Become ``command`` where the system can; else run it and return its exit status."""
+    words = [str(word) for word in command]
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if os.name == "posix" and "bpy" not in sys.modules:  # signals then reach the right process
+        os.chdir(folder or Path.cwd())
+        os.execve(words[0], words, environment.clean_environ())
+    handler = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the child gets Ctrl-C too
+    try:
+        status = subprocess.call(words, env=environment.clean_environ(), cwd=folder)
+    finally:
+        signal.signal(signal.SIGINT, handler)
+    return status if status >= 0 else 128 - status
+
+
+def say(text: str, share: float) -> None:
+    """A line of the set-up's progress."""
+    print(f"set-up {share:4.0%}  {text}", file=sys.stderr, flush=True)
+
+
+def launch(argv: list[str]) -> int:
+    """Carry out a command line under plain Python: the exit status."""
+    if not argv or argv[0] in ("-h", "--help", "help"):
+        print(__doc__.strip())
+        return 0 if argv else 2
+    check_command(argv)
+    if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
+        return hand_over([environment.find_python(), Path(__file__).resolve(), *argv])
+    if argv[0] in OWN:
+        return {"doctor": doctor, "setup": setup, "test": test, "python": python}[argv[0]](argv[1:])
+    core, blender = split(argv)
+    check_targets(blender)
+    python_path = environment.ensure(ROOT, ("blender",) if blender else (), say)
+    if core:
+        return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
+    return hand_over([python_path, Path(__file__).resolve(), "--finish", json.dumps(blender)])
+
+
+def setup(arguments: list[str]) -> int:
+    """Make the environment, with the groups that are named."""
+    flags = {word for word in arguments if word in ("--renew", "--allow-cuda")}
+    groups = [word for word in arguments if word not in flags]
+    wrong = [word for word in groups if word not in ("blender", "test")]
+    if wrong:
+        takes = "blender, test, --renew and --allow-cuda"
+        raise InputError(f"setup has no {wrong[0]!r}. It takes {takes}.")
+    print(
+        environment.ensure(
+            ROOT, groups, say, allow_cuda="--allow-cuda" in flags, renew="--renew" in flags
+        )
+    )
+    return 0
+
+
+def test(arguments: list[str]) -> int:
+    """Run pytest over the core's and the add-on's tests."""
+    python_path = environment.ensure(ROOT, ("blender", "test"), say)
+    return hand_over([python_path, "-m", "pytest", *arguments], ROOT)
+
+
+def python(arguments: list[str]) -> int:
+    """Run the environment's Python."""
+    return hand_over([environment.ensure(ROOT, (), say), *arguments])
+
+
+# Inside the environment
+
+
+def inside(argv: list[str]) -> int:
+    """Carry out a command of the core's in this process; become Blender's part afterwards."""
+    from core.__main__ import _slug, main, parse
+
+    core, blender = split(argv)
+    if not blender:
+        return main(core)
+    run = core[1] if core[0] == "resume" and len(core) > 1 else take(core, "--out")[0]
+    if run is None and "--help" not in core:
+        run = str(Path("out") / _slug(parse(core).prompt))
+        core += ["--out", run]
+    status = main(core)
+    if status:
+        return status
+    assert run
+    light = json.loads(Path(run, "job.json").read_text(encoding="utf-8")).get("light")
+    order = json.dumps({**blender, "asset": str(Path(run, "asset")), "light": light})
+    return hand_over([sys.executable, Path(__file__).resolve(), "--finish", order])
+
+
+def finish(order: str) -> NoReturn:
+    """Import an asset with the bpy module, save the scene and render it, as ``order`` says."""
+    from fantasia3d_addon import headless
+
+    wishes = json.loads(order)
+    asset = Path(wishes.pop("asset"))
+    leave(headless.finish(asset, **wishes) or 0)
+
+
+def leave(status: int) -> NoReturn:
+    """End the process at once: bpy may hang or crash at an ordinary exit."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(status)
+
+
+# Under Blender
+
+
+def under_blender(argv: list[str]) -> int:
+    """Carry out a command line inside Blender, whose own scene takes the asset."""
+    if not argv or argv[0] in (*OWN, "-h", "--help", "help"):
+        return launch(argv)
+    check_command(argv)
+    core, blender = split(argv)
+    check_targets(blender)
+    python_path = environment.ensure(ROOT, (), say)
+    if core and argv[0] not in JOBS:
+        return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
+    sys.path.insert(0, str(ROOT))
+    from fantasia3d_addon import headless
+
+    if core:
+        return headless.main(argv, python_path, ROOT)
+    return headless.finish(Path(blender["asset"]), blend=blender["blend"]) or 0
+
+
+def doctor(arguments: list[str]) -> int:
+    """Print what is here and what is missing; 0 when ``generate`` can run at once, else 3."""
+    if arguments:
+        raise InputError(f"doctor takes no arguments, and got {arguments[0]!r}.")
+    lines = environment.examine(ROOT)
+    for line in lines:
+        print(f"{line.name:<17} {line.state:<8} {line.text}")
+    missing = [line.name for line in lines if line.state == "MISSING"]
+    print(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
+    return 3 if missing else 0
+
+
+def main(argv: list[str]) -> int:
+    """Carry out a command line wherever this runs: the exit status."""
+    try:
+        if argv[:1] == ["--inside"]:
+            return inside(argv[1:])
+        if argv[:1] == ["--finish"]:
+            finish(argv[1])
+        return under_blender(argv) if "bpy" in sys.modules else launch(argv)
+    except (InputError, environment.SetupError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return error.status
+    except KeyboardInterrupt:
+        print("Cancelled.", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    if "bpy" in sys.modules:
+        leave(main(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []))
+    sys.exit(main(sys.argv[1:]))
