@@ -1,0 +1,153 @@
+"""Ψ, the shape (Eq. 2):
+
+    (s(p), Δp) = Ψ(β(p); ψ)
+
+β is an encoding of the point p: the paper's hash grid (released code: 16 levels of 2 features, a
+table of 2^19, 16 to 4096 cells), or a few Fourier features, which need no table and are the
+draft's on a CPU. Ψ is an MLP of three layers. The SDF is negative inside.
+"""
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+
+from core.geometry.marching_tets import crossing_edges, marching_tets
+from core.geometry.tet_grid import TetGrid
+from core.hash_grid import HashGrid
+
+
+@dataclass(frozen=True, kw_only=True)
+class SdfNetConfig:
+    """Ψ's encoding and widths; the defaults are the paper's and the released code's."""
+
+    encoding: Literal["hash", "fourier"] = "hash"
+    width: int = 32  # hidden units
+    hidden: int = 2  # hidden layers; the paper's three layers are two hidden and the output
+    levels: int = 16  # of the hash grid, and so on
+    features: int = 2
+    log2_size: int = 19
+    base: int = 16
+    finest: int = 4096
+    octaves: int = 3  # of the Fourier features
+
+
+HASH = SdfNetConfig()
+FOURIER = SdfNetConfig(encoding="fourier", width=64)
+
+
+class Surface(NamedTuple):
+    """A mesh and the lattice values that it was drawn from."""
+
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    sdf: Float[Tensor, " nt"]
+    positions: Float[Tensor, "nt 3"]
+
+
+class FourierFeatures(nn.Module):
+    """p, then sin and cos of 1.5 · 2^k p for k below ``octaves``: 3 + 6 · octaves features.
+
+    1.5 rad a unit: the lowest octave does not repeat within the lattice's ±1.05.
+    """
+
+    frequencies: Tensor
+
+    def __init__(self, octaves: int) -> None:
+        super().__init__()
+        self.register_buffer("frequencies", 1.5 * 2.0 ** torch.arange(octaves), persistent=False)
+        self.width = 3 + 6 * octaves
+
+    def forward(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n w"]:
+        phase = (points[:, None, :] * self.frequencies[:, None]).flatten(1)
+        return torch.cat([points, phase.sin(), phase.cos()], -1)
+
+
+class SdfNet(nn.Module):
+    """Ψ over the lattice's cube; random until :func:`core.geometry.init_shape.fit` (Eq. 3)."""
+
+    def __init__(
+        self,
+        cell: float,
+        config: SdfNetConfig = HASH,
+        extent: float = 1.05,
+        generator: torch.Generator | None = None,
+    ) -> None:
+        """``cell``: the lattice's; an offset stays within half of it. ``extent``: the cube's."""
+        super().__init__()
+        self.cell = cell
+        if config.encoding == "hash":
+            self.encoding = HashGrid(
+                levels=config.levels,
+                features=config.features,
+                log2_size=config.log2_size,
+                base=config.base,
+                finest=config.finest,
+                extent=extent,
+                generator=generator,
+            )
+        else:
+            self.encoding = FourierFeatures(config.octaves)
+        # The hash grid's released network has ReLUs and no bias. Smooth features want a smooth
+        # activation: the kinks of a ReLU would show on the surface.
+        hashed = config.encoding == "hash"
+        widths = [self.encoding.width] + [config.width] * config.hidden
+        layers: list[nn.Module] = []
+        for inputs, outputs in itertools.pairwise(widths):
+            layers.append(_linear(inputs, outputs, not hashed, generator))
+            layers.append(nn.ReLU() if hashed else nn.Softplus(beta=20))
+        layers.append(_linear(widths[-1], 4, not hashed, generator))
+        self.mlp = nn.Sequential(*layers)
+
+    def forward(
+        self, points: Float[Tensor, "n 3"]
+    ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
+        """SDF in units of length, and the node's offset, each part within half a cell."""
+        y = self.mlp(self.encoding(points))
+        return y[:, 0], y[:, 1:].tanh() * (self.cell / 2)
+
+
+def _linear(inputs: int, outputs: int, bias: bool, generator: torch.Generator | None) -> nn.Linear:
+    """A linear layer with torch's own initial distribution, drawn from ``generator``."""
+    layer = nn.Linear(inputs, outputs, bias=bias)
+    bound = 1 / math.sqrt(inputs)
+    for parameter in layer.parameters():
+        nn.init.uniform_(parameter, -bound, bound, generator=generator)
+    return layer
+
+
+def sdf_on_grid(net: SdfNet, grid: TetGrid) -> tuple[Float[Tensor, " nt"], Float[Tensor, "nt 3"]]:
+    """SDF and moved position of every node, all with gradient: for regularisers and ray_sdf."""
+    sdf, offset = net(grid.tet_verts)
+    return sdf, grid.tet_verts + offset
+
+
+def surface(sdf: Float[Tensor, " nt"], positions: Float[Tensor, "nt 3"], grid: TetGrid) -> Surface:
+    """The surface of lattice values, such as those of :func:`sdf_on_grid`."""
+    return Surface(*marching_tets(positions, sdf, grid), sdf, positions)
+
+
+def extract(net: SdfNet, grid: TetGrid, chunk: int = 1 << 17) -> Surface:
+    """The surface with its gradient, at the price of few nodes: a mesh depends on the ends of the
+    crossing edges alone (about 4 % of the nodes), so the others are evaluated without gradient.
+
+    Exact for a loss on ``verts``; ``sdf`` and ``positions`` carry gradient at those ends only.
+    ``chunk``: nodes at a time in the first pass.
+    """
+    with torch.no_grad():
+        parts = [net(points) for points in grid.tet_verts.split(chunk)]
+        sdf = torch.cat([part[0] for part in parts])
+        positions = grid.tet_verts + torch.cat([part[1] for part in parts])
+        touched = torch.zeros(len(sdf), dtype=torch.bool, device=sdf.device)
+        touched[grid.edges[crossing_edges(sdf, grid)].view(-1)] = True
+        near = touched.nonzero().squeeze(1)
+    if torch.is_grad_enabled() and len(near):
+        points = grid.tet_verts.index_select(0, near)
+        near_sdf, near_offset = net(points)
+        sdf = sdf.index_copy(0, near, near_sdf)
+        positions = positions.index_copy(0, near, points + near_offset)
+    return surface(sdf, positions, grid)
