@@ -17,13 +17,14 @@ High-Performance Differentiable Rendering", §3.5) loses most of the gradient on
 the silhouette are foreshortened below a pixel.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
-from core.render.rasterizer import Fragments, take
+from core.render.rasterizer import Fragments, Points, take
 
 # A silhouette edge may lie this far behind what its outer pixel shows and still bound it: the
 # rounding of an interpolated depth.
@@ -67,21 +68,35 @@ def antialias(
     faces: Int[Tensor, "f 3"],
     edges: Edges,
     cull: bool = True,
+    rim: Callable[[Points], Float[Tensor, "m c"]] | None = None,
 ) -> Float[Tensor, "b h w c"]:
     """Blends ``image`` across the silhouettes; gradients to the image and to the vertices.
 
     ``image`` is what :func:`core.render.rasterizer.scatter` made of these ``fragments``, its
     background already in it. ``cull`` as it was for them.
+
+    ``rim`` gives the surface's value on the silhouette itself. With it a pixel changes
+    continuously while the edge passes its centre, which the gradient of what varies quickly towards
+    the rim (normals) needs: it is up to a fifth too large at 64 x 64 without. ``None`` takes the
+    inner pixel's value: enough where only the colours are trained.
     """
     silhouette = silhouettes(fragments, faces, edges, cull)
     flat = image.reshape(-1, image.shape[-1])
     out = flat
     for axis in (0, 1):
         crossing = crossings(silhouette, fragments, axis)
-        amount = blend(crossing, fragments, axis)
-        difference = flat.index_select(0, crossing.inner) - flat.index_select(0, crossing.outer)
-        receiver = torch.where(amount > 0, crossing.outer, crossing.inner)
-        out = out.index_add(0, receiver, amount[:, None].to(flat.dtype) * difference)
+        place, points = locate(crossing, fragments, axis)
+        reach = torch.where(crossing.inner_is_lower, place, 1 - place)
+        grows = reach > 0.5
+        inner = flat.index_select(0, crossing.inner)
+        if rim is not None:
+            inner = torch.where(grows[:, None], rim(points), inner)
+        difference = inner - flat.index_select(0, crossing.outer)
+        # Nothing changes for an edge midway; the outer pixel gains beyond, the inner one loses.
+        # The weight carries no gradient: the area that an edge sweeps does not depend on it.
+        amount = ((reach - 0.5) * crossing.weight)[:, None].to(flat.dtype)
+        receiver = torch.where(grows, crossing.outer, crossing.inner)
+        out = out.index_add(0, receiver, amount * difference)
     return out.view_as(image)
 
 
@@ -134,7 +149,6 @@ def facing(fragments: Fragments, faces: Int[Tensor, "f 3"]) -> Bool[Tensor, "f b
 class Crossings(NamedTuple):
     """M pairs of neighbouring pixels with a silhouette edge between their centres."""
 
-    edge: Int[Tensor, " m"]  # index into Silhouette
     index: Int[Tensor, "m 2"]  # the edge's ends, in the flattened (B, V) vertices
     weight: Float[Tensor, " m"]  # squared normal component along the axis
     line: Int[Tensor, " m"]  # the row or column that is walked
@@ -172,11 +186,9 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
     reach = torch.where(inner_is_lower, place - lower, lower + 1 - place)
     keep = outermost(reach, lower_pixel * 2 + inner_is_lower, bounds, 2 * len(depth))
     weight = along[:, 1 - axis].square() / along[:, :2].square().sum(1).clamp(min=1e-30)
-    edge = edge[keep]
     return Crossings(
-        edge,
-        silhouette.index[edge],
-        weight[edge],
+        silhouette.index[edge[keep]],
+        weight[edge[keep]],
         line[keep],
         lower[keep],
         inner[keep],
@@ -211,15 +223,17 @@ def outermost(
     return index[index == winner[pair]]
 
 
-def blend(crossing: Crossings, fragments: Fragments, axis: int) -> Float[Tensor, " m"]:
-    """How much of inner - outer the receiving pixel gains; < 0: the inner pixel receives.
-
-    Half the axis weight at most, zero where the edge is midway. The gradient is to the edge's ends;
-    the weight carries none, as the area that an edge sweeps does not depend on it.
-    """
-    screen = fragments.screen.reshape(-1, 3)
-    start, end = take(screen, crossing.index[:, 0]), take(screen, crossing.index[:, 1])
-    s = (crossing.line + 0.5 - start[:, 1 - axis]) / (end[:, 1 - axis] - start[:, 1 - axis])
-    place = start[:, axis] + s * (end[:, axis] - start[:, axis]) - 0.5 - crossing.lower
-    reach = torch.where(crossing.inner_is_lower, place, 1 - place)
-    return (reach - 0.5) * crossing.weight
+def locate(
+    crossing: Crossings, fragments: Fragments, axis: int
+) -> tuple[Float[Tensor, " m"], Points]:
+    """The crossings with gradient: place between the pair's centres (0 to 1), and on the mesh."""
+    screen = take(fragments.screen.reshape(-1, 3), crossing.index)
+    (x0, x1), (y0, y1) = screen[..., axis].unbind(1), screen[..., 1 - axis].unbind(1)
+    s = (crossing.line + 0.5 - y0) / (y1 - y0)
+    place = x0 + s * (x1 - x0) - 0.5 - crossing.lower
+    # Linear on the screen is linear in 1/w on the mesh.
+    w = take(fragments.clip[..., 3:].reshape(-1, 1), crossing.index).squeeze(-1)
+    share = torch.stack([1 - s, s], 1) / w
+    view = crossing.index[:, 0].div(fragments.clip.shape[1], rounding_mode="floor")
+    corners = crossing.index - (view * fragments.clip.shape[1])[:, None]
+    return place, Points(view, corners, share / share.sum(1, keepdim=True))

@@ -9,7 +9,7 @@ from torch import Tensor
 from core.camera import Cameras
 from core.ops import dot, normalize
 from core.render.antialias import Edges, antialias, edge_table
-from core.render.rasterizer import interpolate, rasterize, scatter, take
+from core.render.rasterizer import Fragments, Points, interpolate, rasterize, scatter, take
 
 
 def face_normals(
@@ -50,11 +50,16 @@ def render_normals(
     are the object's), or the camera's (x right, y up, z towards the camera). ``edges`` saves
     making the table when the same faces are drawn again. ``cull=False`` for open surfaces.
     """
+    smooth = vertex_normals(verts, faces)
+
+    def values(points: Fragments | Points) -> Float[Tensor, "p 4"]:
+        normal = normalize(interpolate(smooth, points))
+        return torch.cat([normal, torch.ones_like(normal[:, :1])], 1)
+
     fragments = rasterize(verts, faces, cameras.mvp, size, size, cull)
-    normal = normalize(interpolate(vertex_normals(verts, faces), fragments))
-    values = torch.cat([normal, torch.ones_like(normal[:, :1])], 1)
     edges = edge_table(faces) if edges is None else edges
-    image = antialias(scatter(values, fragments), fragments, faces, edges, cull)
+    image = scatter(values(fragments), fragments)
+    image = antialias(image, fragments, faces, edges, cull, rim=values)
     n, o = image[..., :3], image[..., 3:]
     if frame == "camera":
         n = torch.einsum("bij,bhwj->bhwi", cameras.rotation.to(n.dtype), n)

@@ -6,12 +6,21 @@ motion of the silhouette, which :mod:`core.render.antialias` adds.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.render.visibility import to_screen, visibility
+
+
+class Points(NamedTuple):
+    """P points on the mesh as weighted means of k vertices; what :func:`interpolate` needs."""
+
+    view: Int[Tensor, " p"]  # the picture each belongs to
+    corners: Int[Tensor, "p k"]
+    bary: Float[Tensor, "p k"]
 
 
 @dataclass(frozen=True)
@@ -25,6 +34,7 @@ class Fragments:
     face: Int[Tensor, " p"]
     corners: Int[Tensor, "p 3"]  # the face's vertices
     bary: Float[Tensor, "p 3"]  # perspective-correct barycentrics, with gradient to the vertices
+    clip: Float[Tensor, "b v 4"]  # of every vertex, with gradient
     screen: Float[Tensor, "b v 3"]  # (column, row, depth) in pixels, with gradient
     in_front: Bool[Tensor, "b v"]  # vertices before the near plane: where `screen` has a meaning
 
@@ -67,7 +77,7 @@ def rasterize(
         depth = bary.new_full((flat.shape[0],), torch.inf)
         depth[pixel] = zw[:, 0] / zw[:, 1] * 0.5 + 0.5
     return Fragments(
-        face_id, depth.view_as(face_id), pixel, view, face, corners, bary, screen, in_front
+        face_id, depth.view_as(face_id), pixel, view, face, corners, bary, clip, screen, in_front
     )
 
 
@@ -116,14 +126,17 @@ def take(x: Float[Tensor, "n c"], index: Int[Tensor, "*p"]) -> Float[Tensor, "*p
 
 
 def interpolate(
-    attributes: "Float[Tensor, 'v c'] | Float[Tensor, 'f 3 c']", fragments: Fragments
+    attributes: "Float[Tensor, 'v c'] | Float[Tensor, 'f 3 c']", points: "Fragments | Points"
 ) -> Float[Tensor, "p c"]:
-    """Attributes of the vertices (V,C), or of the faces' corners (F,3,C), at the covered pixels."""
-    if attributes.ndim == 3:
-        corner = attributes.index_select(0, fragments.face)
+    """Attributes of the vertices (V,C), or of the faces' corners (F,3,C), at the covered pixels.
+
+    The vertices' attributes can be had at any :class:`Points`, the corners' at fragments only.
+    """
+    if attributes.ndim == 2:
+        corner = take(attributes, points.corners)
     else:
-        corner = take(attributes, fragments.corners)
-    return (corner * fragments.bary[..., None]).sum(1)
+        corner = attributes.index_select(0, points.face)
+    return (corner * points.bary[..., None]).sum(1)
 
 
 def scatter(
