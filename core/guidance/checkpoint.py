@@ -1,0 +1,151 @@
+"""Find a Stable Diffusion checkpoint in diffusers' format, and refuse what is none before it loads.
+
+A checkpoint is a folder with model_index.json and one folder per part. It is named by its path or
+by its hub id. The network is asked only where the user allows it with HF_HUB_OFFLINE=0.
+"""
+
+import json
+import os
+import re
+from pathlib import Path
+from typing import Any, Final
+
+from core.errors import MissingError, UserError
+
+# What Stable Diffusion 1.x and 2.x are made of; SDXL, SD 3 and Flux differ in one of them.
+PARTS: Final = {
+    "unet": "UNet2DConditionModel",
+    "vae": "AutoencoderKL",
+    "text_encoder": "CLIPTextModel",
+    "tokenizer": "CLIPTokenizer",
+    "scheduler": "",  # any: only its noise schedule is read
+}
+WEIGHTS: Final = {
+    "unet": "diffusion_pytorch_model",
+    "vae": "diffusion_pytorch_model",
+    "text_encoder": "model",
+}
+_EXPECTED: Final = "a Stable Diffusion 1.x or 2.x text-to-image checkpoint in diffusers' format"
+_HUB_ID: Final = re.compile(r"[\w.-]+/[\w.-]+")
+
+
+def find_checkpoint(spec: str) -> Path:
+    """The folder of the checkpoint that ``spec`` names by path or by hub id.
+
+    Raises:
+        UserError: neither, or the folder holds something else.
+        MissingError: no such folder, or a hub id that is not on this machine.
+    """
+    path = Path(spec).expanduser()
+    if path.is_dir():
+        return _require_text_to_image(path)
+    if path.is_file():
+        raise UserError(
+            f'"{spec}" is a file; expected the folder of {_EXPECTED}.',
+            "Convert it with diffusers: StableDiffusionPipeline.from_single_file(FILE)"
+            ".save_pretrained(FOLDER).",
+        )
+    if spec.startswith((".", "~", os.sep)) or path.is_absolute():
+        raise MissingError(f'There is no folder "{spec}".', f"Give the folder of {_EXPECTED}.")
+    if not _HUB_ID.fullmatch(spec):
+        raise UserError(
+            f'"{spec}" is no guidance.',
+            'Give "builtin", a checkpoint\'s folder, or its hub id such as "owner/name".',
+        )
+    return _require_text_to_image(_from_hub(spec))
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """A configuration file of the checkpoint.
+
+    Raises:
+        UserError: missing or broken.
+    """
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise UserError(
+            f'"{path}" cannot be read ({type(error).__name__}).',
+            "Download or convert the checkpoint anew.",
+        ) from error
+
+
+def weight_variant(folder: Path, part: str, *, half: bool) -> str | None:
+    """Which of a part's weights to load: None for the plain ones, "fp16" for those in 16 bit.
+
+    Args:
+        half: prefer those in 16 bit, because the part will run in it.
+
+    Raises:
+        UserError: no weights, or pickled ones alone, which can run any code when they are read.
+    """
+    files = {path.name for path in (folder / part).glob("*") if path.is_file()}
+    stem = re.escape(WEIGHTS[part])
+    numbered = r"(-\d+-of-\d+)?\.safetensors"
+    plain = any(re.fullmatch(stem + numbered, name) for name in files)
+    fp16 = any(re.fullmatch(stem + r"\.fp16" + numbered, name) for name in files)
+    if plain or fp16:
+        return "fp16" if fp16 and (half or not plain) else None
+    if any(name.endswith((".bin", ".ckpt", ".pt", ".pth")) for name in files):
+        raise UserError(
+            f'"{folder / part}" holds only pickled weights, which are never opened here.',
+            "Use a copy with .safetensors files, or convert it where you trust it: "
+            "StableDiffusionPipeline.from_pretrained(FOLDER, use_safetensors=False)"
+            ".save_pretrained(NEW_FOLDER).",
+        )
+    raise UserError(
+        f'"{folder / part}" holds no weights ({WEIGHTS[part]}.safetensors).',
+        "Download the checkpoint anew.",
+    )
+
+
+def _require_text_to_image(folder: Path) -> Path:
+    index = folder / "model_index.json"
+    if not index.is_file():
+        raise UserError(
+            f'"{folder}" is no checkpoint: it has no model_index.json.',
+            f"Give the folder of {_EXPECTED}.",
+        )
+    parts = read_json(index)
+    for part, expected in PARTS.items():
+        found = (parts.get(part) or [None, None])[1]
+        # CLIPTokenizerFast is the same tokenizer in another language.
+        if not found or (expected and str(found).removesuffix("Fast") != expected):
+            raise UserError(
+                f'"{folder}" is a {parts.get("_class_name", "pipeline")} whose {part} is '
+                f"{found or 'missing'}; expected {expected or 'one'}.",
+                f"Give {_EXPECTED}.",
+            )
+    channels = read_json(folder / "unet" / "config.json").get("in_channels", 4)
+    if channels != 4:
+        raise UserError(
+            f'"{folder}" is for inpainting, depth or editing: its U-Net takes {channels} channels, '
+            "not 4.",
+            f"Give {_EXPECTED}.",
+        )
+    return folder
+
+
+def _from_hub(hub_id: str) -> Path:
+    # Imported here: a folder needs no hub.
+    from huggingface_hub import snapshot_download
+    from huggingface_hub.errors import HfHubHTTPError, LocalEntryNotFoundError
+
+    online = os.environ.get("HF_HUB_OFFLINE", "").lower() in ("0", "false", "no", "off")
+    folders = [f"{part}/*" for part in PARTS]
+    try:
+        return Path(
+            snapshot_download(
+                hub_id,
+                local_files_only=not online,
+                allow_patterns=["model_index.json", *folders],
+                ignore_patterns=["*.bin", "*.ckpt", "*.msgpack", "*.onnx*", "*non_ema*"],
+            )
+        )
+    except (LocalEntryNotFoundError, HfHubHTTPError, OSError) as error:
+        reason = "could not be downloaded" if online else "is not on this machine"
+        raise MissingError(
+            f'The checkpoint "{hub_id}" {reason}, and there is no folder of that name.',
+            f"Download it with `hf download {hub_id}`, allow the download with HF_HUB_OFFLINE=0, "
+            "give a checkpoint's folder, or use --guidance builtin.",
+        ) from error

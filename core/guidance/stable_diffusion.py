@@ -1,0 +1,356 @@
+"""Stable Diffusion 1.x and 2.x as guidance: the only file that imports diffusers and transformers.
+
+The latent is the mean of the encoder's posterior, times the checkpoint's scaling factor. The mean,
+not a sample: the posterior's spread is far below the noise that SDS adds, and a step then depends
+on its seed through that noise alone.
+"""
+
+import json
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import torch
+from diffusers import AutoencoderKL, DDPMScheduler, UNet2DConditionModel
+from jaxtyping import Float, Int
+from safetensors import SafetensorError
+from torch import Tensor
+from torch.nn.functional import interpolate
+from transformers import CLIPTextModel, CLIPTokenizer
+
+from core.errors import UserError
+from core.guidance.checkpoint import find_checkpoint, read_json, weight_variant
+from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.memory import available_bytes, memory_short, peak_bytes
+from core.guidance.prompts import (
+    DEFAULT_NEGATIVE_PROMPT,
+    VIEWS,
+    clean_prompt,
+    fit_tokens,
+    opposing_shares,
+    require_prompt,
+    view_shares,
+    view_words,
+    warn_cut,
+)
+from core.guidance.sds import eps_from_v, guide, perp_neg
+
+# Grey is a normal of length 0, so an empty picture says nothing of a direction; white is what a
+# text-to-image model's object shots have behind them.
+NORMAL_BACKGROUND: Final = 0.5
+COLOR_BACKGROUND: Final = 1.0
+
+_RESERVE: Final = 1.25  # fragments, the kernels' work space, the renderer
+
+
+@dataclass(frozen=True)
+class TextEmbedding(Embedding):
+    """CLIP's last hidden states: one text for each of ``VIEWS``, and the negative prompt."""
+
+    views: Float[Tensor, "5 l d"]
+    negative: Float[Tensor, "l d"]
+
+
+class _Encode(torch.autograd.Function):
+    """A picture through the encoder without keeping its activations: backward runs it again.
+
+    Backward sends a gradient of unit size, because one of SDS's size (1e-6 and less) would be
+    rounded to zero in 16 bit.
+    """
+
+    @staticmethod
+    def forward(ctx: Any, picture: Tensor, encode: Callable[[Tensor], Tensor]) -> Tensor:
+        ctx.encode = encode
+        ctx.save_for_backward(picture)
+        return encode(picture)
+
+    @staticmethod
+    def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
+        (picture,) = ctx.saved_tensors
+        size = grads[0].abs().amax().clamp(min=torch.finfo(grads[0].dtype).tiny)
+        with torch.enable_grad(), _out_of_memory("the gradient of the encoder"):
+            picture = picture.detach().requires_grad_()
+            z = ctx.encode(picture)
+            (grad,) = torch.autograd.grad(z, picture, grads[0] / size)
+        return grad * size, None
+
+
+class StableDiffusion(Guidance):
+    """ε̂_φ of a Stable Diffusion checkpoint (Rombach et al. 2022), the paper's guidance."""
+
+    normal_frame = "camera"
+
+    def __init__(
+        self,
+        unet: UNet2DConditionModel,
+        vae: AutoencoderKL,
+        scheduler: DDPMScheduler,
+        encode_text: Callable[[list[list[int]]], Float[Tensor, "n l d"]],
+        tokenizer: CLIPTokenizer,
+        *,
+        chunk: int = 4,
+        soft_views: bool = False,
+        perp_neg_weight: float = 0.0,
+    ) -> None:
+        """Wire the parts together; ``load`` is the usual way.
+
+        Args:
+            chunk: pictures that go through the U-Net or the encoder at a time. The result does
+                not depend on it.
+            soft_views: mix the embeddings of neighbouring views by the camera's angle.
+            perp_neg_weight: how strongly to steer away from the views that are not in the picture
+                (Perp-Neg, Armandpour et al. 2023), against several faces. 0 is off; it costs three
+                more U-Net runs a picture.
+        """
+        self.unet, self.vae = unet.requires_grad_(False).eval(), vae.requires_grad_(False).eval()
+        self.prediction_type = _prediction_type(scheduler)
+        self.alpha_bar = scheduler.alphas_cumprod.float()
+        self.latent_size = int(unet.config.sample_size)
+        self._encode_text, self._tokenizer = encode_text, tokenizer
+        self._chunk, self._soft_views, self._perp_neg = chunk, soft_views, perp_neg_weight
+
+    @classmethod
+    def load(
+        cls, spec: str, device: "torch.device | str", *, chunk: int = 4, **options: Any
+    ) -> "StableDiffusion":
+        """The checkpoint that ``spec`` names: in 16 bit on CUDA, in 32 bit elsewhere.
+
+        The text encoder stays in the machine's memory: it runs once. Without enough memory for
+        ``chunk`` pictures at a time, the largest number that fits is taken.
+
+        Raises:
+            UserError: no such checkpoint, or one that cannot be used; the text says why.
+            MissingError: a hub id that is not on this machine.
+            MemoryShortError: not even one picture at a time fits.
+        """
+        folder, device = find_checkpoint(spec), torch.device(device)
+        dtype = torch.float16 if device.type == "cuda" else torch.float32
+        chunk = _chunk_that_fits(folder, device, dtype, chunk)
+        unet = _load(UNet2DConditionModel, folder, "unet", dtype)
+        vae = _load(AutoencoderKL, folder, "vae", dtype)
+        text_encoder = _load(CLIPTextModel, folder, "text_encoder", torch.float32).eval()
+        with _readable(folder / "tokenizer"):
+            tokenizer = CLIPTokenizer.from_pretrained(folder / "tokenizer", local_files_only=True)
+        with _readable(folder / "scheduler"):
+            scheduler = DDPMScheduler.from_pretrained(folder / "scheduler", local_files_only=True)
+
+        def encode_text(tokens: list[list[int]]) -> Tensor:
+            with torch.no_grad():
+                return text_encoder(torch.tensor(tokens)).last_hidden_state.to(device, dtype)
+
+        vae.decoder = None  # pictures are never decoded
+        with _out_of_memory("the checkpoint"):
+            unet, vae = unet.to(device), vae.to(device)
+        return cls(unet, vae, scheduler, encode_text, tokenizer, chunk=chunk, **options)
+
+    def embed(self, prompt: str, negative_prompt: str) -> TextEmbedding:
+        """CLIP's states of the prompt seen from each side, and of the negative prompt.
+
+        An empty negative prompt stands for DEFAULT_NEGATIVE_PROMPT. What exceeds the encoder's 77
+        tokens is cut, with a ``PromptCutWarning``.
+        """
+        prompt = require_prompt(prompt)
+        negative = clean_prompt(negative_prompt, "negative prompt") or DEFAULT_NEGATIVE_PROMPT
+        tokens, cuts = zip(*(self._tokens(prompt, view_words(view)) for view in VIEWS), strict=True)
+        negative_tokens, negative_cut = self._tokens(negative, "")
+        if any(cuts):
+            warn_cut(max(cuts, key=len))
+        if negative_cut:
+            warn_cut(negative_cut, "negative prompt")
+        states = self._encode_text([*tokens, negative_tokens])
+        return TextEmbedding(states[:-1], states[-1])
+
+    def encode_normals(
+        self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """z of the picture (n + 1) / 2, laid over grey (§4.2, the late phase)."""
+        return self._encode((n + o) / 2 + (1 - o) * NORMAL_BACKGROUND)
+
+    def encode_color(
+        self, srgb: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """z of the shaded picture, laid over white (§4.3)."""
+        return self._encode(srgb + (1 - o) * COLOR_BACKGROUND)
+
+    @torch.no_grad()
+    def eps_hat(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        embedding: Embedding,
+        views: Views,
+        guidance_scale: float,
+    ) -> Float[Tensor, "b 4 s s"]:
+        """ε̂_φ with the negative prompt in the place of the unconditional one."""
+        assert isinstance(embedding, TextEmbedding)
+        shares = view_shares(views.cameras, soft=self._soft_views).to(z_t.device)
+        chunks = (x.split(self._chunk) for x in (z_t, t.to(z_t.device), shares))
+        with _out_of_memory("the U-Net"):
+            parts = [
+                self._guided(*chunk, embedding, guidance_scale)
+                for chunk in zip(*chunks, strict=True)
+            ]
+        return torch.cat(parts)
+
+    def _guided(
+        self, z_t: Tensor, t: Tensor, shares: Tensor, embedding: TextEmbedding, scale: float
+    ) -> Tensor:
+        texts = [torch.einsum("bv,vld->bld", shares.to(embedding.views), embedding.views)]
+        if scale != 1 or self._perp_neg:
+            texts.append(embedding.negative.expand_as(texts[0]))
+        if self._perp_neg:
+            texts.extend(view.expand_as(texts[0]) for view in embedding.views[:3])
+        n = len(texts)
+        eps = self._eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
+        if n == 1:
+            return eps[0]
+        eps_cond, eps_uncond, *eps_views = eps
+        out = guide(eps_cond, eps_uncond, scale)
+        opposing = self._perp_neg * opposing_shares(shares)
+        for eps_view, share in zip(eps_views, opposing.T, strict=False):
+            perpendicular = perp_neg(eps_cond - eps_uncond, eps_view - eps_uncond)
+            out = out - scale * share[:, None, None, None] * perpendicular
+        return out
+
+    def _eps(self, z_t: Tensor, t: Tensor, text: Tensor) -> Tensor:
+        out = self.unet(z_t.to(self.unet.dtype), t, encoder_hidden_states=text).sample.to(z_t)
+        if self.prediction_type == "epsilon":
+            return out
+        return eps_from_v(out, z_t, self.alpha_bar.to(z_t)[t])
+
+    def _encode(self, picture: Float[Tensor, "b h w 3"]) -> Float[Tensor, "b 4 s s"]:
+        """``picture`` in [0, 1], of any size."""
+        picture = picture.permute(0, 3, 1, 2) * 2 - 1
+        side = self.latent_size * _downscale(self.vae.config)
+        if picture.shape[-2:] != (side, side):
+            picture = interpolate(picture, (side, side), mode="bilinear", antialias=True)
+        with _out_of_memory("the encoder"):
+            return torch.cat([_Encode.apply(x, self._mean) for x in picture.split(self._chunk)])
+
+    def _mean(self, picture: Tensor) -> Tensor:
+        posterior = self.vae.encode(picture.to(self.vae.dtype)).latent_dist
+        shift = getattr(self.vae.config, "shift_factor", None) or 0.0
+        return ((posterior.mean - shift) * self.vae.config.scaling_factor).to(picture.dtype)
+
+    def _tokens(self, text: str, suffix: str) -> tuple[list[int], str]:
+        """The tokens of ``text`` and ``suffix``, and the end of ``text`` that did not fit."""
+        tokenizer = self._tokenizer
+        ids = [
+            tokenizer(part, add_special_tokens=False, verbose=False).input_ids
+            for part in (text, suffix)
+        ]
+        tokens, cut = fit_tokens(
+            *ids,
+            tokenizer.model_max_length,
+            bos=tokenizer.bos_token_id,
+            eos=tokenizer.eos_token_id,
+            pad=tokenizer.pad_token_id,
+        )
+        return tokens, tokenizer.decode(cut).strip()
+
+
+def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
+    """Bytes that guidance by this checkpoint takes, from its configuration alone.
+
+    The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
+    encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
+    kernels know.
+    """
+    with _readable(folder), torch.device("meta"):
+        unet = UNet2DConditionModel.from_config(read_json(folder / "unet" / "config.json"))
+        vae = AutoencoderKL.from_config(read_json(folder / "vae" / "config.json"))
+    vae.decoder = None
+    for part in (unet, vae):
+        torch.nn.Module.to(part.requires_grad_(False), dtype)  # diffusers' own warns of this
+    size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
+    side = size * _downscale(vae.config)
+
+    def predict() -> None:
+        z = torch.empty(2 * chunk, 4, size, size, dtype=dtype)
+        text = torch.empty(2 * chunk, 77, width, dtype=dtype)
+        with torch.no_grad():
+            unet(z, torch.empty(2 * chunk), encoder_hidden_states=text)
+
+    def encode() -> None:
+        picture = torch.empty(chunk, 3, side, side, dtype=dtype, requires_grad=True)
+        vae.encode(picture).latent_dist.mean.sum().backward()
+
+    weights = sum(p.nbytes for part in (unet, vae) for p in part.parameters())
+    return int(_RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
+
+
+def _chunk_that_fits(folder: Path, device: torch.device, dtype: torch.dtype, chunk: int) -> int:
+    available, needed = available_bytes(device), 0
+    while chunk >= 1:
+        needed = estimate_memory(folder, chunk=chunk, dtype=dtype)
+        if needed <= available:
+            return chunk
+        chunk //= 2
+    raise memory_short(f'the checkpoint "{folder}"', needed, available)
+
+
+def _load(kind: Any, folder: Path, part: str, dtype: torch.dtype) -> Any:
+    variant = weight_variant(folder, part, half=dtype == torch.float16)
+    with _readable(folder / part):
+        model, report = kind.from_pretrained(
+            folder / part,
+            dtype=dtype,
+            variant=variant,
+            use_safetensors=True,
+            local_files_only=True,
+            output_loading_info=True,
+        )
+    if report["missing_keys"]:
+        raise UserError(
+            f'"{folder / part}" is incomplete: {len(report["missing_keys"])} of its weights are '
+            f"missing, the first {min(report['missing_keys'])}.",
+            "Download the checkpoint anew.",
+        )
+    return model
+
+
+def _prediction_type(scheduler: DDPMScheduler) -> str:
+    kind = scheduler.config.prediction_type
+    if kind not in ("epsilon", "v_prediction"):
+        raise UserError(
+            f"The checkpoint predicts {kind}; expected epsilon or v_prediction.",
+            "Use another checkpoint, or correct prediction_type in scheduler_config.json.",
+        )
+    return kind
+
+
+def _downscale(config: Any) -> int:
+    return 2 ** (len(config.block_out_channels) - 1)
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    """Turn what a broken file raises into a sentence."""
+    try:
+        yield
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        RuntimeError,
+        SafetensorError,
+        json.JSONDecodeError,
+    ) as error:
+        if isinstance(error, torch.OutOfMemoryError):
+            raise memory_short(f'reading "{path}"') from error
+        reason = str(error).strip().splitlines()
+        raise UserError(
+            f'"{path}" cannot be loaded ({reason[0] if reason else type(error).__name__}).',
+            "Download or convert the checkpoint anew.",
+        ) from error
+
+
+@contextmanager
+def _out_of_memory(what: str) -> Iterator[None]:
+    try:
+        yield
+    except torch.cuda.OutOfMemoryError as error:
+        raise memory_short(what) from error
