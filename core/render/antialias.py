@@ -31,7 +31,7 @@ from core.render.rasterizer import Fragments, Points, take
 DEPTH_EPS = 1e-5
 
 
-class Edges(NamedTuple):
+class EdgeTable(NamedTuple):
     """The E edges of a mesh; one with n > 2 faces counts as ceil(n / 2) edges."""
 
     verts: Int[Tensor, "e 2"]
@@ -39,7 +39,7 @@ class Edges(NamedTuple):
     opposite: Int[Tensor, "e 2"]  # each face's third vertex; on a boundary the first one's again
 
 
-def edge_table(faces: Int[Tensor, "f 3"]) -> Edges:
+def edge_table(faces: Int[Tensor, "f 3"]) -> EdgeTable:
     """Who shares an edge with whom. Once per mesh."""
     verts = torch.stack([faces, faces.roll(-1, 1)], -1).view(-1, 2)
     opposite = faces.roll(-2, 1).reshape(-1)
@@ -55,7 +55,7 @@ def edge_table(faces: Int[Tensor, "f 3"]) -> Edges:
     paired = (first + 1 < len(key)) & ~begins[(first + 1).clamp(max=max(len(key) - 1, 0))]
     a = order[first]
     b = torch.where(paired, order[torch.where(paired, first + 1, first)], a)
-    return Edges(
+    return EdgeTable(
         verts[a],
         torch.stack([a // 3, torch.where(paired, b // 3, -1)], 1),
         torch.stack([opposite[a], opposite[b]], 1),
@@ -66,21 +66,20 @@ def antialias(
     image: Float[Tensor, "b h w c"],
     fragments: Fragments,
     faces: Int[Tensor, "f 3"],
-    edges: Edges,
-    cull: bool = True,
+    edges: EdgeTable,
     rim: Callable[[Points], Float[Tensor, "m c"]] | None = None,
 ) -> Float[Tensor, "b h w c"]:
     """Blends ``image`` across the silhouettes; gradients to the image and to the vertices.
 
     ``image`` is what :func:`core.render.rasterizer.scatter` made of these ``fragments``, its
-    background already in it. ``cull`` as it was for them.
+    background already in it.
 
     ``rim`` gives the surface's value on the silhouette itself. With it a pixel changes
     continuously while the edge passes its centre, which the gradient of what varies quickly towards
     the rim (normals) needs: it is up to a fifth too large at 64 x 64 without. ``None`` takes the
     inner pixel's value: enough where only the colours are trained.
     """
-    silhouette = silhouettes(fragments, faces, edges, cull)
+    silhouette = silhouettes(fragments, faces, edges)
     flat = image.reshape(-1, image.shape[-1])
     out = flat
     for axis in (0, 1):
@@ -112,7 +111,7 @@ class Silhouette(NamedTuple):
 
 @torch.no_grad()
 def silhouettes(
-    fragments: Fragments, faces: Int[Tensor, "f 3"], edges: Edges, cull: bool
+    fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTable
 ) -> Silhouette:
     """The edges that bound the surface on the screen: their faces lie on one side of them.
 
@@ -122,7 +121,7 @@ def silhouettes(
     missing = edges.faces[:, 1:] < 0
     first = front.index_select(0, edges.faces[:, 0])
     second = front.index_select(0, edges.faces[:, 1].clamp(min=0))
-    alone = first if cull else torch.ones_like(first)
+    alone = first if fragments.cull else torch.ones_like(first)
     ends = fragments.in_front.t()
     seen = ends.index_select(0, edges.verts[:, 0]) & ends.index_select(0, edges.verts[:, 1])
     edge, view = (torch.where(missing, alone, first != second) & seen).nonzero(as_tuple=True)

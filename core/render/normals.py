@@ -8,7 +8,7 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.ops import dot, normalize
-from core.render.antialias import Edges, antialias, edge_table
+from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, Points, interpolate, rasterize, scatter, take
 
 
@@ -41,7 +41,7 @@ def render_normals(
     cameras: Cameras,
     size: int,
     frame: Literal["object", "camera"] = "object",
-    edges: Edges | None = None,
+    edges: EdgeTable | None = None,
     cull: bool = True,
 ) -> tuple[Float[Tensor, "b {size} {size} 3"], Float[Tensor, "b {size} {size} 1"]]:
     """Square pictures of the smooth normal n and the coverage o, both antialiased (Eq. 4).
@@ -59,7 +59,7 @@ def render_normals(
     fragments = rasterize(verts, faces, cameras.mvp, size, size, cull)
     edges = edge_table(faces) if edges is None else edges
     image = scatter(values(fragments), fragments)
-    image = antialias(image, fragments, faces, edges, cull, rim=values)
+    image = antialias(image, fragments, faces, edges, rim=values)
     n, o = image[..., :3], image[..., 3:]
     if frame == "camera":
         n = torch.einsum("bij,bhwj->bhwi", cameras.rotation.to(n.dtype), n)

@@ -37,6 +37,7 @@ class Fragments:
     clip: Float[Tensor, "b v 4"]  # of every vertex, with gradient
     screen: Float[Tensor, "b v 3"]  # (column, row, depth) in pixels, with gradient
     in_front: Bool[Tensor, "b v"]  # vertices before the near plane: where `screen` has a meaning
+    cull: bool  # faces seen from behind were left out
 
     @property
     def size(self) -> tuple[int, int, int]:
@@ -77,7 +78,7 @@ def rasterize(
         depth = bary.new_full((flat.shape[0],), torch.inf)
         depth[pixel] = zw[:, 0] / zw[:, 1] * 0.5 + 0.5
     return Fragments(
-        face_id, depth.view_as(face_id), pixel, view, face, corners, bary, clip, screen, in_front
+        face_id, depth.view_as(face_id), pixel, view, face, corners, bary, clip, screen, in_front, cull
     )
 
 

@@ -1,0 +1,78 @@
+"""OpenEXR pictures, the only file that knows the library. Linear Rec.709, row 0 at the top."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.errors import MissingError, UserError
+
+
+def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
+    """The colours of an EXR file as float32; a single channel is grey; alpha is left out.
+
+    Raises ``MissingError`` if there is no file or no library, ``UserError`` if it cannot be read.
+    """
+    if not Path(path).is_file():
+        raise MissingError(f"There is no file {path}.", "Check the path.")
+    library = load_library()
+    try:
+        with library.File(str(path), separate_channels=True) as file:
+            channels = {name: channel.pixels for name, channel in file.channels().items()}
+    except Exception as error:  # the library raises whatever its C++ side threw
+        raise UserError(
+            f"{path} cannot be read as OpenEXR: {error}.", "Save it again as a scanline EXR."
+        ) from error
+    planes = [find_channel(channels, letter) for letter in "RGB"]
+    if any(plane is None for plane in planes):
+        planes = [find_channel(channels, "Y")] * 3
+    if planes[0] is None:
+        names = ", ".join(sorted(channels)) or "none"
+        raise UserError(
+            f"{path} has no colour channels R, G, B or Y (it has: {names}).",
+            "Save it again as RGB.",
+        )
+    return torch.from_numpy(np.stack(planes, -1).astype(np.float32))
+
+
+def find_channel(channels: dict[str, np.ndarray], letter: str) -> np.ndarray | None:
+    """The channel of that letter, in the plain layer or in the first one that has it."""
+    names = sorted(name for name in channels if name.rpartition(".")[2].upper() == letter)
+    plain = [name for name in names if "." not in name]
+    return channels[(plain or names)[0]] if names else None
+
+
+def write_exr(
+    path: "str | Path", image: Float[Tensor, "h w c"] | Float[np.ndarray, "h w c"]
+) -> None:
+    """Writes 1 (Y), 3 (RGB) or 4 (RGBA) channels as 32-bit floats, aside first and then renamed."""
+    letters = {1: "Y", 3: "RGB", 4: "RGBA"}[image.shape[-1]]
+    pixels = torch.as_tensor(image).detach().to("cpu", torch.float32).numpy()
+    channels = {letter: np.ascontiguousarray(pixels[..., i]) for i, letter in enumerate(letters)}
+    library = load_library()
+    header = {"compression": library.ZIP_COMPRESSION, "type": library.scanlineimage}
+    aside = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.tmp")
+    try:
+        library.File(header, channels).write(str(aside))
+        os.replace(aside, path)
+    except Exception as error:  # as above
+        raise UserError(
+            f"{path} cannot be written: {error}.", "Check that the folder exists and has room."
+        ) from error
+    finally:
+        aside.unlink(missing_ok=True)
+
+
+def load_library():  # noqa: ANN201  (a module)
+    """The OpenEXR module, or a sentence that says how to get it."""
+    try:
+        import OpenEXR
+    except ImportError as error:
+        raise MissingError(
+            "EXR pictures need the package OpenEXR, which is not installed.",
+            "Run `python3 run.py doctor`.",
+        ) from error
+    return OpenEXR

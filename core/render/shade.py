@@ -1,0 +1,71 @@
+"""The light that leaves the surface: Eqs. 7 and 8.
+
+    L(p, ω) = L_d(p) + L_s(p, ω)
+
+Where the paper's formulas leave room, this is Blender's Principled BSDF (distribution GGX), so that
+the asset looks there as it did in training: the diffuse part gives up what the specular layer over
+it reflects, and the dielectric has the exact Fresnel term, not Schlick's.
+"""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.brdf import lookup_albedo
+from core.appearance.environment import Environment
+from core.ops import dot, normalize
+
+# Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
+MIN_COS = 1e-3
+CHUNK = 1 << 17
+
+
+def shade(
+    normal: Float[Tensor, "p 3"],
+    view: Float[Tensor, "p 3"],
+    kd: Float[Tensor, "p 3"],
+    roughness: Float[Tensor, "p 1"],
+    metallic: Float[Tensor, "p 1"],
+    environment: Environment,
+) -> Float[Tensor, "p 3"]:
+    """Linear radiance towards the eye at P points.
+
+    ``normal`` and ``view`` (from the surface to the eye) are unit vectors in the world; ``kd`` is
+    linear. Gradients to everything but the light.
+    """
+    parts = [x.split(CHUNK) for x in (normal, view, kd, roughness, metallic)]
+    return torch.cat([shade_chunk(*part, environment) for part in zip(*parts, strict=True)])
+
+
+def shade_chunk(
+    normal: Float[Tensor, "p 3"],
+    view: Float[Tensor, "p 3"],
+    kd: Float[Tensor, "p 3"],
+    roughness: Float[Tensor, "p 1"],
+    metallic: Float[Tensor, "p 1"],
+    environment: Environment,
+) -> Float[Tensor, "p 3"]:
+    """:func:`shade` in one piece."""
+    cos_v = dot(normal, view).clamp(MIN_COS, 1)
+    albedo = lookup_albedo(roughness, cos_v)
+    lobe = environment.lobe(normal, view, roughness)
+    # Eq. 8 with Schlick's F = F0 + (1 - F0)(1 - cos)^5 and F0 = kd.
+    metal = kd * (albedo.total - albedo.schlick) * lobe.base + albedo.schlick * lobe.schlick
+    coat = albedo.dielectric * lobe.dielectric
+    # Eq. 7. The light that the dielectric layer reflects does not reach the base below it.
+    passed = 1 - albedo.dielectric / albedo.total.clamp(min=1e-3)
+    diffuse = kd * passed * environment.irradiance(normal)
+    return metallic * metal + (1 - metallic) * (diffuse + coat)
+
+
+def perturb(
+    normal: Float[Tensor, "p 3"], tangent: Float[Tensor, "p 4"], kn: Float[Tensor, "p 3"]
+) -> Float[Tensor, "p 3"]:
+    """The shading normal: ``kn`` from tangent space to the space of ``normal`` (MikkTSpace).
+
+    ``normal`` and ``tangent`` as interpolated, not made unit again: the bitangent is
+    tangent[3] (n x t), as Blender and the normal map's baker compute it. kn = (0, 0, 1) is flat.
+    """
+    bitangent = tangent[:, 3:] * torch.linalg.cross(normal, tangent[:, :3])
+    x, y, z = kn.split(1, dim=1)
+    return normalize(x * tangent[:, :3] + y * bitangent + z * normal)
