@@ -1,0 +1,121 @@
+"""The built-in prior as a guidance: two small diffusion models that travel with the project.
+
+The geometry network paints object-frame normals, the appearance network paints colours onto given
+normals. Both work on pictures of 64² without an autoencoder: the latent is the picture.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from jaxtyping import Float, Int
+from safetensors import SafetensorError
+from torch import Tensor
+
+from core.camera import Cameras
+from core.errors import MissingError
+from core.guidance.guidance import Embedding, Guidance, NormalFrame, Views, coarse_latent
+from core.guidance.sds import eps_from_v, guide
+from core.prior.diffusion import alpha_bar_schedule
+from core.prior.unet import BLOCK, UNet, camera_map
+from core.prior.vocabulary import Words, parse
+from core.prior.weights import load_weights
+
+WEIGHTS = Path(__file__).parent / "weights"
+SIZE = 64
+GEOMETRY_SLOTS = ("noun", "shape")
+APPEARANCE_SLOTS = ("noun", "color", "material")
+
+
+@dataclass(frozen=True)
+class BuiltinEmbedding(Embedding):
+    """The two prompts, read."""
+
+    words: Words
+    negative: Words
+
+
+class BuiltinGuidance(Guidance):
+    """ε̂ of the built-in networks.
+
+    The unconditional branch says the negative prompt's words, or none, and keeps the camera, so
+    that guidance pulls towards the word and not towards having a camera.
+    """
+
+    normal_frame: NormalFrame = "object"
+    latent_size = SIZE
+
+    def __init__(self, geometry: UNet, appearance: UNet) -> None:
+        self.geometry, self.appearance = geometry, appearance
+        self.device = next(geometry.parameters()).device
+        self.alpha_bar = alpha_bar_schedule().to(self.device)
+        self.half = has_fast_bfloat16(self.device)
+
+    def embed(self, prompt: str, negative_prompt: str) -> BuiltinEmbedding:
+        """Raises ``UserError`` for words that are not in the vocabulary."""
+        return BuiltinEmbedding(parse(prompt), parse(negative_prompt, noun_needed=False))
+
+    def encode_normals(
+        self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """[n * o, 2o - 1], area-downsampled."""
+        return coarse_latent(n, o, SIZE)
+
+    def encode_color(
+        self, srgb: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """[(2 srgb - 1) * o, 2o - 1], area-downsampled; ``srgb`` comes weighted by coverage."""
+        return coarse_latent(2 * srgb - o, o, SIZE)
+
+    @torch.no_grad()
+    def eps_hat(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        embedding: Embedding,
+        views: Views,
+        guidance_scale: float,
+    ) -> Float[Tensor, "b 4 s s"]:
+        """Both branches in one batch; with ``views.normals`` the appearance network answers."""
+        net, slots, hint = self.geometry, GEOMETRY_SLOTS, None
+        if views.normals is not None:
+            net, slots = self.appearance, APPEARANCE_SLOTS
+            hint = torch.nn.functional.adaptive_avg_pool2d(views.normals, SIZE).repeat(2, 1, 1, 1)
+        count = len(z_t)
+        said = torch.tensor([embedding.words.indices(slots), embedding.negative.indices(slots)])
+        words = said.to(self.device).repeat_interleave(count, 0)
+        camera = self._camera_map(views.cameras).repeat(2, 1, 1, 1)
+        pair = z_t.repeat(2, 1, 1, 1).contiguous(memory_format=torch.channels_last)
+        with torch.autocast(self.device.type, torch.bfloat16, enabled=self.half):
+            v = net(pair, t.repeat(2), words, camera, hint).float()
+        eps_cond, eps_uncond = eps_from_v(v, pair, self.alpha_bar[t].repeat(2)).chunk(2)
+        return guide(eps_cond, eps_uncond, guidance_scale)
+
+    def _camera_map(self, cameras: Cameras) -> Float[Tensor, "b 6 m m"]:
+        return camera_map(cameras.to(self.device), SIZE // BLOCK)
+
+
+def has_fast_bfloat16(device: torch.device) -> bool:
+    """Whether half precision is worth it: on a GPU, or on a CPU with its own units for it."""
+    if device.type != "cpu":
+        return True
+    flags = torch.cpu.get_capabilities()
+    return bool(flags.get("amx_bf16") or flags.get("avx512_bf16"))
+
+
+def load_builtin(device: "torch.device | str") -> BuiltinGuidance:
+    """The shipped networks on ``device``.
+
+    Raises ``MissingError`` when the weights are not there or broken.
+    """
+    nets = []
+    for name in ("geometry", "appearance"):
+        path = WEIGHTS / f"{name}.safetensors"
+        try:
+            nets.append(load_weights(path).to(device))
+        except (FileNotFoundError, SafetensorError) as error:
+            raise MissingError(
+                f"The built-in prior's weights {path.name} are missing or broken ({error}).",
+                "Fetch them again with the project, or train them: python -m core.prior train.",
+            ) from error
+    return BuiltinGuidance(*nets)

@@ -1,0 +1,114 @@
+"""The training set: shards of rendered families, written once, read as 8-bit tensors.
+
+One shard is a safetensors file of ``VIEWS`` views each of random objects. Files are written aside
+and renamed, so that a training may read the folder while more shards are being made.
+"""
+
+import math
+import multiprocessing
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from safetensors.torch import load_file, save_file
+from torch import Tensor
+
+from core.camera import CameraConfig, Cameras, sample_cameras
+from core.prior.families import FAMILIES, STRETCH, Draw, build
+from core.prior.tracer import render
+
+SIZE = 64
+VIEWS = 4  # of one object
+OBJECTS = 256  # of one shard
+CAMERAS = CameraConfig(distance=(2.9, 3.1))
+
+NOUNS = list(FAMILIES)
+ADJECTIVES = ["", *STRETCH]
+# The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.
+SHARES = {"ball": 0.35, "cube": 0.6, "cylinder": 0.5, "cone": 0.5, "bottle": 0.7, "tree": 0.7}
+SHARES |= {"chair": 1.6, "mug": 1.6, "armchair": 1.2, "table": 1.3, "house": 1.3, "torus": 1.1}
+PLAIN = 0.75  # share of objects that no adjective describes
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Views with what they show; 8-bit, see ``pictures``."""
+
+    normal: Tensor  # (N, 3, s, s) int8, × 127
+    coverage: Tensor  # (N, 1, s, s) uint8, × 255
+    part: Tensor  # (N, s, s) int8
+    point: Tensor  # (N, 3, s, s) int8, × 120
+    noun: Tensor  # (N,) index into NOUNS
+    adjective: Tensor  # (N,) index into ADJECTIVES
+    camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy
+
+    def __len__(self) -> int:
+        return len(self.noun)
+
+    def cameras(self, index: "Tensor | slice" = slice(None)) -> Cameras:
+        """The views' cameras."""
+        return Cameras(*self.camera[index].unbind(1))
+
+    def pictures(self, index: "Tensor | slice" = slice(None)) -> Tensor:
+        """The geometry pictures (N, 4, s, s): [n * o, 2o - 1]."""
+        normal = self.normal[index].float() / 127
+        return torch.cat([normal, self.coverage[index].float() * (2 / 255) - 1], 1)
+
+
+def make(seed: int, objects: int = OBJECTS) -> Samples:
+    """``objects`` random objects, ``VIEWS`` views of each."""
+    generator = torch.Generator().manual_seed(seed)
+    draw = Draw(generator)
+    shares = torch.tensor([SHARES.get(noun, 1.0) for noun in NOUNS])
+    rows = []
+    for _ in range(objects):
+        noun = int(torch.multinomial(shares, 1, generator=generator))
+        plain = draw.chance(PLAIN)
+        adjective = 0 if plain else 1 + int(draw(0, len(ADJECTIVES) - 1))
+        rows.append(_views(noun, adjective, draw))
+    return Samples(*(torch.cat(column).contiguous() for column in zip(*rows, strict=True)))
+
+
+def _views(noun: int, adjective: int, draw: Draw) -> tuple[Tensor, ...]:
+    shape = build(NOUNS[noun], ADJECTIVES[adjective], draw)
+    cameras = sample_cameras(VIEWS, CAMERAS, draw.generator)
+    seen = render(shape, cameras, SIZE)
+    facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
+    return (
+        (seen.normal * 127).round().to(torch.int8),
+        (seen.coverage * 255).round().to(torch.uint8),
+        seen.part.to(torch.int8),
+        (seen.point * 120).round().clamp(-127, 127).to(torch.int8),
+        torch.full((VIEWS,), noun),
+        torch.full((VIEWS,), adjective),
+        torch.stack(facts, 1),
+    )
+
+
+def write_shard(folder: Path, number: int) -> Path:
+    """Make shard ``number`` (it is also the seed) unless the folder has it."""
+    path = folder / f"shard_{number:05d}.safetensors"
+    if not path.exists():
+        aside = path.with_suffix(".part")
+        save_file(dict(vars(make(number))), aside)
+        aside.rename(path)
+    return path
+
+
+def _work(job: tuple[Path, int]) -> Path:
+    torch.set_num_threads(1)
+    return write_shard(*job)
+
+
+def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+    """The shards ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with multiprocessing.get_context("spawn").Pool(workers) as pool:
+        yield from pool.imap(_work, [(folder, number) for number in numbers])
+
+
+def read_shards(paths: list[Path]) -> Samples:
+    """Shards, joined."""
+    files = [load_file(path) for path in paths]
+    return Samples(**{name: torch.cat([f[name] for f in files]) for name in files[0]})

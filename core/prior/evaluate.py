@@ -1,0 +1,102 @@
+"""What the geometry network knows, measured as a classifier on fresh renders.
+
+A diffusion classifier (Li et al., 2023) asks under which condition the network removes the noise
+best. Nouns are told apart at the true camera. Azimuths are told apart by a paired test: for each
+hypothesis the picture's normals, and the noise with them, are turned about the vertical so that
+they belong to the hypothesised camera. Without that turn the colours alone would tell the camera
+and even a ball would score full marks; with it a ball must score chance.
+"""
+
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from core.camera import Cameras
+from core.guidance.sds import add_noise, eps_from_v
+from core.prior.data import NOUNS, SIZE
+from core.prior.diffusion import alpha_bar_schedule
+from core.prior.families import Draw, build
+from core.prior.tracer import render
+from core.prior.unet import BLOCK, UNet, camera_map
+
+TIMES = (300, 500, 650, 800, 900)
+SECTORS = 8
+WITH_FRONT = ("chair", "armchair", "mug", "house", "snowman")
+
+
+@dataclass(frozen=True)
+class Score:
+    """Of one noun."""
+
+    noun: str
+    views: int
+    noun_right: int
+    azimuth_right: int  # the sector exactly
+    azimuth_near: int  # within one sector
+
+
+def turn_normals(pictures: Tensor, angle: Tensor) -> Tensor:
+    """The vectors of (B, 4, s, s) pictures turned about +Z by ``angle`` (B,) radians."""
+    c, s = angle.cos()[:, None, None], angle.sin()[:, None, None]
+    x, y, z, o = pictures.unbind(1)
+    return torch.stack([c * x - s * y, s * x + c * y, z, o], 1)
+
+
+def error(net: UNet, x: Tensor, words: Tensor, cameras: Cameras, eps: Tensor, t: int) -> Tensor:
+    """Mean squared error (B,) of the noise that the network sees."""
+    alpha_bar = alpha_bar_schedule()[torch.full((len(x),), t)]
+    z_t = add_noise(x, eps, alpha_bar)
+    with torch.no_grad():
+        v = net(z_t, torch.full((len(x),), t), words, camera_map(cameras, SIZE // BLOCK))
+    return (eps_from_v(v, z_t, alpha_bar) - eps).square().mean((1, 2, 3))
+
+
+def score_noun(net: UNet, noun: str, views: int, generator: torch.Generator) -> Score:
+    """``views`` fresh objects of the noun, one view each, stratified over the azimuth."""
+    draw = Draw(generator)
+    index = NOUNS.index(noun)
+    right = exact = near = 0
+    for view in range(views):
+        sector = view % SECTORS
+        azimuth = 360 / SECTORS * sector + draw(-10, 10)
+        cameras = Cameras.orbit([azimuth], [draw(5, 40)], draw(2.9, 3.1))
+        seen = render(build(noun, "", draw), cameras, SIZE)
+        x = torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
+        right += _best_noun(net, x, cameras, generator) == index
+        steps = _best_turn(net, x, index, cameras, generator)
+        exact += steps == 0
+        near += steps in (0, 1, SECTORS - 1)
+    return Score(noun, views, right, exact, near)
+
+
+def _best_noun(net: UNet, x: Tensor, cameras: Cameras, generator: torch.Generator) -> int:
+    count = len(NOUNS)
+    words = torch.stack([torch.arange(count) + 1, torch.zeros(count, dtype=torch.long)], 1)
+    same = cameras[torch.zeros(count, dtype=torch.long)]
+    total = torch.zeros(count)
+    for t in TIMES:
+        eps = torch.randn(x.shape, generator=generator).expand(count, -1, -1, -1)
+        total += error(net, x.expand_as(eps), words, same, eps, t)
+    return int(total.argmin())
+
+
+def _best_turn(
+    net: UNet, x: Tensor, noun: int, cameras: Cameras, generator: torch.Generator
+) -> int:
+    turns = torch.arange(SECTORS) * (2 * torch.pi / SECTORS)
+    words = torch.tensor([[noun + 1, 0]]).expand(SECTORS, -1)
+    zero = torch.zeros(SECTORS, dtype=torch.long)
+    same = cameras[zero]
+    turned = Cameras(same.azimuth + turns, same.elevation, same.distance, same.fovy)
+    total = torch.zeros(SECTORS)
+    for t in TIMES:
+        eps = turn_normals(torch.randn(x.shape, generator=generator)[zero], turns)
+        total += error(net, turn_normals(x[zero], turns), words, turned, eps, t)
+    return int(total.argmin())
+
+
+def evaluate(net: UNet, views: int, seed: int) -> list[Score]:
+    """All nouns."""
+    generator = torch.Generator().manual_seed(seed)
+    return [score_noun(net, noun, views, generator) for noun in NOUNS]

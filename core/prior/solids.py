@@ -1,0 +1,178 @@
+"""Signed distances of simple solids; negative inside, in the units of the points.
+
+Formulas: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org). A solid
+is a function of points ``(N, 3)``; each of these is exact outside, or a lower bound of the distance
+where the docstring says so, which is what sphere tracing needs.
+"""
+
+import math
+from collections.abc import Callable
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+Solid = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
+Vector = tuple[float, float, float]
+
+
+def _norm(*parts: Tensor) -> Tensor:
+    return sum(part * part for part in parts).sqrt()
+
+
+def ball(center: Vector, radius: float) -> Solid:
+    """A sphere."""
+    x, y, z = center
+    return lambda p: _norm(p[:, 0] - x, p[:, 1] - y, p[:, 2] - z) - radius
+
+
+def ellipsoid(center: Vector, radii: Vector) -> Solid:
+    """An ellipsoid; first-order estimate of the distance, exact at the surface."""
+
+    def distance(p: Tensor) -> Tensor:
+        scaled = (p - p.new_tensor(center)) / p.new_tensor(radii)
+        k0 = scaled.norm(dim=1)
+        k1 = (scaled / p.new_tensor(radii)).norm(dim=1).clamp_min(1e-9)
+        return k0 * (k0 - 1) / k1
+
+    return distance
+
+
+def box(center: Vector, half: Vector, rounding: float = 0.0) -> Solid:
+    """A box of half sizes ``half`` with edges rounded inwards by ``rounding``."""
+
+    def distance(p: Tensor) -> Tensor:
+        q = [(p[:, i] - center[i]).abs() - (half[i] - rounding) for i in range(3)]
+        outside = _norm(*(side.clamp_min(0) for side in q))
+        return outside + torch.maximum(q[0], torch.maximum(q[1], q[2])).clamp_max(0) - rounding
+
+    return distance
+
+
+def tube(start: Vector, end: Vector, radius: float, rounding: float = 0.0) -> Solid:
+    """A cylinder from ``start`` to ``end`` with flat ends, their rims rounded inwards."""
+    length = math.dist(start, end)
+    axis = [(e - s) / length for s, e in zip(start, end, strict=True)]
+    middle = [(e + s) / 2 for s, e in zip(start, end, strict=True)]
+
+    def distance(p: Tensor) -> Tensor:
+        q = [p[:, i] - middle[i] for i in range(3)]
+        along = sum(q[i] * axis[i] for i in range(3))
+        across = _norm(*(q[i] - along * axis[i] for i in range(3)))
+        a = across - (radius - rounding)
+        b = along.abs() - (length / 2 - rounding)
+        return _norm(a.clamp_min(0), b.clamp_min(0)) + torch.maximum(a, b).clamp_max(0) - rounding
+
+    return distance
+
+
+def capsule(start: Vector, end: Vector, radius: float) -> Solid:
+    """All points within ``radius`` of a segment."""
+    axis = [e - s for s, e in zip(start, end, strict=True)]
+    square = sum(a * a for a in axis)
+
+    def distance(p: Tensor) -> Tensor:
+        q = [p[:, i] - start[i] for i in range(3)]
+        h = (sum(q[i] * axis[i] for i in range(3)) / square).clamp(0, 1)
+        return _norm(*(q[i] - h * axis[i] for i in range(3))) - radius
+
+    return distance
+
+
+def ring(center: Vector, major: float, minor: float, axis: int = 2) -> Solid:
+    """A torus about the coordinate axis ``axis``."""
+    i, j = (k for k in range(3) if k != axis)
+
+    def distance(p: Tensor) -> Tensor:
+        across = _norm(p[:, i] - center[i], p[:, j] - center[j]) - major
+        return _norm(across, p[:, axis] - center[axis]) - minor
+
+    return distance
+
+
+def polygon(u: Tensor, v: Tensor, corners: list[tuple[float, float]]) -> Tensor:
+    """Exact signed distance of the points (u, v) to a simple polygon."""
+    nearest = torch.full_like(u, math.inf)
+    inside = torch.zeros_like(u, dtype=torch.bool)
+    for (ax, ay), (bx, by) in zip(corners, corners[-1:] + corners[:-1], strict=True):
+        ex, ey = bx - ax, by - ay
+        wx, wy = u - ax, v - ay
+        h = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clamp(0, 1)
+        dx, dy = wx - h * ex, wy - h * ey
+        nearest = torch.minimum(nearest, dx * dx + dy * dy)
+        if ay != by:
+            crosses = ((v >= ay) != (v >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
+            inside = inside ^ crosses
+    return torch.where(inside, -nearest.sqrt(), nearest.sqrt())
+
+
+def lathe(
+    profile: list[tuple[float, float]],
+    rounding: float = 0.0,
+    center: tuple[float, float] = (0.0, 0.0),
+) -> Solid:
+    """The profile (radius, height), from bottom to top, turned about the vertical through center.
+
+    It is closed with flat ends at its first and last height; ``rounding`` grows it. The closing
+    edge runs beyond the axis, so that it is never the nearest one.
+    """
+    beyond = -max(r for r, _ in profile)
+    corners = [*profile, (beyond, profile[-1][1]), (beyond, profile[0][1])]
+
+    def distance(p: Tensor) -> Tensor:
+        across = _norm(p[:, 0] - center[0], p[:, 1] - center[1])
+        return polygon(across, p[:, 2], corners) - rounding
+
+    return distance
+
+
+def prism(corners: list[tuple[float, float]], axis: int, half: float, middle: float = 0.0) -> Solid:
+    """A polygon in the other two coordinates (in their order), extruded along ``axis``."""
+    i, j = (k for k in range(3) if k != axis)
+
+    def distance(p: Tensor) -> Tensor:
+        a = polygon(p[:, i], p[:, j], corners)
+        b = (p[:, axis] - middle).abs() - half
+        return _norm(a.clamp_min(0), b.clamp_min(0)) + torch.maximum(a, b).clamp_max(0)
+
+    return distance
+
+
+def cut(solid: Solid, *holes: Solid) -> Solid:
+    """``solid`` without the holes; a lower bound of the distance."""
+
+    def distance(p: Tensor) -> Tensor:
+        result = solid(p)
+        for hole in holes:
+            result = torch.maximum(result, -hole(p))
+        return result
+
+    return distance
+
+
+def join(*solids: Solid) -> Solid:
+    """The union; exact outside."""
+
+    def distance(p: Tensor) -> Tensor:
+        result = solids[0](p)
+        for solid in solids[1:]:
+            result = torch.minimum(result, solid(p))
+        return result
+
+    return distance
+
+
+def smooth_curve(points: list[tuple[float, float]], steps: int = 4) -> list[tuple[float, float]]:
+    """A Catmull-Rom curve through the points, ``steps`` segments between two of them."""
+    padded = [points[0], *points, points[-1]]
+    curve = []
+    for a, b, c, d in zip(padded, padded[1:], padded[2:], padded[3:], strict=False):
+        for k in range(steps):
+            t = k / steps
+            curve.append(tuple(_catmull_rom(t, *(q[i] for q in (a, b, c, d))) for i in (0, 1)))
+    return [*curve, points[-1]]
+
+
+def _catmull_rom(t: float, a: float, b: float, c: float, d: float) -> float:
+    slope, bend, twist = c - a, 2 * a - 5 * b + 4 * c - d, 3 * b - a - 3 * c + d
+    return b + 0.5 * t * (slope + t * (bend + t * twist))

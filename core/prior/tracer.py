@@ -1,0 +1,84 @@
+"""Sphere tracing of the families into the prior's pictures: what the renderer would show, cheaply.
+
+Pixels and cameras are those of ``core.camera`` and ``core.render``: row 0 is the top, rays go
+through pixel centres, normals are in the object's frame.
+"""
+
+from dataclasses import dataclass
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+from torch.nn.functional import normalize
+
+from core.camera import Cameras
+from core.prior.families import Shape, gradient
+
+REACH = 1.0  # radius of the ball that holds every object, with its jitter
+HIT = 1.5e-3  # distance that counts as the surface, training units
+STEPS = 96
+
+
+@dataclass(frozen=True)
+class Pictures:
+    """G-buffers of one object seen by several cameras."""
+
+    normal: Float[Tensor, "b 3 s s"]  # object frame, premultiplied by coverage
+    coverage: Float[Tensor, "b 1 s s"]
+    part: Int[Tensor, "b s s"]  # index into the shape's parts; -1 is background
+    point: Float[Tensor, "b 3 s s"]  # object space, mean over the covered samples
+
+
+def rays(cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
+    """Origins (B, 3) and unit directions (B, size², 3) through the pixels' centres."""
+    ndc = (torch.arange(size, dtype=torch.float32) + 0.5) / size * 2 - 1
+    slope = (cameras.fovy / 2).tan()[:, None, None]
+    x = (ndc[None, None, :] * slope).expand(-1, size, -1)
+    y = (-ndc[None, :, None] * slope).expand(-1, -1, size)
+    local = torch.stack([x, y, -torch.ones_like(x)], -1).flatten(1, 2)
+    return cameras.eye, normalize(local @ cameras.rotation, dim=-1)
+
+
+def trace(shape: Shape, origin: Tensor, direction: Tensor) -> Tensor:
+    """Distance along each ray (N,) to the surface; infinite where it misses."""
+    middle = -(origin * direction).sum(1)
+    half = (REACH**2 - (origin**2).sum(1) + middle**2).clamp_min(0).sqrt()
+    t, end = middle - half, middle + half
+    hit = torch.full_like(t, torch.inf)
+    alive = (half > 0).nonzero().squeeze(1)
+    for _ in range(STEPS):
+        if len(alive) == 0:
+            break
+        d = shape.sdf(origin[alive] + t[alive, None] * direction[alive])
+        t[alive] += d
+        found = d < HIT
+        hit[alive[found]] = t[alive[found]]
+        alive = alive[~found & (t[alive] < end[alive])]
+    return hit
+
+
+def render(shape: Shape, cameras: Cameras, size: int = 64, samples: int = 2) -> Pictures:
+    """The object's pictures, averaged over ``samples``² rays a pixel."""
+    fine = size * samples
+    eye, direction = rays(cameras, fine)
+    origin = eye[:, None].expand_as(direction).reshape(-1, 3)
+    direction = direction.reshape(-1, 3)
+    depth = trace(shape, origin, direction)
+    covered = depth.isfinite().nonzero().squeeze(1)
+    points = origin[covered] + depth[covered, None] * direction[covered]
+
+    count = len(cameras)
+    buffer = torch.zeros(count * fine * fine, 7)
+    buffer[covered] = torch.cat(
+        [gradient(shape.sdf, points), torch.ones(len(points), 1), points], 1
+    )
+    mean = torch.nn.functional.avg_pool2d(
+        buffer.view(count, fine, fine, 7).permute(0, 3, 1, 2), samples
+    )
+    part = torch.full((count * fine * fine,), -1)
+    part[covered] = shape.part(points)
+    blocks = part.view(count, size, samples, size, samples)
+    nearest = blocks.amax((2, 4))  # any covered sample's part, so that a thin edge has one
+    coverage = mean[:, 3:4]
+    point = mean[:, 4:] / coverage.clamp_min(1e-6)
+    return Pictures(mean[:, :3], coverage, nearest, point)

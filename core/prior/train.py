@@ -1,0 +1,210 @@
+"""Training of the prior's two networks on one CPU thread, for a budget of minutes.
+
+The learning rate follows the share of the budget that is spent, so the budget is the whole
+schedule. A checkpoint is written every few minutes; a stopped run goes on from it, with the
+remaining budget or a new one.
+"""
+
+import json
+import math
+import signal
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from safetensors import safe_open
+from safetensors.torch import load_file
+from torch import Tensor, nn
+
+from core.guidance.sds import add_noise
+from core.prior.data import ADJECTIVES, NOUNS, Samples, read_shards
+from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
+from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
+from core.prior.weights import save_weights, write_tensors
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrainConfig:
+    """One training."""
+
+    minutes: float = 95.0
+    batch: int = 32
+    learning_rate: float = 8e-4
+    last_share: float = 0.02  # of the learning rate, when the budget is spent
+    warm_up: int = 200  # steps
+    ema: float = 0.999
+    drop_both: float = 0.10  # words and camera unsaid
+    drop_words: float = 0.05
+    drop_camera: float = 0.05
+    late_share: float = 0.5  # of the batch has its time drawn from the noisier steps only
+    late_from: int = 600
+    checkpoint_minutes: float = 2.5
+    rescan_minutes: float = 1.0  # look for new shards
+    seed: int = 0
+
+
+GEOMETRY = UNetConfig(words=(len(NOUNS), len(ADJECTIVES) - 1), widths=(48, 96, 128, 192))
+
+
+def learning_rate(step: int, share: float, config: TrainConfig) -> float:
+    """Warm-up, then half a cosine over the share of the budget spent."""
+    warm = min(1.0, (step + 1) / config.warm_up)
+    decay = 0.5 * (1 + math.cos(math.pi * min(share, 1.0)))
+    return config.learning_rate * warm * (config.last_share + (1 - config.last_share) * decay)
+
+
+def drop_conditions(
+    words: Tensor, camera: Tensor, config: TrainConfig, generator: torch.Generator
+) -> tuple[Tensor, Tensor]:
+    """Some of the batch without its words, its camera, or both, for classifier-free guidance."""
+    u = torch.rand(len(words), generator=generator)
+    both, words_only = config.drop_both, config.drop_both + config.drop_words
+    no_words = u < words_only
+    no_camera = (u < both) | ((u >= words_only) & (u < words_only + config.drop_camera))
+    return words * ~no_words[:, None], camera * ~no_camera[:, None, None, None]
+
+
+def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> Tensor:
+    """Time steps: some uniform, some from the noisy end, where the layout is decided."""
+    late = torch.rand(count, generator=generator) < config.late_share
+    low = torch.where(late, config.late_from, 0)
+    return (low + torch.rand(count, generator=generator) * (TIMES - low)).long()
+
+
+class Geometry:
+    """Batches of geometry pictures with the noun and the shape adjective."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.paths: list[Path] = []
+        self.samples: Samples | None = None
+        self.rescan()
+
+    def rescan(self) -> None:
+        """Read the shards that have come."""
+        new = [p for p in sorted(self.folder.glob("shard_*.safetensors")) if p not in self.paths]
+        if not new:
+            return
+        self.paths += new
+        fresh = read_shards(new)
+        if self.samples is None:
+            self.samples = fresh
+            return
+        old = vars(self.samples)
+        self.samples = Samples(**{k: torch.cat([old[k], v]) for k, v in vars(fresh).items()})
+
+    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+        """Pictures, words, camera maps and no hint."""
+        index = torch.randint(len(self.samples), (count,), generator=generator)
+        pictures = self.samples.pictures(index)
+        words = torch.stack(
+            [self.samples.noun[index] + 1, self.samples.adjective[index]], 1
+        )
+        camera = camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
+        return pictures, words, camera, None
+
+
+class Training:
+    """A network on its way: weights, their moving average, the optimiser, the time spent."""
+
+    def __init__(self, unet: UNetConfig, config: TrainConfig) -> None:
+        self.config, self.unet = config, unet
+        torch.manual_seed(config.seed)
+        self.net = UNet(unet).to(memory_format=torch.channels_last)
+        self.params = list(self.net.parameters())
+        self.ema = [p.detach().clone() for p in self.params]
+        self.optimizer = torch.optim.AdamW(
+            self.params, config.learning_rate, betas=(0.9, 0.99), weight_decay=1e-3, fused=True
+        )
+        self.alpha_bar = alpha_bar_schedule()
+        self.generator = torch.Generator().manual_seed(config.seed)
+        self.step, self.seconds, self.loss = 0, 0.0, float("nan")
+
+    @property
+    def share(self) -> float:
+        """Of the budget, spent."""
+        return self.seconds / (60 * self.config.minutes)
+
+    def advance(self, source: Geometry) -> None:
+        """One step of the optimiser."""
+        start = time.monotonic()
+        config, g = self.config, self.generator
+        x, words, camera, hint = source.batch(config.batch, g)
+        words, camera = drop_conditions(words, camera, config, g)
+        t = draw_times(config.batch, config, g)
+        eps, alpha_bar = torch.randn(x.shape, generator=g), self.alpha_bar[t]
+        z_t = add_noise(x, eps, alpha_bar).contiguous(memory_format=torch.channels_last)
+        with torch.autocast("cpu", torch.bfloat16):
+            v = self.net(z_t, t, words, camera, hint)
+        loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
+        self.optimizer.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(self.params, 1.0)
+        for group in self.optimizer.param_groups:
+            group["lr"] = learning_rate(self.step, self.share, config)
+        self.optimizer.step()
+        self.step += 1
+        keep = min(config.ema, (self.step + 1) / (self.step + 10))
+        torch._foreach_lerp_(self.ema, [p.detach() for p in self.params], 1 - keep)
+        self.loss = loss.item() if self.step == 1 else 0.99 * self.loss + 0.01 * loss.item()
+        self.seconds += time.monotonic() - start
+
+    def save(self, path: Path) -> None:
+        """Everything that ``resume`` needs, in one file; and the averaged weights beside it."""
+        tensors = {}
+        for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+            state = self.optimizer.state[p]
+            tensors |= {f"net.{name}": p.detach().contiguous(), f"ema.{name}": mean.contiguous()}
+            tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
+            tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
+        facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss}
+        write_tensors(path, tensors, {"training": json.dumps(facts)})
+        save_weights(path.with_name(path.stem + "_ema.safetensors"), self.unet, self.averaged())
+
+    def averaged(self) -> dict[str, Tensor]:
+        """The moving average of the weights."""
+        names = [name for name, _ in self.net.named_parameters()]
+        return dict(zip(names, self.ema, strict=True))
+
+    def resume(self, path: Path) -> None:
+        """Go on from ``save``'s file."""
+        tensors = load_file(path)
+        with safe_open(path, "pt") as file:
+            facts = json.loads(file.metadata()["training"])
+        self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
+        self.generator.manual_seed(self.config.seed + self.step)
+        with torch.no_grad():
+            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                p.copy_(tensors[f"net.{name}"])
+                mean.copy_(tensors[f"ema.{name}"])
+                self.optimizer.state[p] = {
+                    "step": torch.tensor(float(self.step)),
+                    "exp_avg": torch.empty_like(p).copy_(tensors[f"m.{name}"]),
+                    "exp_avg_sq": torch.empty_like(p).copy_(tensors[f"v.{name}"]),
+                }
+
+
+def run(training: Training, source: Geometry, checkpoint: Path) -> None:
+    """Train until the budget is spent; Ctrl-C and SIGTERM save too."""
+    config = training.config
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    saved = scanned = training.seconds
+    try:
+        while training.share < 1:
+            training.advance(source)
+            if training.step % 100 == 0:
+                print(
+                    f"step {training.step}  {training.seconds / 60:.1f} min  "
+                    f"loss {training.loss:.4f}  samples {len(source.samples)}",
+                    flush=True,
+                )
+            if training.seconds - saved > 60 * config.checkpoint_minutes:
+                training.save(checkpoint)
+                saved = training.seconds
+            if training.seconds - scanned > 60 * config.rescan_minutes:
+                source.rescan()
+                scanned = training.seconds
+    finally:
+        training.save(checkpoint)

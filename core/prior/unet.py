@@ -1,0 +1,172 @@
+"""The prior's network: a small U-Net that predicts v for pictures of 64² in blocks of 2².
+
+Words, the time step and the camera come in by two ways: as an embedding that scales and shifts
+every block (FiLM; Perez et al., 2018), and, what makes views obeyed, as a map of the camera plane
+laid beside the picture (``camera_map``).
+"""
+
+from dataclasses import dataclass
+
+import torch
+import torch.nn.functional as F
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+
+from core.camera import Cameras
+
+BLOCK = 2  # pixels along an edge that make one position of the U-Net
+MAP_CHANNELS = 6
+
+
+@dataclass(frozen=True)
+class UNetConfig:
+    """Sizes of one network."""
+
+    words: tuple[int, ...]  # number of words in each slot, not counting "not said"
+    widths: tuple[int, ...] = (32, 64, 96, 128)  # channels at 32², 16², 8², 4²
+    attention: tuple[bool, ...] = (False, False, True, True)
+    code: int = 192  # channels of the embedding of time and words
+    picture: int = 4  # channels of the picture
+    hint: int = 0  # channels of a picture that is given; 0 is none
+
+
+def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
+    """For each pixel its point on the plane through the origin that faces the camera, in object
+    axes, then the direction to the camera. All zeros stand for "camera not said".
+    """
+    ndc = (torch.arange(size, device=cameras.azimuth.device) + 0.5) / size * 2 - 1
+    half = (cameras.distance * (cameras.fovy / 2).tan())[:, None, None, None]
+    right, up, back = (row[:, :, None, None] for row in cameras.rotation.unbind(1))
+    plane = half * (ndc[None, None, None, :] * right - ndc[None, None, :, None] * up)
+    return torch.cat([plane, back.expand(-1, -1, size, size)], 1)
+
+
+def time_features(t: Int[Tensor, " b"], channels: int) -> Float[Tensor, "b c"]:
+    """Sines and cosines of the time step (Vaswani et al., 2017, §3.5)."""
+    rate = torch.exp(torch.linspace(0, -9.21, channels // 2, device=t.device))
+    angle = t[:, None] * rate
+    return torch.cat([angle.sin(), angle.cos()], 1)
+
+
+class Block(nn.Module):
+    """Residual block: norm, scale and shift, two convolutions."""
+
+    def __init__(self, inner: int, outer: int, code: int) -> None:
+        super().__init__()
+        self.norm1 = nn.GroupNorm(8, inner)
+        self.conv1 = nn.Conv2d(inner, outer, 3, padding=1)
+        self.film = nn.Linear(code, 2 * outer)
+        self.norm2 = nn.GroupNorm(8, outer)
+        self.conv2 = nn.Conv2d(outer, outer, 3, padding=1)
+        self.skip = nn.Conv2d(inner, outer, 1) if inner != outer else nn.Identity()
+        nn.init.zeros_(self.conv2.weight)
+        nn.init.zeros_(self.conv2.bias)
+
+    def forward(self, x: Tensor, code: Tensor) -> Tensor:
+        """``x`` (B, inner, s, s) and ``code`` (B, code) to (B, outer, s, s)."""
+        h = self.conv1(F.silu(self.norm1(x)))
+        scale, shift = self.film(code)[:, :, None, None].chunk(2, 1)
+        h = self.conv2(F.silu(self.norm2(h) * (1 + scale) + shift))
+        return self.skip(x) + h
+
+
+class Attention(nn.Module):
+    """Self-attention over all positions, four heads."""
+
+    def __init__(self, channels: int, heads: int = 4) -> None:
+        super().__init__()
+        self.heads = heads
+        self.norm = nn.GroupNorm(8, channels)
+        self.qkv = nn.Linear(channels, 3 * channels)
+        self.out = nn.Linear(channels, channels)
+        nn.init.zeros_(self.out.weight)
+        nn.init.zeros_(self.out.bias)
+
+    def forward(self, x: Tensor) -> Tensor:
+        """``x`` (B, C, s, s) to the same shape."""
+        b, c, height, width = x.shape
+        h = self.norm(x).flatten(2).transpose(1, 2)
+        heads = self.qkv(h).view(b, -1, 3, self.heads, c // self.heads)
+        q, k, v = heads.permute(2, 0, 3, 1, 4).flatten(1, 2)
+        # Written out: torch's fused kernel is several times slower backward at these sizes.
+        share = (q @ k.transpose(1, 2) * (c // self.heads) ** -0.5).softmax(-1).to(v.dtype)
+        h = (share @ v).view(b, self.heads, -1, c // self.heads).transpose(1, 2).reshape(b, -1, c)
+        return x + self.out(h).transpose(1, 2).reshape(b, c, height, width)
+
+
+class Stage(nn.Module):
+    """A block and, at small sizes, attention."""
+
+    def __init__(self, inner: int, outer: int, code: int, attention: bool) -> None:
+        super().__init__()
+        self.block = Block(inner, outer, code)
+        self.attention = Attention(outer) if attention else nn.Identity()
+
+    def forward(self, x: Tensor, code: Tensor) -> Tensor:
+        """As ``Block``."""
+        return self.attention(self.block(x, code))
+
+
+class UNet(nn.Module):
+    """v of a noisy picture, given words, a camera and, if so built, another picture."""
+
+    def __init__(self, config: UNetConfig) -> None:
+        super().__init__()
+        self.config = config
+        widths, code = config.widths, config.code
+        entry = (config.picture + config.hint) * BLOCK**2 + MAP_CHANNELS
+        self.words = nn.ModuleList(nn.Embedding(count + 1, code) for count in config.words)
+        self.time = nn.Sequential(nn.Linear(code, code), nn.SiLU(), nn.Linear(code, code))
+        self.mix = nn.Sequential(nn.SiLU(), nn.Linear(code, code), nn.SiLU())
+        self.entry = nn.Conv2d(entry, widths[0], 3, padding=1)
+        self.down, self.shrink = nn.ModuleList(), nn.ModuleList()
+        inner = widths[0]
+        for i, (width, attention) in enumerate(zip(widths, config.attention, strict=True)):
+            self.down.append(Stage(inner, width, code, attention))
+            last = i == len(widths) - 1
+            self.shrink.append(
+                nn.Identity() if last else nn.Conv2d(width, width, 3, stride=2, padding=1)
+            )
+            inner = width
+        self.middle = Stage(inner, inner, code, config.attention[-1])
+        self.up, self.refine, self.grow = nn.ModuleList(), nn.ModuleList(), nn.ModuleList()
+        for i in reversed(range(len(widths))):
+            width, attention = widths[i], config.attention[i]
+            self.up.append(Stage(inner + width, width, code, attention))
+            self.refine.append(Stage(width, width, code, attention=False))
+            below = widths[max(i - 1, 0)]
+            self.grow.append(nn.Identity() if i == 0 else nn.Conv2d(width, below, 3, padding=1))
+            inner = below
+        self.norm = nn.GroupNorm(8, widths[0])
+        self.exit = nn.Conv2d(widths[0], config.picture * BLOCK**2, 3, padding=1)
+
+    def code(self, t: Int[Tensor, " b"], words: Int[Tensor, "b n"]) -> Float[Tensor, "b c"]:
+        """The embedding of the time step and the words; word 0 of a slot is "not said"."""
+        code = self.time(time_features(t, self.config.code))
+        for slot, embedding in enumerate(self.words):
+            code = code + embedding(words[:, slot])
+        return self.mix(code)
+
+    def forward(
+        self,
+        z: Float[Tensor, "b p s s"],
+        t: Int[Tensor, " b"],
+        words: Int[Tensor, "b n"],
+        camera: Float[Tensor, "b 6 m m"],
+        hint: Float[Tensor, "b h s s"] | None = None,
+    ) -> Float[Tensor, "b p s s"]:
+        """``camera`` is ``camera_map`` at half the picture's size."""
+        pictures = z if hint is None else torch.cat([z, hint], 1)
+        code = self.code(t, words)
+        h = self.entry(torch.cat([F.pixel_unshuffle(pictures, BLOCK), camera], 1))
+        skips = []
+        for down, shrink in zip(self.down, self.shrink, strict=True):
+            h = down(h, code)
+            skips.append(h)
+            h = shrink(h)
+        h = self.middle(h, code)
+        for up, refine, grow in zip(self.up, self.refine, self.grow, strict=True):
+            h = refine(up(torch.cat([h, skips.pop()], 1), code), code)
+            if not isinstance(grow, nn.Identity):
+                h = grow(F.interpolate(h, scale_factor=2.0))
+        return F.pixel_shuffle(self.exit(F.silu(self.norm(h))), BLOCK)

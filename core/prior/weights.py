@@ -1,0 +1,35 @@
+"""Files of weights: safetensors, written aside and renamed, the network's sizes in the metadata."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+import torch
+from safetensors import safe_open
+from safetensors.torch import load_file, save_file
+from torch import Tensor
+
+from core.prior.unet import UNet, UNetConfig
+
+
+def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
+    """A safetensors file that is either the old one or the whole new one."""
+    aside = path.with_suffix(".part")
+    save_file({name: t.detach().contiguous() for name, t in tensors.items()}, aside, metadata)
+    aside.replace(path)
+
+
+def save_weights(path: Path, config: UNetConfig, tensors: dict[str, Tensor]) -> None:
+    """The shipped form, in half precision."""
+    half = {name: tensor.half() for name, tensor in tensors.items()}
+    write_tensors(path, half, {"config": json.dumps(asdict(config))})
+
+
+def load_weights(path: Path) -> UNet:
+    """A network from ``save_weights``, in single precision, ready to be asked."""
+    with safe_open(path, "pt") as file:
+        facts = json.loads(file.metadata()["config"])
+    facts = {key: tuple(v) if isinstance(v, list) else v for key, v in facts.items()}
+    net = UNet(UNetConfig(**facts))
+    net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
+    return net.eval().requires_grad_(False).to(memory_format=torch.channels_last)
