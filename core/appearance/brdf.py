@@ -22,32 +22,32 @@ IOR = 1.5
 MIN_ALPHA = 1e-4
 
 
-def ggx_d(cos_h: Float[Tensor, "*b"], alpha: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
+def ggx_d(cos_h: Float[Tensor, "*#b"], alpha: Float[Tensor, "*#b"]) -> Float[Tensor, "*#b"]:
     """D, the density of microfacet normals at the angle acos(``cos_h``) (Walter 2007, Eq. 33)."""
     # sin^2 + alpha^2 cos^2, written so that nothing cancels at small angles.
     spread = (1 - cos_h) * (1 + cos_h) + (alpha * cos_h).square()
     return (alpha / spread).square() / math.pi
 
 
-def smith_lambda(cos: Float[Tensor, "*b"], alpha: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
+def smith_lambda(cos: Float[Tensor, "*#b"], alpha: Float[Tensor, "*#b"]) -> Float[Tensor, "*#b"]:
     """Λ of the Smith shadowing function (Heitz 2014, Eq. 72)."""
     squared = cos.square().clamp(min=1e-12)
     return (torch.sqrt(1 + alpha.square() * (1 - squared).clamp(min=0) / squared) - 1) / 2
 
 
 def smith_g2(
-    cos_v: Float[Tensor, "*b"], cos_l: Float[Tensor, "*b"], alpha: Float[Tensor, "*b"]
-) -> Float[Tensor, "*b"]:
+    cos_v: Float[Tensor, "*#b"], cos_l: Float[Tensor, "*#b"], alpha: Float[Tensor, "*#b"]
+) -> Float[Tensor, "*#b"]:
     """G, height-correlated: 1 / (1 + Λ(v) + Λ(l)) (Heitz 2014, Eq. 99)."""
     return 1 / (1 + smith_lambda(cos_v, alpha) + smith_lambda(cos_l, alpha))
 
 
-def schlick_weight(cos: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
+def schlick_weight(cos: Float[Tensor, "*#b"]) -> Float[Tensor, "*#b"]:
     """(1 - cos)^5: Schlick's F is F0 + (1 - F0) times this ("An Inexpensive BRDF Model", 1994)."""
     return (1 - cos).clamp(0, 1) ** 5
 
 
-def fresnel_dielectric(cos: Float[Tensor, "*b"], ior: float = IOR) -> Float[Tensor, "*b"]:
+def fresnel_dielectric(cos: Float[Tensor, "*#b"], ior: float = IOR) -> Float[Tensor, "*#b"]:
     """Unpolarised reflectance of a smooth dielectric from outside (Walter 2007, Eq. 22)."""
     g = torch.sqrt(ior * ior - 1 + cos.square())
     ratio = (cos * (g + cos) - 1) / (cos * (g - cos) + 1)
@@ -55,11 +55,11 @@ def fresnel_dielectric(cos: Float[Tensor, "*b"], ior: float = IOR) -> Float[Tens
 
 
 def brdf(
-    cos_v: Float[Tensor, "*b"],
-    cos_l: Float[Tensor, "*b"],
-    cos_h: Float[Tensor, "*b"],
-    alpha: Float[Tensor, "*b"],
-) -> Float[Tensor, "*b"]:
+    cos_v: Float[Tensor, "*#b"],
+    cos_l: Float[Tensor, "*#b"],
+    cos_h: Float[Tensor, "*#b"],
+    alpha: Float[Tensor, "*#b"],
+) -> Float[Tensor, "*#b"]:
     """D G / (4 (ω·n)(ω_i·n)), the specular part of Eq. 8 at F = 1."""
     return ggx_d(cos_h, alpha) * smith_g2(cos_v, cos_l, alpha) / (4 * cos_v * cos_l)
 

@@ -102,12 +102,12 @@ class Levels:
     and the poles, so that bilinear reading is right everywhere.
     """
 
-    picture: Float[Tensor, "1 c h w"]
+    picture: Float[Tensor, "1 channels rows columns"]
     places: Float[Tensor, "levels 3"]  # width, height, first row
     azimuth: float = 0.0  # the light is turned by this, counter-clockwise from above, radians
 
     @classmethod
-    def of(cls, maps: list[Float[Tensor, "h w c"]]) -> "Levels":
+    def of(cls, maps: list[Float[Tensor, "_ _ c"]]) -> "Levels":
         """Packs the maps; level k is maps[k]."""
         width = max(image.shape[1] for image in maps) + 2
         strips, places, row = [], [], 0
