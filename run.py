@@ -27,7 +27,6 @@ Exit status: 0 done; 2 the input; 3 something is not installed or not there; 4 o
 from __future__ import annotations
 
 import difflib
-import importlib.util
 import json
 import os
 import signal
@@ -35,9 +34,14 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 ROOT = Path(__file__).resolve().parent
+if str(ROOT) not in sys.path:  # Blender runs this file without its folder
+    sys.path.insert(0, str(ROOT))
+
+from fantasia3d_addon import environment  # noqa: E402 -- standard library only, no bpy
+
 JOBS = ("generate", "texture", "resume")  # these end in an asset that Blender may take
 CORE = (*JOBS, "render", "inspect", "export", "bench")
 OWN = ("doctor", "setup", "test", "python")
@@ -48,23 +52,6 @@ class InputError(Exception):
     """What the user asked for cannot be: a sentence and its cure."""
 
     status = 2
-
-
-def load_environment() -> Any:
-    """The add-on's ``environment`` package, without the add-on, which would need Blender."""
-    folder = ROOT / "fantasia3d_addon" / "environment"
-    spec = importlib.util.spec_from_file_location(
-        "fantasia3d_environment", folder / "__init__.py", submodule_search_locations=[str(folder)]
-    )
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-environment = load_environment()
 
 
 # The command line
@@ -164,7 +151,7 @@ def say(text: str, share: float) -> None:
 def launch(argv: list[str]) -> int:
     """Carry out a command line under plain Python: the exit status."""
     if not argv or argv[0] in ("-h", "--help", "help"):
-        print(__doc__.strip())
+        print((__doc__ or "").strip())
         return 0 if argv else 2
     check_command(argv)
     if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
@@ -258,7 +245,6 @@ def under_blender(argv: list[str]) -> int:
     python_path = environment.ensure(ROOT, (), say)
     if core and argv[0] not in JOBS:
         return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
-    sys.path.insert(0, str(ROOT))
     from fantasia3d_addon import headless
 
     if core:

@@ -14,11 +14,11 @@ import threading
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import IO, Any, Protocol
+from typing import IO, Protocol
 
 from . import layout, machine
 from .machine import SetupError
-from .words import explain, offers_cuda, pip_sources, step_of
+from .words import explain, offers_cuda, pip_sources, pip_version, step_of
 
 
 class Progress(Protocol):
@@ -30,6 +30,7 @@ class Progress(Protocol):
 
 SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
+LEAN_PIP = (23, 2)  # older ones fetch a whole wheel (torch: 0.5 GB) to read what it needs
 SILENCE = 15.0  # seconds after which a long step is said to go on
 CHECKS = {  # what must load before a group counts as installed
     "core": "import torch, numpy, safetensors, PIL; print('torch', torch.__version__)",
@@ -168,6 +169,14 @@ class _SetUp:
         (self.folder / layout.BUILDING).touch()
         self.progress(f"making a virtual environment of {base}", 0.01)
         self._run([str(base), "-m", "venv", str(self.folder)])
+        said = machine.output([self.python, "-m", "pip", "--version"])
+        if pip_version(said) < LEAN_PIP and not os.environ.get("FANTASIA3D_WHEELS"):
+            self._pip("install", *self._tool("pip"))
+
+    def _tool(self, name: str) -> list[str]:
+        """The pin of one of the set-up's own tools."""
+        pins = layout.requirements(self.root, "setup")
+        return [pin for pin in pins if pin.startswith(f"{name}==")]
 
     def _install(self, todo: Sequence[str]) -> None:
         """Install, check and mark the groups, the core's pins always among the wishes."""
@@ -224,8 +233,7 @@ class _SetUp:
     def _uv(self, pin: str, backend: str) -> None:
         """Install torch through uv, which knows where torch's own builds lie."""
         tool = self.folder / "uv"
-        self._pip("install", "--no-deps", "--target", str(tool),
-                  *layout.requirements(self.root, "setup"))  # fmt: skip
+        self._pip("install", "--no-deps", "--target", str(tool), *self._tool("uv"))
         sources = pip_sources(machine.output([self.python, "-m", "pip", "config", "list"]))
         uv = tool / "bin" / ("uv.exe" if sys.platform == "win32" else "uv")
         self._run([str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend,
@@ -245,14 +253,17 @@ class _SetUp:
             SetupError: it failed; the sentence says why, as far as its output tells.
         """
         self.log.write(f"$ {' '.join(command)}\n")
-        handed_on: dict[str, Any] = {}
-        if sys.platform != "win32":  # a child that outlives this process keeps the lock
-            handed_on["pass_fds"] = (self.lock.fileno(),)
-        child = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            env={**machine.clean_environ(), "PYTHONIOENCODING": "utf-8", **(environ or {})},
-            **handed_on,
-        )  # fmt: skip
+        keep = () if sys.platform == "win32" else (self.lock.fileno(),)  # if it outlives this one
+        try:
+            child = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, pass_fds=keep,
+                env={**machine.clean_environ(), "PYTHONIOENCODING": "utf-8", **(environ or {})},
+            )  # fmt: skip
+        except OSError as error:
+            raise SetupError(
+                f"{command[0]} does not run ({error.strerror}).", "Start again."
+            ) from None
         try:
             said = self._follow(child)
             status = child.wait()

@@ -44,6 +44,12 @@ def offers_cuda(report: dict[str, Any], platform: str) -> bool:
     return brings and platform.startswith("linux")
 
 
+def pip_version(said: str) -> tuple[int, ...]:
+    """The version in ``pip --version``'s answer: (23, 2)."""
+    found = re.match(r"pip (\d+)\.(\d+)", said)
+    return tuple(int(n) for n in found.groups()) if found else (0, 0)
+
+
 def pip_sources(config: str) -> dict[str, str]:
     """uv's variables for the indexes and wheel folders in ``pip config list``'s answer."""
     names = {

@@ -1,0 +1,135 @@
+"""The core never imports Blender, the add-on never imports torch, neither imports the other."""
+
+import ast
+import importlib.metadata
+import re
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+BANNED = {
+    "core": {"bpy", "bmesh", "mathutils", "fantasia3d_addon", "run"},
+    "fantasia3d_addon": {"torch", "core", "jaxtyping", "diffusers", "transformers", "run"},
+}
+ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR")  # one file of the core each
+
+
+def imported(source: str) -> set[str]:
+    """Top-level names of all imports in ``source``, at any depth, also by ``import_module``."""
+    names: set[str] = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            names.add(node.module)
+        elif isinstance(node, ast.Call) and node.args:
+            called = ast.unparse(node.func).rpartition(".")[2]
+            name = node.args[0]
+            if called in ("import_module", "__import__") and isinstance(name, ast.Constant):
+                names.add(str(name.value))
+    return {name.partition(".")[0] for name in names}
+
+
+def files(package: str) -> Iterator[tuple[str, set[str]]]:
+    """Each file of ``package`` but its tests, and what it imports."""
+    found = [path for path in (ROOT / package).rglob("*.py") if "tests" not in path.parts]
+    assert found, f"{package}/ holds no Python file: was it renamed?"
+    for path in found:
+        yield path.relative_to(ROOT).as_posix(), imported(path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("package", BANNED)
+def test_a_package_imports_nothing_of_the_other_side(package):
+    bad = {name: sorted(names & BANNED[package]) for name, names in files(package)}
+    bad = {name: names for name, names in bad.items() if names}
+    assert not bad, f"{bad}: say it through the run folder (docs/architecture.md) instead"
+
+
+@pytest.mark.parametrize("library", ONE_FILE)
+def test_a_heavy_library_has_one_file(library):
+    users = [name for name, names in files("core") if library in names]
+    assert len(users) == 1, f"{library} is imported in {users}"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import bpy",
+        "import torch.nn as nn, bpy.types",
+        "from bpy.types import Object",
+        "def f():\n    try:\n        from bpy import ops\n    except ImportError:\n        pass",
+        "import importlib\nm = importlib.import_module('bpy.utils')",
+        "m = __import__('bpy')",
+    ],
+)
+def test_the_scan_sees_an_import_wherever_it_hides(line):
+    assert "bpy" in imported(line)
+
+
+def test_the_scan_takes_no_word_for_an_import():
+    source = '"""import bpy"""\nbpy = "from bpy import ops"  # import bpy\nfrom .bpy import x\n'
+    assert imported(source) == set()
+
+
+def test_the_boundary_test_fails_on_a_trespass(tmp_path, monkeypatch):
+    (tmp_path / "core").mkdir()
+    (tmp_path / "core" / "good.py").write_text("import torch\n")
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    test_a_package_imports_nothing_of_the_other_side("core")
+    (tmp_path / "core" / "bad.py").write_text("def f():\n    import fantasia3d_addon.jobs\n")
+    with pytest.raises(AssertionError, match=r"core/bad\.py"):
+        test_a_package_imports_nothing_of_the_other_side("core")
+
+
+@pytest.mark.parametrize("package", ["run.py", "fantasia3d_addon/environment"])
+def test_the_launcher_needs_the_standard_library_alone(package):
+    path = ROOT / package
+    found = [path] if path.is_file() else list(path.glob("*.py"))
+    names = set().union(*(imported(file.read_text(encoding="utf-8")) for file in found))
+    own = {"fantasia3d_addon", "core", "bpy"} if package == "run.py" else set()
+    assert names - set(sys.stdlib_module_names) <= own | {"tomllib"}
+
+
+def test_the_protocol_and_the_command_line_load_no_library():
+    code = (
+        "import sys, core.protocol, core.__main__\n"
+        "print(sorted({'torch', 'numpy', 'bpy', 'diffusers'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    assert done.stdout.strip() == "[]", done.stderr
+
+
+def plain(name: str) -> str:
+    """A distribution's name as registries compare it."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def test_everything_that_is_imported_is_declared_and_pinned():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    declared = {plain(re.split(r"==|\[", pin)[0]) for pin in project["dependencies"]}
+    distributions = importlib.metadata.packages_distributions()
+    unknown = {
+        (file, name)
+        for file, names in files("core")
+        for name in names - set(sys.stdlib_module_names) - {"core"}
+        if not declared & {plain(d) for d in [*distributions.get(name, []), name]}
+    }
+    assert not unknown, "add it to [project] dependencies in pyproject.toml"
+    groups = project["optional-dependencies"].values()
+    pins = [*project["dependencies"], *(pin for group in groups for pin in group)]
+    assert [pin for pin in pins if "==" not in pin] == []
+
+
+def test_shapes_are_checked_while_tests_run():
+    import torch
+    from jaxtyping import TypeCheckError
+
+    from core.render.rasterizer import interpolate
+
+    with pytest.raises(TypeCheckError):
+        interpolate(torch.zeros(3), "no fragments")  # type: ignore[arg-type]
