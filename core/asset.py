@@ -1,0 +1,255 @@
+"""The asset folder (docs/architecture.md, "The asset folder"): written whole or not at all."""
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.appearance.tangents import corner_tangents, smooth_normals
+from core.errors import UserError
+from core.geometry.mesh import health, load_mesh
+from core.texture import images
+from core.texture.bake import Maps
+from core.texture.files import told_errors, whole_file
+from core.texture.glb import glb_bytes
+from core.texture.obj import mtl_text, obj_text, read_obj, write_plain_obj
+
+__all__ = [
+    "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
+]  # fmt: skip
+
+VERSION = 1
+SIZE_M = 1.0  # the longest side, metres
+FILES: dict[str, dict[str, Any]] = {
+    "mesh.obj": {"role": "mesh", "axes": "forward -Z, up Y"},
+    "mesh.mtl": {"role": "material"},
+    "base_color.png": {
+        "role": "base_color", "color_space": "sRGB", "channels": "RGB", "bits": 8,
+    },
+    "orm.png": {
+        "role": "orm", "color_space": "Non-Color", "channels": "occlusion, roughness, metallic",
+        "bits": 8,
+    },
+    "normal.png": {
+        "role": "normal", "color_space": "Non-Color", "channels": "XYZ", "convention": "OpenGL",
+        "tangent_space": "MikkTSpace", "bits": 16,
+    },
+    "asset.glb": {"role": "glb", "axes": "forward +Z, up +Y"},
+    "preview.png": {"role": "preview", "color_space": "sRGB"},
+}  # fmt: skip
+REMAKE = "Name the folder that holds asset.json, or make the asset again."
+
+
+@dataclass(frozen=True, eq=False)
+class Asset:
+    """An asset folder in memory. Axes as in the core: +Z up, front -Y, metres."""
+
+    folder: Path
+    info: dict[str, Any]  # asset.json
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    uv: Float[Tensor, "u 2"]
+    face_uvs: Int[Tensor, "f 3"]
+    maps: Maps
+
+
+def place(verts: Float[Tensor, "v 3"], size: float = SIZE_M) -> Float[Tensor, "v 3"]:
+    """Into the world: ``size`` metres on the longest side, on z = 0, centred in x and y."""
+    low, high = verts.amin(0), verts.amax(0)
+    extent = (high - low).max()
+    if not float(extent) > 0:
+        raise UserError("All the mesh's vertices are one point.", "Give a mesh with an extent.")
+    base = (low + high) / 2
+    base[2] = low[2]
+    return (verts - base) * (size / extent)
+
+
+def write_asset(
+    folder: Path,
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    uv: Float[Tensor, "u 2"],
+    face_uvs: Int[Tensor, "f 3"],
+    maps: Maps,
+    info: dict[str, Any],
+    preview: Float[Tensor, "h w c"] | None = None,
+) -> Path:
+    """Write the asset beside ``folder`` and rename it there; an older one goes only then.
+
+    ``verts`` in world axes and metres; ``info`` is what asset.json tells of the making;
+    ``preview`` is sRGB in [0, 1].
+
+    Raises UserError for a disk that is full or may not be written; nothing new is left then, and
+    an older asset stays.
+    """
+    folder = Path(folder)
+    verts, faces, uv, face_uvs = (x.detach().cpu() for x in (verts, faces, uv, face_uvs))
+
+    def fill(aside: Path) -> None:
+        _write_pictures(aside, maps, preview)
+        _write_mesh(aside, verts.float(), faces, uv.float(), face_uvs)
+        told = _told(aside, verts, faces, info)
+        text = json.dumps(told, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+        with whole_file(aside / "asset.json") as path:
+            path.write_text(text, encoding="utf-8")
+
+    _replace_folder(folder, fill)
+    return folder
+
+
+def read_asset(folder: Path) -> Asset:
+    """The asset in ``folder``, which may also be the run folder around it.
+
+    Raises UserError for a folder that is no asset, or one that lacks a part or has a broken one.
+    """
+    folder = Path(folder)
+    if not (folder / "asset.json").is_file() and (folder / "asset" / "asset.json").is_file():
+        folder = folder / "asset"
+    info = _read_info(folder)
+    verts, faces, uv, face_uvs = read_obj(folder / "mesh.obj")
+    told = info.get("mesh", {})
+    for name, got in (("verts", len(verts)), ("faces", len(faces))):
+        if told.get(name, got) != got:
+            raise UserError(
+                f"mesh.obj of {folder} has {got} {name}, asset.json says {told[name]}.", REMAKE
+            )
+    base_color, orm, normal = (
+        images.read_png(folder / f"{name}.png") for name in ("base_color", "orm", "normal")
+    )
+    for name, image in (("base_color", base_color), ("orm", orm), ("normal", normal)):
+        if image.shape[2] < 3 or image.shape[:2] != base_color.shape[:2]:
+            raise UserError(
+                f"{name}.png of {folder} has the shape {image.shape}, not three channels and "
+                "the size of base_color.png.",
+                REMAKE,
+            )
+    maps = Maps(
+        images.colors(base_color[..., :3]),
+        images.units(orm[..., :3]),
+        images.normals(normal[..., :3]),
+    )
+    return Asset(folder, info, verts, faces, uv, face_uvs, maps)
+
+
+def inspect(path: Path) -> dict[str, Any]:
+    """The health report of an asset folder, a run folder or a mesh file."""
+    path = Path(path)
+    if path.is_dir():
+        asset = read_asset(path)
+        told = {k: v for k, v in asset.info.items() if k not in ("mesh", "files")}
+        size = list(asset.maps.base_color.shape[:2])
+        mesh = dict(health(asset.verts, asset.faces))
+        return {"path": str(asset.folder), **told, "texture_size": size, "mesh": mesh}
+    mesh = load_mesh(path)
+    return {"path": str(path), "uv": mesh.uv is not None, "mesh": health(mesh.verts, mesh.faces)}
+
+
+def export(folder: Path, format: str, out: Path) -> Path:
+    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures beside it.
+
+    Raises UserError for another format, no asset, or a place that cannot be written.
+    """
+    asset, out = read_asset(folder), Path(out)
+    if format not in ("glb", "obj"):
+        raise UserError(f"The core does not write {format!r}.", "Take glb or obj.")
+    if out.suffix.lower() != f".{format}":
+        raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
+    if format == "glb":
+        _copy(asset.folder / "asset.glb", out)
+        return out
+    names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
+    for name, file in names.items():
+        _copy(asset.folder / f"{name}.png", out.with_name(file))
+    normals = smooth_normals(asset.verts, asset.faces)
+    material = mtl_text(out.stem, names["base_color"], names["normal"])
+    text = obj_text(asset.verts, asset.faces, asset.uv, asset.face_uvs, normals, out.stem)
+    for path, content in ((out.with_suffix(".mtl"), material), (out, text)):
+        with whole_file(path) as aside:
+            aside.write_text(content, encoding="utf-8")
+    return out
+
+
+def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
+    images.write_png(folder / "base_color.png", images.srgb_bytes(maps.base_color))
+    images.write_png(folder / "orm.png", images.unit_bytes(maps.orm))
+    images.write_png(folder / "normal.png", images.normal_words(maps.normal))
+    if preview is not None:
+        images.write_png(folder / "preview.png", preview)
+
+
+def _write_mesh(folder: Path, verts: Tensor, faces: Tensor, uv: Tensor, face_uvs: Tensor) -> None:
+    normals = smooth_normals(verts, faces)
+    tangents = corner_tangents(verts, faces, normals, uv, face_uvs)
+    pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
+    pictures["normal"] = (folder / "normal.png").read_bytes()
+    glb = glb_bytes(verts, faces, uv, face_uvs, normals, tangents, pictures)
+    with whole_file(folder / "asset.glb") as path:
+        path.write_bytes(glb)
+    with whole_file(folder / "mesh.mtl") as path:
+        path.write_text(mtl_text("mesh", "base_color.png", "normal.png"), encoding="utf-8")
+    with whole_file(folder / "mesh.obj") as path:
+        path.write_text(obj_text(verts, faces, uv, face_uvs, normals, "mesh"), encoding="ascii")
+
+
+def _told(folder: Path, verts: Tensor, faces: Tensor, info: dict[str, Any]) -> dict[str, Any]:
+    """asset.json: what is known here, and what ``info`` adds."""
+    size = float((verts.amax(0) - verts.amin(0)).max())
+    here = {
+        "version": VERSION,
+        "size_m": round(size, 6),
+        "mesh": dict(health(verts, faces)),
+        "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
+    }
+    return info | here
+
+
+def _read_info(folder: Path) -> dict[str, Any]:
+    path = folder / "asset.json"
+    if not path.is_file():
+        raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
+    try:
+        info = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise UserError(f"{path} cannot be read ({error}).", REMAKE) from error
+    version = info.get("version") if isinstance(info, dict) else None
+    if version != VERSION:
+        raise UserError(
+            f"{path} has version {version!r}; this core reads {VERSION}.",
+            "Read it with the release that wrote it, or make the asset again.",
+        )
+    return info
+
+
+def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
+    """``fill`` a new folder beside ``folder`` and give it its name; clean up after a failure."""
+    aside, old = folder.with_name(folder.name + ".tmp"), folder.with_name(folder.name + ".old")
+    with told_errors(folder):
+        _mend(folder, old)
+        shutil.rmtree(aside, ignore_errors=True)
+        try:
+            aside.mkdir(parents=True)
+            fill(aside)
+            if folder.exists():
+                folder.rename(old)
+            aside.rename(folder)
+        except BaseException:
+            shutil.rmtree(aside, ignore_errors=True)
+            _mend(folder, old)
+            raise
+        shutil.rmtree(old, ignore_errors=True)
+
+
+def _mend(folder: Path, old: Path) -> None:
+    """After an end between the two renames: the older asset gets its name back."""
+    if old.exists() and not folder.exists():
+        old.rename(folder)
+
+
+def _copy(source: Path, to: Path) -> None:
+    with whole_file(to) as aside:
+        shutil.copyfile(source, aside)

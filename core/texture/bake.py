@@ -1,0 +1,86 @@
+"""The material of the surface as texture maps: the paper's last step, after §4.3.
+
+"... sample the generated 2D texture ... edge padding": Γ is asked at the points under each texel,
+and what is empty is padded.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.appearance.material import Material
+from core.ops import normalize
+from core.texture.padding import nearest_covered, pad
+from core.texture.texels import Texels, texel_bands
+
+CHUNK = 1 << 18  # points given to the material at once
+
+
+class Maps(NamedTuple):
+    """A square texture set; row 0 is the top. All values linear."""
+
+    base_color: Float[Tensor, "s s 3"]  # linear Rec.709, in [0, 1]
+    orm: Float[Tensor, "s s 3"]  # occlusion, roughness, metallic
+    normal: Float[Tensor, "s s 3"]  # unit, tangent space, OpenGL: y along growing v
+
+
+@torch.no_grad()
+def bake(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    uv: Float[Tensor, "u 2"],
+    face_uvs: Int[Tensor, "f 3"],
+    material: Callable[[Float[Tensor, "n 3"]], Material],
+    size: int,
+    progress: Callable[[float], None] | None = None,
+    samples: int = 4,
+) -> Maps:
+    """Evaluate ``material`` on the surface; every texel of the maps has a value.
+
+    A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
+    unit length again. Occlusion is 1: the light's shadows are the renderer's. The maps lie in
+    main memory. ``progress`` is told the part done, in [0, 1]; what it raises stops the bake.
+
+    Raises UserError where the uv map covers no texel.
+    """
+    values = torch.zeros(size * size, 8)
+    covered = torch.zeros(size * size, dtype=torch.bool)
+    for texels in texel_bands(uv, face_uvs, size, samples):
+        if len(texels.index):
+            where, mean = _means(verts, faces, texels, material)
+            values[where] = mean
+            covered[where] = True
+            if progress:
+                progress(0.9 * float(where[-1] + 1) / size**2)
+    hit = covered.view(size, size)
+    nearest = nearest_covered(hit)
+    base_color, roughness, metallic, kn = values.view(size, size, 8).split([3, 1, 1, 3], -1)
+    orm = torch.cat([torch.ones_like(roughness), roughness, metallic], -1)
+    maps = Maps(
+        pad(base_color.contiguous(), hit, nearest),
+        pad(orm, hit, nearest),
+        pad(normalize(kn), hit, nearest),
+    )
+    if progress:
+        progress(1.0)
+    return maps
+
+
+def _means(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    texels: Texels,
+    material: Callable[[Float[Tensor, "n 3"]], Material],
+) -> tuple[Int[Tensor, " t"], Float[Tensor, "t 8"]]:
+    """The covered texels and, for each, the mean of kd, roughness, metallic and kn."""
+    where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
+    total = torch.zeros(len(where), 8, device=verts.device)
+    for face, bary, to in zip(
+        texels.face.split(CHUNK), texels.bary.split(CHUNK), slot.split(CHUNK), strict=True
+    ):
+        points = torch.einsum("nk,nkc->nc", bary, verts[faces[face]])
+        total.index_add_(0, to, torch.cat(material(points), -1).to(total))
+    return where.cpu(), (total / count[:, None]).cpu()

@@ -1,0 +1,44 @@
+"""Files that are whole or not there: written aside, then renamed."""
+
+import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from core.errors import UserError
+
+FULL = (errno.ENOSPC, errno.EDQUOT)
+FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """Give a path to write to, beside ``path``; it takes the name at the end, or is removed.
+
+    Raises UserError for a full disk, a place that may not be written, a folder that is not there.
+    """
+    aside = path.with_name(path.name + ".tmp")
+    try:
+        with told_errors(path):
+            yield aside
+            aside.replace(path)
+    finally:
+        with told_errors(path):
+            aside.unlink(missing_ok=True)
+
+
+@contextmanager
+def told_errors(path: Path) -> Iterator[None]:
+    """Turn what the file system refuses into a UserError that names ``path``."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in FULL:
+            raise UserError(f"The disk is full: {path} was not written.", "Make room.") from error
+        if error.errno in FORBIDDEN:
+            raise UserError(f"{path} may not be written.", "Choose another folder.") from error
+        if isinstance(error, FileNotFoundError | NotADirectoryError | IsADirectoryError):
+            raise UserError(
+                f"{path} cannot be written: {error.strerror}.", "Choose another folder."
+            ) from error
+        raise

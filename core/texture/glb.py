@@ -1,0 +1,162 @@
+"""One binary glTF 2.0 file with its textures inside.
+
+World (x, y, z) is written as (x, z, -y): +Y up, the front looks along +Z, as glTF has it.
+"""
+
+import json
+import struct
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.texture.obj import to_y_up
+
+FLOAT, UINT = 5126, 5125  # component types
+VERTICES, INDICES = 34962, 34963  # buffer targets
+LINEAR, MIPMAPS, CLAMP = 9729, 9987, 33071  # sampler
+
+
+@dataclass
+class _Buffer:
+    """The binary part, as it grows, and the JSON that tells where what lies."""
+
+    data: bytearray = field(default_factory=bytearray)
+    views: list[dict[str, Any]] = field(default_factory=list)
+    accessors: list[dict[str, Any]] = field(default_factory=list)
+
+    def view(self, data: bytes, **more: int) -> int:
+        """Append ``data`` at a multiple of four bytes; the index of its view."""
+        self.data += bytes(-len(self.data) % 4)
+        place = {"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)}
+        self.views.append(place | more)
+        self.data += data
+        return len(self.views) - 1
+
+    def array(self, array: np.ndarray, kind: str, target: int, bounds: bool = False) -> int:
+        """Append rows of numbers; the index of their accessor."""
+        told: dict[str, Any] = {
+            "bufferView": self.view(array.astype(array.dtype.newbyteorder("<")).tobytes(),
+                                    target=target),
+            "componentType": FLOAT if array.dtype == np.float32 else UINT,
+            "count": len(array),
+            "type": kind,
+        }  # fmt: skip
+        if bounds:
+            told |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
+        self.accessors.append(told)
+        return len(self.accessors) - 1
+
+
+def glb_bytes(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    uv: Float[Tensor, "u 2"],
+    face_uvs: Int[Tensor, "f 3"],
+    normals: Float[Tensor, "v 3"],
+    tangents: Float[Tensor, "f 3 4"],
+    pictures: dict[str, bytes],
+    name: str = "asset",
+) -> bytes:
+    """The file. ``pictures`` are the PNG files "base_color", "orm" and "normal".
+
+    Vertices are split where their uv or tangents differ.
+    """
+    corner, index = split_corners(faces, face_uvs, tangents)
+    f, fu = faces.cpu().reshape(-1)[corner], face_uvs.cpu().reshape(-1)[corner]
+    u, v = uv.detach().cpu().float()[fu].unbind(1)
+    tangent = tangents.cpu().reshape(-1, 4)[corner].float()
+    columns = {
+        "POSITION": to_y_up(verts.detach().cpu().float()[f]),
+        "NORMAL": to_y_up(normals.detach().cpu().float()[f]),
+        "TEXCOORD_0": torch.stack([u, 1 - v], -1),  # glTF's v grows downwards
+        "TANGENT": torch.cat([to_y_up(tangent[:, :3]), tangent[:, 3:]], -1),
+    }
+    buffer = _Buffer()
+    attributes = {
+        key: buffer.array(column.numpy(), f"VEC{column.shape[1]}", VERTICES, key == "POSITION")
+        for key, column in columns.items()
+    }
+    indices = buffer.array(index.numpy().astype(np.uint32), "SCALAR", INDICES)
+    return _packed(_described(buffer, attributes, indices, pictures, name), bytes(buffer.data))
+
+
+def split_corners(
+    faces: Int[Tensor, "f 3"], face_uvs: Int[Tensor, "f 3"], tangents: Float[Tensor, "f 3 4"]
+) -> tuple[Int[Tensor, " n"], Int[Tensor, " m"]]:
+    """A corner (of 3F) for each split vertex, and the split vertex of each of the 3F corners.
+
+    Split vertices stand in the order of their welded ones.
+    """
+    rows = torch.cat([faces[..., None], face_uvs[..., None]], -1).cpu().numpy().reshape(-1, 2)
+    bits = tangents.cpu().float().numpy().reshape(-1, 4).view(np.int32)
+    keys = [*bits.T, *rows.T[::-1]]
+    order = np.lexsort(keys)
+    changed = np.any([key[order][1:] != key[order][:-1] for key in keys], axis=0)
+    label = np.concatenate([[0], changed.cumsum()])
+    index = np.empty(len(order), np.int64)
+    index[order] = label
+    first = order[np.concatenate([[True], changed])]
+    return torch.from_numpy(first), torch.from_numpy(index)
+
+
+def _described(
+    buffer: _Buffer,
+    attributes: dict[str, int],
+    indices: int,
+    pictures: dict[str, bytes],
+    name: str,
+) -> dict[str, Any]:
+    roles = ("base_color", "orm", "normal")
+    images = [
+        {"name": role, "mimeType": "image/png", "bufferView": buffer.view(pictures[role])}
+        for role in roles
+    ]
+    material = {
+        "name": name,
+        "pbrMetallicRoughness": {
+            "baseColorTexture": {"index": 0},
+            "metallicRoughnessTexture": {"index": 1},
+        },
+        "occlusionTexture": {"index": 1},
+        "normalTexture": {"index": 2},
+    }
+    return {
+        "asset": {"version": "2.0", "generator": "Fantasia3D for Blender"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": name}],
+        "meshes": [
+            {
+                "name": name,
+                "primitives": [{"attributes": attributes, "indices": indices, "material": 0}],
+            }
+        ],
+        "materials": [material],
+        "textures": [{"sampler": 0, "source": i} for i in range(len(roles))],
+        "samplers": [{"magFilter": LINEAR, "minFilter": MIPMAPS, "wrapS": CLAMP, "wrapT": CLAMP}],
+        "images": images,
+        "accessors": buffer.accessors,
+        "bufferViews": buffer.views,
+        "buffers": [{"byteLength": len(buffer.data)}],
+    }
+
+
+def _packed(described: dict[str, Any], data: bytes) -> bytes:
+    """Header and the two chunks, each padded to four bytes."""
+    text = json.dumps(described, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    data += b"\0" * (-len(data) % 4)
+    total = 12 + 8 + len(text) + 8 + len(data)
+    return b"".join(
+        [
+            struct.pack("<4sII", b"glTF", 2, total),
+            struct.pack("<I4s", len(text), b"JSON"),
+            text,
+            struct.pack("<I4s", len(data), b"BIN\0"),
+            data,
+        ]
+    )

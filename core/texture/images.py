@@ -1,0 +1,87 @@
+"""Pictures between tensors and files: 8 and 16 bit PNG.
+
+Numbers are scaled and cut in floating point and rounded last: colours get their sRGB curve before
+they lose bits, and a normal below -1 or above 1 stays at the end of the range, it does not wrap.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import png
+import torch
+from jaxtyping import Float, UInt8, UInt16
+from PIL import Image
+from torch import Tensor
+
+from core.errors import UserError
+from core.ops import linear_to_srgb, srgb_to_linear
+from core.texture.files import whole_file
+
+
+def srgb_bytes(linear: Float[Tensor, "h w c"]) -> UInt8[np.ndarray, "h w c"]:
+    """Linear colour to 8-bit sRGB."""
+    return unit_bytes(linear_to_srgb(linear))
+
+
+def unit_bytes(x: Float[Tensor, "h w c"]) -> UInt8[np.ndarray, "h w c"]:
+    """[0, 1] to 8 bits."""
+    return (x.clamp(0, 1) * 255).round().to(torch.uint8).cpu().numpy()
+
+
+def normal_words(n: Float[Tensor, "h w 3"]) -> UInt16[np.ndarray, "h w 3"]:
+    """Unit vectors to 16 bits, 0.5 + 0.5 n; flat is (32768, 32768, 65535)."""
+    return ((n.clamp(-1, 1) * 0.5 + 0.5) * 65535).round().cpu().numpy().astype(np.uint16)
+
+
+def colors(image: np.ndarray) -> Float[Tensor, "h w c"]:
+    """8-bit sRGB to linear colour."""
+    return srgb_to_linear(units(image))
+
+
+def units(image: np.ndarray) -> Float[Tensor, "h w c"]:
+    """8 or 16 bits to [0, 1]."""
+    return torch.from_numpy(image.astype(np.float32)) / float(np.iinfo(image.dtype).max)
+
+
+def normals(image: np.ndarray) -> Float[Tensor, "h w 3"]:
+    """8 or 16 bits to vectors, unit up to rounding."""
+    return units(image) * 2 - 1
+
+
+def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
+    """Write a picture of 3 or 4 channels whole or not at all.
+
+    ``image`` is an array of uint8 or uint16, or a tensor of [0, 1] that already has the curve
+    which the file shall have, and is written with 8 bits.
+    """
+    if isinstance(image, Tensor):
+        image = unit_bytes(image)
+    with whole_file(path) as aside, aside.open("wb") as file:
+        if image.dtype == np.uint8:
+            Image.fromarray(image).save(file, format="png", compress_level=6)
+            return
+        height, width, channels = image.shape
+        writer = png.Writer(
+            width, height, greyscale=False, alpha=channels == 4, bitdepth=16, compression=6
+        )
+        rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
+        writer.write_packed(file, rows)
+
+
+def read_png(path: Path) -> np.ndarray:
+    """(H,W,C) uint8, or uint16 from a file of 16 bits; grey comes as one channel.
+
+    Raises UserError for a file that is not there or no PNG.
+    """
+    try:
+        width, height, rows, info = png.Reader(filename=str(path)).asDirect()
+        if info["bitdepth"] <= 8:
+            with Image.open(path) as picture:
+                image = np.array(picture)
+            return image[..., None] if image.ndim == 2 else image
+        flat = np.concatenate([np.asarray(row, dtype=np.uint16) for row in rows])
+        return flat.reshape(height, width, info["planes"])
+    except FileNotFoundError:
+        raise UserError(f"There is no picture {path}.", "Check the path.") from None
+    except (png.Error, OSError, ValueError, SyntaxError) as error:
+        raise UserError(f"{path} is no readable PNG ({error}).", "Make the file again.") from error

@@ -1,0 +1,106 @@
+"""Wavefront OBJ in the axes that Blender's importer takes by default: forward -Z, up Y.
+
+World (x, y, z), front -Y and up +Z, is written as (x, z, -y). Numbers carry nine digits, enough to
+give every float32 back.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.errors import UserError
+from core.texture.files import whole_file
+
+
+def to_y_up(world: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
+    """World axes to +Y up, front +Z."""
+    x, y, z = world.unbind(-1)
+    return torch.stack([x, z, -y], -1)
+
+
+def from_y_up(file: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
+    """Inverse of :func:`to_y_up`."""
+    x, y, z = file.unbind(-1)
+    return torch.stack([x, -z, y], -1)
+
+
+def obj_text(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    uv: Float[Tensor, "u 2"],
+    face_uvs: Int[Tensor, "f 3"],
+    normals: Float[Tensor, "v 3"],
+    material: str,
+) -> str:
+    """Welded vertices, a uv index for each corner, a smooth normal for each vertex.
+
+    ``material`` names both the .mtl file (without its ending) and the material in it.
+    """
+    corners = torch.stack([faces, face_uvs, faces], -1) + 1
+    return "".join(
+        [
+            f"mtllib {material}.mtl\no {material}\n",
+            _lines("v", to_y_up(verts)),
+            _lines("vt", uv),
+            _lines("vn", to_y_up(normals)),
+            f"usemtl {material}\ns 1\n",
+            "f %d/%d/%d %d/%d/%d %d/%d/%d\n" * len(faces) % tuple(corners.reshape(-1).tolist()),
+        ]
+    )
+
+
+def mtl_text(material: str, base_color: str, normal: str) -> str:
+    """A material with two maps. OBJ has no place for a packed roughness and metallic map."""
+    return (
+        f"newmtl {material}\nKd 1 1 1\nillum 2\nPr 0.5\nPm 0\nmap_Kd {base_color}\nnorm {normal}\n"
+    )
+
+
+def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
+    """The shape alone, whole or not at all."""
+    corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
+    text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
+    with whole_file(path) as aside:
+        aside.write_text(text, encoding="ascii")
+
+
+def read_obj(
+    path: Path,
+) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """``verts (V,3), faces (F,3), uv (U,2), face_uvs (F,3)`` as :func:`obj_text` wrote them.
+
+    Raises UserError for a file that is not there or is no triangle mesh with uv.
+    """
+    try:
+        lines = path.read_bytes().splitlines()
+        verts, uv = _read(lines, b"v ", 3), _read(lines, b"vt ", 2)
+        faces = [line[2:] for line in lines if line.startswith(b"f ")]
+        words = b" ".join(faces).replace(b"/", b" ").split()
+        corners = torch.from_numpy(np.array(words, np.int64)).view(len(faces), 3, 3) - 1
+        limits = torch.tensor([len(verts), len(uv), len(verts)])
+        if not len(faces) or bool((corners < 0).any()) or bool((corners >= limits).any()):
+            raise ValueError("indices without a vertex")
+    except OSError as error:
+        raise UserError(f"{path} cannot be read: {error.strerror}.", "Check the path.") from error
+    except (ValueError, RuntimeError) as error:
+        raise UserError(
+            f"{path} is not the triangle mesh that was written there ({error}).",
+            "Make the asset again, or take the OBJ as a mesh: texture MESH.",
+        ) from error
+    return from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone()
+
+
+def _read(lines: list[bytes], key: bytes, width: int) -> Float[Tensor, "n {width}"]:
+    rows = [line[len(key) :] for line in lines if line.startswith(key)]
+    values = np.array(b" ".join(rows).split(), np.float64).astype(np.float32)
+    if not np.isfinite(values).all():
+        raise ValueError("numbers that are not finite")
+    return torch.from_numpy(values).view(len(rows), width)
+
+
+def _lines(key: str, rows: Float[Tensor, "n c"]) -> str:
+    line = key + " %.9g" * rows.shape[1] + "\n"
+    return line * len(rows) % tuple(rows.detach().cpu().float().reshape(-1).tolist())

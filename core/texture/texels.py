@@ -1,0 +1,121 @@
+"""Which point of the surface lies under each texel.
+
+The mesh is drawn into its own texture: uv is the screen. A texel is looked at in a regular grid of
+points, so that one on an island's border takes the mean of the part that the island covers, and
+none of the background.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.errors import UserError
+from core.render.visibility import visibility
+
+BAND = 1 << 22  # looked-at points at once: bounds the memory at about 400 MB
+
+
+class Texels(NamedTuple):
+    """N points of the surface, ordered by rows of texels."""
+
+    index: Int[Tensor, " n"]  # row * size + column of the texel; row 0 is the top, v = 1
+    face: Int[Tensor, " n"]
+    bary: Float[Tensor, "n 3"]  # weights of the face's corners
+
+
+def texel_points(
+    uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int, samples: int = 4
+) -> Texels:
+    """All points of a texture of ``size`` texels a side, ``samples`` (a square number) a texel."""
+    bands = list(texel_bands(uv, face_uvs, size, samples))
+    return Texels(*(torch.cat(parts) for parts in zip(*bands, strict=True)))
+
+
+def texel_bands(
+    uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int, samples: int = 4
+) -> Iterator[Texels]:
+    """The same as :func:`texel_points`, in bands of whole texel rows from the top down."""
+    grid = grid_side(samples)
+    rows = max(1, BAND // (size * grid * grid))
+    corner_v = uv[:, 1][face_uvs]
+    low, high = corner_v.amin(1), corner_v.amax(1)
+    for first in range(0, size, rows):
+        count = min(rows, size - first)
+        top, bottom = 1 - first / size, 1 - (first + count) / size
+        near = ((high >= bottom) & (low <= top)).nonzero().squeeze(1)
+        yield _band(uv, face_uvs, near, (first, count, size, grid))
+
+
+def grid_side(samples: int) -> int:
+    """Points along one side of a texel."""
+    side = round(samples**0.5)
+    if side * side != samples or samples < 1:
+        raise UserError(f"A texel takes {samples} samples.", "Take a square number: 1, 4, 9 or 16.")
+    return side
+
+
+def _band(
+    uv: Float[Tensor, "u 2"],
+    face_uvs: Int[Tensor, "f 3"],
+    near: Int[Tensor, " m"],
+    place: tuple[int, int, int, int],
+) -> Texels:
+    first, count, size, grid = place
+    # The band is the whole screen: y runs from -1 at its lower edge to 1 at its upper one.
+    x = uv[:, 0] * 2 - 1
+    y = 1 - 2 * ((1 - uv[:, 1]) * size - first) / count
+    clip = torch.stack([x, y, torch.zeros_like(x), torch.ones_like(x)], -1)[None]
+    seen = visibility(clip, face_uvs[near], count * grid, size * grid, cull=False).view(-1)
+    point = (seen >= 0).nonzero().squeeze(1)
+    face = near[seen[point]]
+    row, column = point // (size * grid), point % (size * grid)
+    at = torch.stack(
+        [(column + 0.5) / (size * grid), 1 - (first + (row + 0.5) / grid) / size], -1
+    ).to(uv)
+    texel = (first + row // grid) * size + column // grid
+    order = texel.argsort(stable=True)
+    return Texels(texel[order], face[order], barycentric(at, uv[face_uvs[face]])[order])
+
+
+def barycentric(at: Float[Tensor, "n 2"], corners: Float[Tensor, "n 3 2"]) -> Float[Tensor, "n 3"]:
+    """Weights of the corners of each triangle that give ``at``, held inside the triangle.
+
+    Doubles, because an island's triangle may be a thousandth of the texture across.
+    """
+    a, b, c = corners.double().unbind(1)
+    p = at.double()
+    weight = torch.stack([_area(p, b, c), _area(a, p, c), _area(a, b, p)], -1)
+    whole = _area(a, b, c)[:, None]
+    flat = whole.abs() < 1e-30
+    weight = torch.where(flat, torch.full_like(weight, 1 / 3), weight / whole.where(~flat, 1.0))
+    weight = weight.clamp(min=0)
+    return (weight / weight.sum(-1, keepdim=True)).to(corners)
+
+
+def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int = 512) -> list[str]:
+    """What keeps a user's own uv from taking a texture for every point of the surface; [] is good.
+
+    Each fault is a sentence. Overlaps are counted where the islands cover 2 % more than they show.
+    """
+    faults = []
+    a, b, c = uv[face_uvs].double().unbind(1)
+    area = _area(a, b, c).abs() / 2
+    if bool(((uv < -1e-4) | (uv > 1 + 1e-4)).any()):
+        faults.append("Some of the UV map lies outside the unit square.")
+    if float((area < 1e-12).double().mean()) > 0.02:
+        faults.append("More than 2 % of the faces have no area in the UV map.")
+    seen = sum(len(band.index) for band in texel_bands(uv, face_uvs, size, 1)) / size**2
+    if not faults and float(area.sum()) > 1.02 * seen + 0.002:
+        faults.append("Some faces of the UV map lie over others, so they share their texels.")
+    return faults
+
+
+def _area(
+    a: Float[Tensor, "n 2"], b: Float[Tensor, "n 2"], c: Float[Tensor, "n 2"]
+) -> Float[Tensor, " n"]:
+    """Twice the signed area of each triangle."""
+    p, q = b - a, c - a
+    return p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
