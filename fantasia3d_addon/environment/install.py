@@ -264,14 +264,13 @@ class _SetUp:
             raise SetupError(
                 f"{command[0]} does not run ({error.strerror}).", "Start again."
             ) from None
-        try:
-            said = self._follow(child)
-            status = child.wait()
-        except BaseException:  # Ctrl-C among them
-            child.terminate()
-            child.wait()
-            raise
-        if status:
+        with child:
+            try:
+                said = self._follow(child)
+            except BaseException:  # Ctrl-C among them
+                child.terminate()
+                raise
+        if child.returncode:
             raise explain(said, layout.log_file(self.folder))
 
     def _follow(self, child: subprocess.Popen[bytes]) -> str:
