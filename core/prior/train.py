@@ -9,6 +9,7 @@ import json
 import math
 import signal
 import time
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,9 +19,12 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
+from core.prior.colored import Painter
 from core.prior.data import ADJECTIVES, NOUNS, Samples, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
+from core.prior.families import Draw
 from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
+from core.prior.vocabulary import COLORS, MATERIALS
 from core.prior.weights import save_weights, write_tensors
 
 
@@ -45,6 +49,9 @@ class TrainConfig:
 
 
 GEOMETRY = UNetConfig(words=(len(NOUNS), len(ADJECTIVES) - 1), widths=(48, 96, 128, 192))
+APPEARANCE = UNetConfig(
+    words=(len(NOUNS), len(COLORS), len(MATERIALS)), widths=(32, 64, 96, 128), hint=4
+)
 
 
 def learning_rate(step: int, share: float, config: TrainConfig) -> float:
@@ -72,8 +79,8 @@ def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> T
     return (low + torch.rand(count, generator=generator) * (TIMES - low)).long()
 
 
-class Geometry:
-    """Batches of geometry pictures with the noun and the shape adjective."""
+class Source(ABC):
+    """The data folder's samples; more shards are read as they come."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -94,15 +101,41 @@ class Geometry:
         old = vars(self.samples)
         self.samples = Samples(**{k: torch.cat([old[k], v]) for k, v in vars(fresh).items()})
 
-    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
-        """Pictures, words, camera maps and no hint."""
+    def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
+        """Rows of random samples, their geometry pictures, their camera maps."""
         index = torch.randint(len(self.samples), (count,), generator=generator)
         pictures = self.samples.pictures(index)
-        words = torch.stack(
-            [self.samples.noun[index] + 1, self.samples.adjective[index]], 1
-        )
-        camera = camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
+        return index, pictures, camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
+
+    @abstractmethod
+    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+        """Pictures, words, camera maps, and the hint or None."""
+
+
+class Geometry(Source):
+    """Batches of geometry pictures with the noun and the shape adjective."""
+
+    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+        """Pictures, words, camera maps and no hint."""
+        index, pictures, camera = self.draw(count, generator)
+        words = torch.stack([self.samples.noun[index] + 1, self.samples.adjective[index]], 1)
         return pictures, words, camera, None
+
+
+class Appearance(Source):
+    """Batches of painted pictures with noun, colour and material, and the geometry as the hint."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        self.painter = Painter()
+
+    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+        """Pictures, words, camera maps and geometry pictures."""
+        index, hint, camera = self.draw(count, generator)
+        color, material = self.painter.words(count, generator)
+        pictures = self.painter.pictures(self.samples, index, color, material, Draw(generator))
+        words = torch.stack([self.samples.noun[index] + 1, color, material], 1)
+        return pictures, words, camera, hint
 
 
 class Training:
@@ -126,7 +159,7 @@ class Training:
         """Of the budget, spent."""
         return self.seconds / (60 * self.config.minutes)
 
-    def advance(self, source: Geometry) -> None:
+    def advance(self, source: Source) -> None:
         """One step of the optimiser."""
         start = time.monotonic()
         config, g = self.config, self.generator
@@ -185,7 +218,7 @@ class Training:
                 }
 
 
-def run(training: Training, source: Geometry, checkpoint: Path) -> None:
+def run(training: Training, source: Source, checkpoint: Path) -> None:
     """Train until the budget is spent; Ctrl-C and SIGTERM save too."""
     config = training.config
     signal.signal(signal.SIGTERM, signal.default_int_handler)

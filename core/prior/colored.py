@@ -1,0 +1,87 @@
+"""Training pictures of the appearance network: the data's objects, painted and lit on the fly.
+
+The light and the shading are those of the renderer, so that the material which score distillation
+finds under them is the one that the words mean.
+"""
+
+import torch
+from torch import Tensor
+from torch.nn.functional import normalize
+
+from core.appearance.environment import Environment, load_light
+from core.ops import linear_to_srgb
+from core.prior.data import NOUNS, Samples
+from core.prior.families import Draw
+from core.prior.palette import coat, paint
+from core.prior.vocabulary import COLORS, MATERIALS
+from core.render.shade import shade
+
+UNSAID_COLOR = 0.35  # share of captions without a colour
+UNSAID_MATERIAL = 0.55
+
+
+class Painter:
+    """Colours for samples, under the default light from any side."""
+
+    def __init__(self) -> None:
+        self.environment = Environment.of(load_light("studio"))
+        self.colors, self.materials = ["", *COLORS], ["", *MATERIALS]
+
+    def words(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor]:
+        """Random colours and materials (N,), as rows of their embeddings."""
+        color = torch.randint(1, len(self.colors), (count,), generator=generator)
+        material = torch.randint(1, len(self.materials), (count,), generator=generator)
+        said = torch.rand(2, count, generator=generator)
+        return color * (said[0] >= UNSAID_COLOR), material * (said[1] >= UNSAID_MATERIAL)
+
+    def pictures(
+        self, samples: Samples, index: Tensor, color: Tensor, material: Tensor, draw: Draw
+    ) -> Tensor:
+        """[(2 srgb - 1) * o, 2o - 1] (N, 4, s, s) of the samples ``index`` in these words."""
+        coverage = samples.coverage[index].float() / 255
+        seen = (coverage[:, 0] > 0).flatten().nonzero().squeeze(1)
+        normal = _pixels(samples.normal[index].float(), seen)
+        point = _pixels(samples.point[index].float() / 120, seen)
+        part = samples.part[index].flatten()[seen].long().clamp_min(0)
+        which = seen // coverage[0].numel()
+        normal = normalize(normal, dim=1)
+        view = normalize(samples.cameras(index).eye[which] - point, dim=1)
+        view = _above_horizon(normal, view)
+
+        surface = []
+        for k, row in enumerate(index.tolist()):
+            paints = coat(
+                NOUNS[int(samples.noun[row])],
+                self.colors[int(color[k])],
+                self.materials[int(material[k])],
+                draw,
+            )
+            mine = which == k
+            surface.append(paint(paints, part[mine], point[mine], normal[mine]))
+        kd, roughness, metallic = (torch.cat(column) for column in zip(*surface, strict=True))
+
+        # Turning the object against the light is turning the light against the object.
+        turn = torch.rand(len(index), generator=draw.generator)[which] * (2 * torch.pi)
+        light = shade(
+            _turned(normal, turn), _turned(view, turn), kd, roughness, metallic, self.environment
+        )
+        rgb = torch.zeros(coverage.numel(), 3)
+        rgb[seen] = 2 * linear_to_srgb(light.clamp(0, 1)) - 1
+        rgb = rgb.view(len(index), *coverage.shape[2:], 3).permute(0, 3, 1, 2)
+        return torch.cat([rgb * coverage, 2 * coverage - 1], 1)
+
+
+def _pixels(pictures: Tensor, seen: Tensor) -> Tensor:
+    return pictures.permute(0, 2, 3, 1).reshape(-1, pictures.shape[1])[seen]
+
+
+def _turned(vectors: Tensor, angle: Tensor) -> Tensor:
+    x, y, z = vectors.unbind(1)
+    c, s = angle.cos(), angle.sin()
+    return torch.stack([c * x - s * y, s * x + c * y, z], 1)
+
+
+def _above_horizon(normal: Tensor, view: Tensor) -> Tensor:
+    """The view, bent up where a pixel's mean normal at an edge looks away from it."""
+    below = (0.05 - (normal * view).sum(1, keepdim=True)).clamp_min(0)
+    return normalize(view + below * normal, dim=1)
