@@ -1,0 +1,121 @@
+"""The maps say of every point of the surface what the material said."""
+
+import pytest
+import torch
+from core.appearance.material import Material
+from core.errors import Cancelled, UserError
+from core.tests.texture_shapes import one_material, smooth_material, square, torus, torus_uv
+from core.texture import bake as module
+from core.texture.bake import bake
+from torch import Tensor
+
+SIZE = 128
+
+
+def torus_mesh() -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    return *torus(), *torus_uv()
+
+
+def look_up(image: Tensor, uv: Tensor) -> Tensor:
+    """Bilinear, (0, 0) at the bottom left: what Blender's Image Texture node does."""
+    grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
+    found = torch.nn.functional.grid_sample(
+        image.permute(2, 0, 1)[None], grid, align_corners=False, padding_mode="border"
+    )
+    return found[0, :, 0].T
+
+
+def edge_points(uv: Tensor, face_uvs: Tensor) -> tuple[Tensor, Tensor]:
+    """Face and weights of points on the island's border edges."""
+    edges = torch.stack([face_uvs, face_uvs.roll(-1, 1)], -1).reshape(-1, 2)
+    key = edges.sort(1).values
+    _, index, count = key.unique(dim=0, return_inverse=True, return_counts=True)
+    border = (count[index] == 1).nonzero().squeeze(1)
+    face, corner = border // 3, border % 3
+    weights = torch.zeros(len(border), 3)
+    rows = torch.arange(len(border))
+    weights[rows, corner], weights[rows, (corner + 1) % 3] = 0.3, 0.7
+    return face, weights
+
+
+def test_bilinear_look_up_on_island_edges_is_the_surfaces_value() -> None:
+    """No background bleeds in: the error is that of half a texel of a slow material."""
+    verts, faces, uv, face_uvs = torus_mesh()
+    maps = bake(verts, faces, uv, face_uvs, smooth_material, SIZE)
+    face, weights = edge_points(uv, face_uvs)
+    assert len(face) > 20
+    points = torch.einsum("nk,nkc->nc", weights, verts[faces[face]])
+    at = torch.einsum("nk,nkc->nc", weights, uv[face_uvs[face]])
+    want = smooth_material(points)
+    assert (look_up(maps.base_color, at) - want.kd).abs().max() < 0.03
+    orm = look_up(maps.orm, at)
+    assert (orm[:, 1:2] - want.roughness).abs().max() < 0.03
+    assert (orm[:, 2:3] - want.metallic).abs().max() < 0.03
+    assert (look_up(maps.normal, at) - want.kn).abs().max() < 0.03
+
+
+def test_inside_an_island_the_texel_is_the_value_at_its_centre() -> None:
+    verts, faces, uv, face_uvs = square()
+    maps = bake(verts, faces, uv, face_uvs, smooth_material, 32)
+    i = (torch.arange(32) + 0.5) / 32
+    z, x = torch.meshgrid(1 - i, i, indexing="ij")
+    points = torch.stack([x, torch.zeros_like(x), z], -1).reshape(-1, 3)
+    want = smooth_material(points)
+    torch.testing.assert_close(maps.base_color.view(-1, 3), want.kd, atol=2e-4, rtol=0)
+    torch.testing.assert_close(maps.normal.view(-1, 3), want.kn, atol=2e-4, rtol=0)
+
+
+def test_one_color_fills_everything() -> None:
+    """Also the border texels, which islands cover in part only, keep their full value."""
+    maps = bake(*torus_mesh(), one_material((0.2, 0.5, 0.7)), SIZE)
+    torch.testing.assert_close(
+        maps.base_color, torch.tensor([0.2, 0.5, 0.7]).expand(SIZE, SIZE, 3), atol=1e-6, rtol=0
+    )
+    torch.testing.assert_close(
+        maps.orm, torch.tensor([1.0, 0.3, 0.2]).expand(SIZE, SIZE, 3), atol=1e-6, rtol=0
+    )
+    assert torch.equal(maps.normal, torch.tensor([0.0, 0, 1]).expand(SIZE, SIZE, 3))
+
+
+def test_checks_below_a_texel_are_averaged() -> None:
+    """Stripes of half a texel: 4 points a texel give their mean, one point aliases."""
+
+    def stripes(points: Tensor) -> Material:
+        on = ((points[:, :1] * 64).floor() % 2).expand(-1, 3)
+        ones = torch.ones_like(points[:, :1])
+        return Material(on, ones, ones, torch.tensor([[0.0, 0, 1]]) * ones)
+
+    mean = bake(*square(), stripes, 32, samples=4).base_color
+    torch.testing.assert_close(mean, torch.full_like(mean, 0.5))
+    assert (bake(*square(), stripes, 32, samples=1).base_color - 0.5).abs().min() == 0.5
+
+
+def test_normals_are_unit() -> None:
+    maps = bake(*torus_mesh(), smooth_material, 64)
+    torch.testing.assert_close(maps.normal.norm(dim=-1), torch.ones(64, 64))
+
+
+def test_chunks_change_nothing(monkeypatch) -> None:
+    whole = bake(*torus_mesh(), smooth_material, 64)
+    monkeypatch.setattr(module, "CHUNK", 777)
+    for a, b in zip(whole, bake(*torus_mesh(), smooth_material, 64), strict=True):
+        torch.testing.assert_close(a, b)
+
+
+def test_progress_grows_and_can_stop() -> None:
+    seen: list[float] = []
+    bake(*torus_mesh(), smooth_material, 64, seen.append)
+    assert seen == sorted(seen)
+    assert seen[-1] == 1
+
+    def stop(part: float) -> None:
+        raise Cancelled("Stopped.")
+
+    with pytest.raises(Cancelled):
+        bake(*torus_mesh(), smooth_material, 64, stop)
+
+
+def test_uv_without_area_are_told() -> None:
+    verts, faces, uv, face_uvs = torus_mesh()
+    with pytest.raises(UserError, match="No texel"):
+        bake(verts, faces, uv * 0 + 0.5, face_uvs, smooth_material, 64)

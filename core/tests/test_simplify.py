@@ -1,0 +1,83 @@
+"""Simplification keeps a closed surface closed, its topology, and its place."""
+
+import pytest
+import torch
+from core.errors import UserError
+from core.geometry.marching_tets import marching_tets
+from core.geometry.mesh import health
+from core.geometry.tet_grid import tet_grid
+from core.tests.texture_shapes import torus
+from core.texture.simplify import simplify
+
+
+def chair_sdf(points: torch.Tensor) -> torch.Tensor:
+    """A thin-legged chair: hard on collapses, of genus above 0."""
+    parts = [((0, 0, 0), (0.5, 0.5, 0.06)), ((0, 0.42, 0.75), (0.5, 0.05, 0.1))]
+    for x in (-0.42, 0.42):
+        parts += [((x, y, -0.4), (0.07, 0.07, 0.42)) for y in (-0.42, 0.42)]
+        parts += [((x, 0.42, 0.4), (0.07, 0.07, 0.42)), ((x, 0, -0.6), (0.06, 0.42, 0.06))]
+    distance = [
+        ((points - torch.tensor(c)).abs() - torch.tensor(h)).amax(1) for c, h in parts
+    ]
+    return torch.stack(distance).amin(0)
+
+
+@pytest.fixture(scope="module")
+def chair() -> tuple[torch.Tensor, torch.Tensor]:
+    grid = tet_grid(36)
+    generator = torch.Generator().manual_seed(0)
+    jitter = (torch.rand(grid.tet_verts.shape, generator=generator) - 0.5) * grid.cell * 0.4
+    points = grid.tet_verts + jitter
+    sdf = torch.where(grid.boundary, torch.ones(()), chair_sdf(points))
+    return marching_tets(points, sdf, grid)
+
+
+@pytest.mark.parametrize("budget", [6000, 1500])
+def test_topology_stays(chair, budget: int) -> None:
+    before = health(*chair)
+    assert before["closed"]
+    assert before["genus"] > 0
+    verts, faces = simplify(*chair, budget)
+    after = health(verts, faces)
+    assert len(faces) <= budget
+    for key in ("closed", "manifold", "oriented", "genus", "components", "loose_verts"):
+        assert after[key] == before[key], key
+    assert after["volume"] == pytest.approx(before["volume"], rel=0.01)
+
+
+def test_silhouette_stays(chair) -> None:
+    """The extent in 50 directions changes by less than a tenth of the lattice's cell."""
+    verts, _ = simplify(*chair, 1500)
+    along = torch.nn.functional.normalize(
+        torch.randn(50, 3, generator=torch.Generator().manual_seed(1)), dim=1
+    )
+    moved = (chair[0] @ along.T).amax(0) - (verts @ along.T).amax(0)
+    assert moved.abs().max() < 0.1 * 2.1 / 36 * 2
+
+
+def test_within_budget_is_untouched() -> None:
+    verts, faces = torus()
+    new_verts, new_faces = simplify(verts, faces, len(faces))
+    assert new_verts is verts
+    assert new_faces is faces
+
+
+def test_loose_verts_do_not_matter() -> None:
+    verts, faces = torus()
+    far = torch.cat([torch.full((5, 3), 9.0), verts])
+    new_verts, new_faces = simplify(far, faces + 5, 200)
+    assert new_verts.amax() < 2
+    assert health(new_verts, new_faces)["genus"] == 1
+
+
+def test_same_twice(chair) -> None:
+    first, second = simplify(*chair, 2000), simplify(*chair, 2000)
+    assert torch.equal(first[0], second[0])
+    assert torch.equal(first[1], second[1])
+
+
+def test_three_faces_on_an_edge_are_refused() -> None:
+    verts, faces = torus()
+    fin = torch.cat([faces, torch.tensor([[0, 12, 30]])])
+    with pytest.raises(UserError, match="three faces share an edge"):
+        simplify(verts, fin, 100)

@@ -1,0 +1,56 @@
+"""Small closed meshes, with and without uv, for the tests of textures and assets."""
+
+import torch
+from torch import Tensor
+
+from core.appearance.material import Material
+
+
+def torus(n: int = 24, m: int = 12, radius: float = 0.6, tube: float = 0.25) -> tuple[Tensor, Tensor]:
+    """Welded verts (n m, 3) and faces (2 n m, 3), outward; bumpy, so that no turn maps it to itself."""
+    i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
+    a, b = 2 * torch.pi * i / n, 2 * torch.pi * j / m
+    r = tube * (1 + 0.2 * torch.sin(3 * a + 1) + 0.1 * torch.cos(2 * b))
+    ring = radius + r * torch.cos(b)
+    verts = torch.stack([ring * torch.cos(a), ring * torch.sin(a), r * torch.sin(b)], -1)
+    at = lambda p, q: (p % n) * m + q % m  # noqa: E731
+    corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]
+    p, q, s, t = (c.reshape(-1) for c in corners)
+    return verts.reshape(-1, 3), torch.cat([torch.stack([p, q, s], -1), torch.stack([p, s, t], -1)])
+
+
+def torus_uv(n: int = 24, m: int = 12, margin: float = 0.06) -> tuple[Tensor, Tensor]:
+    """One island for :func:`torus`, cut along both rings, ``margin`` away from the border."""
+    i, j = torch.meshgrid(torch.arange(n + 1), torch.arange(m + 1), indexing="ij")
+    uv = torch.stack([i / n, j / m], -1).reshape(-1, 2) * (1 - 2 * margin) + margin
+    i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
+    at = lambda p, q: (p * (m + 1) + q).reshape(-1)  # noqa: E731
+    p, q, s, t = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+    return uv, torch.cat([torch.stack([p, q, s], -1), torch.stack([p, s, t], -1)])
+
+
+def square() -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """A metre's square facing -Y, x and z from 0 to 1, with uv = (x, z)."""
+    verts = torch.tensor([[0.0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]])
+    faces = torch.tensor([[0, 1, 2], [0, 2, 3]])
+    return verts, faces, verts[:, [0, 2]].clone(), faces.clone()
+
+
+def smooth_material(points: Tensor) -> Material:
+    """A material that changes slowly with position."""
+    kd = 0.5 + 0.3 * torch.sin(3 * points + torch.tensor([0.0, 1.0, 2.0]))
+    kn = torch.nn.functional.normalize(
+        torch.cat([0.3 * torch.sin(2 * points[:, :2]), torch.ones_like(points[:, :1])], -1), dim=-1
+    )
+    roughness = 0.5 + 0.2 * torch.sin(points[:, :1])
+    return Material(kd, roughness, (0.5 + 0.4 * torch.cos(2 * points[:, 1:2])), kn)
+
+
+def one_material(kd: tuple[float, float, float]) -> "callable":
+    """The same material everywhere."""
+
+    def material(points: Tensor) -> Material:
+        ones = torch.ones_like(points[:, :1])
+        return Material(ones * torch.tensor(kd), 0.3 * ones, 0.2 * ones, torch.tensor([[0.0, 0, 1]]) * ones)
+
+    return material
