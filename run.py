@@ -26,7 +26,9 @@ Exit status: 0 done; 2 the input; 3 something is not installed or not there; 4 o
 
 from __future__ import annotations
 
+import contextlib
 import difflib
+import io
 import json
 import os
 import signal
@@ -34,7 +36,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, TextIO
 
 ROOT = Path(__file__).resolve().parent
 if str(ROOT) not in sys.path:  # Blender runs this file without its folder
@@ -196,23 +198,42 @@ def python(arguments: list[str]) -> int:
 # Inside the environment
 
 
+class Heard(io.StringIO):
+    """Standard output that is remembered too: the core's last line is the asset's folder."""
+
+    def __init__(self, stream: TextIO) -> None:
+        super().__init__()
+        self.stream = stream
+
+    def write(self, text: str) -> int:
+        self.stream.write(text)
+        return super().write(text)
+
+    def flush(self) -> None:
+        self.stream.flush()
+
+    def isatty(self) -> bool:
+        return self.stream.isatty()
+
+    def fileno(self) -> int:
+        return self.stream.fileno()
+
+
 def inside(argv: list[str]) -> int:
     """Carry out a command of the core's in this process; become Blender's part afterwards."""
-    from core.__main__ import _slug, main, parse
+    from core.__main__ import main
 
     core, blender = split(argv)
     if not blender:
         return main(core)
-    run = core[1] if core[0] == "resume" and len(core) > 1 else take(core, "--out")[0]
-    if run is None and "--help" not in core:
-        run = str(Path("out") / _slug(parse(core).prompt))
-        core += ["--out", run]
-    status = main(core)
+    heard = Heard(sys.stdout)
+    with contextlib.redirect_stdout(heard):
+        status = main(core)
     if status:
         return status
-    assert run
-    light = json.loads(Path(run, "job.json").read_text(encoding="utf-8")).get("light")
-    order = json.dumps({**blender, "asset": str(Path(run, "asset")), "light": light})
+    asset = Path(heard.getvalue().strip().splitlines()[-1])
+    job = json.loads((asset.parent / "job.json").read_text(encoding="utf-8"))
+    order = json.dumps({**blender, "asset": str(asset), "light": job.get("light")})
     return hand_over([sys.executable, Path(__file__).resolve(), "--finish", order])
 
 

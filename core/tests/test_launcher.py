@@ -541,6 +541,38 @@ def test_pips_version_is_read(said, version):
 # Handing over
 
 
+@pytest.mark.parametrize("line", [["generate", "a chair"], ["resume", "RUN"]])
+def test_blender_takes_the_asset_that_the_core_names_last(tmp_path, monkeypatch, capsys, line):
+    asset = tmp_path / "a chair, ü" / "asset"
+    asset.mkdir(parents=True)
+    (asset.parent / "job.json").write_text('{"light": "city.exr"}')
+    became = []
+
+    def work(arguments: list[str]) -> int:
+        assert arguments == line
+        print("geometry 1/2")
+        print(asset, flush=True)
+        return 0
+
+    monkeypatch.setattr("core.__main__.main", work)
+    monkeypatch.setattr(run, "hand_over", lambda command: became.append(command) or 0)
+    assert run.main(["--inside", *line, "--blend", "c.blend"]) == 0
+    assert capsys.readouterr().out == f"geometry 1/2\n{asset}\n"
+    assert became[0][2] == "--finish"
+    assert json.loads(became[0][3]) == {
+        "asset": str(asset),
+        "blend": "c.blend",
+        "light": "city.exr",
+    }
+
+
+@pytest.mark.parametrize("status", [2, 5, 130])
+def test_a_failed_job_ends_before_blender_with_its_status(monkeypatch, status):
+    monkeypatch.setattr("core.__main__.main", lambda _: status)
+    monkeypatch.setattr(run, "hand_over", lambda _: pytest.fail("Blender was started"))
+    assert run.main(["--inside", "generate", "a chair", "--render", "c.png"]) == status
+
+
 def launcher(*arguments: str, **environ: str) -> subprocess.Popen[str]:
     """run.py as a process of its own, under this interpreter as the environment's."""
     return subprocess.Popen(

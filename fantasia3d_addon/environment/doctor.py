@@ -54,12 +54,17 @@ class Line(NamedTuple):
 
 
 def examine(root: Path) -> list[Line]:
-    """All findings; takes a few seconds, for torch is loaded in the environment's Python."""
+    """All findings; takes a few seconds, for torch is loaded in the environment's Python.
+
+    Inside Blender its own module counts, and the environment need not hold one.
+    """
     return [*_python(root), *_environment(root), *_data(root)]
 
 
 def _python(root: Path) -> list[Line]:
     lines = [Line("launcher", NOTE, f"Python {sys.version.split()[0]}, {root}")]
+    if "bpy" in sys.modules:
+        lines.append(Line("Blender", OK, sys.modules["bpy"].app.version_string))
     name = f"Python {machine.PYTHON}"
     try:
         return [*lines, Line(name, OK, str(machine.find_python()))]
@@ -71,15 +76,17 @@ def _python(root: Path) -> list[Line]:
 
 def _environment(root: Path) -> list[Line]:
     folder, given = layout.env_folder(root), os.environ.get("FANTASIA3D_PYTHON")
-    lacking = [] if given else layout.lacking(folder, root, ("blender",))
-    make = "generate makes it, and so does: python3 run.py setup blender"
+    groups, make = ["blender"], "generate makes it, and so does: python3 run.py setup blender"
+    if "bpy" in sys.modules:
+        groups, make = [], 'press "Set up", or: python3 run.py setup'
+    lacking = [] if given else layout.lacking(folder, root, groups)
     if "core" in lacking:
         return [Line("environment", MISSING, f"{folder} is not made yet; {make}")]
     lines = [Line("environment", OK, given or str(folder))]
     if lacking:
         lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
-    groups = [group for group in ("core", "blender") if group not in lacking]
-    pins = [pin for group in groups for pin in layout.requirements(root, group)]
+    here = [group for group in ("core", *groups) if group not in lacking]
+    pins = [pin for group in here for pin in layout.requirements(root, group)]
     return lines + _packages(given or str(layout.env_python(folder)), pins)
 
 

@@ -140,7 +140,6 @@ class _SetUp:
         self.folder, self.root, self.progress, self.lock = folder, root, progress, lock
         self.python = str(layout.env_python(folder))
         self.start = time.monotonic()
-        self.free = shutil.disk_usage(folder.parent).free
         self.expected = 1.0  # bytes to be written
 
     def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
@@ -218,11 +217,11 @@ class _SetUp:
                 self._uv(pin, "cpu")
             except SetupError as error:
                 raise SetupError(
-                    f"pip finds only the CUDA build of {pin} here (3 GB to download, 6 GB on disk),"
-                    f" this machine has no NVIDIA GPU, and the CPU build could not be had: "
-                    f"{error.text}",
-                    "Name a folder with its wheel in PIP_FIND_LINKS, or take the CUDA build all "
-                    f"the same: python3 run.py setup --allow-cuda. {error.fix}",
+                    f"This machine has no NVIDIA GPU, pip finds only the CUDA build of {pin} (3 GB "
+                    f"to download, 6 GB on disk), and uv cannot fetch the CPU build: {error.text}",
+                    "Name a folder with the CPU build's wheel in PIP_FIND_LINKS, or take the CUDA "
+                    "build all the same: python3 run.py setup --allow-cuda. The log is "
+                    f"{layout.log_file(self.folder)}.",
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:
@@ -302,7 +301,8 @@ class _SetUp:
                 self.progress(step, self._share())
 
     def _share(self) -> float:
-        written = self.free - shutil.disk_usage(self.folder.parent).free
+        """What is done by the bytes on disk; downloads do not count until they are unpacked."""
+        written = sum(path.lstat().st_size for path in self.folder.rglob("*"))
         return min(0.95, max(0.02, written / self.expected))
 
     def _seconds(self) -> int:
