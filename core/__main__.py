@@ -58,7 +58,7 @@ def parser() -> Parser:
     render.add_argument("--azimuth-deg", type=float, default=30.0, help="0 is the front")
     render.add_argument("--elevation-deg", type=float, default=20.0)
     render.add_argument("--fovy-deg", type=float, default=40.0)
-    render.add_argument("--distance", type=float, default=3.0, help="in half-sizes of the asset")
+    render.add_argument("--distance", type=float, metavar="METRES", help="default: see all of it")
     render.add_argument("--size", type=int, default=512, help="pixels")
     render.add_argument("--map", default="shaded", help="shaded, normal, base_color, roughness, …")
     render.add_argument("--out", type=Path, required=True, metavar="FILE.png|FILE.exr")
@@ -228,7 +228,8 @@ def _resume(args: argparse.Namespace) -> None:
 def _render(args: argparse.Namespace) -> None:
     from core.picture import render_asset
 
-    render_asset(args)
+    options = {key: value for key, value in vars(args).items() if key != "command"}
+    render_asset(options.pop("asset"), options.pop("out"), **options)
 
 
 def _inspect(args: argparse.Namespace) -> None:

@@ -11,6 +11,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from core.camera import CameraConfig
 from core.errors import UserError
+from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
 
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 
@@ -31,11 +32,7 @@ class PhaseConfig:
 class GeometryConfig:
     """Ψ and its training (§4.1, §4.2)."""
 
-    encoding: Literal["hash", "fourier"] = "hash"
-    hidden: int = 32  # width of the MLP ("Implementation Details")
-    layers: int = 3
-    log2_hash_size: int = 19
-    finest: int = 4096  # the hash grid's finest level, cells along the lattice's edge
+    net: SdfNetConfig = HASH
     resolution: tuple[int, int] = (128, 128)  # lattice cubes along an edge: coarse phase, fine phase
     radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
     fit_steps: int = 401  # Eq. 3
@@ -120,8 +117,7 @@ STANDARD = replace(
 
 DRAFT = Config(
     geometry=GeometryConfig(
-        encoding="fourier",
-        hidden=64,
+        net=FOURIER,
         resolution=(40, 64),
         coarse=PhaseConfig(
             steps=200, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=10.0

@@ -13,19 +13,21 @@ from torch import Tensor
 from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.asset import place, write_asset
-from core.config import Config, preset, with_settings
+from core.config import Config, GeometryConfig, preset, with_settings
 from core.errors import MissingError, UserError
 from core.geometry.init_shape import ellipsoid, fit, mesh_shape
 from core.geometry.mesh import Mesh, load_mesh, normalise
 from core.geometry.sdf_net import SdfNet
-from core.guidance.guidance import Embedding, Guidance
-from core.guidance.make import make_guidance
+from core.geometry.tet_grid import EXTENT
+from core.guidance.guidance import Embedding, Guidance, make_guidance
 from core.protocol import Job
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
-from core.stages.appearance import learn_appearance, show
+from core.stages.appearance import learn_appearance, picture_of
 from core.stages.geometry import learn_geometry
 from core.stages.texturing import bake_maps, unwrap_shape
+
+PREVIEW_SIZE = 512  # pixels, of the asset's picture
 
 
 @dataclass(frozen=True)
@@ -60,7 +62,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     mesh = load_unwrapped(run)
     if mesh is None and job.command == "generate":
         generator = torch.Generator().manual_seed(job.seed)
-        net = SdfNet.of(config.geometry, generator).to(device)
+        net = sdf_net(config.geometry, generator).to(device)
         if not run.has("geometry"):
             start = mesh_shape(inputs.shape) if inputs.shape else ellipsoid(config.geometry.radii)
             with run.timed("fit"):
@@ -90,10 +92,14 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     # TEXTURING: Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, material, config.texture, run)
     verts = place(mesh.verts.cpu()) if job.command == "generate" else inputs.shape.verts
-    return write_asset(
-        run.asset, verts, mesh.faces, mesh.uv, mesh.face_uvs, maps, info_of(job, run),
-        show(material, mesh, environment),
-    )  # fmt: skip
+    picture = picture_of(material, mesh, environment, PREVIEW_SIZE)
+    parts = (verts, mesh.faces, mesh.uv, mesh.face_uvs)
+    return write_asset(run.asset, *parts, maps, info_of(job, run), picture)
+
+
+def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
+    """Ψ for the coarse phase's lattice."""
+    return SdfNet(2 * EXTENT / config.resolution[0], config.net, EXTENT, generator)
 
 
 def config_of(job: Job) -> Config:

@@ -4,6 +4,7 @@ import json
 import os
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ class RunFolder:
         self.events = EventWriter(path)
         self.timings: dict[str, float] = {}  # seconds by stage, those of earlier sessions included
         self._interrupted = False
+        self._told = 0.0
 
     @classmethod
     def create(cls, path: Path, job: Job) -> "RunFolder":
@@ -91,30 +93,53 @@ class RunFolder:
     def steps(self, stage: str, first: int, steps: int) -> "Iterator[Step]":
         """The steps ``first`` to ``steps - 1`` of a stage, with progress on the way."""
         bar = tqdm(total=steps, initial=first, desc=stage, mininterval=0.5, disable=None)
-        start, said, seen = time.perf_counter(), 0.0, self.timings.get(stage, 0.0)
-        tenth = -1
+        start, seen, tenth = time.perf_counter(), self.timings.get(stage, 0.0), -1
         with bar:
             for index in range(first, steps):
                 step = Step(index, steps)
                 yield step
-                now = time.perf_counter()
-                self.timings[stage] = seen + now - start
-                left = (now - start) / (index + 1 - first) * (steps - index - 1)
-                if now - said >= PROGRESS_SECONDS or index + 1 == steps:
-                    said = now
-                    loss = None if step.loss is None else round(step.loss, 5)
-                    self.say(
-                        "progress",
-                        stage=stage,
-                        step=index + 1,
-                        steps=steps,
-                        loss=loss,
-                        seconds_left=round(left, 1),
-                    )
+                spent = time.perf_counter() - start
+                self.timings[stage] = seen + spent
+                left = spent / (index + 1 - first) * (steps - index - 1)
+                self.tell(stage, index + 1, steps, step.loss, left)
                 bar.update()
                 if bar.disable and (index + 1) * 10 // steps > tenth:
                     tenth = (index + 1) * 10 // steps
                     print(f"{stage} {index + 1}/{steps}, {left:.0f} s left", flush=True)
+
+    def tell(
+        self,
+        stage: str,
+        step: int,
+        steps: int,
+        loss: float | None = None,
+        seconds_left: float | None = None,
+    ) -> None:
+        """A progress event, if the last one is old enough or the stage has ended."""
+        now = time.perf_counter()
+        if now - self._told < PROGRESS_SECONDS and step < steps:
+            return
+        self._told = now
+        self.say(
+            "progress",
+            stage=stage,
+            step=step,
+            steps=steps,
+            loss=None if loss is None or loss != loss else round(loss, 5),
+            seconds_left=None if seconds_left is None else round(seconds_left, 1),
+        )
+
+    @contextmanager
+    def timed(self, stage: str) -> Iterator[None]:
+        """Adds the time within to the stage's; says on the terminal what goes on."""
+        print(f"{stage} …", flush=True)
+        start = time.perf_counter()
+        yield
+        self.timings[stage] = self.timings.get(stage, 0.0) + time.perf_counter() - start
+
+    def has(self, name: str) -> bool:
+        """Whether there is a checkpoint of that name."""
+        return (self.path / "checkpoint" / f"{name}.safetensors").exists()
 
     def preview_path(self, name: str) -> Path:
         """Where the preview ``name`` goes; its writer writes it whole."""
@@ -160,6 +185,7 @@ class Step:
     def __init__(self, index: int, steps: int) -> None:
         self.index = index
         self.share = index / max(steps - 1, 1)  # 0 at the first step, 1 at the last
+        self.last = index + 1 == steps
         self.loss: float | None = None
 
 

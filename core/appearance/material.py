@@ -56,8 +56,11 @@ class MaterialNet(nn.Module):
             x = torch.relu(layer(x))
         return self.layers[-1](x)
 
-    def forward(self, points: Float[Tensor, "n 3"]) -> Material:
-        """The material at ``points``, training units."""
+    def forward(
+        self, points: Float[Tensor, "n 3"], uv: Float[Tensor, "n 2"] | None = None
+    ) -> Material:
+        """The material at ``points``, training units; ``uv`` says nothing to it."""
+        del uv
         return to_ranges(self.raw(points), self.config)
 
 

@@ -10,11 +10,10 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material
-from core.appearance.tangents import corner_tangents
+from core.appearance.tangents import corner_tangents, smooth_normals
 from core.camera import Cameras
 from core.ops import dot, linear_to_srgb, normalize
 from core.render.antialias import EdgeTable, antialias, edge_table
-from core.render.normals import vertex_normals
 from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
 from core.render.shade import perturb, shade
 
@@ -44,7 +43,7 @@ class UvMesh:
         face_uvs: Int[Tensor, "f 3"],
     ) -> "UvMesh":
         """Derive normals, tangents and edges."""
-        normals = vertex_normals(verts, faces)
+        normals = smooth_normals(verts, faces)
         edges = edge_table(faces)
         tangents = corner_tangents(verts, faces, normals, uv, face_uvs).to(verts)
         closed = bool((edges.faces >= 0).all())
@@ -70,7 +69,7 @@ class Surface(NamedTuple):
 
     points: Float[Tensor, "p 3"]
     uv: Float[Tensor, "p 2"]
-    normal: Float[Tensor, "p 3"]  # unit, towards the camera's side on an open mesh
+    normal: Float[Tensor, "p 3"]  # as interpolated; towards the camera's side on an open mesh
     tangent: Float[Tensor, "p 4"]
     to_eye: Float[Tensor, "p 3"]  # unit
 
@@ -78,7 +77,7 @@ class Surface(NamedTuple):
 def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
     """Interpolate the mesh's attributes at the covered pixels."""
     points = interpolate(mesh.verts, fragments)
-    normal = normalize(interpolate(mesh.normals, fragments))
+    normal = interpolate(mesh.normals, fragments)
     uv = interpolate(mesh.uv[mesh.face_uvs], fragments)
     tangent = interpolate(mesh.tangents, fragments)
     to_eye = normalize(cameras.eye[fragments.view] - points)
@@ -103,7 +102,7 @@ def render_shaded(
         normal, surface.to_eye, material.kd, material.roughness, material.metallic, environment
     )
     srgb = linear_to_srgb(saturate(color))
-    values = torch.cat([srgb, surface.normal, torch.ones_like(srgb[:, :1])], -1)
+    values = torch.cat([srgb, normalize(surface.normal), torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
     srgb, n, o = picture.split([3, 3, 1], -1)
     return Shaded(srgb, o, n, surface.points, material)

@@ -2,7 +2,9 @@
 
 import math
 
+import numpy as np
 import torch
+from jaxtyping import UInt8
 from torch import Tensor
 
 from core.appearance.environment import Environment
@@ -15,7 +17,7 @@ from core.render.shaded import UvMesh, render_shaded
 from core.run_folder import RunFolder, Training
 from core.stages.distill import decayed, distill, phase_of
 from core.stages.guard import Guard, healthy_gradients
-from core.stages.preview import SIZE, VIEW, ColorPreview
+from core.stages.preview import SIZE, VIEW, ColorPreview, over_grey
 
 SMOOTH_REACH = 0.01  # training units: how far apart "neighbouring points" are
 
@@ -61,8 +63,8 @@ def learn_appearance(
         guard.remember(step.index)
         optimizer.step()
         if preview.due:
-            show(net, mesh, environment, preview)
-        training.checkpoint(step.index + 1, force=run.cancelled)
+            preview.show(picture_of(net, mesh, environment))
+        training.checkpoint(step.index + 1, force=run.cancelled or step.last)
         run.check_cancelled()
 
 
@@ -107,8 +109,10 @@ def _roughening(
 
 
 @torch.no_grad()
-def show(net: MaterialNet, mesh: UvMesh, environment: Environment, preview: ColorPreview) -> None:
-    """Write a preview from a fixed side."""
+def picture_of(
+    net: MaterialNet, mesh: UvMesh, environment: Environment, size: int = SIZE
+) -> UInt8[np.ndarray, "{size} {size} 3"]:
+    """The asset from a fixed side, as it is lit."""
     cameras = Cameras.orbit(**VIEW).to(mesh.verts.device)
-    shaded = render_shaded(mesh, net, cameras, SIZE, environment)
-    preview.show(shaded.srgb[0], shaded.o[0])
+    shaded = render_shaded(mesh, net, cameras, size, environment)
+    return over_grey(shaded.srgb[0], shaded.o[0])

@@ -40,7 +40,7 @@ def learn_geometry(
     Coarse phase: [n, o] itself is the latent. Fine phase: the normals are encoded.
     """
     device = next(net.parameters()).device
-    grids = [tet_grid(n, net.extent, device) for n in config.resolution]
+    grids = [tet_grid(n, device=device) for n in config.resolution]
     optimizer = torch.optim.AdamW(net.parameters(), betas=(0.9, 0.99), eps=1e-15, weight_decay=0.0)
     training = Training(run, "geometry", net, optimizer, generator)
     training.resume()
@@ -55,7 +55,9 @@ def learn_geometry(
             group["lr"] = rate
         optimizer.zero_grad()
         try:
-            batch = Batch(net, grids[0 if coarse else 1], config, step.share, generator)
+            grid = grids[0 if coarse else 1]
+            net.cell = grid.cell
+            batch = Batch(net, grid, config, step.share, generator)
             step.loss = batch.backward(guidance, embedding, phase, share, coarse)
             trouble = batch.trouble(net)
         except NotFiniteError as error:
@@ -68,7 +70,7 @@ def learn_geometry(
             torch.nn.utils.clip_grad_norm_(net.parameters(), config.gradient_clip)
         optimizer.step()
         preview.show(batch.verts.detach(), batch.faces)
-        training.checkpoint(step.index + 1, force=run.cancelled)
+        training.checkpoint(step.index + 1, force=run.cancelled or step.last)
         run.check_cancelled()
     return final_mesh(net, grids[1])
 

@@ -1,16 +1,18 @@
 """Small pictures and a light mesh of what a training has so far, for whoever watches the run."""
 
 import time
+from pathlib import Path
 
+import numpy as np
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
-from core.asset import write_plain_obj
 from core.camera import Cameras
 from core.render.normals import render_normals
 from core.run_folder import PREVIEW_SECONDS, RunFolder
-from core.texture.images import write_png
+from core.texture.files import whole_file
+from core.texture.images import unit_bytes, write_png
 
 SIZE = 256  # pixels
 VIEW = {"azimuth_deg": [30.0], "elevation_deg": [20.0]}
@@ -30,7 +32,7 @@ class ShapePreview:
         cameras = Cameras.orbit(**VIEW).to(verts.device)
         n, o = render_normals(verts, faces, cameras, SIZE, "camera")
         write_png(self._run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
-        write_plain_obj(self._run.preview_path("shape.obj"), verts, faces)
+        write_shape(self._run.preview_path("shape.obj"), verts, faces)
         self._run.say("preview", stage="geometry", path="preview/normals.png")
         self._run.say("preview", stage="geometry", path="preview/shape.obj")
         self._shown = time.perf_counter()
@@ -48,13 +50,24 @@ class ColorPreview:
         """Whether the last picture is old enough."""
         return time.perf_counter() - self._shown >= PREVIEW_SECONDS
 
-    def show(self, srgb: Float[Tensor, "h w 3"], o: Float[Tensor, "h w 1"]) -> None:
-        """Write a picture over black, ``srgb`` weighted by its coverage ``o``."""
-        write_png(self._run.preview_path("color.png"), over_grey(srgb, o))
+    def show(self, picture: UInt8[np.ndarray, "h w 3"]) -> None:
+        """Write it for whoever watches."""
+        write_png(self._run.preview_path("color.png"), picture)
         self._run.say("preview", stage="appearance", path="preview/color.png")
         self._shown = time.perf_counter()
 
 
-def over_grey(picture: Float[Tensor, "h w 3"], o: Float[Tensor, "h w 1"]) -> Tensor:
-    """A picture over black, put over a light grey instead; in [0, 1]."""
-    return (picture + (1 - o) * 0.9).detach().clamp(0, 1).cpu()
+def over_grey(
+    picture: Float[Tensor, "h w 3"], o: Float[Tensor, "h w 1"]
+) -> UInt8[np.ndarray, "h w 3"]:
+    """A picture over black, in [0, 1], put over a light grey instead."""
+    return unit_bytes((picture + (1 - o) * 0.9).detach().cpu())
+
+
+def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
+    """A mesh without uv as OBJ, in the axes of Blender's import defaults (Y up, -Z forward)."""
+    v, f = verts.detach().cpu().numpy(), faces.cpu().numpy() + 1
+    turned = np.stack([v[:, 0], v[:, 2], -v[:, 1]], 1)
+    with whole_file(path) as aside, aside.open("wb") as file:
+        np.savetxt(file, turned, "v %.5f %.5f %.5f")
+        np.savetxt(file, f, "f %d %d %d")

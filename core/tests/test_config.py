@@ -33,7 +33,7 @@ def test_a_setting_reaches_its_field_and_no_other():
         ("geometry.views", "many", "a whole number"),
         ("geometry.views", "3.5", "a whole number"),
         ("geometry.eikonal", "nan", "a number"),
-        ("geometry.encoding", "spline", "hash or fourier"),
+        ("geometry.net.encoding", "spline", "hash or fourier"),
         ("appearance.rotate_light", "maybe", "true or false"),
         ("geometry.radii", "1,2", "3 numbers"),
     ],
@@ -49,7 +49,7 @@ def test_the_paper_preset_says_what_the_paper_says():
     paper = preset("paper")
     assert (paper.geometry.views, paper.appearance.views) == (24, 24)
     assert (paper.geometry.learning_rate, paper.appearance.learning_rate) == (1e-3, 1e-2)
-    assert (paper.geometry.layers, paper.geometry.hidden) == (3, 32)
+    assert (paper.geometry.net.hidden, paper.geometry.net.width) == (2, 32)  # three layers
     assert (paper.appearance.layers, paper.appearance.hidden) == (2, 32)
     assert paper.geometry.coarse.weighting == "sigma2"
     assert paper.geometry.fine.weighting == "sigma2_sqrt"

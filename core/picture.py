@@ -1,0 +1,121 @@
+"""The ``render`` command: a picture of an asset under a light, shaded as in the training."""
+
+import math
+from pathlib import Path
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.environment import Environment, load_light
+from core.appearance.material import Material
+from core.asset import Asset, read_asset
+from core.camera import Cameras
+from core.errors import UserError
+from core.exr import write_exr
+from core.geometry.mesh import normalise
+from core.ops import linear_to_srgb, normalize, srgb_to_linear
+from core.render.antialias import antialias
+from core.render.normals import render_normals
+from core.render.rasterizer import rasterize, scatter
+from core.render.shaded import MaterialSource, UvMesh, render_shaded, surface_at
+from core.stages.preview import over_grey
+from core.texture.images import write_png
+
+MAPS = ("shaded", "normal", "base_color", "roughness", "metallic", "mask")
+FRAMING = 3.0  # training units: the distance that shows the whole asset
+
+
+def render_asset(
+    folder: Path,
+    out: Path,
+    *,
+    map: str = "shaded",
+    light: str = "studio",
+    azimuth_deg: float = 30.0,
+    elevation_deg: float = 20.0,
+    fovy_deg: float = 40.0,
+    distance: float | None = None,
+    size: int = 512,
+) -> None:
+    """Write a picture of the asset in ``folder`` to a PNG or EXR file.
+
+    Args:
+        map: one of MAPS; normals are in the object's frame.
+        distance: metres from the asset's middle; None shows all of it.
+        size: pixels along a side.
+
+    Raises:
+        UserError: no asset, a map or file type that is not there, numbers out of range.
+    """
+    _check(out, map, fovy_deg, distance, size)
+    asset = read_asset(folder)
+    verts, _, scale = normalise(asset.verts)
+    far = FRAMING if distance is None else distance * scale
+    cameras = Cameras.orbit([azimuth_deg], [elevation_deg], far, fovy_deg)
+    picture, o = _draw(asset, verts, cameras, map, size, light)
+    if out.suffix.lower() == ".exr":
+        write_exr(out, torch.cat([picture, o], -1))
+    else:
+        write_png(out, over_grey(encoded(picture, o, map), o))
+
+
+def _check(out: Path, map: str, fovy_deg: float, distance: float | None, size: int) -> None:
+    if map not in MAPS:
+        raise UserError(f"There is no map {map!r}.", f"Take one of {', '.join(MAPS)}.")
+    if out.suffix.lower() not in (".png", ".exr"):
+        raise UserError(f"{out} is no PNG or EXR.", "Name a file that ends in .png or .exr.")
+    if not 1 <= fovy_deg <= 170:
+        raise UserError(f"The field of view is {fovy_deg}°.", "It takes 1 to 170.")
+    if distance is not None and not 0 < distance < math.inf:
+        raise UserError(f"The distance is {distance} m.", "It takes more than 0.")
+    if not 1 <= size <= 8192:
+        raise UserError(f"The size is {size}.", "It takes 1 to 8192 pixels.")
+
+
+@torch.no_grad()
+def _draw(
+    asset: Asset, verts: Tensor, cameras: Cameras, map: str, size: int, light: str
+) -> tuple[Float[Tensor, "h w c"], Float[Tensor, "h w 1"]]:
+    """The map over black, weighted by coverage, linear; and the coverage."""
+    mesh = UvMesh.of(verts, asset.faces, asset.uv, asset.face_uvs)
+    if map in ("normal", "mask"):
+        n, o = render_normals(mesh.verts, mesh.faces, cameras, size, "object")
+        return (n if map == "normal" else o)[0], o[0]
+    source = maps_source(asset)
+    if map == "shaded":
+        environment = Environment.of(load_light(light))
+        shaded = render_shaded(mesh, source, cameras, size, environment)
+        return srgb_to_linear(shaded.srgb[0]), shaded.o[0]
+    fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
+    surface = surface_at(mesh, fragments, cameras)
+    material = source(surface.points, surface.uv)
+    values = material.kd if map == "base_color" else getattr(material, map).expand(-1, 3)
+    values = torch.cat([values, torch.ones_like(values[:, :1])], -1)
+    picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)[0]
+    return picture[..., :3], picture[..., 3:]
+
+
+def encoded(picture: Float[Tensor, "h w c"], o: Float[Tensor, "h w 1"], map: str) -> Tensor:
+    """The picture as a PNG shows it, over black: colours in sRGB, normals as 0.5 + 0.5 n."""
+    if map == "normal":
+        return (picture + o) / 2
+    if map in ("shaded", "base_color"):
+        return linear_to_srgb(picture)
+    return picture.expand(-1, -1, 3)
+
+
+def maps_source(asset: Asset) -> MaterialSource:
+    """The asset's maps as a material, sampled bilinearly by uv."""
+    maps = asset.maps
+    stack = torch.cat([maps.base_color, maps.orm, maps.normal], -1).permute(2, 0, 1)[None]
+
+    def source(points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
+        grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
+        texel = torch.nn.functional.grid_sample(
+            stack, grid, mode="bilinear", padding_mode="border", align_corners=False
+        )[0, :, 0].T
+        kd, _, roughness, metallic, kn = texel.split([3, 1, 1, 1, 3], -1)
+        return Material(kd, roughness, metallic, normalize(kn))
+
+    return source

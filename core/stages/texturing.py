@@ -1,0 +1,57 @@
+"""The paper's last step: the shape is unwrapped, and the material becomes maps (§4.3)."""
+
+from collections.abc import Callable
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.material import Material, MaterialNet
+from core.config import TextureConfig
+from core.geometry.mesh import Mesh
+from core.render.shaded import UvMesh
+from core.run_folder import RunFolder
+from core.texture.bake import Maps, bake
+from core.texture.simplify import simplify
+from core.texture.unwrap import unwrap
+
+
+def unwrap_shape(shape: Mesh, config: TextureConfig, run: RunFolder) -> UvMesh:
+    """The shape within its face budget and with a uv; a mesh that has a uv stays as it is."""
+    if shape.uv is not None and shape.face_uvs is not None:
+        return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+    with run.timed("unwrap"):
+        verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
+        atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))
+    return UvMesh.of(verts, faces, atlas.uv, atlas.face_uvs)
+
+
+def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFolder) -> Maps:
+    """Γ on every texel."""
+    device = next(net.parameters()).device
+
+    @torch.no_grad()
+    def material(points: Float[Tensor, "n 3"]) -> Material:
+        return Material(*(x.cpu() for x in net(points.to(device))))
+
+    with run.timed("bake"):
+        return bake(
+            mesh.verts.cpu(),
+            mesh.faces.cpu(),
+            mesh.uv.cpu(),
+            mesh.face_uvs.cpu(),
+            material,
+            config.size,
+            _progress("bake", run),
+            config.samples,
+        )
+
+
+def _progress(stage: str, run: RunFolder) -> Callable[[float], None]:
+    """Tells the run how far a stage is, in hundredths, and stops it where the user asks for it."""
+
+    def progress(share: float) -> None:
+        run.check_cancelled()
+        run.tell(stage, round(100 * share), 100)
+
+    return progress
