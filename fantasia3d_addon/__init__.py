@@ -1,0 +1,20 @@
+"""Fantasia3D for Blender: text in, a textured mesh in the scene out.
+
+The add-on is a window on ``core``, which runs as a process of its own under its own Python. It
+never imports torch or the core; they meet in a run folder (``jobs``) and an asset folder
+(``import_asset``). This module imports nothing, so that ``environment`` loads without Blender.
+"""
+
+
+def register() -> None:
+    """Add the panel, the operators and the preferences to Blender."""
+    from . import registration
+
+    registration.register()
+
+
+def unregister() -> None:
+    """Take them away again; a running job goes on by itself."""
+    from . import registration
+
+    registration.unregister()

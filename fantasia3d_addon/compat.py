@@ -1,0 +1,45 @@
+"""What differs between Blender 4.2 and 5.2, in one place."""
+
+from __future__ import annotations
+
+import bpy
+
+HAS_NODES_AT_BIRTH = bpy.app.version >= (5, 0, 0)  # use_nodes goes in 6.0
+EEVEE = "BLENDER_EEVEE" if bpy.app.version >= (5, 0, 0) else "BLENDER_EEVEE_NEXT"
+
+
+def empty_nodes(owner: bpy.types.Material | bpy.types.World) -> bpy.types.NodeTree:
+    """The node tree of a new material or world, without a node in it."""
+    if not HAS_NODES_AT_BIRTH:
+        owner.use_nodes = True
+    tree = owner.node_tree
+    tree.nodes.clear()
+    return tree
+
+
+def has_cycles() -> bool:
+    """Whether Cycles is part of this build and enabled."""
+    return hasattr(bpy.types.Scene, "cycles")
+
+
+def has_denoiser() -> bool:
+    """Whether this build of Cycles has OpenImageDenoise; Debian's have not."""
+    try:
+        import _cycles
+    except ImportError:
+        return False
+    return bool(getattr(_cycles, "with_openimagedenoise", False))
+
+
+def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
+    """Say that a normal map's green points up; before 5.1 there was nothing else."""
+    if "convention" in node.bl_rna.properties:
+        node.convention = "OPENGL"
+
+
+def prompt_field(layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str) -> None:
+    """A text property without its label; of several lines where Blender has such (5.2)."""
+    if "textbox" in bpy.types.UILayout.bl_rna.functions:
+        layout.textbox(data, name, initial_visible_lines=2)
+    else:
+        layout.prop(data, name, text="")

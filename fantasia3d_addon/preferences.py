@@ -1,0 +1,107 @@
+"""Where the core's Python, the runs and the models lie on this machine."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from . import environment
+
+
+class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
+    """Settings of this machine, kept in the user's preferences."""
+
+    bl_idname = __package__
+
+    python: StringProperty(
+        name="Python",
+        description="A Python that has the core's packages; empty for the one that Set up makes",
+        subtype="FILE_PATH",
+    )
+    environment_folder: StringProperty(
+        name="Environment",
+        description="Where Set up makes the core's Python; empty for the user's data folder",
+        subtype="DIR_PATH",
+    )
+    models_folder: StringProperty(
+        name="Models",
+        description="Where downloaded Stable Diffusion models lie; empty for the hub's own cache",
+        subtype="DIR_PATH",
+    )
+    runs_folder: StringProperty(
+        name="Runs",
+        description="Where runs and their assets are kept; empty for Blender's user folder",
+        subtype="DIR_PATH",
+    )
+    download_models: BoolProperty(
+        name="Download models",
+        description="Let the core fetch a model that is named by its hub id",
+    )
+
+    def draw(self, context: bpy.types.Context) -> None:
+        """The set-up first: nothing runs without it."""
+        from .panel import draw_set_up
+
+        self.layout.use_property_split = True
+        draw_set_up(self.layout, context)
+        for name in ("environment_folder", "python", "runs_folder", "models_folder"):
+            self.layout.prop(self, name)
+        row = self.layout.row()
+        row.active = bpy.app.online_access
+        row.prop(self, "download_models")
+
+
+class Machine:
+    """The preferences as paths; their defaults where the add-on is used as a plain module."""
+
+    def __init__(self, context: bpy.types.Context) -> None:
+        addon = context.preferences.addons.get(__package__)
+        self._given = addon.preferences if addon else None
+
+    def _path(self, name: str) -> Path | None:
+        text = getattr(self._given, name, "")
+        return Path(bpy.path.abspath(text)).expanduser() if text else None
+
+    @property
+    def root(self) -> Path:
+        """The folder that holds the core; SetupError where there is none."""
+        return environment.project_root()
+
+    @property
+    def environment(self) -> Path:
+        """The folder of the core's Python environment."""
+        return self._path("environment_folder") or environment.env_folder(self.root)
+
+    @property
+    def python(self) -> Path:
+        """The interpreter that runs the core; it need not be there yet."""
+        named = self._path("python") or os.environ.get("FANTASIA3D_PYTHON")
+        if named:
+            return Path(shutil.which(str(named)) or named)
+        return environment.env_python(self.environment)
+
+    @property
+    def runs(self) -> Path:
+        """The folder of all run folders."""
+        return self._path("runs_folder") or _user_folder() / "runs"
+
+    @property
+    def core_environ(self) -> dict[str, str]:
+        """Variables for the core's process: its models, and whether it may use the network."""
+        online = bpy.app.online_access and getattr(self._given, "download_models", False)
+        models = self._path("models_folder")
+        return {"HF_HUB_OFFLINE": "0" if online else "1"} | (
+            {"HF_HUB_CACHE": str(models)} if models else {}
+        )
+
+
+def _user_folder() -> Path:
+    """A folder of the user's own that outlives an update of the add-on."""
+    try:
+        return Path(bpy.utils.extension_path_user(__package__))
+    except ValueError:  # used as a plain module, not installed as an extension
+        return Path(bpy.utils.user_resource("DATAFILES", path="fantasia3d"))
