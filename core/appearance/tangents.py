@@ -43,7 +43,7 @@ def corner_tangents(
 
 @torch.no_grad()
 def smooth_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "v 3"]:
-    """Unit vertex normals as Blender shades smooth: face normals weighted by the angle at the vertex.
+    """Unit vertex normals as Blender's smooth shading has them: face normals weighted by angle.
 
     (G. Thürmer and C. A. Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998.)
     Tangents and normal maps are relative to these. A vertex of no face, or whose faces cancel,

@@ -2,12 +2,13 @@
 
 import pytest
 import torch
+from torch import Tensor
+
 from core.appearance.material import Material
 from core.errors import Cancelled, UserError
 from core.tests.texture_shapes import one_material, smooth_material, square, torus, torus_uv
 from core.texture import bake as module
 from core.texture.bake import bake
-from torch import Tensor
 
 SIZE = 128
 
@@ -25,7 +26,7 @@ def look_up(image: Tensor, uv: Tensor) -> Tensor:
     return found[0, :, 0].T
 
 
-def edge_points(uv: Tensor, face_uvs: Tensor) -> tuple[Tensor, Tensor]:
+def edge_points(face_uvs: Tensor) -> tuple[Tensor, Tensor]:
     """Face and weights of points on the island's border edges."""
     edges = torch.stack([face_uvs, face_uvs.roll(-1, 1)], -1).reshape(-1, 2)
     key = edges.sort(1).values
@@ -42,7 +43,7 @@ def test_bilinear_look_up_on_island_edges_is_the_surfaces_value() -> None:
     """No background bleeds in: the error is that of half a texel of a slow material."""
     verts, faces, uv, face_uvs = torus_mesh()
     maps = bake(verts, faces, uv, face_uvs, smooth_material, SIZE)
-    face, weights = edge_points(uv, face_uvs)
+    face, weights = edge_points(face_uvs)
     assert len(face) > 20
     points = torch.einsum("nk,nkc->nc", weights, verts[faces[face]])
     at = torch.einsum("nk,nkc->nc", weights, uv[face_uvs[face]])
@@ -108,7 +109,7 @@ def test_progress_grows_and_can_stop() -> None:
     assert seen == sorted(seen)
     assert seen[-1] == 1
 
-    def stop(part: float) -> None:
+    def stop(_: float) -> None:
         raise Cancelled("Stopped.")
 
     with pytest.raises(Cancelled):

@@ -2,10 +2,11 @@
 
 import pytest
 import torch
-from core.errors import UserError
-from core.texture.padding import nearest_covered, pad
 from hypothesis import given
 from hypothesis import strategies as st
+
+from core.errors import UserError
+from core.texture.padding import nearest_covered, pad
 
 
 @given(st.integers(0, 10**6), st.floats(0.02, 0.9))

@@ -2,6 +2,7 @@
 
 import pytest
 import torch
+
 from core.errors import UserError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
@@ -16,9 +17,7 @@ def chair_sdf(points: torch.Tensor) -> torch.Tensor:
     for x in (-0.42, 0.42):
         parts += [((x, y, -0.4), (0.07, 0.07, 0.42)) for y in (-0.42, 0.42)]
         parts += [((x, 0.42, 0.4), (0.07, 0.07, 0.42)), ((x, 0, -0.6), (0.06, 0.42, 0.06))]
-    distance = [
-        ((points - torch.tensor(c)).abs() - torch.tensor(h)).amax(1) for c, h in parts
-    ]
+    distance = [((points - torch.tensor(c)).abs() - torch.tensor(h)).amax(1) for c, h in parts]
     return torch.stack(distance).amin(0)
 
 

@@ -2,8 +2,9 @@
 
 import pytest
 import torch
+
 from core.errors import UserError
-from core.tests.texture_shapes import square, torus, torus_uv
+from core.tests.texture_shapes import square, torus_uv
 from core.texture import texels as module
 from core.texture.texels import barycentric, texel_points, uv_faults
 

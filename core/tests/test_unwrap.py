@@ -1,16 +1,15 @@
-"""The atlas: welded faces keep their places, islands keep their distance, failures are sentences."""
-
-
+"""The atlas: welded faces keep their places, islands their distance, failures are sentences."""
 
 import numpy as np
 import pytest
 import torch
+from scipy.ndimage import distance_transform_edt
+
 from core.errors import Cancelled, UserError
 from core.tests.texture_shapes import torus
 from core.texture import unwrap as module
 from core.texture.texels import texel_points, uv_faults
 from core.texture.unwrap import PADDING, unwrap
-from scipy.ndimage import distance_transform_edt
 
 SIZE = 256
 
@@ -132,4 +131,3 @@ def test_worker_starts_without_torch() -> None:
     source = module.WORKER.read_text()
     assert "import torch" not in source
     assert "from core" not in source
-

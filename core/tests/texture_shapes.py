@@ -6,8 +6,10 @@ from torch import Tensor
 from core.appearance.material import Material
 
 
-def torus(n: int = 24, m: int = 12, radius: float = 0.6, tube: float = 0.25) -> tuple[Tensor, Tensor]:
-    """Welded verts (n m, 3) and faces (2 n m, 3), outward; bumpy, so that no turn maps it to itself."""
+def torus(
+    n: int = 24, m: int = 12, radius: float = 0.6, tube: float = 0.25
+) -> tuple[Tensor, Tensor]:
+    """Welded verts (n m, 3) and faces (2 n m, 3), outward; bumpy: no turn maps it to itself."""
     i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
     a, b = 2 * torch.pi * i / n, 2 * torch.pi * j / m
     r = tube * (1 + 0.2 * torch.sin(3 * a + 1) + 0.1 * torch.cos(2 * b))
@@ -51,6 +53,8 @@ def one_material(kd: tuple[float, float, float]) -> "callable":
 
     def material(points: Tensor) -> Material:
         ones = torch.ones_like(points[:, :1])
-        return Material(ones * torch.tensor(kd), 0.3 * ones, 0.2 * ones, torch.tensor([[0.0, 0, 1]]) * ones)
+        return Material(
+            ones * torch.tensor(kd), 0.3 * ones, 0.2 * ones, torch.tensor([[0.0, 0, 1]]) * ones
+        )
 
     return material

@@ -74,13 +74,14 @@ def read_png(path: Path) -> np.ndarray:
     Raises UserError for a file that is not there or no PNG.
     """
     try:
-        width, height, rows, info = png.Reader(filename=str(path)).asDirect()
-        if info["bitdepth"] <= 8:
-            with Image.open(path) as picture:
-                image = np.array(picture)
-            return image[..., None] if image.ndim == 2 else image
-        flat = np.concatenate([np.asarray(row, dtype=np.uint16) for row in rows])
-        return flat.reshape(height, width, info["planes"])
+        with path.open("rb") as file:
+            width, height, rows, info = png.Reader(file=file).asDirect()
+            if info["bitdepth"] > 8:
+                flat = np.concatenate([np.asarray(row, dtype=np.uint16) for row in rows])
+                return flat.reshape(height, width, info["planes"])
+        with Image.open(path) as picture:
+            image = np.array(picture.convert("RGB") if picture.mode == "P" else picture)
+        return image[..., None] if image.ndim == 2 else image
     except FileNotFoundError:
         raise UserError(f"There is no picture {path}.", "Check the path.") from None
     except (png.Error, OSError, ValueError, SyntaxError) as error:

@@ -53,9 +53,13 @@ def obj_text(
 
 
 def mtl_text(material: str, base_color: str, normal: str) -> str:
-    """A material with two maps. OBJ has no place for a packed roughness and metallic map."""
+    """A material with two maps. OBJ has no place for a packed roughness and metallic map.
+
+    Blender calls a normal map map_Bump, other programs norm.
+    """
     return (
-        f"newmtl {material}\nKd 1 1 1\nillum 2\nPr 0.5\nPm 0\nmap_Kd {base_color}\nnorm {normal}\n"
+        f"newmtl {material}\nKd 1 1 1\nillum 2\nPr 0.5\nPm 0\n"
+        f"map_Kd {base_color}\nmap_Bump -bm 1 {normal}\nnorm {normal}\n"
     )
 
 

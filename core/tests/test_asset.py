@@ -1,0 +1,280 @@
+"""The asset folder appears whole or not at all, and reads back as it was."""
+
+import errno
+import json
+import os
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+
+from core import asset as module
+from core.asset import export, inspect, place, read_asset, write_asset, write_plain_obj
+from core.errors import UserError
+from core.geometry.mesh import health
+from core.tests.texture_shapes import smooth_material, torus, torus_uv
+from core.texture import images
+from core.texture.bake import Maps, bake
+
+INFO = {"prompt": "a red wooden chair", "seed": 3, "timings": {"geometry": 1.5}}
+
+
+@pytest.fixture(scope="module")
+def parts() -> tuple:
+    verts, faces = torus()
+    uv, face_uvs = torus_uv()
+    maps = bake(verts, faces, uv, face_uvs, smooth_material, 64)
+    return place(verts), faces, uv, face_uvs, maps
+
+
+@pytest.fixture
+def folder(parts, tmp_path: Path) -> Path:
+    preview = torch.rand(8, 8, 3)
+    return write_asset(tmp_path / "run" / "asset", *parts, INFO, preview)
+
+
+def test_place() -> None:
+    verts, _ = torus()
+    stood = place(verts * 7 + torch.tensor([3.0, -2, 9]))
+    low, high = stood.amin(0), stood.amax(0)
+    assert (high - low).max() == pytest.approx(1)
+    assert low[2] == pytest.approx(0, abs=1e-6)
+    torch.testing.assert_close((low + high)[:2], torch.zeros(2), atol=1e-6, rtol=0)
+    with pytest.raises(UserError, match="one point"):
+        place(torch.ones(4, 3))
+
+
+def test_reads_back(folder: Path, parts) -> None:
+    """Geometry to the bit, maps to the rounding of their files."""
+    back = read_asset(folder)
+    for got, want in zip((back.verts, back.faces, back.uv, back.face_uvs), parts[:4], strict=True):
+        assert torch.equal(got, want)
+    maps: Maps = parts[4]
+    assert (images.srgb_bytes(back.maps.base_color) == images.srgb_bytes(maps.base_color)).all()
+    assert (back.maps.orm - maps.orm).abs().max() <= 0.5 / 255 + 1e-6
+    assert (back.maps.normal - maps.normal).abs().max() < 2 / 65535
+
+
+def test_a_run_folder_will_do(folder: Path) -> None:
+    assert read_asset(folder.parent).folder == folder
+
+
+def test_asset_json_tells_all(folder: Path, parts) -> None:
+    told = json.loads((folder / "asset.json").read_text())
+    assert told["version"] == 1
+    assert told["prompt"] == INFO["prompt"]
+    assert told["timings"] == INFO["timings"]
+    assert told["size_m"] == pytest.approx(1)
+    assert told["mesh"]["closed"]
+    assert told["mesh"]["genus"] == 1
+    assert told["mesh"]["faces"] == len(parts[1])
+    there = {path.name for path in folder.iterdir()}
+    assert set(told["files"]) == there - {"asset.json"}
+    assert told["files"]["base_color.png"]["color_space"] == "sRGB"
+    assert told["files"]["normal.png"]["convention"] == "OpenGL"
+    assert told["files"]["orm.png"]["channels"] == "occlusion, roughness, metallic"
+
+
+def test_obj_stands_upright_in_the_importers_axes(folder: Path, parts) -> None:
+    """Blender turns file (x, y, z) into world (x, -z, y)."""
+    lines = (folder / "mesh.obj").read_text().splitlines()
+    x, y, z = (float(word) for word in next(line for line in lines if line[:2] == "v ").split()[1:])
+    assert [x, -z, y] == pytest.approx(parts[0][0].tolist())
+    assert sum(line.startswith("vn ") for line in lines) == len(parts[0])
+    assert sum(line.startswith("v ") for line in lines) == len(parts[0])
+    assert lines[0] == "mtllib mesh.mtl"
+    assert "map_Kd base_color.png" in (folder / "mesh.mtl").read_text()
+
+
+def read_glb(path: Path) -> tuple[dict, bytes]:
+    data = path.read_bytes()
+    magic, version, length = struct.unpack_from("<4sII", data)
+    assert (magic, version, length) == (b"glTF", 2, len(data))
+    size, kind = struct.unpack_from("<I4s", data, 12)
+    assert kind == b"JSON"
+    told = json.loads(data[20 : 20 + size])
+    rest, kind = struct.unpack_from("<I4s", data, 20 + size)
+    assert kind == b"BIN\0"
+    assert 28 + size + rest == len(data)
+    return told, data[28 + size :]
+
+
+def accessor(told: dict, data: bytes, index: int) -> np.ndarray:
+    entry = told["accessors"][index]
+    view = told["bufferViews"][entry["bufferView"]]
+    assert view["byteOffset"] % 4 == 0
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[entry["type"]]
+    dtype = {5126: "<f4", 5125: "<u4"}[entry["componentType"]]
+    flat = np.frombuffer(data, dtype, entry["count"] * width, view["byteOffset"])
+    return flat.reshape(-1, width)
+
+
+def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
+    """Position, uv, normal and tangent of every corner, in glTF's axes."""
+    verts, faces, uv, face_uvs, _ = parts
+    told, data = read_glb(folder / "asset.glb")
+    primitive = told["meshes"][0]["primitives"][0]
+    index = accessor(told, data, primitive["indices"])[:, 0]
+    got = {k: accessor(told, data, i)[index] for k, i in primitive["attributes"].items()}
+    want = verts[faces].reshape(-1, 3).numpy()
+    assert np.array_equal(got["POSITION"], want[:, [0, 2, 1]] * np.float32([1, 1, -1]))
+    at = uv[face_uvs].reshape(-1, 2).numpy()
+    assert np.array_equal(got["TEXCOORD_0"], np.stack([at[:, 0], 1 - at[:, 1]], -1))
+    assert np.allclose(np.linalg.norm(got["NORMAL"], axis=1), 1, atol=1e-5)
+    assert np.abs((got["NORMAL"] * got["TANGENT"][:, :3]).sum(1)).max() < 1e-5
+    assert len(np.unique(got["POSITION"], axis=0)) == len(verts)
+    count = told["accessors"][primitive["attributes"]["POSITION"]]["count"]
+    assert len(verts) < count < 1.3 * len(verts)  # split at the seams only
+    entry = told["accessors"][primitive["attributes"]["POSITION"]]
+    assert entry["min"] == got["POSITION"].min(0).tolist()
+
+
+def test_glb_textures_are_the_files(folder: Path) -> None:
+    told, data = read_glb(folder / "asset.glb")
+    for image in told["images"]:
+        view = told["bufferViews"][image["bufferView"]]
+        held = data[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
+        assert held == (folder / f"{image['name']}.png").read_bytes()
+    material = told["materials"][0]
+    assert told["images"][material["normalTexture"]["index"]]["name"] == "normal"
+    orm = material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"]
+    assert told["images"][orm]["name"] == "orm"
+    assert material["occlusionTexture"]["index"] == orm
+
+
+def failing(number: int):
+    """A stand-in for images.write_png that fails on the last map."""
+    real = images.write_png
+
+    def write(path: Path, image) -> None:
+        if path.name == "normal.png":
+            raise OSError(number, os.strerror(number))
+        real(path, image)
+
+    return write
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [(errno.ENOSPC, "disk is full"), (errno.EACCES, "may not"), (errno.EROFS, "may not")],
+)
+def test_a_full_disk_leaves_nothing(parts, tmp_path, monkeypatch, number, words) -> None:
+    monkeypatch.setattr(module.images, "write_png", failing(number))
+    with pytest.raises(UserError, match=words):
+        write_asset(tmp_path / "asset", *parts, INFO)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_failure_keeps_the_older_asset(folder: Path, parts, monkeypatch) -> None:
+    before = (folder / "asset.json").read_text()
+    monkeypatch.setattr(module.images, "write_png", failing(errno.ENOSPC))
+    with pytest.raises(UserError, match="disk is full"):
+        write_asset(folder, *parts, INFO | {"seed": 4})
+    assert [path.name for path in folder.parent.iterdir()] == ["asset"]
+    assert (folder / "asset.json").read_text() == before
+
+
+def test_a_failed_rename_keeps_the_older_asset(folder: Path, parts, monkeypatch) -> None:
+    real = Path.rename
+
+    def rename(self: Path, to: Path) -> Path:
+        if self.name == "asset.tmp":
+            raise OSError(errno.ENOSPC, "no room")
+        return real(self, to)
+
+    monkeypatch.setattr(Path, "rename", rename)
+    with pytest.raises(UserError, match="disk is full"):
+        write_asset(folder, *parts, INFO | {"seed": 4})
+    assert [path.name for path in folder.parent.iterdir()] == ["asset"]
+    assert read_asset(folder).info["seed"] == 3
+
+
+def test_a_newer_asset_takes_the_place(folder: Path, parts) -> None:
+    write_asset(folder, *parts, INFO | {"seed": 4})
+    assert read_asset(folder).info["seed"] == 4
+    assert [path.name for path in folder.parent.iterdir()] == ["asset"]
+
+
+def test_leftovers_of_a_crash_do_not_matter(folder: Path, parts) -> None:
+    """A process that ended between the two renames: the older asset is found again."""
+    (folder.parent / "asset.tmp").mkdir()
+    folder.rename(folder.parent / "asset.old")
+    write_asset(folder, *parts, INFO | {"seed": 5})
+    assert read_asset(folder).info["seed"] == 5
+    assert [path.name for path in folder.parent.iterdir()] == ["asset"]
+
+
+def break_asset(folder: Path, what: str) -> None:
+    if what == "json":
+        (folder / "asset.json").write_text("{")
+    elif what == "version":
+        (folder / "asset.json").write_text('{"version": 9}')
+    elif what == "gone":
+        (folder / "orm.png").unlink()
+    elif what == "cut":
+        text = (folder / "mesh.obj").read_text()
+        (folder / "mesh.obj").write_text(text[: text.rindex("f ")])
+    elif what == "words":
+        (folder / "mesh.obj").write_text("v 1 2 three\n")
+    else:
+        images.write_png(folder / "orm.png", np.zeros((4, 4, 3), np.uint8))
+
+
+@pytest.mark.parametrize(
+    ("what", "words"),
+    [
+        ("json", "cannot be read"),
+        ("version", "version 9"),
+        ("gone", "no picture"),
+        ("cut", "asset.json says"),
+        ("words", "not the triangle mesh"),
+        ("size", "the size of base_color.png"),
+    ],
+)
+def test_broken_assets_are_told(folder: Path, what: str, words: str) -> None:
+    break_asset(folder, what)
+    with pytest.raises(UserError, match=words) as caught:
+        read_asset(folder)
+    assert caught.value.fix
+
+
+def test_no_asset_is_told(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match="is no asset"):
+        read_asset(tmp_path)
+
+
+def test_inspect(folder: Path, parts) -> None:
+    told = inspect(folder)
+    assert told["mesh"] == health(parts[0], parts[1])
+    assert told["texture_size"] == [64, 64]
+    assert json.loads(json.dumps(told)) == told
+    mesh = inspect(folder / "mesh.obj")
+    assert mesh["mesh"]["genus"] == 1
+    assert mesh["uv"]
+
+
+def test_export(folder: Path, tmp_path: Path) -> None:
+    export(folder, "glb", tmp_path / "chair.glb")
+    assert (tmp_path / "chair.glb").read_bytes() == (folder / "asset.glb").read_bytes()
+    export(folder, "obj", tmp_path / "chair.obj")
+    assert (tmp_path / "chair.obj").read_text().startswith("mtllib chair.mtl")
+    material = (tmp_path / "chair.mtl").read_text()
+    for name in ("base_color", "normal"):
+        assert f"chair_{name}.png" in material
+        assert (tmp_path / f"chair_{name}.png").is_file()
+    with pytest.raises(UserError, match="'stl'"):
+        export(folder, "stl", tmp_path / "chair.stl")
+    with pytest.raises(UserError, match="does not end in"):
+        export(folder, "glb", tmp_path / "chair.obj")
+    with pytest.raises(UserError, match="cannot be written"):
+        export(folder, "glb", tmp_path / "none" / "chair.glb")
+
+
+def test_plain_obj(tmp_path: Path) -> None:
+    verts, faces = torus()
+    write_plain_obj(tmp_path / "shape.obj", verts, faces)
+    told = inspect(tmp_path / "shape.obj")
+    assert told["mesh"]["genus"] == 1
+    assert told["mesh"]["volume"] == pytest.approx(health(verts, faces)["volume"], rel=1e-4)
