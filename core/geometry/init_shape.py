@@ -16,6 +16,7 @@ from torch import Tensor
 from core.geometry.mesh import Mesh, face_areas, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.signed_distance import SolidMesh
+from core.geometry.tet_grid import EXTENT
 
 SURFACE_POINTS, UNIFORM_POINTS, SPREAD = 5000, 3000, 0.05
 # Sets P that the steps take in turn: the distances to a large mesh are then found once.
@@ -131,7 +132,7 @@ def fit(
     progress: Callable[[int, float], None] | None = None,
     *,
     learning_rate: float = 3e-3,
-    extent: float = 1.05,
+    extent: float = EXTENT,
 ) -> float:
     """Fit Ψ to ``shape`` (Eq. 3); the root mean square of the SDF's error in the last step.
 

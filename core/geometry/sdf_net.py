@@ -17,7 +17,7 @@ from jaxtyping import Float, Int
 from torch import Tensor, nn
 
 from core.geometry.marching_tets import crossing_edges, marching_tets
-from core.geometry.tet_grid import TetGrid
+from core.geometry.tet_grid import EXTENT, TetGrid
 from core.hash_grid import HashGrid
 
 
@@ -74,7 +74,7 @@ class SdfNet(nn.Module):
         self,
         cell: float,
         config: SdfNetConfig = HASH,
-        extent: float = 1.05,
+        extent: float = EXTENT,
         generator: torch.Generator | None = None,
     ) -> None:
         """``cell``: the lattice's; an offset stays within half of it. ``extent``: the cube's."""

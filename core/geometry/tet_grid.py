@@ -22,6 +22,8 @@ DIRECTIONS = tuple(itertools.product((0, 1), repeat=3))
 # The two corners of each of a tetrahedron's six edges.
 TET_CORNERS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 
+EXTENT = 1.05  # half the side of the cube that the training happens in
+
 
 @dataclass(frozen=True, eq=False)
 class TetGrid:
@@ -52,7 +54,7 @@ class TetGrid:
 
 
 def tet_grid(
-    resolution: int, extent: float = 1.05, device: "torch.device | str" = "cpu"
+    resolution: int, extent: float = EXTENT, device: "torch.device | str" = "cpu"
 ) -> TetGrid:
     """The lattice of ``resolution``³ cubes: (n+1)³ nodes, 6n³ tetrahedra.
 

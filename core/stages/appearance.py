@@ -9,13 +9,13 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material, MaterialNet
-from core.camera import Cameras, sample_cameras
+from core.camera import Cameras
 from core.config import AppearanceConfig, PhaseConfig
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError
 from core.render.shaded import UvMesh, render_shaded
 from core.run_folder import RunFolder, Training
-from core.stages.distill import decayed, distill, phase_of
+from core.stages.distill import Draw, decayed, distill, phase_of
 from core.stages.guard import Guard, healthy_gradients
 from core.stages.preview import SIZE, VIEW, ColorPreview, over_grey
 
@@ -46,12 +46,11 @@ def learn_appearance(
             group["lr"] = rate
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
-        cameras = sample_cameras(config.views, config.cameras, generator)
+        draw = Draw.of(config.views, config.cameras, guidance, phase, share, generator)
         step.loss, trouble = 0.0, ""
         try:
-            for start in range(0, config.views, config.views_at_once):
-                part = cameras[slice(start, start + config.views_at_once)].to(mesh.verts.device)
-                loss = _view_loss(net, mesh, lit, guidance, embedding, part, phase, share, generator)
+            for part in draw.split(config.views_at_once, mesh.verts.device):
+                loss = _view_loss(net, mesh, lit, guidance, embedding, part, phase, generator)
                 loss = loss / config.views
                 loss.backward()
                 step.loss += loss.item()
@@ -80,18 +79,16 @@ def _view_loss(
     lit: Environment,
     guidance: Guidance,
     embedding: Embedding,
-    cameras: Cameras,
+    draw: Draw,
     phase: PhaseConfig,
-    share: float,
     generator: torch.Generator,
 ) -> Tensor:
+    cameras = draw.cameras
     shaded = render_shaded(mesh, net, cameras, phase.size, lit)
     z = guidance.encode_color(shaded.srgb, shaded.o)
     normals = coarse_latent(shaded.n, shaded.o, guidance.latent_size)
-    views = Views(cameras, normals)
-    loss, _ = distill(
-        guidance, z, embedding, views, phase, share, net.config.gradient_cap, generator
-    )
+    views, cap = Views(cameras, normals), net.config.gradient_cap
+    loss, _ = distill(guidance, z, embedding, views, draw, phase, cap)
     if net.config.smooth > 0:
         loss = loss + net.config.smooth * len(cameras) * _roughening(
             net, shaded.points, shaded.material, generator

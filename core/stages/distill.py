@@ -1,9 +1,13 @@
 """What both trainings share: where a step stands in its phases, and one score distillation."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.camera import CameraConfig, Cameras, sample_cameras
 from core.config import PhaseConfig
 from core.guidance.guidance import Embedding, Guidance, Views
 from core.guidance.sds import anneal, sample_t, sds_grad, sds_loss
@@ -20,30 +24,63 @@ def decayed(learning_rate: float, end: float, share: float) -> float:
     return learning_rate * end**share
 
 
+@dataclass(frozen=True)
+class Draw:
+    """What chance gives to one step: a camera, a noise level and a noise for each view.
+
+    Drawn for all views at once and on the CPU, so that a run is the same on every device, and
+    however many views are rendered together.
+    """
+
+    cameras: Cameras
+    t: Int[Tensor, " b"]
+    eps: Float[Tensor, "b 4 s s"]
+
+    @classmethod
+    def of(
+        cls,
+        views: int,
+        cameras: CameraConfig,
+        guidance: Guidance,
+        phase: PhaseConfig,
+        share: float,
+        generator: torch.Generator,
+    ) -> "Draw":
+        """``share``: of the phase, for the annealing of t."""
+        high = anneal(*phase.t_high, share)
+        size = guidance.latent_size
+        return cls(
+            sample_cameras(views, cameras, generator),
+            sample_t(views, phase.t_low, high, len(guidance.alpha_bar), generator),
+            torch.randn(views, 4, size, size, generator=generator),
+        )
+
+    def split(self, views_at_once: int, device: torch.device) -> "Iterator[Draw]":
+        """Parts of ``views_at_once`` views, the last one smaller, on ``device``."""
+        for start in range(0, len(self.t), views_at_once):
+            part = slice(start, start + views_at_once)
+            yield Draw(
+                self.cameras[part].to(device), self.t[part].to(device), self.eps[part].to(device)
+            )
+
+
 def distill(
     guidance: Guidance,
     z: Float[Tensor, "b 4 s s"],
     embedding: Embedding,
     views: Views,
+    draw: Draw,
     phase: PhaseConfig,
-    share: float,
     cap: float,
-    generator: torch.Generator,
 ) -> tuple[Tensor, Float[Tensor, "b 4 s s"]]:
-    """One SDS step (Eqs. 1, 5, 9): a loss per pixel of ``z``, and its gradient there.
-
-    ``generator`` is a CPU generator, so that a run has the same noise on every device.
-    """
-    high = anneal(*phase.t_high, share)
-    t = sample_t(len(z), phase.t_low, high, len(guidance.alpha_bar), generator).to(z.device)
-    eps = torch.randn(z.shape, generator=generator).to(z)
+    """One SDS step (Eqs. 1, 5, 9): a loss per pixel of ``z``, and its gradient there."""
     grad = sds_grad(
         guidance,
         z,
         embedding,
         views,
-        t=t,
-        eps=eps,
+        t=draw.t,
+        eps=draw.eps.to(z),
         weighting=phase.weighting,
         guidance_scale=phase.guidance_scale,
         cap=cap or None,

@@ -6,7 +6,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.camera import Cameras, sample_cameras
+from core.camera import Cameras
 from core.config import GeometryConfig, PhaseConfig
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import drop_floaters
@@ -18,7 +18,7 @@ from core.guidance.sds import NotFiniteError
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.run_folder import RunFolder, Training
-from core.stages.distill import decayed, distill, phase_of
+from core.stages.distill import Draw, decayed, distill, phase_of
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.preview import ShapePreview
 
@@ -113,14 +113,12 @@ class Batch:
         coarse: bool,
     ) -> float:
         """Gather the gradient of all views and of the regularisers into Ψ; the mean loss."""
-        config = self.config
+        config, total = self.config, 0.0
+        draw = Draw.of(config.views, config.cameras, guidance, phase, share, self.generator)
         if len(self.faces) == 0:
             return math.nan
-        cameras = sample_cameras(config.views, config.cameras, self.generator)
-        total = 0.0
-        for start in range(0, config.views, config.views_at_once):
-            part = cameras[slice(start, start + config.views_at_once)].to(self.verts.device)
-            loss = self._view_loss(part, guidance, embedding, phase, share, coarse) / config.views
+        for part in draw.split(config.views_at_once, self.verts.device):
+            loss = self._view_loss(part, guidance, embedding, phase, coarse) / config.views
             loss.backward()
             total += loss.item()
         regular = self._regularisers()
@@ -141,37 +139,25 @@ class Batch:
 
     def _view_loss(
         self,
-        cameras: Cameras,
+        draw: Draw,
         guidance: Guidance,
         embedding: Embedding,
         phase: PhaseConfig,
-        share: float,
         coarse: bool,
     ) -> Tensor:
+        cameras, cap = draw.cameras, self.config.gradient_cap
         n, o = render_normals(self.verts, self.faces, cameras, phase.size, guidance.normal_frame)
         self.coverage += float(o.detach().mean()) * len(cameras) / self.config.views
         if not coarse:
             z = guidance.encode_normals(n, o)
-            return self._distill(guidance, z, embedding, cameras, phase, share)[0]
+            return distill(guidance, z, embedding, Views(cameras), draw, phase, cap)[0]
         if self.config.rotate_normals and guidance.normal_frame == "camera":
             n = n @ random_rotations(len(n), self.generator).to(n)[:, None]
         z = coarse_latent(n, o, guidance.latent_size)
-        loss, grad = self._distill(guidance, z, embedding, cameras, phase, share)
+        loss, grad = distill(guidance, z, embedding, Views(cameras), draw, phase, cap)
         if self.follow_rays:
             loss = loss + self._ray_mask_loss(grad[:, 3], cameras)
         return loss
-
-    def _distill(self, guidance, z, embedding, cameras, phase, share):  # noqa: ANN001, ANN202
-        return distill(
-            guidance,
-            z,
-            embedding,
-            Views(cameras),
-            phase,
-            share,
-            self.config.gradient_cap,
-            self.generator,
-        )
 
     def _ray_mask_loss(self, mask_grad: Float[Tensor, "b s s"], cameras: Cameras) -> Tensor:
         """Send the mask's score through the nearest miss of each ray too.
@@ -179,11 +165,10 @@ class Batch:
         A silhouette only moves where there is surface, so thin parts would not grow out of
         nothing: m = 2 sigmoid(-k min sdf) - 1 along the ray has a gradient in empty space.
         """
-        pool = mask_grad.shape[-1] // RAY_PICTURE
+        size = min(RAY_PICTURE, mask_grad.shape[-1])
+        pool = mask_grad.shape[-1] // size
         grad = torch.nn.functional.avg_pool2d(mask_grad[:, None], pool)[:, 0] * pool**2
-        nearest = ray_min_sdf(
-            self.sdf, self.grid, cameras, RAY_PICTURE, RAY_SAMPLES, self.generator
-        )
+        nearest = ray_min_sdf(self.sdf, self.grid, cameras, size, RAY_SAMPLES, self.generator)
         mask = 2 * torch.sigmoid(-self.sharpness * nearest) - 1
         return (grad * mask).sum()
 

@@ -1,0 +1,91 @@
+"""The command line: one sentence and the right status for what is wrong."""
+
+import json
+
+import pytest
+
+from core.__main__ import job_of, main, parse
+from core.errors import UserError
+
+
+def wrong(capsys, *argv):
+    status = main(list(argv))
+    said = capsys.readouterr()
+    assert "Traceback" not in said.err and said.err.count("\n") == 1, said.err
+    assert said.out == ""
+    return status, said.err
+
+
+@pytest.mark.parametrize(
+    ("argv", "words"),
+    [
+        (["generate", ""], "prompt is empty"),
+        (["generate", " \t "], "prompt is empty"),
+        (["generate", "chair " * 1000], "has 6000 characters"),
+        (["generate", "a chair", "--sede", "3"], "Did you mean --seed?"),
+        (["generate", "a chair", "--see", "3"], "no option '--see'"),
+        (["generate", "a chair", "--seed", "x"], "invalid int value: 'x'"),
+        (["generate", "a chair", "--preset", "fast"], "draft, standard, paper"),
+        (["generate", "a chair", "--set", "geometry.fine.stepz=3"], "geometry.fine.steps"),
+        (["generate", "a chair", "--set", "geometry.fine.steps"], "has no value"),
+        (["generate", "a chair", "--device", "abacus"], "auto, cpu, cuda or mps"),
+        (["generate", "a chair", "--light", "nowhere.exr"], "nowhere.exr"),
+        (["generate", "a chair", "--guide", "nowhere.obj"], "nowhere.obj"),
+        (["generate", "a chair", "--guide-strength", "7"], "0 to 1"),
+        (["texture", "nowhere.obj", "a chair"], "nowhere.obj"),
+        (["texture", "nowhere.obj"], "prompt"),
+        (["resume", "nowhere"], "no run folder"),
+        (["render", "nowhere", "--out", "x.png"], "no asset"),
+        (["render", "nowhere", "--out", "x.gif"], ".png or .exr"),
+        (["render", "nowhere", "--out", "x.png", "--map", "shadow"], "no map 'shadow'"),
+        (["render", "nowhere", "--out", "x.png", "--size", "0"], "1 to 8192"),
+        (["inspect", "nowhere"], "nowhere"),
+        (["export", "nowhere", "--format", "glb", "--out", "x.glb"], "no asset"),
+        (["genrate", "a chair"], "genrate"),
+        ([], "COMMAND"),
+    ],
+)
+def test_what_is_wrong_is_one_sentence_with_status_2(argv, words, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    status, said = wrong(capsys, *argv)
+    assert status in (2, 3) and words in said, said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_missing_device_is_status_3(capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("torch.cuda.is_available", lambda: False)
+    assert wrong(capsys, "generate", "a chair", "--device", "cuda")[0] == 3
+
+
+def test_options_reach_the_job(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "model").mkdir()
+    argv = ["generate", "a chair", "--seed", "7", "--negative", "blurry", "--guide", "ü b.obj",
+            "--set", "geometry.views=3", "--set", "texture.size = 64", "--guidance", "model"]  # fmt: skip
+    job = job_of(parse(argv))
+    assert (job.seed, job.negative_prompt, job.preset) == (7, "blurry", "draft")
+    assert job.guide_mesh == str(tmp_path / "ü b.obj")  # a run may be resumed from elsewhere
+    assert job.guidance == str(tmp_path / "model")
+    assert job.settings == {"geometry.views": "3", "texture.size": "64"}
+
+
+def test_a_hub_id_stays_an_id(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert job_of(parse(["generate", "a", "--guidance", "some/model"])).guidance == "some/model"
+
+
+def test_an_unknown_option_without_a_near_one_points_to_the_help():
+    with pytest.raises(UserError, match="--help"):
+        parse(["inspect", "x", "--qqqqqq"])
+
+
+def test_a_run_whose_job_is_wrong_says_so_in_its_events(tmp_path, capsys):
+    """What the add-on wrote is checked like what a user typed."""
+    job = {"version": 1, "prompt": "a chair", "preset": "fast"}
+    (tmp_path / "job.json").write_text(json.dumps(job))
+    assert main(["resume", str(tmp_path)]) == 2
+    events = [json.loads(x) for x in (tmp_path / "events.jsonl").read_text().splitlines()]
+    assert [e["type"] for e in events] == ["started", "error"]
+    assert "preset" in events[1]["text"] and "draft" in events[1]["fix"]
+    capsys.readouterr()

@@ -1,0 +1,49 @@
+"""Γ: its ranges, its tangent-space normal, the paper's specular term."""
+
+from dataclasses import replace
+
+import pytest
+import torch
+
+from core.appearance.material import Material, MaterialNet, specular_color, to_ranges
+from core.config import AppearanceConfig
+
+CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
+
+
+def test_the_ends_of_the_sigmoids_are_the_ends_of_the_ranges():
+    raw = torch.full((1, 8), 40.0)
+    for sign, end in ((-1, 0), (1, 1)):
+        m = to_ranges(sign * raw, CONFIG)
+        torch.testing.assert_close(m.kd, torch.full((1, 3), CONFIG.kd_range[end]))
+        torch.testing.assert_close(m.roughness, torch.full((1, 1), CONFIG.roughness_range[end]))
+        torch.testing.assert_close(m.metallic, torch.full((1, 1), CONFIG.metallic_range[end]))
+
+
+def test_the_normal_is_unit_and_never_points_into_the_surface():
+    raw = 5 * torch.randn(500, 8, generator=torch.Generator().manual_seed(0))
+    kn = to_ranges(raw, CONFIG).kn
+    torch.testing.assert_close(kn.norm(dim=1), torch.ones(500))
+    assert float(kn[:, 2].min()) > 0
+    flat = to_ranges(raw, replace(CONFIG, bump=0.0)).kn
+    torch.testing.assert_close(flat, torch.tensor([[0.0, 0, 1]]).expand(500, 3))
+
+
+def test_a_seed_gives_the_same_material_and_another_seed_another():
+    points = torch.rand(20, 3, generator=torch.Generator().manual_seed(1))
+    a, b, c = (
+        MaterialNet(CONFIG, torch.Generator().manual_seed(seed)).raw(points) for seed in (1, 1, 2)
+    )
+    assert torch.equal(a, b) and not torch.equal(a, c)
+
+
+def test_it_starts_grey_and_half_rough():
+    m = MaterialNet(CONFIG, torch.Generator().manual_seed(0))(torch.zeros(1, 3))
+    torch.testing.assert_close(m.kd, torch.full((1, 3), 0.5), atol=0.01, rtol=0)
+
+
+@pytest.mark.parametrize(("m", "ks"), [(0.0, 0.04), (1.0, 0.6), (0.5, 0.32)])
+def test_the_specular_term_is_the_papers(m, ks):
+    material = Material(torch.full((1, 3), 0.6), torch.ones(1, 1), torch.full((1, 1), m),
+                        torch.tensor([[0.0, 0, 1]]))  # fmt: skip
+    torch.testing.assert_close(specular_color(material), torch.full((1, 3), ks))

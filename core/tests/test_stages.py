@@ -1,0 +1,196 @@
+"""The trainings: their formulas, that views may be rendered in any portions, that they resume."""
+
+import math
+from dataclasses import replace
+
+import pytest
+import torch
+
+from core.appearance.environment import Environment
+from core.appearance.material import MaterialNet
+from core.config import DRAFT
+from core.errors import Cancelled, NoSurfaceError
+from core.generate import sdf_net
+from core.geometry.init_shape import ellipsoid, fit
+from core.geometry.marching_tets import marching_tets
+from core.geometry.tet_grid import tet_grid
+from core.guidance.gaussian import GaussianGuidance, mesh_reference
+from core.guidance.guidance import Embedding
+from core.protocol import Job, read_events
+from core.render.shaded import UvMesh
+from core.run_folder import RunFolder
+from core.stages.appearance import learn_appearance
+from core.stages.distill import decayed, phase_of
+from core.stages.geometry import Batch, bending, eikonal, learn_geometry, random_rotations
+from core.texture.unwrap import unwrap
+
+SHORT = replace(
+    DRAFT.geometry,
+    resolution=(12, 16),
+    coarse=replace(DRAFT.geometry.coarse, steps=4, size=32),
+    fine=replace(DRAFT.geometry.fine, steps=3, size=32),
+    views=4,
+    views_at_once=4,
+    cameras=replace(DRAFT.geometry.cameras),
+)
+GREY = torch.full((8, 16, 3), 0.8)
+
+
+def sphere(resolution=16, radius=0.6):
+    grid = tet_grid(resolution)
+    return marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - radius, grid)
+
+
+def guidance(frame="object", size=16):
+    return GaussianGuidance(mesh_reference([sphere(radius=0.8)], size, normal_frame=frame), size,
+                            normal_frame=frame)  # fmt: skip
+
+
+def start_net(config=SHORT, radius=0.5):
+    generator = torch.Generator().manual_seed(0)
+    net = sdf_net(config, generator)
+    fit(net, ellipsoid((radius,) * 3), 60, generator)
+    return net
+
+
+def run_in(path):
+    return RunFolder.create(path, Job(prompt="a ball"))
+
+
+def test_phases_follow_one_another():
+    first, second = SHORT.coarse, SHORT.fine
+    phases = [phase_of(i, first, second) for i in range(7)]
+    assert [p is first for p, _ in phases] == [True] * 4 + [False] * 3
+    assert [s for _, s in phases] == pytest.approx([0, 1 / 3, 2 / 3, 1, 0, 0.5, 1])
+
+
+def test_the_rate_ends_at_its_share():
+    assert decayed(2.0, 0.25, 0.0) == 2.0
+    assert decayed(2.0, 0.25, 0.5) == 1.0
+    assert decayed(2.0, 0.25, 1.0) == 0.5
+
+
+def test_random_rotations_are_rotations_without_a_preferred_direction():
+    r = random_rotations(20000, torch.Generator().manual_seed(0))
+    torch.testing.assert_close(r @ r.mT, torch.eye(3).expand_as(r), atol=1e-5, rtol=0)
+    torch.testing.assert_close(torch.linalg.det(r), torch.ones(len(r)))
+    # Each entry of a uniform rotation has mean 0 and variance 1/3.
+    assert float(r.mean(0).abs().max()) < 4.5 * math.sqrt(1 / 3 / len(r))
+    assert float((r.square().mean(0) - 1 / 3).abs().max()) < 4.5 * math.sqrt(4 / 45 / len(r))
+
+
+def test_a_true_distance_pays_nothing_and_its_double_pays_one():
+    grid = tet_grid(10)
+    plane = grid.tet_verts @ torch.tensor([0.6, 0.0, 0.8])
+    assert float(eikonal(plane, grid)) == pytest.approx(0, abs=1e-6)
+    assert float(eikonal(2 * plane, grid)) == pytest.approx(1, abs=1e-4)
+
+
+def test_bending_of_a_regular_tetrahedron_is_four_thirds():
+    """Its outward normals meet at arccos(-1/3)."""
+    verts = torch.tensor([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+    faces = torch.tensor([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    assert float(bending(verts, faces)) == pytest.approx(4 / 3, rel=1e-5)
+
+
+@pytest.mark.parametrize("frame", ["object", "camera"])
+@pytest.mark.parametrize("coarse", [True, False])
+def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(frame, coarse):
+    grads = []
+    for at_once in (4, 3, 1):
+        config = replace(SHORT, views_at_once=at_once, ray_mask_share=0.0, rotate_normals=False)
+        net = start_net(config)
+        grid = tet_grid(config.resolution[0])
+        batch = Batch(net, grid, config, 0.0, torch.Generator().manual_seed(5))
+        phase = config.coarse if coarse else config.fine
+        batch.backward(guidance(frame), Embedding(), phase, 0.5, coarse)
+        assert not batch.trouble(net)
+        grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
+    assert float(grads[0].norm()) > 0
+    torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
+    torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
+
+
+def test_the_mask_along_empty_rays_reaches_the_lattice():
+    config = replace(SHORT, eikonal=0.0)
+    grads = []
+    for share in (0.0, 1.0):  # with and without
+        net = start_net(config)
+        batch = Batch(net, tet_grid(12), config, share, torch.Generator().manual_seed(5))
+        batch.backward(guidance(), Embedding(), config.coarse, 0.5, True)
+        grads.append(None if batch.sdf is None else batch.sdf.grad)
+    assert grads[0] is not None and float(grads[0].abs().sum()) > 0
+    assert grads[1] is None
+
+
+def test_geometry_resumes_to_the_same_mesh(tmp_path):
+    def learn(run):
+        g = guidance()
+        return learn_geometry(
+            start_net(), g, g.embed("", ""), SHORT, run, torch.Generator().manual_seed(1)
+        )
+
+    whole = learn(run_in(tmp_path / "a"))
+    run = run_in(tmp_path / "b")
+    steps = RunFolder.steps
+
+    def broken(self, stage, first, count):
+        for step in steps(self, stage, first, count):
+            if step.index == 3:
+                self.interrupt()
+            yield step
+
+    RunFolder.steps = broken
+    try:
+        with pytest.raises(Cancelled):
+            learn(run)
+    finally:
+        RunFolder.steps = steps
+    again = learn(RunFolder.open(run.path))
+    assert torch.equal(again[1], whole[1])
+    torch.testing.assert_close(again[0], whole[0], rtol=0, atol=0)
+
+
+def test_a_vanished_surface_goes_back_and_then_ends_with_a_sentence(tmp_path):
+    """Ψ starts all outside: nothing can bring it back, and the run says so with status 5."""
+    net = start_net()
+    with torch.no_grad():
+        net.mlp[-1].bias[0] += 10
+    run, g = run_in(tmp_path), guidance()
+    long = replace(SHORT, coarse=replace(SHORT.coarse, steps=40))
+    with pytest.raises(NoSurfaceError, match="vanished.*--guide"):
+        learn_geometry(net, g, g.embed("", ""), long, run, torch.Generator())
+    assert sum(e["type"] == "warning" for e in read_events(run.path)) == 5
+
+
+def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
+    draft = DRAFT.appearance
+    config = replace(
+        draft,
+        early=replace(draft.early, steps=16, size=32),
+        late=replace(draft.late, steps=4, size=32),
+        views=2,
+        views_at_once=1,
+        log2_hash_size=12,
+        finest=32,
+        smooth=0.1,
+        bump=0.5,
+    )
+    verts, faces = sphere(8)
+    mesh = UvMesh.of(verts, faces, *unwrap(verts, faces, 64))
+    red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
+    teacher = GaussianGuidance(lambda cameras: red.expand(1, len(cameras), 4, 16, 16), 16)
+
+    def learn(run):
+        net = MaterialNet(config, torch.Generator().manual_seed(0))
+        light, noise = Environment.of(GREY), torch.Generator().manual_seed(1)
+        learn_appearance(net, mesh, light, teacher, teacher.embed("", ""), run, noise)
+        return net(verts).kd
+
+    first = MaterialNet(config, torch.Generator().manual_seed(0))(verts).kd.mean(0)
+    run = run_in(tmp_path)
+    last = learn(run)
+    torch.testing.assert_close(first, torch.full((3,), 0.5), atol=1e-3, rtol=0)
+    assert last.mean(0)[0] - last.mean(0)[1] > 0.05
+    assert torch.equal(learn(RunFolder.open(run.path)), last)  # no step is left to take
+    assert (run.path / "preview" / "color.png").exists()
