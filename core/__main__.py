@@ -167,10 +167,8 @@ def run_job(run: "RunFolder", inputs: "Inputs | None") -> None:
 
 def _known(error: BaseException) -> UserError | None:
     """An error of the machine as a sentence: memory and disk."""
-    name = type(error).__name__
-    if isinstance(error, MemoryError) or name == "OutOfMemoryError" or "allocate memory" in str(
-        error
-    ):
+    told = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
+    if told or isinstance(error, MemoryError):
         return MemoryShortError(
             "There is not enough memory for this job.",
             "Lower geometry.views_at_once and appearance.views_at_once with --set, "

@@ -108,7 +108,7 @@ class CameraConfig:
     distance: tuple[float, float] = (3.0, 3.0)  # uniform, training units
     fovy_deg: tuple[float, float] = (40.0, 40.0)  # uniform
     elevation_deg: tuple[float, float] = (-20.0, 78.0)
-    elevation: Literal["sphere", "angle"] = "sphere"  # uniform in the sine (on the sphere), or in it
+    elevation: Literal["sphere", "angle"] = "sphere"  # what is uniform: the sine, or the angle
     azimuth_jitter: float = 1.0  # share of a stratum; the strata fill the circle
 
 

@@ -13,6 +13,7 @@ from core.camera import CameraConfig
 from core.errors import UserError
 from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
 
+SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 
 
@@ -33,14 +34,14 @@ class GeometryConfig:
     """Ψ and its training (§4.1, §4.2)."""
 
     net: SdfNetConfig = HASH
-    resolution: tuple[int, int] = (128, 128)  # lattice cubes along an edge: coarse phase, fine phase
+    resolution: tuple[int, int] = (128, 128)  # lattice cubes along an edge, coarse and fine
     radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
     fit_steps: int = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
     views: int = 24  # cameras of one step
     views_at_once: int = 24  # cameras rendered together; the rest is accumulated
-    cameras: CameraConfig = CameraConfig()
+    cameras: CameraConfig = SPHERE
     learning_rate: float = 1e-3
     learning_rate_end: float = 1.0  # share of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
@@ -63,7 +64,7 @@ class AppearanceConfig:
     late: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="inv_sigma2")
     views: int = 24
     views_at_once: int = 24
-    cameras: CameraConfig = CameraConfig()
+    cameras: CameraConfig = SPHERE
     learning_rate: float = 1e-2
     learning_rate_end: float = 1.0
     gradient_cap: float = 0.0

@@ -85,9 +85,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     generator = torch.Generator().manual_seed(job.seed + 1)
     material = MaterialNet(config.appearance, generator).to(device)
     environment = Environment.of(inputs.light).to(device)
-    learn_appearance(
-        material, mesh, environment, inputs.guidance, inputs.embedding, run, generator
-    )
+    learn_appearance(material, mesh, environment, inputs.guidance, inputs.embedding, run, generator)
 
     # TEXTURING: Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, material, config.texture, run)
@@ -140,7 +138,9 @@ def device_of(name: str) -> torch.device:
 def load_unwrapped(run: RunFolder) -> UvMesh | None:
     """The unwrapped mesh of an earlier session of this run."""
     found = run.load("mesh")
-    return UvMesh.of(*(found[0][k] for k in ("verts", "faces", "uv", "face_uvs"))) if found else None
+    return (
+        UvMesh.of(*(found[0][k] for k in ("verts", "faces", "uv", "face_uvs"))) if found else None
+    )
 
 
 def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:

@@ -11,7 +11,7 @@ def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b
 
 
 def normalize(x: Float[Tensor, "*b c"], eps: float = 1e-12) -> Float[Tensor, "*b c"]:
-    """``x`` at unit length; ``eps`` bounds the squared length, so a zero stays zero with gradient 0."""
+    """``x`` at unit length; ``eps`` bounds the squared length, so that a zero stays zero."""
     return x * torch.rsqrt(dot(x, x).clamp(min=eps))
 
 

@@ -76,7 +76,9 @@ def _check(job: Job) -> None:
     for f in dataclasses.fields(job):
         value = getattr(job, f.name)
         kind = get_origin(f.type) or f.type
-        if isinstance(value, bool) or not isinstance(value, (int, float) if kind is float else kind):
+        if isinstance(value, bool) or not isinstance(
+            value, (int, float) if kind is float else kind
+        ):
             raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
     if not job.prompt.strip():
         raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')

@@ -224,13 +224,12 @@ class Training:
                 split[kind][name] = value
         self.module.load_state_dict(split["module"])
         self.optimizer.state.clear()
-        for i, p in enumerate(p for g in self.optimizer.param_groups for p in g["params"]):
-            mine = {k.split(".", 1)[1]: v for k, v in split["optimizer"].items()
-                    if k.startswith(f"{i}.")}  # fmt: skip
-            if mine:
-                self.optimizer.state[p] = {
-                    k: v.clone() if k == "step" else v.clone().to(p.device) for k, v in mine.items()
-                }
+        parameters = [p for g in self.optimizer.param_groups for p in g["params"]]
+        for key, value in split["optimizer"].items():
+            i, name = key.split(".", 1)
+            p = parameters[int(i)]
+            # AdamW counts its steps on the CPU.
+            self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)
         self.generator.set_state(tensors["generator"])
 
     def resume(self) -> None:

@@ -5,6 +5,7 @@
 β is a hash grid of the point p, Γ a two-layer MLP with 32 hidden units ("Implementation Details").
 """
 
+import itertools
 from typing import NamedTuple
 
 import torch
@@ -44,7 +45,7 @@ class MaterialNet(nn.Module):
         )
         widths = [self.encoding.width] + [config.hidden] * (config.layers - 1) + [8]
         self.layers = nn.ModuleList(
-            nn.Linear(i, o, bias=False) for i, o in zip(widths[:-1], widths[1:], strict=True)
+            nn.Linear(i, o, bias=False) for i, o in itertools.pairwise(widths)
         )
         for layer in self.layers:
             nn.init.kaiming_uniform_(layer.weight, nonlinearity="relu", generator=generator)
@@ -65,7 +66,7 @@ class MaterialNet(nn.Module):
 
 
 def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
-    """Sigmoids of ``raw`` spread over the ranges; kn's x and y reach ``bump``, its z is positive."""
+    """Sigmoids of ``raw`` over the ranges; kn's x and y reach ``bump``, its z is positive."""
     share = raw.sigmoid()
     kd = _between(share[:, 0:3], config.kd_range)
     roughness = _between(share[:, 3:4], config.roughness_range)

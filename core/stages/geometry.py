@@ -124,7 +124,9 @@ class Batch:
         regular = self._regularisers()
         if regular.requires_grad:
             regular.backward()
-        leaves = [(self._verts, self.verts)] + ([(self._sdf, self.sdf)] if self.sdf is not None else [])
+        leaves = [(self._verts, self.verts)] + (
+            [(self._sdf, self.sdf)] if self.sdf is not None else []
+        )
         pairs = [(out, leaf.grad) for out, leaf in leaves if leaf.grad is not None]
         torch.autograd.backward([out for out, _ in pairs], [grad for _, grad in pairs])
         return total

@@ -32,8 +32,10 @@ def test_what_is_up_is_up_and_what_is_right_is_right():
     cameras = Cameras.orbit([0], [0])
     clip = torch.tensor([[0.1, 0, 0, 1], [0, 0, 0.1, 1.0]]) @ cameras.mvp[0].T
     ndc = clip[:, :2] / clip[:, 3:]
-    assert ndc[0, 0] > 0 and ndc[0, 1].abs() < 1e-6  # +X is to the right of a front camera
-    assert ndc[1, 1] > 0 and ndc[1, 0].abs() < 1e-6  # +Z is up
+    assert ndc[0, 0] > 0
+    assert ndc[0, 1].abs() < 1e-6
+    assert ndc[1, 1] > 0
+    assert ndc[1, 0].abs() < 1e-6
 
 
 def test_the_frustum_is_as_wide_as_the_field_of_view():

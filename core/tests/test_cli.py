@@ -87,5 +87,6 @@ def test_a_run_whose_job_is_wrong_says_so_in_its_events(tmp_path, capsys):
     assert main(["resume", str(tmp_path)]) == 2
     events = [json.loads(x) for x in (tmp_path / "events.jsonl").read_text().splitlines()]
     assert [e["type"] for e in events] == ["started", "error"]
-    assert "preset" in events[1]["text"] and "draft" in events[1]["fix"]
+    assert "preset" in events[1]["text"]
+    assert "draft" in events[1]["fix"]
     capsys.readouterr()

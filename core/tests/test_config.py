@@ -45,7 +45,7 @@ def test_a_wrong_setting_is_named_with_its_fix(key, value, words):
 
 
 def test_the_paper_preset_says_what_the_paper_says():
-    """"Implementation Details": 24 views, rates, widths, w(t) by phase."""
+    """ "Implementation Details": 24 views, rates, widths, w(t) by phase."""
     paper = preset("paper")
     assert (paper.geometry.views, paper.appearance.views) == (24, 24)
     assert (paper.geometry.learning_rate, paper.appearance.learning_rate) == (1e-3, 1e-2)

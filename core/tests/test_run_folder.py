@@ -117,7 +117,8 @@ def test_the_guard_goes_back_to_health_and_gives_up_in_the_end(tmp_path):
         guard.recover("The surface had nearly vanished")
     assert caught.value.status == 5
     warnings = [e for e in read_events(training.run.path) if e["type"] == "warning"]
-    assert len(warnings) == MAX_RECOVERIES and "went back to step 0" in warnings[0]["text"]
+    assert len(warnings) == MAX_RECOVERIES
+    assert "went back to step 0" in warnings[0]["text"]
 
 
 def test_a_gradient_that_is_not_finite_is_seen():
