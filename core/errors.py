@@ -30,7 +30,7 @@ class NoSurfaceError(UserError):
     status = 5
 
 
-class Cancelled(UserError):
+class Cancelled(UserError):  # noqa: N818 - a wish, not a fault
     """The user stopped the run; its folder resumes."""
 
     status = 130

@@ -110,7 +110,7 @@ def maps_source(asset: Asset) -> MaterialSource:
     maps = asset.maps
     stack = torch.cat([maps.base_color, maps.orm, maps.normal], -1).permute(2, 0, 1)[None]
 
-    def source(points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
+    def source(_points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
         grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
         texel = torch.nn.functional.grid_sample(
             stack, grid, mode="bilinear", padding_mode="border", align_corners=False

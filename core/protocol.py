@@ -6,7 +6,6 @@ Standard library only. The files lie in the run folder (docs/architecture.md).
 import dataclasses
 import difflib
 import json
-import os
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -76,9 +75,8 @@ def _check(job: Job) -> None:
     for f in dataclasses.fields(job):
         value = getattr(job, f.name)
         kind = get_origin(f.type) or f.type
-        if isinstance(value, bool) or not isinstance(
-            value, (int, float) if kind is float else kind
-        ):
+        takes = (int, float) if kind is float else kind
+        if isinstance(value, bool) or not isinstance(value, takes):
             raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
     if not job.prompt.strip():
         raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')
@@ -129,4 +127,4 @@ def write_text(path: Path, text: str) -> None:
     """Write a small text file whole: aside, then renamed."""
     aside = path.with_name(path.name + ".tmp")
     aside.write_text(text, encoding="utf-8")
-    os.replace(aside, path)
+    aside.replace(path)

@@ -160,7 +160,7 @@ class RunFolder:
         )
         with aside.open("rb+") as file:
             os.fsync(file.fileno())  # a checkpoint survives a power cut
-        os.replace(aside, folder / f"{name}.safetensors")
+        aside.replace(folder / f"{name}.safetensors")
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""

@@ -61,8 +61,8 @@ def test_a_missing_device_is_status_3(capsys, monkeypatch, tmp_path):
 def test_options_reach_the_job(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "model").mkdir()
-    argv = ["generate", "a chair", "--seed", "7", "--negative", "blurry", "--guide", "ü b.obj",
-            "--set", "geometry.views=3", "--set", "texture.size = 64", "--guidance", "model"]  # fmt: skip
+    argv = ["generate", "a chair", "--seed", "7", "--negative", "blurry", "--guide", "ü b.obj"]
+    argv += ["--set", "geometry.views=3", "--set", "texture.size = 64", "--guidance", "model"]
     job = job_of(parse(argv))
     assert (job.seed, job.negative_prompt, job.preset) == (7, "blurry", "draft")
     assert job.guide_mesh == str(tmp_path / "ü b.obj")  # a run may be resumed from elsewhere
