@@ -397,7 +397,7 @@ def test_a_place_that_cannot_be_written_is_said(box):
 
 
 def test_ctrl_c_leaves_nothing_half_made(box):
-    def stop(text: str, share: float) -> None:  # noqa: ARG001
+    def stop(text: str, share: float) -> None:
         if "virtual environment" in text:
             raise KeyboardInterrupt
 

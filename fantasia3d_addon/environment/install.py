@@ -141,6 +141,7 @@ class _SetUp:
         self.python = str(layout.env_python(folder))
         self.start = time.monotonic()
         self.expected = 1.0  # bytes to be written
+        self.step, self.share = "", 0.0  # what is being done, and how much is
 
     def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
         """Install the groups ``todo``; all from nothing if ``core`` is among them."""
@@ -166,7 +167,7 @@ class _SetUp:
         remove(self.folder)
         self.folder.mkdir(parents=True)
         (self.folder / layout.BUILDING).touch()
-        self.progress(f"making a virtual environment of {base}", 0.01)
+        self._begin(f"making a virtual environment of {base}")
         self._run([str(base), "-m", "venv", str(self.folder)])
         said = machine.output([self.python, "-m", "pip", "--version"])
         if pip_version(said) < LEAN_PIP and not os.environ.get("FANTASIA3D_WHEELS"):
@@ -181,6 +182,7 @@ class _SetUp:
         """Install, check and mark the groups, the core's pins always among the wishes."""
         wanted = {group: layout.requirements(self.root, group) for group in ("core", *todo)}
         pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
+        self._begin("collecting packages")
         self._pip("install", "--no-compile", *pins)
         for group in todo:
             self._check(group)
@@ -192,7 +194,7 @@ class _SetUp:
         """Load what ``group`` brought."""
         if group not in CHECKS:
             return
-        self.progress(f"checking {group}", 0.97)
+        self._begin(f"checking {group}")
         try:
             self._run([self.python, "-I", "-c", CHECKS[group]])
         except SetupError as error:
@@ -210,6 +212,7 @@ class _SetUp:
         core = layout.requirements(self.root, "core")
         pin = next(line for line in core if re.match(r"torch\b", line))
         report = self.folder / "report.json"
+        self._begin("asking pip for torch")
         self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
         cuda = offers_cuda(json.loads(report.read_text(encoding="utf-8")), sys.platform)
         if cuda and not gpu and not allow_cuda:
@@ -227,7 +230,7 @@ class _SetUp:
             try:
                 self._uv(pin, "auto")
             except SetupError as error:
-                self.progress(f"taking torch's CPU build; no CUDA build: {error.text}", 0.1)
+                self._tell(f"taking torch's CPU build; no CUDA build: {error.text}")
 
     def _uv(self, pin: str, backend: str) -> None:
         """Install torch through uv, which knows where torch's own builds lie."""
@@ -288,7 +291,7 @@ class _SetUp:
             try:
                 raw = lines.get(timeout=SILENCE)
             except queue.Empty:
-                self.progress(f"still at it ({self._seconds()} s)", self._share())
+                self._tell(f"{self.step}: {self._seconds()} s so far")
                 continue
             if raw is None:
                 return "".join(said[-200:])
@@ -298,12 +301,17 @@ class _SetUp:
             said.append(line)
             step = step_of(line)
             if step:
-                self.progress(step, self._share())
+                self._begin(step)
 
-    def _share(self) -> float:
-        """What is done by the bytes on disk; downloads do not count until they are unpacked."""
+    def _tell(self, text: str) -> None:
+        """Report a step; its share is that of the bytes on disk: downloads count once unpacked."""
         written = sum(path.lstat().st_size for path in self.folder.rglob("*"))
-        return min(0.95, max(0.02, written / self.expected))
+        self.share = max(self.share, min(0.95, written / self.expected))
+        self.progress(text, self.share)
+
+    def _begin(self, step: str) -> None:
+        self.step = step
+        self._tell(step)
 
     def _seconds(self) -> int:
         return round(time.monotonic() - self.start)
