@@ -86,12 +86,12 @@ def _views(noun: int, adjective: int, draw: Draw) -> tuple[Tensor, ...]:
     )
 
 
-def write_shard(folder: Path, number: int) -> Path:
+def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
     """Make shard ``number`` (it is also the seed) unless the folder has it."""
     path = folder / f"shard_{number:05d}.safetensors"
     if not path.exists():
         aside = path.with_suffix(".part")
-        save_file(dict(vars(make(number))), aside)
+        save_file(dict(vars(make(number, objects))), aside)
         aside.rename(path)
     return path
 

@@ -22,6 +22,7 @@ from core.prior.unet import BLOCK, UNet, camera_map
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8
+CHANCE = 1 / len(NOUNS)
 WITH_FRONT = ("chair", "armchair", "mug", "house", "snowman")
 
 
@@ -34,6 +35,17 @@ class Score:
     noun_right: int
     azimuth_right: int  # the sector exactly
     azimuth_near: int  # within one sector
+
+    @property
+    def has_front(self) -> bool:
+        """Whether the azimuth can be told at all."""
+        return self.noun in WITH_FRONT
+
+    def __str__(self) -> str:
+        azimuth = f"azimuth {self.azimuth_right / self.views:.2f}, "
+        azimuth += f"within a sector {self.azimuth_near / self.views:.2f}"
+        note = "" if self.has_front else " (no front: chance is 0.12 and 0.38 or a symmetry's)"
+        return f"{self.noun:10} noun {self.noun_right / self.views:.2f}, {azimuth}{note}"
 
 
 def turn_normals(pictures: Tensor, angle: Tensor) -> Tensor:
@@ -95,8 +107,3 @@ def _best_turn(
         total += error(net, turn_normals(x[zero], turns), words, turned, eps, t)
     return int(total.argmin())
 
-
-def evaluate(net: UNet, views: int, seed: int) -> list[Score]:
-    """All nouns."""
-    generator = torch.Generator().manual_seed(seed)
-    return [score_noun(net, noun, views, generator) for noun in NOUNS]

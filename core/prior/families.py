@@ -11,7 +11,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-NORMAL_RADIUS = 0.9
+from core.geometry.mesh import NORMAL_RADIUS
 from core.prior.solids import (
     Solid,
     ball,

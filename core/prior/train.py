@@ -28,6 +28,10 @@ from core.prior.vocabulary import COLORS, MATERIALS
 from core.prior.weights import save_weights, write_tensors
 
 
+# Pictures, words, camera maps, and the hint or None.
+Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
+
+
 @dataclass(frozen=True, kw_only=True)
 class TrainConfig:
     """One training."""
@@ -108,14 +112,14 @@ class Source(ABC):
         return index, pictures, camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
 
     @abstractmethod
-    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+    def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps, and the hint or None."""
 
 
 class Geometry(Source):
     """Batches of geometry pictures with the noun and the shape adjective."""
 
-    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+    def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and no hint."""
         index, pictures, camera = self.draw(count, generator)
         words = torch.stack([self.samples.noun[index] + 1, self.samples.adjective[index]], 1)
@@ -129,7 +133,7 @@ class Appearance(Source):
         super().__init__(folder)
         self.painter = Painter()
 
-    def batch(self, count: int, generator: torch.Generator) -> tuple[Tensor, ...]:
+    def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and geometry pictures."""
         index, hint, camera = self.draw(count, generator)
         color, material = self.painter.words(count, generator)

@@ -1,0 +1,107 @@
+"""Make the built-in prior: ``python -m core.prior data | train | evaluate``.
+
+From nothing, on two CPU cores: ``data`` for some minutes, then ``train geometry`` and
+``train appearance`` beside each other, then ``evaluate``. The shipped weights were made so; how
+long each step ran stands in docs/model_card.md.
+"""
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import torch
+
+from core.errors import UserError
+from core.guidance.builtin import WEIGHTS
+from core.prior.data import NOUNS, write_shards
+from core.prior.evaluate import CHANCE, score_noun
+from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
+from core.prior.weights import load_weights
+
+DEFAULT_FOLDER = Path("out/prior")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The three commands."""
+    top = argparse.ArgumentParser("core.prior", description=__doc__)
+    commands = top.add_subparsers(dest="command", required=True)
+
+    data = commands.add_parser("data", help="render shards of the families")
+    data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
+    data.add_argument("--workers", type=int, default=2)
+
+    train = commands.add_parser("train", help="train one network; weights go to --out")
+    train.add_argument("network", choices=("geometry", "appearance"))
+    train.add_argument("--minutes", type=float, help="the whole budget of this training")
+    train.add_argument("--resume", action="store_true", help="go on from the folder's checkpoint")
+    train.add_argument("--seed", type=int, default=0)
+
+    evaluate = commands.add_parser("evaluate", help="nouns and azimuths, on fresh renders")
+    evaluate.add_argument("--weights", type=Path, default=WEIGHTS / "geometry.safetensors")
+    evaluate.add_argument("--views", type=int, default=16, help="of each noun")
+    evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
+    evaluate.add_argument("--seed", type=int, default=1_000_000, help="the data's end at 100,000")
+
+    for command in (data, train):
+        command.add_argument("--out", type=Path, default=DEFAULT_FOLDER, metavar="FOLDER")
+    return top
+
+
+def main(arguments: list[str]) -> None:
+    """Run one command."""
+    options = parser().parse_args(arguments)
+    torch.set_num_threads(1)
+    {"data": data, "train": train, "evaluate": evaluate}[options.command](options)
+
+
+def data(options: argparse.Namespace) -> None:
+    """Make the shards that the folder lacks."""
+    for path in write_shards(options.out, range(options.shards), options.workers):
+        print(path, flush=True)
+
+
+def train(options: argparse.Namespace) -> None:
+    """Train one network."""
+    if not any(options.out.glob("shard_*.safetensors")):
+        raise UserError(
+            f"There are no shards in {options.out}.",
+            f"Make them first: python -m core.prior data --out {options.out}",
+        )
+    config = TrainConfig(seed=options.seed)
+    if options.minutes is not None:
+        config = replace(config, minutes=options.minutes)
+    geometry = options.network == "geometry"
+    training = Training(GEOMETRY if geometry else APPEARANCE, config)
+    checkpoint = options.out / f"{options.network}.safetensors"
+    if options.resume:
+        if not checkpoint.exists():
+            raise UserError(f"There is no checkpoint {checkpoint}.", "Start without --resume.")
+        training.resume(checkpoint)
+    run(training, (Geometry if geometry else Appearance)(options.out), checkpoint)
+
+
+def evaluate(options: argparse.Namespace) -> None:
+    """Print each noun's accuracies and their means."""
+    net = load_weights(options.weights)
+    generator = torch.Generator().manual_seed(options.seed)
+    scores = []
+    for noun in options.nouns:
+        scores.append(score := score_noun(net, noun, options.views, generator))
+        print(score, flush=True)
+    views = sum(score.views for score in scores)
+    right = sum(score.noun_right for score in scores) / views
+    print(f"nouns {right:.3f} of {views} views (chance {CHANCE:.3f})")
+    front = [score for score in scores if score.has_front]
+    if front:
+        exact = sum(s.azimuth_right for s in front) / sum(s.views for s in front)
+        near = sum(s.azimuth_near for s in front) / sum(s.views for s in front)
+        print(f"azimuth of those with a front: {exact:.3f} exact, {near:.3f} within a sector")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except UserError as error:
+        print(error, file=sys.stderr)
+        sys.exit(error.status)

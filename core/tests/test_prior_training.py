@@ -1,0 +1,184 @@
+"""The prior's network, its camera map, its diffusion, its data and its training loop."""
+
+import math
+
+import pytest
+import torch
+
+from core.camera import Cameras
+from core.guidance.sds import add_noise, eps_from_v
+from core.prior.data import ADJECTIVES, NOUNS, make, read_shards, write_shard
+from core.prior.diffusion import alpha_bar_schedule, v_target, x_from_v
+from core.prior.evaluate import turn_normals
+from core.prior.train import (
+    Geometry,
+    TrainConfig,
+    Training,
+    draw_times,
+    drop_conditions,
+    learning_rate,
+)
+from core.prior.unet import MAP_CHANNELS, UNet, UNetConfig, camera_map
+from core.prior.weights import load_weights, save_weights
+
+TINY = UNetConfig(words=(len(NOUNS), len(ADJECTIVES) - 1), widths=(8, 8, 16, 16), code=16)
+
+
+def _generator(seed: int = 0) -> torch.Generator:
+    return torch.Generator().manual_seed(seed)
+
+
+def test_the_camera_maps_points_project_to_their_pixels():
+    cameras = Cameras.orbit([10.0, 200.0], [-30.0, 65.0], 2.4, 55.0)
+    size = 8
+    plane = camera_map(cameras, size)[:, :3].permute(0, 2, 3, 1)
+    ones = torch.ones(2, size, size, 1)
+    clip = torch.einsum("bij,bhwj->bhwi", cameras.mvp, torch.cat([plane, ones], -1))
+    ndc = clip[..., :2] / clip[..., 3:]
+    column = (ndc[..., 0] * 0.5 + 0.5) * size
+    row = (0.5 - 0.5 * ndc[..., 1]) * size
+    centre = torch.arange(size) + 0.5
+    torch.testing.assert_close(column, centre.expand(2, size, size), atol=1e-4, rtol=0)
+    torch.testing.assert_close(row, centre[:, None].expand(2, size, size), atol=1e-4, rtol=0)
+
+
+def test_the_camera_map_ends_with_the_way_to_the_camera():
+    cameras = Cameras.orbit([90.0], [0.0])
+    back = camera_map(cameras, 4)[0, 3:]
+    torch.testing.assert_close(back, torch.tensor([1.0, 0, 0])[:, None, None].expand(3, 4, 4))
+    assert camera_map(cameras, 4).shape == (1, MAP_CHANNELS, 4, 4)
+
+
+def test_v_gives_back_noise_and_picture():
+    x, eps = torch.randn(2, 3, 4, 8, 8, generator=_generator())
+    alpha_bar = torch.tensor([0.999, 0.4, 1e-4])
+    z_t, v = add_noise(x, eps, alpha_bar), v_target(x, eps, alpha_bar)
+    torch.testing.assert_close(eps_from_v(v, z_t, alpha_bar), eps, atol=1e-5, rtol=0)
+    torch.testing.assert_close(x_from_v(v, z_t, alpha_bar), x, atol=1e-5, rtol=0)
+
+
+def test_the_schedule_falls_from_the_picture_to_nearly_pure_noise():
+    alpha_bar = alpha_bar_schedule()
+    assert len(alpha_bar) == 1000
+    assert (alpha_bar.diff() <= 0).all()
+    assert alpha_bar[0] > 0.999
+    assert 0 < alpha_bar[-1] < 2e-4
+    # The cosine schedule's middle is SNR 1; a factor of 1/2 on sqrt(SNR) makes it 1/4.
+    middle = alpha_bar[499:501].mean().item()
+    assert middle / (1 - middle) == pytest.approx(0.25, rel=0.01)
+
+
+def test_the_network_starts_blind_to_words_but_takes_all_inputs():
+    torch.manual_seed(0)
+    config = UNetConfig(words=(3, 2), widths=(8, 8, 16, 16), code=16, hint=4)
+    net = UNet(config)
+    z = torch.randn(2, 4, 64, 64)
+    words = torch.tensor([[3, 2], [0, 0]])
+    camera = camera_map(Cameras.orbit([0.0, 90.0], [0.0, 0.0]), 32)
+    t = torch.tensor([0, 999])
+    out = net(z, t, words, camera, torch.zeros_like(z))
+    assert out.shape == z.shape
+    assert out.isfinite().all()
+    hinted = net(z, t, words, camera, torch.ones_like(z))
+    assert (hinted - out).abs().mean() > 1e-3
+    turned = net(z, t, words, camera.flip(0), torch.zeros_like(z))
+    assert (turned - out).abs().mean() > 1e-3
+
+
+def test_unsaid_words_and_cameras_are_zeros_at_the_configured_rates():
+    config = TrainConfig(drop_both=0.1, drop_words=0.2, drop_camera=0.3)
+    words, camera = torch.ones(20000, 2, dtype=torch.long), torch.ones(20000, 6, 1, 1)
+    words, camera = drop_conditions(words, camera, config, _generator())
+    no_words, no_camera = words.sum(1) == 0, camera.sum((1, 2, 3)) == 0
+    error = 3 * math.sqrt(0.25 / 20000)
+    assert (no_words & no_camera).float().mean().item() == pytest.approx(0.1, abs=error)
+    assert no_words.float().mean().item() == pytest.approx(0.3, abs=error)
+    assert no_camera.float().mean().item() == pytest.approx(0.4, abs=error)
+
+
+def test_half_of_the_times_come_from_the_noisy_end():
+    t = draw_times(20000, TrainConfig(late_share=0.5, late_from=600), _generator())
+    assert t.min() >= 0
+    assert t.max() < 1000
+    error = 3 * math.sqrt(0.25 / 20000)
+    assert (t >= 600).float().mean().item() == pytest.approx(0.7, abs=error)
+
+
+def test_the_learning_rate_warms_up_and_ends_at_its_last_share():
+    config = TrainConfig(learning_rate=1.0, last_share=0.1, warm_up=10)
+    assert learning_rate(0, 0.0, config) == pytest.approx(0.1)
+    assert learning_rate(10, 0.0, config) == 1.0
+    assert learning_rate(10, 0.5, config) == pytest.approx(0.55)
+    assert learning_rate(10, 1.5, config) == pytest.approx(0.1)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A data folder with one tiny shard."""
+    path = tmp_path_factory.mktemp("prior")
+    write_shard(path, 7, objects=3)
+    return path
+
+
+def test_a_shard_is_its_seed_and_reads_back(folder):
+    (path,) = folder.glob("*.safetensors")
+    read, made = read_shards([path]), make(7, 3)
+    for name, tensor in vars(made).items():
+        assert torch.equal(getattr(read, name), tensor), name
+    assert len(read) == 12
+    pictures = read.pictures()
+    assert pictures.shape == (12, 4, 64, 64)
+    assert pictures[:, 3].amin() == -1
+    assert pictures[:, :3].norm(dim=1).max() < 1.02
+
+
+def test_a_training_goes_on_where_it_was_stopped(folder, tmp_path):
+    source = Geometry(folder)
+    training = Training(TINY, TrainConfig(batch=2, minutes=1))
+    for _ in range(2):
+        training.advance(source)
+    training.save(tmp_path / "geometry.safetensors")
+    again = Training(TINY, TrainConfig(batch=2, minutes=1, seed=5))
+    again.resume(tmp_path / "geometry.safetensors")
+    assert (again.step, again.seconds) == (2, training.seconds)
+    for a, b in zip(training.params + training.ema, again.params + again.ema, strict=True):
+        assert torch.equal(a, b)
+    for a, b in zip(training.params, again.params, strict=True):
+        for name in ("exp_avg", "exp_avg_sq"):
+            assert torch.equal(training.optimizer.state[a][name], again.optimizer.state[b][name])
+    again.advance(source)
+    assert again.step == 3
+
+
+def test_a_training_learns_its_few_pictures(folder):
+    source = Geometry(folder)
+    training = Training(TINY, TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=3e-3))
+    training.advance(source)
+    first = training.loss
+    for _ in range(25):
+        training.advance(source)
+    x, words, camera, _ = source.batch(8, _generator())
+    t = torch.full((8,), 600)
+    alpha_bar = alpha_bar_schedule()[t]
+    eps = torch.randn(x.shape, generator=_generator(1))
+    with torch.no_grad():
+        v = training.net(add_noise(x, eps, alpha_bar), t, words, camera)
+    assert (v - v_target(x, eps, alpha_bar)).square().mean() < 0.9 * first
+
+
+def test_weights_travel_in_half_precision(tmp_path):
+    torch.manual_seed(0)
+    net = UNet(TINY)
+    save_weights(tmp_path / "net.safetensors", TINY, dict(net.named_parameters()))
+    again = load_weights(tmp_path / "net.safetensors")
+    assert again.config == TINY
+    for a, b in zip(net.parameters(), again.parameters(), strict=True):
+        torch.testing.assert_close(a, b, atol=1e-4, rtol=1e-3)
+        assert not b.requires_grad
+
+
+def test_turning_a_pictures_normals_turns_them_with_the_camera():
+    x = torch.tensor([0.0, -1.0, 0.0, 1.0])[None, :, None, None].expand(1, 4, 2, 2)
+    angle = torch.tensor([math.pi / 2])  # az 0 at -Y goes to 90 at +X
+    expected = Cameras.orbit([90.0], [0.0]).back[0]
+    torch.testing.assert_close(turn_normals(x, angle)[0, :3, 0, 0], expected, atol=1e-6, rtol=0)
