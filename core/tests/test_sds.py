@@ -21,7 +21,7 @@ class Normal(Guidance):
         self.mu, self.s = mu, s
         self.alpha_bar = torch.linspace(0.999, 0.01, steps, dtype=torch.float64)
 
-    def embed(self, prompt, negative_prompt):
+    def embed(self, *_):
         return Embedding()
 
     def encode_normals(self, n, o):
@@ -29,7 +29,7 @@ class Normal(Guidance):
 
     encode_color = encode_normals
 
-    def eps_hat(self, z_t, t, embedding, views, guidance_scale):
+    def eps_hat(self, z_t, t, *_):
         ab = self.alpha_bar[t][:, None, None, None]
         sigma = (1 - ab).sqrt()
         return sigma * (z_t - ab.sqrt() * self.mu) / (ab * self.s**2 + 1 - ab)

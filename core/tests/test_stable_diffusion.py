@@ -548,9 +548,9 @@ def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkp
     folder = checkpoints["1.x"]
     one_view = estimate_memory(folder, chunk=1, dtype=torch.float32)
     name = "core.guidance.stable_diffusion.available_bytes"
-    monkeypatch.setattr(name, lambda device: one_view)
+    monkeypatch.setattr(name, lambda _: one_view)
     assert load(folder)._chunk == 1
-    monkeypatch.setattr(name, lambda device: one_view - 1)
+    monkeypatch.setattr(name, lambda _: one_view - 1)
     with pytest.raises(MemoryShortError, match=r"needs about 0\.0 GB of 0\.0 GB") as error:
         load(folder)
     assert error.value.status == 4
@@ -561,7 +561,7 @@ def test_running_out_of_memory_is_a_sentence_and_other_faults_are_not(own, monke
     n, o = picture(1)
 
     def fail_with(error):
-        def forward(*args, **kwargs):
+        def forward(*_, **__):
             raise error
 
         forward.dtype = torch.float32
