@@ -31,7 +31,7 @@ KD = (0.8, 0.35, 0.1)
 
 @pytest.fixture(scope="module")
 def light_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Coloured lights in unlike directions over a dim dome: no mirror image of it looks the same."""
+    """Coloured lights in unlike directions: no turned or mirrored map looks the same."""
     d = directions(256, 512)
     image = torch.full_like(d, 0.15)
     for axis, color, sharpness in (
@@ -49,7 +49,7 @@ def light_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def blender_scene(light: Path, roughness: float, metallic: float):  # noqa: ANN201
+def blender_scene(light: Path, roughness: float, metallic: float):
     """A ball of radius 0.9 under ``light``, seen by CAMERA; returns its mesh."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
@@ -108,7 +108,7 @@ def cycles_picture(path: Path) -> tuple[torch.Tensor, torch.Tensor]:
     return pixels[..., :3], pixels[..., 3]
 
 
-def core_picture(mesh, environment: Environment, roughness: float, metallic: float):  # noqa: ANN001, ANN201
+def core_picture(mesh, environment: Environment, roughness: float, metallic: float):
     """Colour and coverage of the same ball in the core."""
     mesh.calc_loop_triangles()
     faces = np.empty(len(mesh.loop_triangles) * 3, np.int32)

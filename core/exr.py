@@ -57,7 +57,7 @@ def write_exr(
     aside = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.tmp")
     try:
         library.File(header, channels).write(str(aside))
-        os.replace(aside, path)
+        aside.replace(path)
     except Exception as error:  # as above
         raise UserError(
             f"{path} cannot be written: {error}.", "Check that the folder exists and has room."
@@ -66,7 +66,7 @@ def write_exr(
         aside.unlink(missing_ok=True)
 
 
-def load_library():  # noqa: ANN201  (a module)
+def load_library():
     """The OpenEXR module, or a sentence that says how to get it."""
     try:
         import OpenEXR

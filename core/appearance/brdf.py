@@ -125,7 +125,7 @@ TABLE_ROUGHNESS, TABLE_COS = 32, 64
 
 @cache
 def albedo_table() -> Float[Tensor, "1 3 32 64"]:
-    """The albedos over roughness (rows, 0 to 1) and sqrt(n·v) (columns, 0 to 1). About 2 MB of work.
+    """The albedos over roughness (rows, 0 to 1) and sqrt(n·v) (columns, 0 to 1); about 1 s.
 
     The root spreads out the grazing angles, where the albedos change fastest.
     """

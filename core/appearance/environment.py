@@ -47,7 +47,8 @@ class Environment:
     def of(cls, image: Float[Tensor, "h w 3"]) -> "Environment":
         """Prefilters a lat-long map of any size, on the map's device; about 2 s on one core."""
         device, image = image.device, image.detach().to("cpu", torch.float32)
-        small = resample(image, min(MIRROR_ROWS, image.shape[0]), min(2 * MIRROR_ROWS, image.shape[1]))
+        rows = min(MIRROR_ROWS, image.shape[0])
+        small = resample(image, rows, min(2 * MIRROR_ROWS, image.shape[1]))
         sizes = sorted({IRRADIANCE_ROWS, *ROWS}, reverse=True)
         sized = {rows: resample(small, rows, 2 * rows) for rows in sizes}
         maps = [

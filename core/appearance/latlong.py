@@ -82,7 +82,8 @@ def convolve(image: Float[Tensor, "h w 3"], kernel: Kernel) -> Float[Tensor, "h 
     source = source.permute(1, 0, 2, 3).flatten(2)
     out = []
     for rows in torch.arange(height).split(max(1, (1 << 21) // (height * width))):
-        cos = sine[rows, None, None] * sine[:, None] * turn + (cosine[rows, None] * cosine)[..., None]
+        level = cosine[rows, None] * cosine
+        cos = sine[rows, None, None] * sine[:, None] * turn + level[..., None]
         weight = kernel(cos.clamp(-1, 1))
         # Even in the turn, so that its transform is real.
         weight = torch.cat([weight, weight[..., 1 : (width + 1) // 2].flip(-1)], -1)

@@ -43,7 +43,8 @@ def load_light(name_or_path: "str | Path") -> Float[Tensor, "h w 3"]:
     reader = SUFFIXES.get(path.suffix.lower())
     if reader is None:
         raise UserError(
-            f"The light {path} is neither .exr nor .hdr.", "Give a lat-long map of one of these kinds."
+            f"The light {path} is neither .exr nor .hdr.",
+            "Give a lat-long map of one of these kinds.",
         )
     return checked(reader(path), path)
 
@@ -90,9 +91,7 @@ def softbox(
 ) -> Float[Tensor, "h w"]:
     """1 inside a round of the sky, falling softly to 0; angles as a camera's."""
     a, e = math.radians(azimuth_deg), math.radians(elevation_deg)
-    axis = d.new_tensor(
-        [math.sin(a) * math.cos(e), -math.cos(a) * math.cos(e), math.sin(e)]
-    )
+    axis = d.new_tensor([math.sin(a) * math.cos(e), -math.cos(a) * math.cos(e), math.sin(e)])
     angle = torch.rad2deg(torch.acos((normalize(d) @ axis).clamp(-1, 1)))
     return 1 - smoothstep(0.75 * radius_deg, 1.25 * radius_deg, angle)
 
@@ -145,5 +144,5 @@ def blender_roots() -> list[Path]:
         base = Path(os.environ.get("PROGRAMFILES", "C:/Program Files"), "Blender Foundation")
         roots += sorted(base.glob("Blender *"), reverse=True)
     else:
-        roots += [Path("/usr/share/blender"), Path("/usr/local/share/blender"), Path("/opt/blender")]
+        roots += [Path(p, "blender") for p in ("/usr/share", "/usr/local/share", "/opt")]
     return roots

@@ -110,9 +110,7 @@ class Silhouette(NamedTuple):
 
 
 @torch.no_grad()
-def silhouettes(
-    fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTable
-) -> Silhouette:
+def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTable) -> Silhouette:
     """The edges that bound the surface on the screen: their faces lie on one side of them.
 
     On a closed surface these are the edges with exactly one face towards the camera.
@@ -212,7 +210,7 @@ def lines_met(
 def outermost(
     reach: Float[Tensor, " n"], pair: Int[Tensor, " n"], valid: Bool[Tensor, " n"], pairs: int
 ) -> Int[Tensor, " m"]:
-    """Indices of the valid crossings that reach farthest out in their pair; ties go to the first."""
+    """Indices of the valid crossings that reach farthest out in their pair; of equals the first."""
     index = valid.nonzero().squeeze(1)
     reach, pair = reach[index], pair[index]
     farthest = reach.new_full((pairs,), -1.0).scatter_reduce_(0, pair, reach, "amax")

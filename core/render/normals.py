@@ -12,24 +12,20 @@ from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, Points, interpolate, rasterize, scatter, take
 
 
-def face_normals(
-    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]
-) -> Float[Tensor, "f 3"]:
+def face_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "f 3"]:
     """Outward normals, as long as twice the face's area."""
     a, b, c = take(verts, faces).unbind(1)
     return torch.linalg.cross(b - a, c - a)
 
 
-def vertex_normals(
-    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]
-) -> Float[Tensor, "v 3"]:
+def vertex_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "v 3"]:
     """Unit normals: the mean of the faces around a vertex, weighted by area.
 
     (0, 0, 1), without gradient, where no face has an area.
     """
     around = face_normals(verts, faces)[:, None].expand(-1, 3, -1).reshape(-1, 3)
     total = torch.zeros_like(verts).index_add(0, faces.reshape(-1), around)
-    # Far below any real area, so that fine meshes keep unit normals; above it the gradient is finite.
+    # Far below any real area, so that fine meshes keep unit normals; above it all is finite.
     sound = dot(total, total) > 1e-24
     up = total.new_tensor([0.0, 0.0, 1.0])
     return normalize(torch.where(sound, total, up), eps=1e-30)

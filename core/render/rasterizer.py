@@ -78,13 +78,21 @@ def rasterize(
         depth = bary.new_full((flat.shape[0],), torch.inf)
         depth[pixel] = zw[:, 0] / zw[:, 1] * 0.5 + 0.5
     return Fragments(
-        face_id, depth.view_as(face_id), pixel, view, face, corners, bary, clip, screen, in_front, cull
+        face_id=face_id,
+        depth=depth.view_as(face_id),
+        pixel=pixel,
+        view=view,
+        face=face,
+        corners=corners,
+        bary=bary,
+        clip=clip,
+        screen=screen,
+        in_front=in_front,
+        cull=cull,
     )
 
 
-def to_clip(
-    verts: Float[Tensor, "v 3"], mvp: Float[Tensor, "b 4 4"]
-) -> Float[Tensor, "b v 4"]:
+def to_clip(verts: Float[Tensor, "v 3"], mvp: Float[Tensor, "b 4 4"]) -> Float[Tensor, "b v 4"]:
     """Homogeneous clip coordinates of every vertex in every view."""
     return verts @ mvp[:, :, :3].transpose(1, 2) + mvp[:, None, :, 3]
 

@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
-# Z-buffer entry: depth bits in the upper half, face in the lower; a float >= 0 sorts as its bits do.
+# Z-buffer entry: depth above, face below; the bits of a float >= 0 sort as the float does.
 EMPTY = 1 << 62
 FACE_BITS = 0xFFFFFFFF
 # Bounding-box pixels drawn at once; bounds the memory at about 300 MB.
@@ -68,7 +68,7 @@ def visibility(
 
 
 def gather(screen: Float[Tensor, "b v 3"], faces: Int[Tensor, "f 3"], cull: bool) -> Triangles:
-    """The triangles whose bounding box holds a pixel centre of the endless grid and which face us."""
+    """The triangles that face us and whose bounding box holds a pixel centre, seen or not."""
     # Vertices first: a gathered row then holds all views, which is what makes the gather cheap.
     x, y = screen[..., 0].t().contiguous(), screen[..., 1].t().contiguous()
     x0, x1, x2 = (x.index_select(0, i) for i in faces.unbind(1))
@@ -136,108 +136,115 @@ def on_near_plane(
     return before + (d0 / (d0 - d1))[:, None] * (behind - before)
 
 
-class Edge(NamedTuple):
-    """An edge as a function of the row: column(row) and depth(row), from its upper end."""
-
-    row: Float[Tensor, " n"]
-    column: Float[Tensor, " n"]
-    depth: Float[Tensor, " n"]
-    end: Float[Tensor, " n"]  # column of the lower end
-    slope: Float[Tensor, " n"]  # columns a row
-    depth_slope: Float[Tensor, " n"]
-
-
-def edge_between(upper: Float[Tensor, "n 3"], lower: Float[Tensor, "n 3"]) -> Edge:
-    """The edge from its upper end (smaller row) to its lower end."""
-    (x0, y0, z0), (x1, y1, z1) = upper.unbind(1), lower.unbind(1)
-    # A level edge crosses no row of centres; its slope is never asked for.
-    inverse = 1 / (y1 - y0).clamp(min=1e-30)
-    return Edge(y0, x0, z0, x1, (x1 - x0) * inverse, (z1 - z0) * inverse)
-
-
 def draw(keys: Int[Tensor, " p"], triangles: Triangles, size: tuple[int, int], cull: bool) -> None:
-    """Writes the nearest of ``triangles`` into the z-buffer, a bounded number of pixels at a time."""
+    """Writes the nearest of ``triangles`` into the z-buffer, a bounded number at a time."""
     height, width = size
     corners = triangles.corners
+    limit = corners.new_tensor([width, height])
     low, high = corners[..., :2].amin(1), corners[..., :2].amax(1)
-    limit = low.new_tensor([width, height])
     start = torch.minimum((low - 0.5).ceil().clamp(min=0), limit)
-    extent = (torch.minimum((high - 0.5).ceil(), limit) - start).clamp(min=0)
-    area = extent.prod(1)
-    used = ((area > 0) & torch.isfinite(corners).flatten(1).all(1)).nonzero().squeeze(1)
+    extent = torch.minimum((high - 0.5).ceil(), limit) - start
+    # NaN and infinite corners are in no picture.
+    used = (extent > 0).all(1) & torch.isfinite(corners.sum((1, 2)))
+    used = used.nonzero().squeeze(1)
     parts = [used]
-    if len(used) and int(area[used].sum(dtype=torch.float64)) > CHUNK:
-        chunk = (area[used].to(torch.float64).cumsum(0) / CHUNK).long()
-        parts = list(used.split(torch.unique_consecutive(chunk, return_counts=True)[1].tolist()))
+    area = extent.index_select(0, used).prod(1).to(torch.float64).cumsum(0)
+    if len(used) and float(area[-1]) > CHUNK:
+        count = torch.unique_consecutive((area / CHUNK).long(), return_counts=True)[1]
+        parts = list(used.split(count.tolist()))
+    rows = torch.stack([start[:, 1], extent[:, 1]]).long()
     for part in parts:
-        rows = (start[part, 1].long(), extent[part, 1].long())
-        draw_spans(keys, Triangles(*(t[part] for t in triangles)), rows, size, cull)
+        chosen = Triangles(*(t.index_select(0, part) for t in triangles))
+        draw_spans(keys, chosen, rows.index_select(1, part), size, cull)
 
 
 def draw_spans(
     keys: Int[Tensor, " p"],
     triangles: Triangles,
-    rows: tuple[Int[Tensor, " n"], Int[Tensor, " n"]],
+    rows: Int[Tensor, "2 n"],
     size: tuple[int, int],
     cull: bool,
 ) -> None:
     """Draws triangles row by row; ``rows`` are the first row and the number of rows of each."""
     height, width = size
-    first, count = rows
     corners, order = sort_by_row(triangles.corners)
     top, middle, bottom = corners.unbind(1)
-    long = edge_between(top, bottom)
-    upper, lower = edge_between(top, middle), edge_between(middle, bottom)
+    long = edge_rows(top, bottom)
+    short = torch.stack([edge_rows(top, middle), edge_rows(middle, bottom)], 1).view(-1, 6)
 
-    triangle = torch.repeat_interleave(count)
-    row = first[triangle] + ramp(count)
+    triangle, row = repeat_and_count(rows[1])
+    row = row + rows[0].index_select(0, triangle)
     y = row + 0.5
-    below = y >= middle[:, 1][triangle]
-    short = Edge(*(torch.where(below, b[triangle], a[triangle]) for a, b in zip(upper, lower)))
-    left, right = cross(Edge(*(e[triangle] for e in long)), y), cross(short, y)
+    below = y >= middle[:, 1].index_select(0, triangle)
+    x0, z0 = cross(long.index_select(0, triangle), y)
+    x1, z1 = cross(short.index_select(0, 2 * triangle + below), y)
     # Counter-clockwise (in rows that grow downwards): with the corners in an even order the long
     # edge is on the right. From behind it is the other way about, which leaves the span empty.
-    swap = order[triangle] if cull else left[0] > right[0]
-    (x0, z0), (x1, z1) = (
-        tuple(torch.where(swap, b, a) for a, b in zip(left, right)),
-        tuple(torch.where(swap, a, b) for a, b in zip(left, right)),
-    )
+    swap = order.index_select(0, triangle) if cull else x0 > x1
+    x0, x1 = torch.where(swap, x1, x0), torch.where(swap, x0, x1)
+    z0, z1 = torch.where(swap, z1, z0), torch.where(swap, z0, z1)
     begin = (x0 - 0.5).ceil().clamp(0, width)
     length = ((x1 - 0.5).ceil().clamp(max=width) - begin).clamp(min=0).long()
 
     z_slope = (z1 - z0) / (x1 - x0).clamp(min=1e-12)
     z_begin = z0 + (begin + 0.5 - x0) * z_slope
-    pixel = (triangles.view[triangle] * height + row) * width + begin.long()
-    span = torch.repeat_interleave(length)
-    step = ramp(length)
-    depth = z_begin[span] + step * z_slope[span]
     # Within the span's ends: a sliver's slope may be large and rounded.
-    low, high = torch.minimum(z0, z1).clamp(min=0), torch.maximum(z0, z1).clamp(min=0)
-    depth = torch.minimum(torch.maximum(depth, low[span]), high[span])
-    key = (depth.float().view(torch.int32).long() << 32) | triangles.face[triangle][span]
-    keys.scatter_reduce_(0, pixel[span] + step, key, "amin")
+    depths = torch.stack([z_begin, z_slope, torch.minimum(z0, z1), torch.maximum(z0, z1)], 1)
+    pixel = triangles.view.index_select(0, triangle) * height + row
+    pixel = pixel * width + begin.long()
+    span, step = repeat_and_count(length)
+    z_begin, z_slope, low, high = depths.index_select(0, span).unbind(1)
+    depth = torch.minimum(torch.maximum(z_begin + step * z_slope, low), high).clamp(min=0).float()
+    face = triangles.face.index_select(0, triangle).index_select(0, span)
+    key = (depth.view(torch.int32).long() << 32) | face
+    keys.scatter_reduce_(0, pixel.index_select(0, span) + step, key, "amin")
+
+
+# By the comparisons of sort_by_row: the corners from the top row down; those in an even order.
+ORDERS = ((2, 1, 0), (2, 1, 0), (1, 2, 0), (1, 0, 2), (2, 0, 1), (0, 2, 1), (0, 1, 2), (0, 1, 2))
+EVEN = tuple((b - a) % 3 == 1 for a, b, _ in ORDERS)
 
 
 def sort_by_row(
     corners: Float[Tensor, "n 3 3"],
 ) -> tuple[Float[Tensor, "n 3 3"], Bool[Tensor, " n"]]:
     """Corners from the top row to the bottom one, and whether their order became even."""
-    order = corners[..., 1].argsort(stable=True, dim=1)
-    even = (order[:, 1] - order[:, 0]) % 3 == 1
-    return corners.gather(1, order[..., None].expand(-1, -1, 3)), even
+    y0, y1, y2 = corners[..., 1].unbind(1)
+    code = 4 * (y0 <= y1).long() + 2 * (y1 <= y2) + (y0 <= y2)
+    order = torch.tensor(ORDERS, device=corners.device).index_select(0, code)
+    order = order + 3 * torch.arange(len(corners), device=corners.device)[:, None]
+    even = torch.tensor(EVEN, device=corners.device).index_select(0, code)
+    return corners.view(-1, 3).index_select(0, order.view(-1)).view(-1, 3, 3), even
 
 
-def cross(edge: Edge, y: Float[Tensor, " n"]) -> tuple[Float[Tensor, " n"], Float[Tensor, " n"]]:
-    """Column and depth where ``edge`` crosses the rows ``y``."""
-    t = y - edge.row
-    x = edge.column + t * edge.slope
-    low, high = torch.minimum(edge.column, edge.end), torch.maximum(edge.column, edge.end)
-    return torch.minimum(torch.maximum(x, low), high), edge.depth + t * edge.depth_slope
+def edge_rows(upper: Float[Tensor, "n 3"], lower: Float[Tensor, "n 3"]) -> Float[Tensor, "n 6"]:
+    """An edge as a function of the row, for :func:`cross`.
+
+    Row, column and depth of its upper end (the smaller row), column of the lower end, slopes of
+    column and depth. A level edge crosses no row of centres; its slope is never asked for.
+    """
+    way = lower - upper
+    slope = way / way[:, 1:2].clamp(min=1e-30)
+    columns = (upper[:, 1], upper[:, 0], upper[:, 2], lower[:, 0], slope[:, 0], slope[:, 2])
+    return torch.stack(columns, 1)
 
 
-def ramp(count: Int[Tensor, " n"]) -> Int[Tensor, " m"]:
-    """0, 1, ..., count - 1 for each entry of ``count``, one after another."""
+def cross(
+    edge: Float[Tensor, "n 6"], y: Float[Tensor, " n"]
+) -> tuple[Float[Tensor, " n"], Float[Tensor, " n"]]:
+    """Column and depth where the edges cross the rows ``y``."""
+    row, x0, z0, x1, x_slope, z_slope = edge.unbind(1)
+    t = y - row
+    x = torch.minimum(torch.maximum(x0 + t * x_slope, torch.minimum(x0, x1)), torch.maximum(x0, x1))
+    return x, z0 + t * z_slope
+
+
+def repeat_and_count(
+    count: Int[Tensor, " n"],
+) -> tuple[Int[Tensor, " m"], Int[Tensor, " m"]]:
+    """Each index as often as its ``count`` says, and 0, 1, 2, ... within each."""
     end = count.cumsum(0)
     total = int(end[-1]) if len(end) else 0
-    index = torch.arange(total, device=count.device)
-    return index - torch.repeat_interleave(end - count, count, output_size=total)
+    index = torch.repeat_interleave(count, output_size=total)
+    place = torch.arange(total, device=count.device)
+    return index, place - (end - count).index_select(0, index)

@@ -34,14 +34,16 @@ def turned(angle: float) -> Tensor:
 
 def test_edge_table_of_a_square() -> None:
     table = edge_table(SQUARE[1])
-    edges = {tuple(sorted(e)): f for e, f in zip(table.verts.tolist(), table.faces.tolist())}
-    assert edges == {(0, 1): [0, -1], (1, 2): [0, -1], (0, 2): [0, 1], (2, 3): [1, -1], (0, 3): [1, -1]}
+    pairs = zip(table.verts.tolist(), table.faces.tolist(), strict=True)
+    found = {tuple(sorted(edge)): owners for edge, owners in pairs}
+    first = {(0, 1): [0, -1], (1, 2): [0, -1], (0, 2): [0, 1]}
+    assert found == first | {(2, 3): [1, -1], (0, 3): [1, -1]}
     inner = table.verts.sort(1).values.tolist().index([0, 2])
     assert table.opposite[inner].tolist() == [1, 3]
 
 
 def test_edge_table_of_a_closed_surface_pairs_all_faces() -> None:
-    verts, faces = torus()
+    faces = torus()[1]
     table = edge_table(faces)
     assert len(table.verts) == len(faces) * 3 // 2
     assert (table.faces >= 0).all()
@@ -79,7 +81,7 @@ def test_growing_square_gains_its_perimeter(angle_deg: float) -> None:
 def test_without_the_axis_weight_slanted_edges_count_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     original = module.crossings
 
-    def unweighted(*arguments):  # noqa: ANN002, ANN202
+    def unweighted(*arguments):
         found = original(*arguments)
         return found._replace(weight=torch.ones_like(found.weight))
 
@@ -154,7 +156,7 @@ def test_open_surface_has_a_rim_from_both_sides() -> None:
 # ---- through the whole renderer, against hard pictures of many times the resolution ----
 
 CAMERAS = Cameras.orbit([10.0, 130.0], [5.0, 40.0])
-RESOLUTION, FINE = 64, 1024
+RESOLUTION, FINE, STEP = 64, 1024, 0.02
 
 
 def deformed(verts: Tensor, a: "Tensor | float") -> Tensor:
@@ -189,29 +191,30 @@ SHAPES = {
 def hard_derivative(name: str) -> Tensor:
     """d(picture) / da by finite differences of the hard pictures."""
     verts, faces = SHAPES[name]
-    h = 0.02
-    plus, minus = (hard_picture(deformed(verts, a), faces) for a in (h, -h))
-    return (plus - minus) / (2 * h)
+    plus, minus = (hard_picture(deformed(verts, a), faces) for a in (STEP, -STEP))
+    return (plus - minus) / (2 * STEP)
 
 
 def slopes(name: str) -> tuple[float, float]:
     """Our gradient over that of the hard pictures, for normals and mask.
 
     The pictures are weighed by smooth random functions; the slope is that of the regression of all
-    the weighted sums' derivatives.
+    the weighted sums' derivatives, ours averaged over the step of the finite differences.
     """
     generator = torch.Generator().manual_seed(0)
-    coarse = torch.rand(12 * len(CAMERAS), 4, 4, 4, generator=generator)
+    coarse = torch.rand(6 * len(CAMERAS), 4, 4, 4, generator=generator)
     weight = torch.nn.functional.interpolate(coarse, (RESOLUTION, RESOLUTION), mode="bicubic")
-    weight = weight.view(12, len(CAMERAS), 4, RESOLUTION, RESOLUTION).permute(0, 1, 3, 4, 2)
+    weight = weight.view(6, len(CAMERAS), 4, RESOLUTION, RESOLUTION).permute(0, 1, 3, 4, 2)
     expected = (hard_derivative(name) * weight).mean((1, 2, 3))
 
     verts, faces = SHAPES[name]
-    a = torch.zeros((), requires_grad=True)
-    picture = torch.cat(render_normals(deformed(verts, a), faces, CAMERAS, RESOLUTION), -1)
-    sums = (picture * weight).mean((1, 2, 3)).flatten()
-    ours = torch.stack([torch.autograd.grad(x, a, retain_graph=True)[0] for x in sums])
-    ours = ours.view_as(expected)
+    ours = torch.zeros_like(expected)
+    for at in STEP * torch.tensor([-0.8, -0.4, 0.0, 0.4, 0.8]):
+        a = at.clone().requires_grad_()
+        picture = torch.cat(render_normals(deformed(verts, a), faces, CAMERAS, RESOLUTION), -1)
+        sums = (picture * weight).mean((1, 2, 3)).flatten()
+        found = [torch.autograd.grad(x, a, retain_graph=True)[0] for x in sums]
+        ours += torch.stack(found).view_as(ours) / 5
 
     def slope(part: slice) -> float:
         return float((ours[:, part] * expected[:, part]).sum() / expected[:, part].square().sum())
@@ -224,18 +227,15 @@ def test_gradient_of_the_outline_has_slope_1(name: str) -> None:
     normals, outline = slopes(name)
     print(f"{name}: normals {normals:.3f}, outline {outline:.3f}")
     assert outline == pytest.approx(1, abs=0.02)
-    # The pixel grid's own share: 0.01 at 256 x 256.
-    assert normals == pytest.approx(1, abs=0.06)
+    assert normals == pytest.approx(1, abs=0.04)
 
 
 def test_without_the_outermost_rule_folds_count_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        module, "outermost", lambda reach, pair, valid, pairs: valid.nonzero().squeeze(1)
-    )
+    monkeypatch.setattr(module, "outermost", lambda *given: given[2].nonzero().squeeze(1))
     assert slopes("rough ball")[1] > 1.08
 
 
 def test_without_the_rim_normals_change_in_jumps(monkeypatch: pytest.MonkeyPatch) -> None:
     original = module.antialias
-    monkeypatch.setattr(normals_module, "antialias", lambda *a, rim=None: original(*a))
+    monkeypatch.setattr(normals_module, "antialias", lambda *given, **_: original(*given))
     assert slopes("smooth ball")[0] > 1.05

@@ -48,7 +48,8 @@ def random_soup(seed: int, count: int, size: float) -> tuple[Tensor, Tensor]:
 
 @pytest.mark.parametrize("cull", [True, False])
 @pytest.mark.parametrize(
-    ("name", "mesh"), [("ball", sphere(2)), ("ring", torus(16, 8)), ("soup", random_soup(0, 40, 0.3))]
+    ("name", "mesh"),
+    [("ball", sphere(2)), ("ring", torus(16, 8)), ("soup", random_soup(0, 40, 0.3))],
 )
 def test_equals_slow_twin(name: str, mesh: tuple[Tensor, Tensor], cull: bool) -> None:
     clip = to_clip(mesh[0], CAMERAS.mvp)
@@ -126,7 +127,8 @@ def test_vertices_on_pixel_centres_are_hit_once() -> None:
     clip = torch.stack([x, y, 0 * x, 0 * x + 1], -1).view(1, -1, 4)
     i, j = torch.meshgrid(torch.arange(n - 1), torch.arange(n - 1), indexing="ij")
     a = (i * n + j).reshape(-1)
-    faces = torch.cat([torch.stack([a, a + 1, a + n + 1], 1), torch.stack([a, a + n + 1, a + n], 1)])
+    halves = ([a, a + 1, a + n + 1], [a, a + n + 1, a + n])
+    faces = torch.cat([torch.stack(half, 1) for half in halves])
     face_id = visibility(clip, faces, 8, 8)
     # Tops and lefts belong, bottoms and rights do not: 7 x 7 of the 8 x 8 centres.
     assert int((face_id >= 0).sum()) == 49
