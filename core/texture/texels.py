@@ -68,31 +68,31 @@ def _band(
     x = uv[:, 0] * 2 - 1
     y = 1 - 2 * ((1 - uv[:, 1]) * size - first) / count
     clip = torch.stack([x, y, torch.zeros_like(x), torch.ones_like(x)], -1)[None]
-    seen = visibility(clip, face_uvs[near], count * grid, size * grid, cull=False).view(-1)
+    seen = visibility(clip, face_uvs[near], count * grid, size * grid, cull=False)
+    seen = seen.view(count, grid, size, grid).transpose(1, 2).reshape(-1)  # texel by texel
     point = (seen >= 0).nonzero().squeeze(1)
     face = near[seen[point]]
-    row, column = point // (size * grid), point % (size * grid)
-    at = torch.stack(
-        [(column + 0.5) / (size * grid), 1 - (first + (row + 0.5) / grid) / size], -1
-    ).to(uv)
-    texel = (first + row // grid) * size + column // grid
-    order = texel.argsort(stable=True)
-    return Texels(texel[order], face[order], barycentric(at, uv[face_uvs[face]])[order])
+    texel, within = point // grid**2, point % grid**2
+    column = (texel % size) + (within % grid + 0.5) / grid
+    row = first + texel // size + (within // grid + 0.5) / grid
+    at = torch.stack([column / size, 1 - row / size], -1).to(uv)
+    return Texels(first * size + texel, face, barycentric(at, uv[face_uvs[face]]))
 
 
 def barycentric(at: Float[Tensor, "n 2"], corners: Float[Tensor, "n 3 2"]) -> Float[Tensor, "n 3"]:
     """Weights of the corners of each triangle that give ``at``, held inside the triangle.
 
-    Doubles, because an island's triangle may be a thousandth of the texture across.
+    From a corner, so that rounding moves a point by that of ``at`` itself, however small the
+    triangle is.
     """
-    a, b, c = corners.double().unbind(1)
-    p = at.double()
-    weight = torch.stack([_area(p, b, c), _area(a, p, c), _area(a, b, p)], -1)
-    whole = _area(a, b, c)[:, None]
-    flat = whole.abs() < 1e-30
-    weight = torch.where(flat, torch.full_like(weight, 1 / 3), weight / whole.where(~flat, 1.0))
-    weight = weight.clamp(min=0)
-    return (weight / weight.sum(-1, keepdim=True)).to(corners)
+    a, b, c = corners.unbind(1)
+    p, q, r = at - a, b - a, c - a
+    whole = _cross(q, r)
+    safe = torch.where(whole.abs() < 1e-30, torch.inf, whole)
+    of_b, of_c = (_cross(p, r) / safe).clamp(0, 1), (_cross(q, p) / safe).clamp(0, 1)
+    over = (of_b + of_c).clamp(min=1)
+    of_b, of_c = of_b / over, of_c / over
+    return torch.stack([(1 - of_b - of_c).clamp(min=0), of_b, of_c], -1)
 
 
 def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int = 512) -> list[str]:
@@ -102,7 +102,7 @@ def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int 
     """
     faults = []
     a, b, c = uv[face_uvs].double().unbind(1)
-    area = _area(a, b, c).abs() / 2
+    area = _cross(b - a, c - a).abs() / 2
     if bool(((uv < -1e-4) | (uv > 1 + 1e-4)).any()):
         faults.append("Some of the UV map lies outside the unit square.")
     if float((area < 1e-12).double().mean()) > 0.02:
@@ -113,9 +113,6 @@ def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int 
     return faults
 
 
-def _area(
-    a: Float[Tensor, "n 2"], b: Float[Tensor, "n 2"], c: Float[Tensor, "n 2"]
-) -> Float[Tensor, " n"]:
-    """Twice the signed area of each triangle."""
-    p, q = b - a, c - a
+def _cross(p: Float[Tensor, "n 2"], q: Float[Tensor, "n 2"]) -> Float[Tensor, " n"]:
+    """Twice the signed area that ``p`` and ``q`` span."""
     return p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
