@@ -1,0 +1,86 @@
+"""Drawing and shading, forward and backward, at the sizes that the training uses."""
+
+import math
+
+import torch
+from torch import Tensor
+
+from core.appearance.environment import Environment, load_light
+from core.benchmarks import least_ms, row
+from core.camera import Cameras
+from core.ops import normalize
+from core.render.antialias import edge_table
+from core.render.normals import render_normals
+from core.render.rasterizer import to_clip
+from core.render.shade import shade
+from core.render.visibility import visibility
+
+
+def ball(rows: int, columns: int) -> tuple[Tensor, Tensor]:
+    """A closed bumpy ball of 2 * columns * (rows - 1) faces."""
+    theta = torch.arange(1, rows) * (math.pi / rows)
+    phi = torch.arange(columns) * (2 * math.pi / columns)
+    theta, phi = (x.reshape(-1) for x in torch.meshgrid(theta, phi, indexing="ij"))
+    d = torch.stack([theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()], -1)
+    d = torch.cat([d, d.new_tensor([[0, 0, 1], [0, 0, -1]])])
+    verts = 0.75 * d * (1 + 0.05 * torch.sin(9 * d).sum(1, keepdim=True))
+    ring = torch.arange(columns)
+    after = (ring + 1) % columns
+    top = torch.stack([torch.full_like(ring, len(d) - 2), ring, after], 1)
+    last = (rows - 2) * columns
+    end = torch.stack([torch.full_like(ring, len(d) - 1), last + after, last + ring], 1)
+    start = torch.arange(rows - 2)[:, None] * columns
+    a, b = (start + ring).reshape(-1), (start + after).reshape(-1)
+    c, e = a + columns, b + columns
+    return verts, torch.cat([top, torch.stack([a, c, e], 1), torch.stack([a, e, b], 1), end])
+
+
+def rows() -> list[dict]:
+    """Targets: what a prototype reached on one idle core."""
+    return [*draw_rows(), *shade_rows()]
+
+
+def draw_rows() -> list[dict]:
+    """Visibility alone, and normals with mask and antialias."""
+    lines = []
+    for n, targets in ((101, (80.0, 168.0)), (202, (269.0, 234.0))):
+        verts, faces = ball(n, n)
+        verts.requires_grad_()
+        edges = edge_table(faces)
+        for (views, size), target in zip(((24, 64), (4, 512)), targets, strict=True):
+            azimuth = torch.arange(views) * (360 / views)
+            cameras = Cameras.orbit(azimuth, torch.full((views,), 20.0))
+            clip = to_clip(verts.detach(), cameras.mvp)
+            name = f"{len(faces):,} faces, {views} views of {size}²"
+
+            def see(clip=clip, faces=faces, size=size) -> None:
+                visibility(clip, faces, size, size)
+
+            def draw(verts=verts, faces=faces, cameras=cameras, size=size, edges=edges) -> None:
+                n, o = render_normals(verts, faces, cameras, size, edges=edges)
+                (n.sum() + o.sum()).backward()
+
+            lines.append(row(f"visibility, {name}", least_ms(see), "ms"))
+            lines.append(row(f"normals with gradient, {name}", least_ms(draw), "ms", target))
+    return lines
+
+
+def shade_rows() -> list[dict]:
+    """A light's tables, and 100,000 points under it."""
+    light = load_light("studio")
+    lines = [row("a light's tables", least_ms(lambda: Environment.of(light), 1) / 1e3, "s", 5.0)]
+    environment = Environment.of(light)
+    generator = torch.Generator().manual_seed(0)
+    normal = normalize(torch.randn(100_000, 3, generator=generator))
+    view = normalize(normal + 0.7 * torch.randn(100_000, 3, generator=generator))
+    kd, roughness, metallic = (
+        torch.rand(100_000, n, generator=generator, requires_grad=True) for n in (3, 1, 1)
+    )
+
+    def forward() -> Tensor:
+        return shade(normal, view, kd, roughness, metallic, environment)
+
+    lines.append(row("shade 100,000 points", least_ms(forward), "ms"))
+    both = least_ms(lambda: forward().sum().backward())
+    lines.append(row("shade 100,000 points with gradient", both, "ms"))
+    return lines
