@@ -124,9 +124,7 @@ def write_asset(
     write_obj(folder / "mesh.obj", verts, faces, uv, face_uvs)
     orm = np.broadcast_to(np.round(np.array([1, roughness, metallic]) * 255), (size, size, 3))
     flat = np.broadcast_to(np.array(FLAT, np.uint16), (size, size, 3))
-    write_png(
-        folder / "base_color.png", island_colors(size) if base_color is None else base_color
-    )
+    write_png(folder / "base_color.png", island_colors(size) if base_color is None else base_color)
     write_png(folder / "orm.png", orm.astype(np.uint8))
     write_png(folder / "normal.png", flat if normal is None else normal)
     data = {

@@ -37,7 +37,9 @@ def add_ball(at: tuple[float, float, float] = (0, 0, 0)) -> bpy.types.Object:
     for i in range(1, rings):
         for j in range(around):
             t, p = np.pi * i / rings, 2 * np.pi * j / around
-            verts.append((0.5 * np.sin(t) * np.cos(p), 0.5 * np.sin(t) * np.sin(p), 0.5 * np.cos(t)))
+            verts.append(
+                (0.5 * np.sin(t) * np.cos(p), 0.5 * np.sin(t) * np.sin(p), 0.5 * np.cos(t))
+            )
     verts.append((0, 0, -0.5))
     last = len(verts) - 1
     for j in range(around):

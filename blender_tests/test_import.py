@@ -274,7 +274,9 @@ def test_each_side_shows_its_own_color(asset, tmp_path, side, azimuth, elevation
     tree.links.new(glow.outputs["Emission"], output.inputs["Surface"])
     picture = render(obj, tmp_path, azimuth, elevation, size=32, samples=1)
     color = np.array(SIDES[side][2])
-    np.testing.assert_allclose(picture[14:18, 14:18] * 255, np.broadcast_to(color, (4, 4, 3)), atol=1)
+    np.testing.assert_allclose(
+        picture[14:18, 14:18] * 255, np.broadcast_to(color, (4, 4, 3)), atol=1
+    )
 
 
 @pytest.mark.parametrize(

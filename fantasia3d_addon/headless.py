@@ -100,7 +100,7 @@ def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
     environ = clean_environ() | {"PYTHONPATH": str(root), "PYTHONUNBUFFERED": "1"}
     last = ""
     with subprocess.Popen(
-        [str(python), "-m", "core", *argv],
+        [str(python), "-P", "-m", "core", *argv],  # -P: the user's folder may hold a "core" too
         env=environ,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,

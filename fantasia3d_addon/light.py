@@ -80,7 +80,8 @@ def set_world(
         ("Background", "Background", "OutputWorld", "Surface"),
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
-    scene.world = world
+    old, scene.world = scene.world, world
+    _remove_unused(old)
     return world
 
 
@@ -107,9 +108,19 @@ def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
     return float((luminance * weight).sum() / weight.sum())
 
 
+def _remove_unused(world: bpy.types.World | None) -> None:
+    """Take an earlier light of ours out of the file, with its picture, if no scene has it."""
+    if world is None or not world.name.startswith(WORLD) or world.users:
+        return
+    image = environment_image(world)
+    bpy.data.worlds.remove(world)
+    if not image.users:
+        bpy.data.images.remove(image)
+
+
 def _load(path: Path) -> bpy.types.Image:
     try:
-        image = bpy.data.images.load(str(path), check_existing=True)
+        image = bpy.data.images.load(str(path), check_existing=False)
     except RuntimeError as error:
         raise LightError(f"{path} can't be read ({error}).", "Take an HDR or EXR file.") from None
     if 0 in image.size:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-import os
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -78,7 +78,11 @@ def save_blend(path: Path) -> None:
         OutputError: the place can't be written.
     """
     with _aside(path) as aside:
-        bpy.ops.wm.save_as_mainfile(filepath=str(aside), copy=True, compress=True)
+        _save(aside)
+
+
+def _save(path: Path) -> None:
+    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
 
 
 def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> None:
@@ -155,47 +159,45 @@ def expose(scene: bpy.types.Scene, obj: bpy.types.Object) -> None:
     background.inputs["Strength"].default_value = WHITE / max(brightest, 1e-6)
 
 
-def set_up_cycles(scene: bpy.types.Scene, size: int = 1024, samples: int = 96) -> None:
+def set_up_cycles(scene: bpy.types.Scene, size: int = 768, samples: int | None = None) -> None:
     """Cycles on the CPU, a square picture, and colours as they are.
+
+    ``samples`` is the most that one pixel gets; None is enough for a clean picture, which without
+    a denoiser takes more.
 
     Raises:
         AddonError: this Blender has no Cycles.
     """
     if not compat.has_cycles():
         raise AddonError("This Blender has no Cycles.", "Enable its add-on Cycles Render Engine.")
-    render = scene.render
+    render, cycles, view = scene.render, scene.cycles, scene.view_settings
+    denoise = compat.has_denoiser()
     render.engine = "CYCLES"
     render.resolution_x = render.resolution_y = size
     render.resolution_percentage = 100
-    render.use_file_extension = False
     render.film_transparent = False
     render.dither_intensity = 0.0
-    scene.cycles.device = "CPU"
-    scene.cycles.samples = samples
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.use_denoising = compat.has_denoiser()
-    scene.view_settings.view_transform = "Standard"  # AgX would shift the material's own colours
-    scene.view_settings.look = "None"
-    scene.view_settings.exposure = 0.0
-    scene.view_settings.gamma = 1.0
+    cycles.device = "CPU"
+    cycles.samples = samples or (64 if denoise else 192)
+    cycles.use_adaptive_sampling = True
+    cycles.adaptive_threshold = 0.03 if denoise else 0.01  # the even backdrop is done at once
+    cycles.use_denoising = denoise
+    view.view_transform = "Standard"  # AgX would shift the material's own colours
+    view.look, view.exposure, view.gamma = "None", 0.0, 1.0
 
 
 @contextlib.contextmanager
 def _aside(path: Path) -> Iterator[Path]:
-    """A file beside ``path`` that takes its place at the end, or is gone."""
+    """A file in a folder of its own beside ``path``, which takes its place at the end."""
     path = path.expanduser().absolute()
-    aside = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        aside.touch()
-        yield aside
-        if not aside.stat().st_size:
-            raise OSError(0, "Blender wrote nothing")
-        aside.replace(path)
-    except (OSError, RuntimeError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise OutputError(
-            f"{path} can't be written ({reason}).", "Choose another place."
-        ) from None
-    finally:
-        aside.unlink(missing_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".fantasia3d-", dir=path.parent) as folder:
+            aside = Path(folder) / path.name
+            yield aside
+            if not aside.is_file() or not aside.stat().st_size:
+                raise OSError(0, "Blender wrote nothing")
+            aside.replace(path)
+    except (OSError, RuntimeError) as error:  # RuntimeError: what Blender's operators report
+        reason = getattr(error, "strerror", None) or str(error).strip()
+        raise OutputError(f"{path} can't be written ({reason}).", "Choose another place.") from None

@@ -1,4 +1,8 @@
-"""Stands for the core in tests: ``python -m core resume RUN`` does what the prompt says."""
+"""Stands for the core in tests: it does what the job's prompt says.
+
+``resume RUN`` reads RUN/job.json, as the add-on's jobs do; ``generate PROMPT --out RUN`` writes
+it first, as the command line does. The job's negative prompt names the asset that comes out.
+"""
 
 import json
 import os
@@ -7,6 +11,11 @@ import sys
 import time
 from pathlib import Path
 
+if sys.argv[1] == "generate":
+    run = Path(sys.argv[sys.argv.index("--out") + 1])
+    run.mkdir(parents=True)
+    job = {"prompt": sys.argv[2], "negative_prompt": os.environ.get("FAKE_ASSET", "")}
+    (run / "job.json").write_text(json.dumps(job), encoding="utf-8")
 run = Path(sys.argv[-1])
 job = json.loads((run / "job.json").read_text(encoding="utf-8"))
 events = run / "events.jsonl"
@@ -34,6 +43,7 @@ if job["prompt"] == "die":
     os.abort()
 if job["prompt"] == "fail":
     say("error", text="There is no noun 'blorb'.", fix="Say chair.", future_key=1)
+    print("error: There is no noun 'blorb'. Say chair.", file=sys.stderr)
     sys.exit(2)
 if job["prompt"] == "half a line":
     with events.open("ab") as file:
@@ -47,7 +57,7 @@ train(10_000 if job["prompt"] == "long" else 5)
 if job["prompt"] == "nonsense":
     with events.open("a", encoding="utf-8") as file:
         file.write("not json\n[1]\n")
-if job.get("mesh"):
-    shutil.copytree(job["mesh"], run / "asset")
+if job.get("negative_prompt"):
+    shutil.copytree(job["negative_prompt"], run / "asset")
 say("done", path="asset", text="complete")
 print(run / "asset")

@@ -1,0 +1,128 @@
+"""The world's light: where it stands, how bright it is, and what a name means."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.pictures import add_ball, lobe, render, set_light, write_hdr  # noqa: E402
+from fantasia3d_addon import light  # noqa: E402
+from fantasia3d_addon.errors import LightError  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+
+
+def brightest(picture: np.ndarray) -> tuple[float, float]:
+    """Where the middle of the light on a ball is: to the right and up, from -1 to 1."""
+    shine = picture.mean(-1) ** 4
+    y, x = np.mgrid[1:-1:64j, -1:1:64j]
+    return (shine * x).sum() / shine.sum(), (shine * y).sum() / shine.sum()
+
+
+@pytest.mark.parametrize(
+    ("direction", "rotation_deg", "x", "y"),
+    [
+        ((1, -0.5, 0), 0, 0.4, 0.0),
+        ((-1, -0.5, 0), 0, -0.4, 0.0),
+        ((0, -0.5, 1), 0, 0.0, 0.4),
+        ((-0.5, -1, 0), 45, 0.2, 0.0),  # counter-clockwise seen from above: from left to right
+    ],
+)
+def test_the_light_stands_where_its_picture_says(tmp_path, direction, rotation_deg, x, y):
+    set_light(tmp_path, direction, rotation_deg=rotation_deg)
+    found = brightest(render(add_ball(), tmp_path))
+    assert found == pytest.approx((x, y), abs=0.12)
+
+
+def test_strength_is_linear(tmp_path):
+    ball = add_ball()
+    set_light(tmp_path, (0, -1, 0), strength=0.1)
+    once = render(ball, tmp_path, samples=32)
+    set_light(tmp_path, (0, -1, 0), strength=0.2)
+    twice = render(ball, tmp_path, samples=32)
+    linear = [((p[32, 32] + 0.055) / 1.055) ** 2.4 for p in (once, twice)]
+    np.testing.assert_allclose(linear[1] / linear[0], 2, rtol=0.05)
+
+
+def test_irradiance_in_closed_form(tmp_path):
+    half = np.zeros((64, 128, 3))
+    half[:32] = 1.0  # the upper half of the sky
+    image = bpy.data.images.load(str(write_hdr(tmp_path / "half.hdr", half)))
+    for normal, value in (((0, 0, 1), 1), ((0, 0, -1), 0), ((1, 0, 0), 0.5), ((0.6, 0, 0.8), 0.9)):
+        assert light.irradiance(image, normal) == pytest.approx(value, abs=0.01)
+
+
+def test_irradiance_agrees_with_cycles(tmp_path):
+    """A white matt ball shows it in its middle."""
+    image = bpy.data.images.load(str(write_hdr(tmp_path / "x.hdr", 0.2 * lobe((0.5, -1, 0.3)))))
+    expected = light.irradiance(image, (0, -1, 0))
+    light.set_world(bpy.context.scene, tmp_path / "x.hdr")
+    ball = add_ball()
+    material = bpy.data.materials.new("white")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    white, output = (
+        tree.nodes.new("ShaderNodeBsdfDiffuse"),
+        tree.nodes.new("ShaderNodeOutputMaterial"),
+    )
+    white.inputs["Color"].default_value = (1, 1, 1, 1)
+    tree.links.new(white.outputs["BSDF"], output.inputs["Surface"])
+    ball.data.materials.append(material)
+    picture = render(ball, tmp_path, samples=64)[30:34, 30:34].mean()
+    assert ((picture + 0.055) / 1.055) ** 2.4 == pytest.approx(expected, rel=0.05)
+
+
+def test_names_and_files(tmp_path):
+    path = write_hdr(tmp_path / "my light.hdr", lobe((0, 0, 1)))
+    assert light.light_file(str(path)) == path.resolve()
+    city = light.light_file("blender:city")
+    assert city == light.light_file("city")
+    assert city.name == "city.exr"
+    assert light.light_file("studio") == Path(light.__file__).with_name("studio.exr")
+    assert light.light_file("blender:studio") != light.light_file("studio")
+
+
+@pytest.mark.parametrize("name", ["", "nowhere", "blender:nowhere", "/no/such.hdr"])
+def test_a_light_that_is_not_there_is_refused_with_those_that_are(name):
+    with pytest.raises(LightError, match=r"There is no light .*studio, city"):
+        light.light_file(name)
+
+
+def test_a_file_that_is_no_picture_leaves_nothing(tmp_path):
+    (tmp_path / "light.exr").write_text("no picture")
+    with pytest.raises(LightError, match="is no picture"):
+        light.set_world(bpy.context.scene, tmp_path / "light.exr")
+    assert not bpy.data.images
+    assert not bpy.data.worlds
+
+
+def test_the_light_travels_with_the_file(tmp_path):
+    set_light(tmp_path, (0, 0, 1))
+    assert light.environment_image(bpy.context.scene.world).packed_file
+
+
+def test_a_new_light_takes_the_place_of_the_old(tmp_path):
+    own = bpy.data.worlds.new("the user's own")
+    bpy.context.scene.world = own
+    set_light(tmp_path, (0, 0, 1))
+    set_light(tmp_path, (1, 0, 0))
+    assert len(bpy.data.images) == 1
+    assert own in bpy.data.worlds.values()
+    assert len(bpy.data.worlds) == 2
+
+
+def test_the_studio_is_the_cores():
+    """If it differs: run.py python -c "from core.exr import write_exr; from core.appearance.lights
+    import studio; write_exr('fantasia3d_addon/studio.exr', studio(128))".
+    """
+    pytest.importorskip("torch")
+    from core.appearance.lights import studio
+
+    image = bpy.data.images.load(str(light.STUDIO_FILE))
+    pixels = np.empty(128 * 256 * 4, np.float32)
+    image.pixels.foreach_get(pixels)
+    shipped = pixels.reshape(128, 256, 4)[::-1, :, :3]
+    np.testing.assert_allclose(shipped, studio(128).numpy(), atol=1e-5)
