@@ -2,13 +2,14 @@
 
 import pytest
 import torch
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.errors import UserError
 from core.texture.padding import nearest_covered, pad
 
 
+@settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10**6), st.floats(0.02, 0.9))
 def test_nearest_is_the_slow_twin(seed: int, share: float) -> None:
     generator = torch.Generator().manual_seed(seed)

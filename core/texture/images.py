@@ -61,9 +61,8 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
             Image.fromarray(image).save(file, format="png", compress_level=6)
             return
         height, width, channels = image.shape
-        writer = png.Writer(
-            width, height, greyscale=False, alpha=channels == 4, bitdepth=16, compression=6
-        )
+        depth = {"greyscale": False, "alpha": channels == 4, "bitdepth": 16}
+        writer = png.Writer(width, height, compression=6, **depth)
         rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
         writer.write_packed(file, rows)
 

@@ -28,8 +28,8 @@ def nearest_covered(covered: Bool[Tensor, "h w"]) -> Int[Tensor, " n"]:
     empty = ~covered.cpu().numpy()
     if not empty.any():
         return torch.zeros(0, dtype=torch.int64, device=covered.device)
-    row, column = distance_transform_edt(empty, return_distances=False, return_indices=True)
-    flat = row[empty].astype(np.int64) * width + column[empty]
+    at = np.asarray(distance_transform_edt(empty, return_distances=False, return_indices=True))
+    flat = at[0][empty].astype(np.int64) * width + at[1][empty]
     return torch.from_numpy(flat).to(covered.device)
 
 

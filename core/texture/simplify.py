@@ -29,14 +29,11 @@ def simplify(
     used, compact = np.unique(faces.cpu().numpy(), return_inverse=True)
     points = verts.detach().cpu().double().numpy()[used]
     collapsed = igl.qslim(points, compact.reshape(-1, 3), max_m=max_faces, block_intersections=True)
-    new_verts, new_faces = collapsed[:2]
+    new_verts, new_faces = (np.ascontiguousarray(part) for part in collapsed[:2])
     if not len(new_faces):
         raise UserError(
             f"The mesh has {len(faces):,} faces and cannot be brought to {max_faces:,}: "
             "somewhere three faces share an edge.",
             "Repair it (Blender: Select > All by Trait > Non Manifold), or raise --max-faces.",
         )
-    return (
-        torch.from_numpy(np.ascontiguousarray(new_verts)).to(verts),
-        torch.from_numpy(np.ascontiguousarray(new_faces)).to(faces),
-    )
+    return torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)

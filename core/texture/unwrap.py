@@ -14,6 +14,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
+from core.texture.files import told_errors
 
 MAX_FACES = 100_000  # xatlas takes half a minute here, and beyond this sometimes hours
 TIME_LIMIT = 900.0  # seconds; thirty times what MAX_FACES needs
@@ -54,7 +55,10 @@ def unwrap(
             "The mesh has no faces, or vertices that are not finite numbers.",
             "Give a mesh that Blender can show.",
         )
-    with tempfile.TemporaryDirectory(prefix="fantasia3d-unwrap-") as name:
+    with (
+        told_errors(Path(tempfile.gettempdir())),
+        tempfile.TemporaryDirectory(prefix="fantasia3d-unwrap-") as name,
+    ):
         folder = Path(name)
         np.save(folder / "verts.npy", verts.detach().cpu().float().numpy())
         np.save(folder / "faces.npy", faces.cpu().numpy().astype(np.uint32))
