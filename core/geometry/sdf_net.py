@@ -36,6 +36,8 @@ class SdfNetConfig:
     octaves: int = 3  # of the Fourier features
 
 
+CACHED_POINTS = 4096  # of the MLP at a time on a CPU
+
 HASH = SdfNetConfig()
 FOURIER = SdfNetConfig(encoding="fourier", width=64)
 
@@ -107,7 +109,10 @@ class SdfNet(nn.Module):
         self, points: Float[Tensor, "n 3"]
     ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
         """SDF in units of length, and the node's offset, each part within half a cell."""
-        y = self.mlp(self.encoding(points))
+        features = self.encoding(points)
+        # On a CPU the hidden units then stay in its cache, which saves up to a third of the time.
+        at_once = CACHED_POINTS if points.device.type == "cpu" else max(len(points), 1)
+        y = torch.cat([self.mlp(part) for part in features.split(at_once)])
         return y[:, 0], y[:, 1:].tanh() * (self.cell / 2)
 
 
