@@ -77,6 +77,8 @@ class BuiltinGuidance(Guidance):
         guidance_scale: float,
     ) -> Float[Tensor, "b 4 s s"]:
         """Both branches in one batch; with ``views.normals`` the appearance network answers."""
+        if not isinstance(embedding, BuiltinEmbedding):
+            raise TypeError("the embedding comes from another guidance")
         net, slots, hint = self.geometry, GEOMETRY_SLOTS, None
         if views.normals is not None:
             net, slots = self.appearance, APPEARANCE_SLOTS

@@ -7,7 +7,7 @@ and renamed, so that a training may read the folder while more shards are being 
 import math
 import multiprocessing
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import torch
@@ -110,5 +110,10 @@ def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
 
 def read_shards(paths: list[Path]) -> Samples:
     """Shards, joined."""
-    files = [load_file(path) for path in paths]
-    return Samples(**{name: torch.cat([f[name] for f in files]) for name in files[0]})
+    return joined([Samples(**load_file(path)) for path in paths])
+
+
+def joined(parts: list[Samples]) -> Samples:
+    """All samples, in order."""
+    names = [field.name for field in fields(Samples)]
+    return Samples(*(torch.cat([getattr(part, name) for part in parts]) for name in names))

@@ -106,4 +106,3 @@ def _best_turn(
         eps = turn_normals(torch.randn(x.shape, generator=generator)[zero], turns)
         total += error(net, turn_normals(x[zero], turns), words, turned, eps, t)
     return int(total.argmin())
-

@@ -220,9 +220,7 @@ def _house(draw: Draw) -> Parts:
     ridge, eave = wall + draw(0.55, 0.75), draw(0.1, 0.16)
     roof = [(-y - eave, wall - 0.04), (y + eave, wall - 0.04), (0, ridge + 0.04)]
     cx = x * draw(0.45, 0.6)
-    windows = (
-        box((s * x * 0.58, -y, wall * 0.56), (x * 0.2, 0.05, wall * 0.18)) for s in (-1, 1)
-    )
+    windows = (box((s * x * 0.58, -y, wall * 0.56), (x * 0.2, 0.05, wall * 0.18)) for s in (-1, 1))
     return {
         "walls": box((0, 0, wall / 2), (x, y, wall / 2)),
         "roof": prism(roof, 0, x + eave),
@@ -299,12 +297,17 @@ def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
 
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
     """
-    stretch = STRETCH.get(adjective, (1.0, 1.0, 1.0))
-    spread = 0.04 if adjective else 0.06
-    stretch = tuple(s * draw(1 - spread, 1 + spread) if adjective else s for s in stretch)
-    shape = normalised(FAMILIES[noun](draw), stretch)
+    shape = normalised(FAMILIES[noun](draw), _stretch(adjective, draw))
     size = draw(1 - jitter, 1 + jitter)
-    return Shape(shape.parts, shape.center, tuple(s * size for s in shape.scale))
+    x, y, z = shape.scale
+    return Shape(shape.parts, shape.center, (x * size, y * size, z * size))
+
+
+def _stretch(adjective: str, draw: Draw) -> tuple[float, float, float]:
+    if not adjective:
+        return 1.0, 1.0, 1.0
+    x, y, z = STRETCH[adjective]
+    return x * draw(0.96, 1.04), y * draw(0.96, 1.04), z * draw(0.96, 1.04)
 
 
 def normalised(parts: Parts, stretch: tuple[float, float, float] = (1.0, 1.0, 1.0)) -> Shape:
@@ -313,8 +316,10 @@ def normalised(parts: Parts, stretch: tuple[float, float, float] = (1.0, 1.0, 1.
     low, high = points.amin(0), points.amax(0)
     center = (low + high) / 2
     radius = ((points - center) * points.new_tensor(stretch)).norm(dim=1).max().item()
-    scale = tuple(s * NORMAL_RADIUS / radius for s in stretch)
-    return Shape(parts, tuple(center.tolist()), scale)
+    scale = NORMAL_RADIUS / radius
+    x, y, z = stretch
+    a, b, c = center.tolist()
+    return Shape(parts, (a, b, c), (x * scale, y * scale, z * scale))
 
 
 def surface_points(

@@ -6,6 +6,7 @@ Patterns live in the object's space or on its normals, so that they are the same
 
 from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float, Int
@@ -120,6 +121,13 @@ def part_names(noun: str) -> tuple[str, ...]:
     return tuple(FAMILIES[noun](Draw(torch.Generator())))
 
 
+class Place(NamedTuple):
+    """Where on the object: what patterns are made of."""
+
+    point: Float[Tensor, "p 3"]
+    normal: Float[Tensor, "p 3"]
+
+
 @dataclass(frozen=True)
 class Coat:
     """Paint of K parts."""
@@ -163,44 +171,44 @@ def paint(
     pattern = coat.pattern[part]
     for index, name in enumerate(PATTERNS):
         if name and bool((coat.pattern == index).any()):
-            painted = PATTERN_FUNCTIONS[name](color, point, normal)
+            painted = PATTERN_FUNCTIONS[name](color, Place(point, normal))
             color = torch.where((pattern == index)[:, None], painted, color)
     return srgb_to_linear(color.clamp(0, 1)), coat.roughness[part], coat.metallic[part]
 
 
-def grain(color: Tensor, point: Tensor, normal: Tensor) -> Tensor:
+def grain(color: Tensor, place: Place) -> Tensor:
     """Wood: dark veins along the longest way of the object's height."""
-    x, y, z = point.unbind(1)
+    x, y, z = place.point.unbind(1)
     veins = (26 * x + 9 * y + 2.5 * (3 * z).sin()).sin()
     return color * (1 + 0.13 * veins)[:, None]
 
 
-def mottle(color: Tensor, point: Tensor, normal: Tensor) -> Tensor:
+def mottle(color: Tensor, place: Place) -> Tensor:
     """Stone: soft blotches."""
-    x, y, z = point.unbind(1)
+    x, y, z = place.point.unbind(1)
     blotch = (11 * x + 2 * (7 * y).sin()).sin() * (12 * z + 2 * (8 * x).sin()).sin()
     return color * (1 + 0.2 * blotch * (10 * y + 1).cos())[:, None]
 
 
-def icing(color: Tensor, point: Tensor, normal: Tensor) -> Tensor:
+def icing(color: Tensor, place: Place) -> Tensor:
     """A doughnut's pink upper side, with a wavy edge."""
-    angle = torch.atan2(point[:, 1], point[:, 0])
-    iced = normal[:, 2] > 0.12 + 0.22 * (6 * angle).sin()
+    angle = torch.atan2(place.point[:, 1], place.point[:, 0])
+    iced = place.normal[:, 2] > 0.12 + 0.22 * (6 * angle).sin()
     return torch.where(iced[:, None], color.new_tensor([0.95, 0.55, 0.70]), color)
 
 
-def band(color: Tensor, point: Tensor, normal: Tensor) -> Tensor:
+def band(color: Tensor, place: Place) -> Tensor:
     """A light band about the middle."""
-    inside = (point[:, 2] + 0.08).abs() < 0.13
+    inside = (place.point[:, 2] + 0.08).abs() < 0.13
     return torch.where(inside[:, None], color.new_tensor([0.94, 0.93, 0.90]), color)
 
 
-def spots(color: Tensor, point: Tensor, normal: Tensor) -> Tensor:
+def spots(color: Tensor, place: Place) -> Tensor:
     """White spots where the normal points to one of a few directions; none below."""
     turns = torch.arange(6) * (torch.pi / 3)
     low = torch.stack([turns.cos() * 0.8, turns.sin() * 0.8, torch.full((6,), 0.6)], 1)
     axes = torch.cat([torch.tensor([[0.0, 0.0, 1.0]]), low]).to(color)
-    spotted = (normal @ axes.T).amax(1) > 0.965
+    spotted = (place.normal @ axes.T).amax(1) > 0.965
     return torch.where(spotted[:, None], color.new_tensor([0.95, 0.93, 0.88]), color)
 
 

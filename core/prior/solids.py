@@ -6,7 +6,8 @@ where the docstring says so, which is what sphere tracing needs.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from functools import reduce
 
 import torch
 from jaxtyping import Float
@@ -17,7 +18,11 @@ Vector = tuple[float, float, float]
 
 
 def _norm(*parts: Tensor) -> Tensor:
-    return sum(part * part for part in parts).sqrt()
+    return _sum(part * part for part in parts).sqrt()
+
+
+def _sum(terms: Iterable[Tensor]) -> Tensor:
+    return reduce(torch.add, terms)
 
 
 def ball(center: Vector, radius: float) -> Solid:
@@ -57,7 +62,7 @@ def tube(start: Vector, end: Vector, radius: float, rounding: float = 0.0) -> So
 
     def distance(p: Tensor) -> Tensor:
         q = [p[:, i] - middle[i] for i in range(3)]
-        along = sum(q[i] * axis[i] for i in range(3))
+        along = _sum(q[i] * axis[i] for i in range(3))
         across = _norm(*(q[i] - along * axis[i] for i in range(3)))
         a = across - (radius - rounding)
         b = along.abs() - (length / 2 - rounding)
@@ -73,7 +78,7 @@ def capsule(start: Vector, end: Vector, radius: float) -> Solid:
 
     def distance(p: Tensor) -> Tensor:
         q = [p[:, i] - start[i] for i in range(3)]
-        h = (sum(q[i] * axis[i] for i in range(3)) / square).clamp(0, 1)
+        h = (_sum(q[i] * axis[i] for i in range(3)) / square).clamp(0, 1)
         return _norm(*(q[i] - h * axis[i] for i in range(3))) - radius
 
     return distance

@@ -20,13 +20,12 @@ from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
 from core.prior.colored import Painter
-from core.prior.data import ADJECTIVES, NOUNS, Samples, read_shards
+from core.prior.data import ADJECTIVES, NOUNS, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.families import Draw
 from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
 from core.prior.vocabulary import COLORS, MATERIALS
 from core.prior.weights import save_weights, write_tensors
-
 
 # Pictures, words, camera maps, and the hint or None.
 Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
@@ -88,22 +87,18 @@ class Source(ABC):
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.paths: list[Path] = []
-        self.samples: Samples | None = None
-        self.rescan()
+        self.paths = self._shards()
+        self.samples = read_shards(self.paths)
+
+    def _shards(self) -> list[Path]:
+        return sorted(self.folder.glob("shard_*.safetensors"))
 
     def rescan(self) -> None:
         """Read the shards that have come."""
-        new = [p for p in sorted(self.folder.glob("shard_*.safetensors")) if p not in self.paths]
-        if not new:
-            return
-        self.paths += new
-        fresh = read_shards(new)
-        if self.samples is None:
-            self.samples = fresh
-            return
-        old = vars(self.samples)
-        self.samples = Samples(**{k: torch.cat([old[k], v]) for k, v in vars(fresh).items()})
+        new = [path for path in self._shards() if path not in self.paths]
+        if new:
+            self.paths += new
+            self.samples = joined([self.samples, read_shards(new)])
 
     def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
         """Rows of random samples, their geometry pictures, their camera maps."""

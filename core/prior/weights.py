@@ -29,7 +29,8 @@ def load_weights(path: Path) -> UNet:
     """A network from ``save_weights``, in single precision, ready to be asked."""
     with safe_open(path, "pt") as file:
         facts = json.loads(file.metadata()["config"])
-    facts = {key: tuple(v) if isinstance(v, list) else v for key, v in facts.items()}
+    for name in ("words", "widths", "attention"):  # JSON has no tuples
+        facts[name] = tuple(facts[name])
     net = UNet(UNetConfig(**facts))
     net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
     return net.eval().requires_grad_(False).to(memory_format=torch.channels_last)

@@ -42,9 +42,7 @@ def test_a_ball_is_a_disc_of_the_right_size():
     radius = math.tan(math.asin(0.9 / 3.0)) / math.tan(math.radians(20)) * 32
     assert seen.coverage.sum().item() == pytest.approx(math.pi * radius**2, rel=0.01)
     middle = seen.normal[0, :, 31:33, 31:33].mean((1, 2))
-    torch.testing.assert_close(
-        middle, Cameras.orbit([30.0], [10.0]).back[0], atol=0.01, rtol=0
-    )
+    torch.testing.assert_close(middle, Cameras.orbit([30.0], [10.0]).back[0], atol=0.01, rtol=0)
 
 
 def test_points_lie_on_the_surface_and_parts_are_the_nearest():

@@ -1,0 +1,154 @@
+"""The shipped networks as a guidance: they know their words and their cameras."""
+
+import pytest
+import torch
+
+from core.camera import Cameras
+from core.errors import MissingError, UserError
+from core.guidance import builtin
+from core.guidance.builtin import (
+    APPEARANCE_SLOTS,
+    GEOMETRY_SLOTS,
+    WEIGHTS,
+    BuiltinGuidance,
+    load_builtin,
+)
+from core.guidance.guidance import Views, make_guidance
+from core.guidance.sds import add_noise
+from core.prior.diffusion import x_from_v
+from core.prior.families import Draw, build
+from core.prior.tracer import render
+from core.prior.vocabulary import SLOTS
+
+
+@pytest.fixture(scope="module")
+def guidance() -> BuiltinGuidance:
+    """The shipped one."""
+    return load_builtin("cpu")
+
+
+def _picture(noun: str, cameras: Cameras) -> torch.Tensor:
+    seen = render(build(noun, "", Draw(torch.Generator().manual_seed(0))), cameras, 64)
+    return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
+
+
+def _noise(seed: int, count: int = 1) -> torch.Tensor:
+    return torch.randn(count, 4, 64, 64, generator=torch.Generator().manual_seed(seed))
+
+
+def _error(guidance, x, prompt, cameras, t=700, scale=1.0, normals=None):
+    eps = torch.randn(x.shape, generator=torch.Generator().manual_seed(1))
+    times = torch.full((len(x),), t)
+    z_t = add_noise(x, eps, guidance.alpha_bar[times])
+    embedding = guidance.embed(prompt, "")
+    eps_hat = guidance.eps_hat(z_t, times, embedding, Views(cameras, normals), scale)
+    return (eps_hat - eps).square().mean().item()
+
+
+def test_the_weights_fit_their_slots_and_the_budget(guidance):
+    pairs = ((guidance.geometry, GEOMETRY_SLOTS), (guidance.appearance, APPEARANCE_SLOTS))
+    for net, slots in pairs:
+        assert net.config.words == tuple(len(SLOTS[slot]) for slot in slots)
+        assert all(p.isfinite().all() for p in net.parameters())
+    assert guidance.geometry.config.hint == 0
+    assert guidance.appearance.config.hint == 4
+    total = sum(path.stat().st_size for path in WEIGHTS.glob("*.safetensors"))
+    assert total < 40 * 2**20
+    assert isinstance(make_guidance("builtin", "cpu"), BuiltinGuidance)
+
+
+@pytest.mark.parametrize(("noun", "other"), [("chair", "torus"), ("torus", "mug"), ("mug", "cube")])
+def test_a_picture_is_denoised_best_under_its_own_word(guidance, noun, other):
+    cameras = Cameras.orbit([20.0, 140.0, 250.0], [15.0, 30.0, 5.0])
+    x = _picture(noun, cameras)
+    right = _error(guidance, x, f"a {noun}", cameras)
+    assert right < 0.8 * _error(guidance, x, f"a {other}", cameras)
+
+
+@pytest.mark.parametrize("noun", ["chair", "mug"])
+def test_a_picture_is_denoised_best_at_its_own_camera(guidance, noun):
+    x = _picture(noun, Cameras.orbit([0.0, 90.0], [15.0, 15.0]))
+    right = _error(guidance, x, noun, Cameras.orbit([0.0, 90.0], [15.0, 15.0]))
+    wrong = _error(guidance, x, noun, Cameras.orbit([180.0, 270.0], [15.0, 15.0]))
+    assert right < 0.8 * wrong
+
+
+def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
+    cameras = Cameras.orbit([30.0, 200.0], [20.0, 20.0])
+    normals = _picture("mug", cameras)
+    inside = normals[:, 3] > 0.9
+    t = torch.full((2,), 900)
+    alpha_bar = guidance.alpha_bar[t]
+    z_t = _noise(2, 2)
+    for color, channel in (("red", 0), ("green", 1), ("blue", 2)):
+        embedding = guidance.embed(f"a {color} mug", "")
+        eps_hat = guidance.eps_hat(z_t, t, embedding, Views(cameras, normals), 1.0)
+        a = alpha_bar[:, None, None, None]
+        painted = (z_t - (1 - a).sqrt() * eps_hat) / a.sqrt()
+        assert (painted[:, 3] > 0)[inside].float().mean() > 0.8  # the coverage is the hint's
+        assert painted.permute(0, 2, 3, 1)[inside].mean(0)[:3].argmax() == channel
+
+
+def test_the_guidance_scale_extrapolates_from_the_negative_prompt(guidance):
+    cameras = Cameras.orbit([20.0], [10.0])
+    z_t, t = _noise(3), torch.tensor([800])
+    chair = guidance.embed("chair", "mug")
+    at = {s: guidance.eps_hat(z_t, t, chair, Views(cameras), s) for s in (0.0, 1.0, 3.0)}
+    torch.testing.assert_close(at[3.0], at[0.0] + 3 * (at[1.0] - at[0.0]), atol=1e-4, rtol=1e-3)
+    mug = guidance.eps_hat(z_t, t, guidance.embed("mug", ""), Views(cameras), 1.0)
+    torch.testing.assert_close(at[0.0], mug, atol=1e-4, rtol=1e-3)
+
+
+def test_eps_hat_is_the_networks_v(guidance, monkeypatch):
+    """v read as a picture and the noise give z_t back."""
+    cameras = Cameras.orbit([20.0], [10.0])
+    z_t, t = _noise(4), torch.tensor([500])
+    answers = []
+    monkeypatch.setattr(
+        guidance.geometry,
+        "forward",
+        lambda *inputs: (
+            answers.append(type(guidance.geometry).forward(guidance.geometry, *inputs))
+            or answers[-1]
+        ),
+    )
+    eps_hat = guidance.eps_hat(z_t, t, guidance.embed("cone", ""), Views(cameras), 1.0)
+    alpha_bar = guidance.alpha_bar[t]
+    x = x_from_v(answers[0][:1].float(), z_t, alpha_bar)
+    torch.testing.assert_close(add_noise(x, eps_hat, alpha_bar), z_t, atol=1e-4, rtol=1e-4)
+
+
+def test_a_render_is_encoded_as_the_training_pictures_are(guidance):
+    o = torch.zeros(1, 128, 128, 1)
+    o[:, 32:96, 32:96] = 1
+    n = o * torch.tensor([0.0, -1.0, 0.0])
+    z = guidance.encode_normals(n, o)
+    assert z.shape == (1, 4, 64, 64)
+    torch.testing.assert_close(z[0, :, 32, 32], torch.tensor([0.0, -1.0, 0.0, 1.0]))
+    torch.testing.assert_close(z[0, :, 2, 2], torch.tensor([0.0, 0.0, 0.0, -1.0]))
+    srgb = o * torch.tensor([1.0, 0.5, 0.0])
+    z = guidance.encode_color(srgb, o)
+    torch.testing.assert_close(z[0, :, 32, 32], torch.tensor([1.0, 0.0, -1.0, 1.0]))
+    torch.testing.assert_close(z[0, :, 2, 2], torch.tensor([0.0, 0.0, 0.0, -1.0]))
+
+
+def test_encoding_carries_the_gradient(guidance):
+    srgb = torch.rand(1, 96, 96, 3, requires_grad=True)
+    guidance.encode_color(srgb, torch.ones(1, 96, 96, 1)).sum().backward()
+    assert srgb.grad.abs().min() > 0
+
+
+def test_unknown_words_are_refused_in_both_prompts(guidance):
+    with pytest.raises(UserError, match="'gnome'"):
+        guidance.embed("a gnome", "")
+    with pytest.raises(UserError, match="'blurry'"):
+        guidance.embed("a chair", "blurry")
+
+
+def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
+    monkeypatch.setattr(builtin, "WEIGHTS", tmp_path)
+    with pytest.raises(MissingError, match=r"geometry\.safetensors .* python -m core\.prior train"):
+        load_builtin("cpu")
+    (tmp_path / "geometry.safetensors").write_bytes(b"nothing")
+    with pytest.raises(MissingError, match="broken"):
+        load_builtin("cpu")
