@@ -137,8 +137,10 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
     if os.name == "posix" and "bpy" not in sys.modules:  # signals then reach the right process
         os.chdir(folder or Path.cwd())
         os.execve(words[0], words, environment.clean_environ())
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the child gets Ctrl-C too, and answers by itself
-    status = subprocess.call(words, env=environment.clean_environ(), cwd=folder)
+    with subprocess.Popen(words, env=environment.clean_environ(), cwd=folder) as child:
+        # The child gets Ctrl-C too and answers by itself. Only now, or it would inherit this.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    status = child.returncode
     return status if status >= 0 else 128 - status
 
 

@@ -608,6 +608,22 @@ def test_ctrl_c_reaches_the_work_and_ends_it():
     assert child.returncode in (130, -signal.SIGINT)
 
 
+@pytest.mark.parametrize("code", ["sys.exit(7)", "os.kill(os.getpid(), 9)"])
+def test_where_a_process_cannot_become_another_it_waits_and_tells_the_status(code):
+    script = (
+        "import sys, types, signal; sys.modules['bpy'] = types.ModuleType('bpy')\n"
+        "import run; status = run.hand_over([sys.executable, '-c', sys.argv[1]])\n"
+        "print(status, signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
+    )
+    told = "import os, signal, sys; print(signal.getsignal(signal.SIGINT), flush=True); " + code
+    done = subprocess.run(
+        [sys.executable, "-c", script, told], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    theirs, ours = done.stdout.splitlines()
+    assert "default_int_handler" in theirs, "the child can be interrupted"
+    assert ours == f"{7 if 'exit' in code else 128 + 9} True"
+
+
 def test_another_pythons_variables_do_not_reach_the_environment():
     code = "import os; print(os.environ.get('PYTHONHOME'), os.environ.get('PYTHONPATH'))"
     child = launcher("python", "-c", code, PYTHONPATH="/nonsense")
