@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 import traceback
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -150,12 +151,14 @@ def run_job(run: "RunFolder", inputs: "Inputs | None") -> None:
         asset = generate(run, inputs or prepare(run.job))
     except UserError as error:
         kind = "cancelled" if error.status == 130 else "error"
-        run.say(kind, text=error.text, fix=error.fix or None)
+        with suppress(OSError):  # a full disk takes no last word
+            run.say(kind, text=error.text, fix=error.fix or None)
         raise
     except BaseException as error:
         known = _known(error)
         text, fix = (known.text, known.fix) if known else (f"{type(error).__name__}: {error}", "")
-        run.say("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
+        with suppress(OSError):
+            run.say("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
         if known:
             raise known from error
         with (path / "log.txt").open("a", encoding="utf-8") as log:

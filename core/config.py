@@ -72,6 +72,7 @@ class AppearanceConfig:
     kd_range: tuple[float, float] = (0.03, 0.97)
     roughness_range: tuple[float, float] = (0.08, 0.9)
     metallic_range: tuple[float, float] = (0.0, 1.0)
+    metallic_start: float = 0.5  # share of its range that metallic starts at
     bump: float = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
     smooth: float = 0.0  # weight of the material's change between neighbouring points
 
@@ -139,12 +140,15 @@ DRAFT = Config(
     appearance=AppearanceConfig(
         log2_hash_size=15,
         finest=128,
+        # The prior saw colours over this very shape and light: it needs little guidance, and more
+        # of it saturates kd.
         early=PhaseConfig(
-            steps=120, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=5.0
+            steps=60, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=1.5
         ),
         late=PhaseConfig(
-            steps=60, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=3.0
+            steps=40, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.0
         ),
+        metallic_start=0.08,
         views=6,
         views_at_once=6,
         learning_rate_end=0.1,

@@ -16,6 +16,7 @@ from tqdm import tqdm
 
 from core.errors import Cancelled, UserError
 from core.protocol import EventWriter, Job, write_text
+from core.texture.files import whole_file
 
 CHECKPOINT_SECONDS = 20.0  # between two checkpoints on disk
 PREVIEW_SECONDS = 2.0
@@ -151,16 +152,16 @@ class RunFolder:
         """Write ``checkpoint/NAME.safetensors``, its ``meta`` as JSON inside."""
         folder = self.path / "checkpoint"
         folder.mkdir(exist_ok=True)
-        aside = folder / f"{name}.tmp"
         meta = meta | {"timings": self.timings}
-        save_file(
-            {key: value.detach().cpu().contiguous() for key, value in tensors.items()},
-            aside,
-            metadata={"meta": json.dumps(meta)},
-        )
-        with aside.open("rb+") as file:
-            os.fsync(file.fileno())  # a checkpoint survives a power cut
-        aside.replace(folder / f"{name}.safetensors")
+        values = {key: value.detach().cpu().contiguous() for key, value in tensors.items()}
+        path = folder / f"{name}.safetensors"
+        with whole_file(path) as aside:
+            try:
+                save_file(values, aside, metadata={"meta": json.dumps(meta)})
+            except SafetensorError as error:  # it wraps what the disk said
+                raise UserError(f"{path} was not written: {error}.", "Make room.") from None
+            with aside.open("rb+") as file:
+                os.fsync(file.fileno())  # a checkpoint survives a power cut
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""

@@ -37,6 +37,8 @@ class MaterialNet(nn.Module):
     The released code's ninth output is not used by its shading and is left out.
     """
 
+    start: Tensor
+
     def __init__(self, config: AppearanceConfig, generator: torch.Generator) -> None:
         super().__init__()
         self.config = config
@@ -49,13 +51,16 @@ class MaterialNet(nn.Module):
         )
         for layer in self.layers:
             nn.init.kaiming_uniform_(layer.weight, nonlinearity="relu", generator=generator)
+        start = torch.full((8,), 0.5)
+        start[4] = config.metallic_start
+        self.register_buffer("start", start.logit(), persistent=False)
 
     def raw(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
         """The MLP's output before the sigmoids."""
         x = self.encoding(points)
         for layer in self.layers[:-1]:
             x = torch.relu(layer(x))
-        return self.layers[-1](x)
+        return self.layers[-1](x) + self.start
 
     def forward(
         self, points: Float[Tensor, "n 3"], uv: Float[Tensor, "n 2"] | None = None

@@ -38,9 +38,12 @@ def test_a_seed_gives_the_same_material_and_another_seed_another():
     assert not torch.equal(a, c)
 
 
-def test_it_starts_grey_and_half_rough():
-    m = MaterialNet(CONFIG, torch.Generator().manual_seed(0))(torch.zeros(1, 3))
+def test_it_starts_grey_half_rough_and_as_metallic_as_asked():
+    config = replace(CONFIG, metallic_start=0.1)
+    m = MaterialNet(config, torch.Generator().manual_seed(0))(torch.zeros(1, 3))
     torch.testing.assert_close(m.kd, torch.full((1, 3), 0.5), atol=0.01, rtol=0)
+    torch.testing.assert_close(m.roughness, torch.tensor([[0.49]]), atol=0.01, rtol=0)
+    torch.testing.assert_close(m.metallic, torch.tensor([[0.1]]), atol=0.01, rtol=0)
 
 
 @pytest.mark.parametrize(("m", "ks"), [(0.0, 0.04), (1.0, 0.6), (0.5, 0.32)])

@@ -1,0 +1,22 @@
+"""The built-in prior's share of a step."""
+
+import torch
+
+from core.benchmarks import least_ms, row
+from core.camera import Cameras
+from core.guidance.guidance import Views, make_guidance
+
+
+def rows() -> list[dict]:
+    """One noise prediction with guidance, six views."""
+    guidance = make_guidance("builtin", "cpu")
+    embedding = guidance.embed("a red wooden chair", "")
+    size = guidance.latent_size
+    z = torch.randn(6, 4, size, size, generator=torch.Generator().manual_seed(0))
+    t = torch.full((6,), 500)
+    cameras = Cameras.orbit([0.0, 60.0, 120.0, 180.0, 240.0, 300.0], [20.0])
+    lines = []
+    for name, views in (("geometry", Views(cameras)), ("appearance", Views(cameras, z))):
+        ms = least_ms(lambda v=views: guidance.eps_hat(z, t, embedding, v, 7.5))
+        lines.append(row(f"built-in prior, {name}, 6 views", ms, "ms"))
+    return lines

@@ -1,0 +1,199 @@
+"""The main job, short but real: words in, an asset folder out, by the command line."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from PIL import Image
+
+from core.asset import inspect, read_asset
+from core.config import preset
+from core.generate import shortened
+from core.geometry.marching_tets import marching_tets
+from core.geometry.tet_grid import tet_grid
+from core.protocol import LAST, read_events
+from core.texture.obj import obj_text
+
+ROOT = Path(__file__).parents[2]
+SHORT = {
+    "geometry.coarse.steps": 8,
+    "geometry.fine.steps": 2,
+    "geometry.resolution": "24,28",
+    "geometry.fit_steps": 100,
+    "geometry.views": 3,
+    "geometry.views_at_once": 3,
+    "appearance.early.steps": 14,
+    "appearance.late.steps": 2,
+    "appearance.learning_rate": 0.03,
+    "appearance.early.size": 64,
+    "appearance.late.size": 64,
+    "appearance.views": 3,
+}
+OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
+OPTIONS += ["--texture-size=128", "--max-faces=1500"]
+
+
+def core(*argv: object) -> "subprocess.Popen[str]":
+    environ = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"}
+    command = [sys.executable, "-m", "core", *map(str, argv)]
+    return subprocess.Popen(
+        command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+
+
+def finished(process: "subprocess.Popen[str]") -> tuple[int, str]:
+    said = process.communicate(timeout=600)[0]
+    return process.returncode, said
+
+
+def wait_for(run: Path, stage: str, step: int, seconds: float = 300) -> None:
+    """Until the run has come to that step."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        events = read_events(run) if run.exists() else []
+        if any(e.get("stage") == stage and e.get("step", 0) >= step for e in events):
+            return
+        assert not any(e["type"] in LAST for e in events), events[-1]
+        time.sleep(0.05)
+    raise AssertionError(f"{run} never came to {stage} {step}")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One unbroken run, in a folder with a difficult name."""
+    run = tmp_path_factory.mktemp("ein Lauf ü") / "rot"
+    status, said = finished(core("generate", "a red torus", "--out", run, *OPTIONS))
+    assert status == 0, said
+    assert said.splitlines()[-1] == str(run / "asset")
+    return run
+
+
+def test_the_asset_is_whole_and_closed(whole):
+    report = inspect(whole)
+    assert report["prompt"] == "a red torus"
+    mesh = report["mesh"]
+    assert mesh["closed"]
+    assert mesh["manifold"]
+    assert mesh["oriented"]
+    assert mesh["volume"] > 0
+    assert mesh["faces"] <= 1500
+    assert mesh["bounds"][0][2] == pytest.approx(0, abs=1e-6)
+    assert report["size_m"] == pytest.approx(1, abs=1e-5)
+    names = {p.name for p in (whole / "asset").iterdir()}
+    for name in ("asset.json", "mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb"):
+        assert name in names
+    assert not (whole / "asset.tmp").exists()
+    assert set(report["timings"]) >= {"fit", "geometry", "unwrap", "appearance", "bake"}
+
+
+def test_red_becomes_redder_even_in_a_few_steps(whole):
+    kd = read_asset(whole).maps.base_color.flatten(0, 1).mean(0)
+    assert float(kd[0]) > float(kd[1]) + 0.05
+    assert float(kd[0]) > float(kd[2]) + 0.05
+
+
+def test_the_events_tell_the_story(whole):
+    events = read_events(whole)
+    assert events[0]["type"] == "started"
+    assert events[0]["pid"] > 0
+    assert [e["type"] for e in events if e["type"] in LAST] == ["done"]
+    assert events[-1] == events[-1] | {"type": "done", "path": "asset"}
+    stages = list(dict.fromkeys(e["stage"] for e in events if e["type"] == "progress"))
+    assert stages == ["geometry", "unwrap", "appearance", "bake"]
+    for event in events:
+        if event["type"] == "preview":
+            assert (whole / event["path"]).is_file()
+
+
+def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
+    """Killed in the geometry, cancelled in the appearance, and still the same."""
+    run = tmp_path / "run"
+    process = core("generate", "a red torus", "--out", run, *OPTIONS)
+    wait_for(run, "geometry", 3)
+    process.kill()
+    process.communicate()
+    assert not (run / "asset").exists()
+
+    process = core("resume", run)
+    wait_for(run, "appearance", 1)
+    process.send_signal(signal.SIGINT)
+    status, said = finished(process)
+    assert status == 130, said
+    assert "Traceback" not in said
+    assert read_events(run)[-1]["type"] == "cancelled"
+
+    status, said = finished(core("resume", run))
+    assert status == 0, said
+    for name in ("mesh.obj", "base_color.png", "orm.png"):
+        assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
+
+
+def test_pictures_of_the_asset(whole, tmp_path):
+    shaded, mask = tmp_path / "shaded.png", tmp_path / "mask.png"
+    for name, path in (("shaded", shaded), ("mask", mask)):
+        process = core("render", whole, "--out", path, "--map", name, "--size", 48)
+        assert finished(process)[0] == 0
+    picture, inside = (np.asarray(Image.open(p).convert("RGB"), float) for p in (shaded, mask))
+    assert picture.shape == (48, 48, 3)
+    body = picture[inside[..., 0] == inside[..., 0].max()]
+    assert len(body) > 50
+    assert body[:, 0].mean() > body[:, 2].mean()
+
+
+def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
+    grid = tet_grid(10)
+    verts, faces = marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - 0.7, grid)
+    verts = verts * torch.tensor([1.0, 2.0, 0.5]) + torch.tensor([5.0, -3.0, 1.0])
+    mesh = tmp_path / "Köpfchen.obj"
+    flat = torch.zeros(1, 2)
+    text = obj_text(verts, faces, flat, torch.zeros_like(faces), torch.zeros_like(verts), "mesh")
+    kept = [line for line in text.splitlines() if line.startswith("v ")]
+    kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
+    mesh.write_text("\n".join(kept) + "\n")
+    run = tmp_path / "run"
+    status, said = finished(core("texture", mesh, "a blue ball", "--out", run, *OPTIONS))
+    assert status == 0, said
+    asset = read_asset(run)
+    torch.testing.assert_close(asset.verts, verts, atol=1e-4, rtol=0)
+    assert torch.equal(asset.faces, faces)
+    kd = asset.maps.base_color.flatten(0, 1).mean(0)
+    assert float(kd[2]) > float(kd[0])
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A file system of a few megabytes."""
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=300k", "tmpfs", str(disk)]
+    if sys.platform != "linux" or subprocess.run(mount, capture_output=True).returncode:
+        pytest.skip("only root may mount a small file system")
+    yield disk
+    subprocess.run(["umount", str(disk)], check=True)
+
+
+def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(small_disk):
+    run = small_disk / "run"
+    status, said = finished(core("generate", "a red torus", "--out", run, *OPTIONS))
+    assert status == 2, said
+    assert "Traceback" not in said
+    assert "No space" in said or "full" in said
+    assert not (run / "asset").exists()
+    assert not list(run.rglob("*.tmp"))
+
+
+def test_a_guide_shortens_the_phase_that_decides_the_shape():
+    draft = preset("draft")
+    coarse, fine = draft.geometry.coarse.steps, draft.geometry.fine.steps
+    keeps = shortened(draft, 1.0).geometry
+    assert keeps.coarse.steps == 0
+    assert 0 < keeps.fine.steps < fine
+    assert shortened(draft, 0.0) == draft
+    assert shortened(draft, 0.5).geometry.coarse.steps == coarse // 2
