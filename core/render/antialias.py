@@ -17,18 +17,22 @@ High-Performance Differentiable Rendering", §3.5) loses most of the gradient on
 the silhouette are foreshortened below a pixel.
 """
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeVar
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.render.rasterizer import Fragments, Points, take
+from core.render.visibility import to_screen
 
 # A silhouette edge may lie this far behind what its outer pixel shows and still bound it: the
 # rounding of an interpolated depth.
 DEPTH_EPS = 1e-5
+
+
+Record = TypeVar("Record", bound=tuple)
 
 
 class EdgeTable(NamedTuple):
@@ -80,23 +84,27 @@ def antialias(
     inner pixel's value: enough where only the colours are trained.
     """
     silhouette = silhouettes(fragments, faces, edges)
+    found = [crossings(silhouette, fragments, axis) for axis in (0, 1)]
+    places, points = zip(*(locate(found[axis], fragments, axis) for axis in (0, 1)), strict=True)
+    crossing, points = concatenate(found), concatenate(points)
+    place = torch.cat(places)
+    reach = torch.where(crossing.inner_is_lower, place, 1 - place)
+    grows = reach > 0.5
+
     flat = image.reshape(-1, image.shape[-1])
-    out = flat
-    for axis in (0, 1):
-        crossing = crossings(silhouette, fragments, axis)
-        place, points = locate(crossing, fragments, axis)
-        reach = torch.where(crossing.inner_is_lower, place, 1 - place)
-        grows = reach > 0.5
-        inner = flat.index_select(0, crossing.inner)
-        if rim is not None:
-            inner = torch.where(grows[:, None], rim(points), inner)
-        difference = inner - flat.index_select(0, crossing.outer)
-        # Nothing changes for an edge midway; the outer pixel gains beyond, the inner one loses.
-        # The weight carries no gradient: the area that an edge sweeps does not depend on it.
-        amount = ((reach - 0.5) * crossing.weight)[:, None].to(flat.dtype)
-        receiver = torch.where(grows, crossing.outer, crossing.inner)
-        out = out.index_add(0, receiver, amount * difference)
-    return out.view_as(image)
+    inner, outer = take(flat, torch.stack([crossing.inner, crossing.outer]))
+    if rim is not None:
+        inner = torch.where(grows[:, None], rim(points), inner)
+    # Nothing changes for an edge midway; the outer pixel gains beyond, the inner one loses.
+    # The weight carries no gradient: the area that an edge sweeps does not depend on it.
+    amount = ((reach - 0.5) * crossing.weight)[:, None].to(flat.dtype)
+    receiver = torch.where(grows, crossing.outer, crossing.inner)
+    return flat.index_add(0, receiver, amount * (inner - outer)).view_as(image)
+
+
+def concatenate(parts: "Sequence[Record]") -> "Record":
+    """Named tuples of tensors, one after another."""
+    return type(parts[0])(*(torch.cat(field) for field in zip(*parts, strict=True)))
 
 
 class Silhouette(NamedTuple):
@@ -127,7 +135,7 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
     offset = view * fragments.screen.shape[1]
     inner = torch.where(first[edge, view], edges.opposite[edge, 0], edges.opposite[edge, 1])
     index = edges.verts[edge] + offset[:, None]
-    xyz = fragments.screen.detach().reshape(-1, 3)
+    xyz = fragments.screen.reshape(-1, 3)
     start, end, third = xyz[index[:, 0]], xyz[index[:, 1]], xyz[inner + offset]
     along, across = end - start, third - start
     side = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
@@ -136,7 +144,7 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
 
 def facing(fragments: Fragments, faces: Int[Tensor, "f 3"]) -> Bool[Tensor, "f b"]:
     """Whether a face is counter-clockwise on the screen (y up)."""
-    screen = fragments.screen.detach()
+    screen = fragments.screen
     x, y = screen[..., 0].t().contiguous(), screen[..., 1].t().contiguous()
     x0, x1, x2 = (x.index_select(0, i) for i in faces.unbind(1))
     y0, y1, y2 = (y.index_select(0, i) for i in faces.unbind(1))
@@ -181,7 +189,7 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
     depth = fragments.depth.view(-1)
     bounds = inside & (z < depth[outer] + DEPTH_EPS) & torch.isfinite(depth[inner])
     reach = torch.where(inner_is_lower, place - lower, lower + 1 - place)
-    keep = outermost(reach, lower_pixel * 2 + inner_is_lower, bounds, 2 * len(depth))
+    keep = outermost(reach, lower_pixel * 2 + inner_is_lower, bounds)
     weight = along[:, 1 - axis].square() / along[:, :2].square().sum(1).clamp(min=1e-30)
     return Crossings(
         silhouette.index[edge[keep]],
@@ -208,29 +216,30 @@ def lines_met(
 
 
 def outermost(
-    reach: Float[Tensor, " n"], pair: Int[Tensor, " n"], valid: Bool[Tensor, " n"], pairs: int
+    reach: Float[Tensor, " n"], pair: Int[Tensor, " n"], valid: Bool[Tensor, " n"]
 ) -> Int[Tensor, " m"]:
     """Indices of the valid crossings that reach farthest out in their pair; of equals the first."""
     index = valid.nonzero().squeeze(1)
-    reach, pair = reach[index], pair[index]
-    farthest = reach.new_full((pairs,), -1.0).scatter_reduce_(0, pair, reach, "amax")
-    index, pair = (t[reach >= farthest[pair]] for t in (index, pair))
+    reach = reach.index_select(0, index)
+    pairs, pair = torch.unique(pair.index_select(0, index), return_inverse=True)
+    farthest = reach.new_full((len(pairs),), -1.0).scatter_reduce_(0, pair, reach, "amax")
+    index = torch.where(reach >= farthest.index_select(0, pair), index, len(valid))
     # Two edges that meet on the line cross it at the same place: count one of them.
-    winner = index.new_full((pairs,), len(valid)).scatter_reduce_(0, pair, index, "amin")
-    return index[index == winner[pair]]
+    return index.new_full((len(pairs),), len(valid)).scatter_reduce_(0, pair, index, "amin")
 
 
 def locate(
     crossing: Crossings, fragments: Fragments, axis: int
 ) -> tuple[Float[Tensor, " m"], Points]:
     """The crossings with gradient: place between the pair's centres (0 to 1), and on the mesh."""
-    screen = take(fragments.screen.reshape(-1, 3), crossing.index)
+    _, height, width = fragments.size
+    clip = take(fragments.clip.reshape(-1, 4), crossing.index)
+    screen = to_screen(clip, height, width)
     (x0, x1), (y0, y1) = screen[..., axis].unbind(1), screen[..., 1 - axis].unbind(1)
     s = (crossing.line + 0.5 - y0) / (y1 - y0)
     place = x0 + s * (x1 - x0) - 0.5 - crossing.lower
     # Linear on the screen is linear in 1/w on the mesh.
-    w = take(fragments.clip[..., 3:].reshape(-1, 1), crossing.index).squeeze(-1)
-    share = torch.stack([1 - s, s], 1) / w
+    share = torch.stack([1 - s, s], 1) / clip[..., 3]
     view = crossing.index[:, 0].div(fragments.clip.shape[1], rounding_mode="floor")
     corners = crossing.index - (view * fragments.clip.shape[1])[:, None]
     return place, Points(view, corners, share / share.sum(1, keepdim=True))
