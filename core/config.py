@@ -122,10 +122,10 @@ DRAFT = Config(
         net=FOURIER,
         resolution=(40, 64),
         coarse=PhaseConfig(
-            steps=200, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=10.0
+            steps=160, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=10.0
         ),
         fine=PhaseConfig(
-            steps=150, size=128, weighting="sigma2_sqrt", t_high=(0.6, 0.4), guidance_scale=7.5
+            steps=60, size=128, weighting="sigma2_sqrt", t_high=(0.6, 0.4), guidance_scale=7.5
         ),
         views=6,
         views_at_once=6,
