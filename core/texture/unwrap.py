@@ -18,7 +18,7 @@ from core.texture.files import told_errors
 
 MAX_FACES = 100_000  # xatlas takes half a minute here, and beyond this sometimes hours
 TIME_LIMIT = 900.0  # seconds; thirty times what MAX_FACES needs
-PADDING = 4  # texels between islands: bilinear lookup and two levels of mipmaps stay apart
+PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
 WORKER = Path(__file__).with_name("unwrap_worker.py")
 
 

@@ -18,7 +18,7 @@ MAX_PASSES = 3
 def pack(
     verts: np.ndarray, faces: np.ndarray, size: int, padding: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """uv in [0, 1] and a uv index per corner, islands ``padding`` texels apart at ``size``.
+    """uv in [0, 1] and a uv index per corner, ``padding`` texels at ``size`` round each island.
 
     The atlas comes out larger than asked for, by a tenth to a half, and is then scaled into the
     unit square, which shrinks the gaps: they are asked for wider, and again where that is short.
