@@ -4,6 +4,7 @@ Every stage leaves its result in the run folder's checkpoint, so a resumed run g
 middle of the stage where it stopped.
 """
 
+import warnings
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
@@ -13,13 +14,14 @@ from torch import Tensor
 from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.asset import place, write_asset
-from core.config import Config, GeometryConfig, preset, with_settings
+from core.config import AppearanceConfig, Config, GeometryConfig, preset, with_settings
 from core.errors import MissingError, UserError
 from core.geometry.init_shape import ellipsoid, fit, mesh_shape
 from core.geometry.mesh import Mesh, load_mesh, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
-from core.guidance.guidance import Embedding, Guidance, make_guidance
+from core.guidance.guidance import Embedding, Guidance, MaterialRanges, make_guidance
+from core.guidance.prompts import PromptCutWarning
 from core.protocol import Job
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
@@ -40,6 +42,7 @@ class Inputs:
     embedding: Embedding
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
+    warnings: tuple[str, ...] = ()  # what the user should know of the prompts, such as a cut
 
 
 def prepare(job: Job) -> Inputs:
@@ -50,13 +53,18 @@ def prepare(job: Job) -> Inputs:
     shape = load_mesh(Path(path)) if path else None
     light = load_light(job.light)
     guidance = make_guidance(job.guidance, device)
-    embedding = guidance.embed(job.prompt, job.negative_prompt)
-    return Inputs(config, device, guidance, embedding, light, shape)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", PromptCutWarning)
+        embedding = guidance.embed(job.prompt, job.negative_prompt)
+    said = tuple(str(w.message) for w in caught)
+    return Inputs(config, device, guidance, embedding, light, shape, said)
 
 
 def generate(run: RunFolder, inputs: Inputs) -> Path:
     """Carry out the run from where it stands; the path of its asset folder."""
     job, config, device = run.job, inputs.config, inputs.device
+    for text in inputs.warnings:
+        run.say("warning", text=text)
 
     # GEOMETRY: Ψ learns the shape, from an ellipsoid or from the guide mesh
     mesh = load_unwrapped(run)
@@ -83,7 +91,8 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
 
     # APPEARANCE: Γ learns the material
     generator = torch.Generator().manual_seed(job.seed + 1)
-    material = MaterialNet(config.appearance, generator).to(device)
+    bounds = inputs.guidance.ranges(inputs.embedding)
+    material = MaterialNet(within(config.appearance, bounds), generator).to(device)
     environment = Environment.of(inputs.light).to(device)
     learn_appearance(material, mesh, environment, inputs.guidance, inputs.embedding, run, generator)
 
@@ -133,6 +142,13 @@ def device_of(name: str) -> torch.device:
     if not found.get(kind, True):
         raise MissingError(f"This torch finds no {kind} device.", "Take --device auto or cpu.")
     return torch.device(name)
+
+
+def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> AppearanceConfig:
+    """``config`` with the bounds that the words set."""
+    if bounds is None:
+        return config
+    return replace(config, roughness_range=bounds.roughness, metallic_range=bounds.metallic)
 
 
 def load_unwrapped(run: RunFolder) -> UvMesh | None:

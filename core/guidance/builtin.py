@@ -14,9 +14,17 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.errors import MissingError
-from core.guidance.guidance import Embedding, Guidance, NormalFrame, Views, coarse_latent
+from core.guidance.guidance import (
+    Embedding,
+    Guidance,
+    MaterialRanges,
+    NormalFrame,
+    Views,
+    coarse_latent,
+)
 from core.guidance.sds import eps_from_v, guide
 from core.prior.diffusion import alpha_bar_schedule
+from core.prior.palette import finishes_of
 from core.prior.unet import BLOCK, UNet, camera_map
 from core.prior.vocabulary import Words, parse
 from core.prior.weights import load_weights
@@ -54,6 +62,20 @@ class BuiltinGuidance(Guidance):
     def embed(self, prompt: str, negative_prompt: str) -> BuiltinEmbedding:
         """Raises ``UserError`` for words that are not in the vocabulary."""
         return BuiltinEmbedding(parse(prompt), parse(negative_prompt, noun_needed=False))
+
+    def ranges(self, embedding: Embedding) -> MaterialRanges:
+        """The roughness and metallic that the words' parts are painted with, and a little around.
+
+        At 64² a rough metal and a dark plastic look alike; the words tell them apart.
+        """
+        if not isinstance(embedding, BuiltinEmbedding):
+            raise TypeError("the embedding comes from another guidance")
+        finishes = finishes_of(embedding.words.noun, embedding.words.material)
+        rough, metal = ([getattr(f, n) for f in finishes] for n in ("roughness", "metallic"))
+        return MaterialRanges(
+            (max(min(rough) - 0.15, 0.05), min(max(rough) + 0.1, 0.95)),
+            (max(min(metal) - 0.02, 0.0), min(max(metal) + 0.02, 1.0)),
+        )
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]

@@ -10,7 +10,7 @@ background adds ``(1 - o) * background`` itself.
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import torch
 from jaxtyping import Float, Int
@@ -41,6 +41,13 @@ class Views:
 
     def __len__(self) -> int:
         return len(self.cameras)
+
+
+class MaterialRanges(NamedTuple):
+    """Bounds within which the appearance training looks for a material."""
+
+    roughness: tuple[float, float]
+    metallic: tuple[float, float]
 
 
 class Guidance(ABC):
@@ -81,6 +88,11 @@ class Guidance(ABC):
             srgb: sRGB-encoded colour in [0, 1] over black (zero outside).
             o: coverage in [0, 1].
         """
+
+    def ranges(self, embedding: Embedding) -> MaterialRanges | None:
+        """What the words themselves say of the material; None where they leave all open."""
+        del embedding
+        return None
 
     @abstractmethod
     def eps_hat(

@@ -121,6 +121,14 @@ def part_names(noun: str) -> tuple[str, ...]:
     return tuple(FAMILIES[noun](Draw(torch.Generator())))
 
 
+def finishes_of(noun: str, material: str) -> list[Finish]:
+    """The finish of every part of ``noun``, where the word ``material`` ("" for none) is said."""
+    main = MAIN.get(noun, tuple(NATURE[noun]))
+    nature = {part: FINISHES[(*look, "", "")[2]] for part, look in NATURE[noun].items()}
+    said = FINISHES[material]
+    return [said if material and part in main else nature[part] for part in NATURE[noun]]
+
+
 class Place(NamedTuple):
     """Where on the object: what patterns are made of."""
 

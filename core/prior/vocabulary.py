@@ -62,7 +62,7 @@ FILLER = frozenset(
     """a an the of in on with and is it its one single some made from out color colour colored
     coloured photo photograph picture image render rendering rendered dslr 3d 3-d cg model object
     highly very detailed high-quality quality hd 4k 8k hdr realistic photorealistic beautiful nice
-    simple studio lighting isolated background view please shiny matte glossy smooth style shape
+    simple studio lighting isolated background view please style shape
     shaped asset game ready material""".split()
 )
 # Nearest known words for common ones that no spelling leads to.

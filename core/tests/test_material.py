@@ -7,6 +7,8 @@ import torch
 
 from core.appearance.material import Material, MaterialNet, specular_color, to_ranges
 from core.config import AppearanceConfig
+from core.generate import within
+from core.guidance.guidance import make_guidance
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
 
@@ -51,3 +53,21 @@ def test_the_specular_term_is_the_papers(m, ks):
     material = Material(torch.full((1, 3), 0.6), torch.ones(1, 1), torch.full((1, 1), m),
                         torch.tensor([[0.0, 0, 1]]))  # fmt: skip
     torch.testing.assert_close(specular_color(material), torch.full((1, 3), ks))
+
+
+def test_the_words_bound_the_material():
+    """The built-in prior knows what its words are made of; others leave all open."""
+    guidance = make_guidance("builtin", "cpu")
+    for prompt, metallic in (
+        ("a red wooden chair", (0.0, 0.02)),
+        ("a golden mug", (0.98, 1.0)),
+        ("a lamp", (0.0, 1.0)),  # its pole is golden by nature
+    ):
+        bounds = guidance.ranges(guidance.embed(prompt, ""))
+        assert bounds.metallic == pytest.approx(metallic)
+        config = within(CONFIG, bounds)
+        assert config.metallic_range == bounds.metallic
+        assert 0 < config.roughness_range[0] < config.roughness_range[1] < 1
+    rough = guidance.ranges(guidance.embed("a rubber ball", "")).roughness
+    assert rough[0] > guidance.ranges(guidance.embed("a metal ball", "")).roughness[1]
+    assert within(CONFIG, None) == CONFIG
