@@ -31,6 +31,7 @@ import difflib
 import io
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -247,6 +248,9 @@ def finish(order: str) -> NoReturn:
 
 def leave(status: int) -> NoReturn:
     """End the process at once: bpy may hang or crash at an ordinary exit."""
+    blender = sys.modules.get("bpy")
+    if blender:  # which would have done this itself
+        shutil.rmtree(blender.app.tempdir, ignore_errors=True)
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(status)
