@@ -122,20 +122,24 @@ DRAFT = Config(
         net=FOURIER,
         resolution=(40, 64),
         coarse=PhaseConfig(
-            steps=160, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=10.0
+            steps=160, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),
         fine=PhaseConfig(
-            steps=60, size=128, weighting="sigma2_sqrt", t_high=(0.6, 0.4), guidance_scale=7.5
+            steps=60,
+            size=128,
+            weighting="sigma2_sqrt",
+            t_low=0.1,
+            t_high=(0.6, 0.4),
+            guidance_scale=4.0,
         ),
         views=6,
         views_at_once=6,
-        learning_rate=2e-3,
+        learning_rate=4e-3,
         learning_rate_end=0.3,
         gradient_cap=0.1,
         gradient_clip=1.0,
         ray_mask_share=0.4,
         eikonal=0.05,
-        smooth_normals=0.0,
     ),
     appearance=AppearanceConfig(
         log2_hash_size=15,

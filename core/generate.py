@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import torch
+from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
@@ -84,6 +85,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
 
     # UNWRAP: once, within the face budget
     if mesh is None:
+        assert shape is not None  # a job of "texture" has a mesh
         verts, _, _ = normalise(shape.verts)
         mesh = unwrap_shape(replace(shape, verts=verts), config.texture, run)
         save_unwrapped(run, mesh)
@@ -98,7 +100,8 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
 
     # TEXTURING: Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, material, config.texture, run)
-    verts = place(mesh.verts.cpu()) if job.command == "generate" else inputs.shape.verts
+    verts = mesh.verts.cpu()
+    verts = place(verts) if job.command == "generate" else back(verts, inputs.shape)
     picture = picture_of(material, mesh, environment, PREVIEW_SIZE)
     parts = (verts, mesh.faces, mesh.uv, mesh.face_uvs)
     return write_asset(run.asset, *parts, maps, info_of(job, run), picture)
@@ -142,6 +145,15 @@ def device_of(name: str) -> torch.device:
     if not found.get(kind, True):
         raise MissingError(f"This torch finds no {kind} device.", "Take --device auto or cpu.")
     return torch.device(name)
+
+
+def back(verts: Float[Tensor, "v 3"], mesh: Mesh | None) -> Float[Tensor, "v 3"]:
+    """From the training's cube to where the user's ``mesh`` stands."""
+    assert mesh is not None
+    if len(verts) == len(mesh.verts):  # not simplified: to the last bit
+        return mesh.verts
+    _, center, scale = normalise(mesh.verts)
+    return verts / scale + center
 
 
 def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> AppearanceConfig:

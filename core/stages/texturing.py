@@ -13,13 +13,22 @@ from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
 from core.texture.bake import Maps, bake
 from core.texture.simplify import simplify
+from core.texture.texels import uv_faults
 from core.texture.unwrap import unwrap
 
 
 def unwrap_shape(shape: Mesh, config: TextureConfig, run: RunFolder) -> UvMesh:
-    """The shape within its face budget and with a uv; a mesh that has a uv stays as it is."""
+    """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is."""
     if shape.uv is not None and shape.face_uvs is not None:
-        return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+        faults = uv_faults(shape.uv, shape.face_uvs)
+        if not faults:
+            return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+        run.say(
+            "warning",
+            stage="unwrap",
+            text=f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
+            fix="A new one is made. To keep yours, unwrap it without overlaps inside the square.",
+        )
     with run.timed("unwrap"):
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))

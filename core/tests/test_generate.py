@@ -15,8 +15,9 @@ from PIL import Image
 
 from core.asset import inspect, read_asset
 from core.config import preset
-from core.generate import shortened
+from core.generate import back, shortened
 from core.geometry.marching_tets import marching_tets
+from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
 from core.protocol import LAST, read_events
 from core.texture.obj import obj_text
@@ -187,6 +188,15 @@ def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(small_disk):
     assert "No space" in said or "full" in said
     assert not (run / "asset").exists()
     assert not list(run.rglob("*.tmp"))
+
+
+def test_a_simplified_mesh_goes_back_to_where_it_stood():
+    grid = tet_grid(8)
+    verts, faces = marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - 0.7, grid)
+    mesh = Mesh(verts * 3 + torch.tensor([5.0, 0, -2]), faces)
+    moved, _, _ = normalise(mesh.verts)
+    assert back(moved, mesh) is mesh.verts
+    torch.testing.assert_close(back(moved[10:], mesh), mesh.verts[10:], atol=1e-5, rtol=0)
 
 
 def test_a_guide_shortens_the_phase_that_decides_the_shape():
