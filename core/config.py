@@ -140,6 +140,7 @@ DRAFT = Config(
         gradient_clip=1.0,
         ray_mask_share=0.4,
         eikonal=0.05,
+        smooth_normals=0.003,
     ),
     appearance=AppearanceConfig(
         log2_hash_size=15,
@@ -147,10 +148,10 @@ DRAFT = Config(
         # The prior saw colours over this very shape and light: it needs little guidance, and more
         # of it saturates kd.
         early=PhaseConfig(
-            steps=60, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=1.5
+            steps=80, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=2.5
         ),
         late=PhaseConfig(
-            steps=40, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.0
+            steps=40, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.5
         ),
         metallic_start=0.08,
         views=6,
