@@ -27,15 +27,17 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
             f"{path} cannot be read as OpenEXR: {error}.", "Save it again as a scanline EXR."
         ) from error
     planes = [find_channel(channels, letter) for letter in "RGB"]
-    if any(plane is None for plane in planes):
-        planes = [find_channel(channels, "Y")] * 3
-    if planes[0] is None:
+    grey = find_channel(channels, "Y")
+    found = [plane for plane in planes if plane is not None]
+    if len(found) < 3 and grey is not None:
+        found = [grey] * 3
+    if len(found) < 3:
         names = ", ".join(sorted(channels)) or "none"
         raise UserError(
             f"{path} has no colour channels R, G, B or Y (it has: {names}).",
             "Save it again as RGB.",
         )
-    return torch.from_numpy(np.stack(planes, -1).astype(np.float32))
+    return torch.from_numpy(np.stack(found, -1).astype(np.float32))
 
 
 def find_channel(channels: dict[str, np.ndarray], letter: str) -> np.ndarray | None:

@@ -167,7 +167,7 @@ def interpolate(
 
     The vertices' attributes can be had at any :class:`Points`, the corners' at fragments only.
     """
-    if attributes.ndim == 2:
+    if isinstance(points, Points) or attributes.ndim == 2:
         return WeightedSum.apply(attributes, points.corners, points.bary)
     corner = attributes.index_select(0, points.face)
     return (corner * points.bary[..., None]).sum(1)

@@ -34,7 +34,8 @@ def shade(
     linear. Gradients to everything but the light.
     """
     parts = [x.split(CHUNK) for x in (normal, view, kd, roughness, metallic)]
-    return torch.cat([shade_chunk(*part, environment) for part in zip(*parts, strict=True)])
+    colors = [shade_chunk(n, v, c, r, m, environment) for n, v, c, r, m in zip(*parts, strict=True)]
+    return torch.cat(colors)
 
 
 def shade_chunk(
@@ -48,13 +49,13 @@ def shade_chunk(
     """:func:`shade` in one piece."""
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
     albedo = lookup_albedo(roughness, cos_v)
-    lobe = environment.lobe(normal, view, roughness)
+    light = environment.incoming(normal, view, roughness)
     # Eq. 8 with Schlick's F = F0 + (1 - F0)(1 - cos)^5 and F0 = kd.
-    metal = kd * (albedo.total - albedo.schlick) * lobe.base + albedo.schlick * lobe.schlick
-    coat = albedo.dielectric * lobe.dielectric
+    metal = kd * (albedo.total - albedo.schlick) * light.base + albedo.schlick * light.schlick
+    coat = albedo.dielectric * light.dielectric
     # Eq. 7. The light that the dielectric layer reflects does not reach the base below it.
     passed = 1 - albedo.dielectric / albedo.total.clamp(min=1e-3)
-    diffuse = kd * passed * environment.irradiance(normal)
+    diffuse = kd * passed * light.diffuse
     return metallic * metal + (1 - metallic) * (diffuse + coat)
 
 
