@@ -2,8 +2,8 @@
 
 Sign: the generalised winding number (Jacobson et al. 2013; fast: Barill et al. 2018) is right in
 spite of holes, overlapping shells and faces in bad company, as long as the faces look outward.
-Faces that do not are turned first: patch by patch along their common edges, and where that does
-not settle it, by rays (Takayama et al. 2014): the side from which more rays escape is outside.
+Faces that do not are turned first: all at once if that does it, or else patch by patch (faces that
+share edges), by rays (Takayama et al. 2014): the side from which more rays escape is outside.
 """
 
 import igl
@@ -56,16 +56,16 @@ def mesh_sdf(
 
 
 def facing_outward(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """``faces`` turned so that they look outward; walls of voids look into the void."""
-    if _is_solid(verts, faces):
-        return faces
-    turned = igl.bfs_orient(faces)[0]
-    if _volume(verts, turned) < 0:
-        turned = np.ascontiguousarray(turned[:, ::-1])
-    if _is_solid(verts, turned):
-        return turned
-    flip, _ = igl.embree.reorient_facets_raycast(verts, turned, RAYS)
-    return np.ascontiguousarray(np.where(flip[:, None], turned[:, ::-1], turned))
+    """``faces`` turned so that they look outward.
+
+    The wall of a void keeps looking into it, unless rays had to decide: they fill the void.
+    """
+    inside_out = np.ascontiguousarray(faces[:, ::-1])
+    for candidate in (faces, inside_out):
+        if _is_solid(verts, candidate):
+            return candidate
+    flip, _ = igl.embree.reorient_facets_raycast(verts, faces, RAYS)
+    return np.ascontiguousarray(np.where(flip[:, None], inside_out, faces))
 
 
 def _clean(verts: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -83,11 +83,6 @@ def _normals(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """Normals as long as twice the face's area."""
     a, b, c = (verts[faces[:, k]] for k in range(3))
     return np.cross(b - a, c - a)
-
-
-def _volume(verts: np.ndarray, faces: np.ndarray) -> float:
-    center = (verts.max(0) + verts.min(0)) / 2
-    return float(((verts[faces[:, 0]] - center) * _normals(verts, faces)).sum() / 6)
 
 
 def _is_solid(verts: np.ndarray, faces: np.ndarray) -> bool:

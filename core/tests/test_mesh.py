@@ -217,6 +217,20 @@ def test_obj_keeps_a_uv_for_each_corner(tmp_path):
     assert mesh.base_color is None
 
 
+def test_a_face_that_welds_to_a_line_goes_with_its_uv(tmp_path):
+    flat = "v 1 0 0\nvt 0.7 0.7\nf 2/6 6/6 3/3\n"  # its first two corners are in one place
+    text = CUBE_OBJ.replace("f 1/1", flat + "f 1/1")
+    mesh, plain = (
+        load_mesh(write(tmp_path, name, t)) for name, t in (("a.obj", text), ("b.obj", CUBE_OBJ))
+    )
+    assert len(mesh.faces) == len(mesh.face_uvs) == len(plain.faces)
+    found, expected = (
+        {tuple(map(tuple, torch.cat([m.verts[f], m.uv[u]], 1).tolist())) for f, u in pairs}
+        for m, pairs in ((m, zip(m.faces, m.face_uvs, strict=True)) for m in (mesh, plain))
+    )
+    assert found == expected
+
+
 def test_obj_from_the_wild(tmp_path):
     triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
     pentagon = "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n"
