@@ -66,7 +66,9 @@ def take(arguments: Sequence[str], option: str) -> tuple[str | None, list[str]]:
     Raises:
         InputError: the value is missing, or there are two.
     """
-    value, rest, words = None, [], iter(arguments)
+    value: str | None = None
+    rest: list[str] = []
+    words = iter(arguments)
     for word in words:
         name, equals, given = word.partition("=")
         if name != option:
@@ -85,7 +87,8 @@ def split(argv: Sequence[str]) -> tuple[list[str], dict[str, str]]:
 
     The core's part is empty where Blender alone has something to do (``export --format blend``).
     """
-    arguments, blender = list(argv), {}
+    arguments = list(argv)
+    blender: dict[str, str] = {}
     if argv[0] in JOBS:
         for name in ("blend", "render"):
             value, arguments = take(arguments, f"--{name}")

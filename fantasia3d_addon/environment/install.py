@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from pathlib import Path
 from typing import IO, Protocol
 
@@ -74,7 +74,7 @@ def ensure(
 
 
 @contextlib.contextmanager
-def _locked(folder: Path, progress: Progress) -> Iterator[IO[bytes]]:
+def _locked(folder: Path, progress: Progress) -> Generator[IO[bytes], None, None]:
     """Hold the set-up's lock, which the system lets go when its last holder dies."""
     path = folder.with_name(folder.name + ".lock")
     try:
