@@ -124,14 +124,16 @@ def config_of(job: Job) -> Config:
 
 
 def shortened(config: Config, strength: float) -> Config:
-    """``config`` for a guide mesh: the coarse phase, which decides the shape, is cut short.
+    """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
 
-    ``strength`` 0 keeps it whole; at 1 there is none, and the fine phase only touches up.
+    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the fine one touches up.
     """
-    g = config.geometry
-    coarse = replace(g.coarse, steps=round(g.coarse.steps * (1 - strength)))
-    fine = replace(g.fine, steps=max(1, round(g.fine.steps * (1 - 0.8 * strength))))
-    return replace(config, geometry=replace(g, coarse=coarse, fine=fine))
+    g, keep = config.geometry, 1 - strength
+    t_high = tuple(t * (1 - strength / 2) for t in g.coarse.t_high)
+    coarse = replace(g.coarse, steps=round(g.coarse.steps * keep), t_high=t_high)
+    fine = replace(g.fine, steps=max(1, round(g.fine.steps * (0.2 + 0.8 * keep))))
+    rate = g.learning_rate * (0.25 + 0.75 * keep)
+    return replace(config, geometry=replace(g, coarse=coarse, fine=fine, learning_rate=rate))
 
 
 def device_of(name: str) -> torch.device:

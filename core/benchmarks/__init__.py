@@ -36,7 +36,7 @@ def row(name: str, value: float, unit: str, target: float | None = None) -> dict
 
 
 def bench(names: list[str], out: Path | None = None) -> None:
-    """Measure the parts ``names`` (all, if empty), print a table, and write it as JSON to ``out``."""
+    """Measure the parts ``names`` (all, if empty), print a table, and write JSON to ``out``."""
     for name in names:
         if name not in PARTS:
             raise UserError(f"There is no benchmark {name!r}.", f"Take {', '.join(PARTS)}.")
