@@ -109,7 +109,7 @@ class BuiltinGuidance(Guidance):
         said = torch.tensor([embedding.words.indices(slots), embedding.negative.indices(slots)])
         words = said.to(self.device).repeat_interleave(count, 0)
         camera = self._camera_map(views.cameras).repeat(2, 1, 1, 1)
-        pair = z_t.repeat(2, 1, 1, 1).contiguous(memory_format=torch.channels_last)
+        pair = z_t.repeat(2, 1, 1, 1)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.half):
             v = net(pair, t.repeat(2), words, camera, hint).float()
         eps_cond, eps_uncond = eps_from_v(v, pair, self.alpha_bar[t].repeat(2)).chunk(2)

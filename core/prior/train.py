@@ -143,7 +143,7 @@ class Training:
     def __init__(self, unet: UNetConfig, config: TrainConfig) -> None:
         self.config, self.unet = config, unet
         torch.manual_seed(config.seed)
-        self.net = UNet(unet).to(memory_format=torch.channels_last)
+        self.net = UNet(unet)
         self.params = list(self.net.parameters())
         self.ema = [p.detach().clone() for p in self.params]
         self.optimizer = torch.optim.AdamW(
@@ -166,7 +166,7 @@ class Training:
         words, camera = drop_conditions(words, camera, config, g)
         t = draw_times(config.batch, config, g)
         eps, alpha_bar = torch.randn(x.shape, generator=g), self.alpha_bar[t]
-        z_t = add_noise(x, eps, alpha_bar).contiguous(memory_format=torch.channels_last)
+        z_t = add_noise(x, eps, alpha_bar)
         with torch.autocast("cpu", torch.bfloat16):
             v = self.net(z_t, t, words, camera, hint)
         loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
@@ -178,7 +178,8 @@ class Training:
         self.optimizer.step()
         self.step += 1
         keep = min(config.ema, (self.step + 1) / (self.step + 10))
-        torch._foreach_lerp_(self.ema, [p.detach() for p in self.params], 1 - keep)
+        for mean, parameter in zip(self.ema, self.params, strict=True):
+            mean.lerp_(parameter.detach(), 1 - keep)
         self.loss = loss.item() if self.step == 1 else 0.99 * self.loss + 0.01 * loss.item()
         self.seconds += time.monotonic() - start
 

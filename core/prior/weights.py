@@ -4,7 +4,6 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-import torch
 from safetensors import safe_open
 from safetensors.torch import load_file, save_file
 from torch import Tensor
@@ -33,4 +32,4 @@ def load_weights(path: Path) -> UNet:
         facts[name] = tuple(facts[name])
     net = UNet(UNetConfig(**facts))
     net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
-    return net.eval().requires_grad_(False).to(memory_format=torch.channels_last)
+    return net.eval().requires_grad_(False)

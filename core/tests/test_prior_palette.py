@@ -75,7 +75,7 @@ def test_patterns_repaint_only_their_own_parts():
 
 
 def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
-    samples = make(11, 12)
+    samples = make(11, 6)
     painter = Painter()
     index = torch.arange(len(samples))
     color = torch.full((len(samples),), 1 + list(COLORS).index("green"))
