@@ -134,10 +134,10 @@ def psnr(a: torch.Tensor, b: torch.Tensor) -> float:
     return float(-10 * torch.log10((a - b).square().mean()))
 
 
-# What the core reaches under this light, less 1 dB; a wrong axis or mirrored map gives under 20.
+# What the core reaches under this light, less 2 dB.
 @pytest.mark.parametrize(
     ("roughness", "metallic", "least"),
-    [(0.05, 1.0, 28), (0.3, 0.0, 36), (0.5, 1.0, 24), (0.8, 0.0, 38)],
+    [(0.05, 1.0, 34), (0.3, 0.0, 40), (0.5, 1.0, 41), (0.8, 0.0, 41)],
 )
 def test_ball_looks_as_in_cycles(
     light_file: Path, tmp_path: Path, roughness: float, metallic: float, least: float

@@ -66,7 +66,7 @@ def environments() -> dict[str, Environment]:
 def test_lobes_average_the_light_as_the_reflectance_does(
     environments: dict[str, Environment], roughness: float, cos: float
 ) -> None:
-    """The light that metal and dielectric reflect, within 3 % (narrow lobes at grazing 10 %).
+    """The light that metal and dielectric reflect, within 4 % (narrow lobes at grazing 10 %).
 
     The split sum misses by 10 to 40 % where the lobe leans.
     """
@@ -83,7 +83,7 @@ def test_lobes_average_the_light_as_the_reflectance_does(
     for name, environment in environments.items():
         found = reflected(*environment.incoming(NORMAL, view, rough)[1:])
         error[name] = (found - truth).square().mean((1, 2)).sqrt() / truth.mean((1, 2))
-    assert float(error["lobes"].max()) < (0.1 if (roughness, cos) == (0.3, 0.3) else 0.03)
+    assert float(error["lobes"].max()) < (0.1 if (roughness, cos) == (0.3, 0.3) else 0.04)
     if cos < 0.9:
         assert float((error["lobes"] / error["split_sum"]).max()) < 1 / 3
 
