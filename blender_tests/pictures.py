@@ -5,7 +5,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from fantasia3d_addon import light, scene
+from fantasia3d_addon import compat, light, scene
 
 
 def write_hdr(path: Path, picture: np.ndarray) -> Path:
@@ -56,6 +56,22 @@ def add_ball(at: tuple[float, float, float] = (0, 0, 0)) -> bpy.types.Object:
     obj.location = at
     bpy.context.scene.collection.objects.link(obj)
     return obj
+
+
+def paint_white(obj: bpy.types.Object) -> None:
+    """A white, matt material."""
+    material = bpy.data.materials.new("white")
+    tree = compat.empty_nodes(material)
+    white = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    white.inputs["Color"].default_value = (1, 1, 1, 1)
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(white.outputs["BSDF"], output.inputs["Surface"])
+    obj.data.materials.append(material)
+
+
+def linear(srgb: np.ndarray) -> np.ndarray:
+    """sRGB above its toe as linear light."""
+    return ((srgb + 0.055) / 1.055) ** 2.4
 
 
 def render(

@@ -51,7 +51,8 @@ def test_the_package_loads_without_blender():
     """run.py shares its environment module under plain Python."""
     import subprocess
 
-    code = "import sys, fantasia3d_addon.environment, fantasia3d_addon.jobs; print('bpy' in sys.modules)"
+    names = "fantasia3d_addon.environment, fantasia3d_addon.jobs"
+    code = f"import sys, {names}; print('bpy' in sys.modules)"
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=FAKE_CORE.parents[1], capture_output=True, text=True
     )

@@ -7,7 +7,15 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from blender_tests.pictures import add_ball, lobe, render, set_light, write_hdr  # noqa: E402
+from blender_tests.pictures import (  # noqa: E402
+    add_ball,
+    linear,
+    lobe,
+    paint_white,
+    render,
+    set_light,
+    write_hdr,
+)
 from fantasia3d_addon import light  # noqa: E402
 from fantasia3d_addon.errors import LightError  # noqa: E402
 
@@ -42,8 +50,8 @@ def test_strength_is_linear(tmp_path):
     once = render(ball, tmp_path, samples=32)
     set_light(tmp_path, (0, -1, 0), strength=0.2)
     twice = render(ball, tmp_path, samples=32)
-    linear = [((p[32, 32] + 0.055) / 1.055) ** 2.4 for p in (once, twice)]
-    np.testing.assert_allclose(linear[1] / linear[0], 2, rtol=0.05)
+    ratio = linear(twice[32, 32]) / linear(once[32, 32])
+    np.testing.assert_allclose(ratio, 2, rtol=0.05)
 
 
 def test_irradiance_in_closed_form(tmp_path):
@@ -60,19 +68,9 @@ def test_irradiance_agrees_with_cycles(tmp_path):
     expected = light.irradiance(image, (0, -1, 0))
     light.set_world(bpy.context.scene, tmp_path / "x.hdr")
     ball = add_ball()
-    material = bpy.data.materials.new("white")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    white, output = (
-        tree.nodes.new("ShaderNodeBsdfDiffuse"),
-        tree.nodes.new("ShaderNodeOutputMaterial"),
-    )
-    white.inputs["Color"].default_value = (1, 1, 1, 1)
-    tree.links.new(white.outputs["BSDF"], output.inputs["Surface"])
-    ball.data.materials.append(material)
+    paint_white(ball)
     picture = render(ball, tmp_path, samples=64)[30:34, 30:34].mean()
-    assert ((picture + 0.055) / 1.055) ** 2.4 == pytest.approx(expected, rel=0.05)
+    assert linear(picture) == pytest.approx(expected, rel=0.05)
 
 
 def test_names_and_files(tmp_path):

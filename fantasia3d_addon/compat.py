@@ -37,9 +37,11 @@ def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
         node.convention = "OPENGL"
 
 
-def prompt_field(layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str) -> None:
+def text_field(
+    layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str, placeholder: str
+) -> None:
     """A text property without its label; of several lines where Blender has such (5.2)."""
     if "textbox" in bpy.types.UILayout.bl_rna.functions:
-        layout.textbox(data, name, initial_visible_lines=2)
+        layout.textbox(data, name, initial_visible_lines=2, placeholder=placeholder)
     else:
-        layout.prop(data, name, text="")
+        layout.prop(data, name, text="", placeholder=placeholder)

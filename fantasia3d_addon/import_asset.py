@@ -16,7 +16,7 @@ NAME_BYTES = 63  # of a datablock, in UTF-8; Blender 5 takes more, but earlier o
 
 
 def import_asset(
-    where: bpy.types.Context | bpy.types.Scene,
+    where: bpy.types.Context | bpy.types.Scene | bpy.types.LayerCollection,
     folder: Path,
     location: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> bpy.types.Object:

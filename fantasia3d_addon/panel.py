@@ -31,45 +31,16 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
             box = layout.box()
             box.label(text="The method's Python is not there yet.", icon="INFO")
             draw_set_up(box, context)
-        compat.prompt_field(layout, settings, "prompt")
+        compat.text_field(layout, settings, "prompt", placeholder="a red wooden chair")
         layout.use_property_split = True
         layout.use_property_decorate = False
         layout.prop(settings, "preset")
         row = layout.row(align=True)
         row.prop(settings, "seed")
         row.operator("fantasia3d.new_seed", text="", icon="FILE_REFRESH")
+        _draw_options(layout, settings)
         _draw_run(layout)
         _draw_messages(layout, context)
-
-
-class FANTASIA3D_PT_options(bpy.types.Panel):
-    """What the preset decides unless it is said here."""
-
-    bl_idname = "FANTASIA3D_PT_options"
-    bl_label = "Options"
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = TAB
-    bl_parent_id = "FANTASIA3D_PT_generate"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context: bpy.types.Context) -> None:
-        layout = self.layout
-        settings = context.scene.fantasia3d
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        layout.prop(settings, "negative_prompt")
-        layout.prop(settings, "guidance")
-        if settings.guidance == "model":
-            layout.prop(settings, "model")
-        layout.prop(settings, "guide")
-        if settings.guide:
-            layout.prop(settings, "guide_strength")
-        layout.prop(settings, "light")
-        if settings.light == FILE:
-            layout.prop(settings, "light_file")
-        layout.prop(settings, "texture_size")
-        layout.prop(settings, "max_faces")
         layout.operator("fantasia3d.import_asset", icon="IMPORT")
 
 
@@ -87,6 +58,26 @@ def draw_set_up(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
         _draw_message(layout, context, work.error, "ERROR")
     else:
         _draw_message(layout, context, (work.text, ""), "CHECKMARK")
+
+
+def _draw_options(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    """What the preset decides unless it is said here, folded away."""
+    header, body = layout.panel("fantasia3d_options", default_closed=True)
+    header.label(text="Options")
+    if body is None:
+        return
+    body.prop(settings, "negative_prompt")
+    body.prop(settings, "guidance")
+    if settings.guidance == "model":
+        body.prop(settings, "model")
+    body.prop(settings, "guide")
+    if settings.guide:
+        body.prop(settings, "guide_strength")
+    body.prop(settings, "light")
+    if settings.light == FILE:
+        body.prop(settings, "light_file")
+    body.prop(settings, "texture_size")
+    body.prop(settings, "max_faces")
 
 
 def _is_set_up(context: bpy.types.Context) -> bool:
@@ -134,4 +125,4 @@ def _draw_message(
         column.label(text=line, icon="NONE" if index else icon)
 
 
-CLASSES = (FANTASIA3D_PT_generate, FANTASIA3D_PT_options)
+CLASSES = (FANTASIA3D_PT_generate,)

@@ -191,8 +191,9 @@ class Session:
     def _import(self) -> None:
         assert self.run
         scene = bpy.data.scenes.get(self._scene) or bpy.context.scene  # another file may be open
+        where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
         try:
-            self.asset = import_asset(scene, self.run.asset, self._location).name
+            self.asset = import_asset(where, self.run.asset, self._location).name
         except AddonError as error:
             self.error = (error.text, error.fix)
             return
