@@ -97,6 +97,8 @@ class Machine:
         monkeypatch.setattr(machine, "python_candidates", lambda: iter([str(self.python)]))
         monkeypatch.setattr(machine, "has_nvidia", lambda: False)
         monkeypatch.setattr(sys, "platform", "linux")
+        # It would put another program in pytest's place.
+        monkeypatch.setattr(run, "hand_over", lambda *_: pytest.fail("handed over"))
         self.root = self.folder / "tree"
         (self.root / "core").mkdir(parents=True)
         self.pin("torch==2.13.0")
@@ -330,6 +332,13 @@ def test_a_changed_group_is_installed_again_and_a_changed_core_makes_all_anew(bo
     (box.env / "old").touch()
     box.ensure("blender")
     assert not (box.env / "old").exists()
+
+
+def test_an_environment_whose_python_has_gone_is_made_anew(box):
+    (box.ensure("blender")).unlink()
+    assert environment.lacking(box.env, box.root, ("blender",)) == ["core", "blender"]
+    assert box.ensure("blender").exists()
+    assert box.count("venv") == 2
 
 
 def test_renew_makes_all_anew(box):
