@@ -34,7 +34,8 @@ class GeometryConfig:
     """Ψ and its training (§4.1, §4.2)."""
 
     net: SdfNetConfig = HASH
-    resolution: tuple[int, int] = (128, 128)  # lattice cubes along an edge, coarse and fine
+    # Lattice cubes along an edge, coarse and fine; 65³ nodes are what others call a 128 grid.
+    resolution: tuple[int, int] = (64, 64)
     radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
     fit_steps: int = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
@@ -50,6 +51,7 @@ class GeometryConfig:
     ray_mask_share: float = 0.0  # share of all steps that also move the mask along empty rays
     eikonal: float = 0.0  # weight of (|∇s| - 1)²
     smooth_normals: float = 0.0  # weight of 1 - cos between neighbouring faces
+    polish: int = 0  # rounds of Taubin smoothing of the finished mesh
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -141,6 +143,7 @@ DRAFT = Config(
         ray_mask_share=0.4,
         eikonal=0.05,
         smooth_normals=0.003,
+        polish=12,
     ),
     appearance=AppearanceConfig(
         log2_hash_size=15,

@@ -179,6 +179,20 @@ def drop_floaters(
     return compact(verts, faces[keep[label]])
 
 
+def polished(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], rounds: int
+) -> Float[Tensor, "v 3"]:
+    """Vertices after Taubin's smoothing, which takes off bumps and keeps the volume.
+
+    G. Taubin, "A Signal Processing Approach to Fair Surface Design", 1995; λ = 0.5, μ = -0.53.
+    """
+    if rounds == 0:
+        return verts
+    mesh = trimesh.Trimesh(verts.cpu().double().numpy(), faces.cpu().numpy(), process=False)
+    trimesh.smoothing.filter_taubin(mesh, lamb=0.5, nu=0.53, iterations=2 * rounds)
+    return torch.from_numpy(np.array(mesh.vertices)).to(verts)
+
+
 def compact(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "f 3"]]:

@@ -9,7 +9,7 @@ from torch import Tensor
 from core.camera import Cameras
 from core.config import GeometryConfig, PhaseConfig
 from core.geometry.marching_tets import marching_tets
-from core.geometry.mesh import drop_floaters
+from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import SdfNet, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
@@ -72,7 +72,7 @@ def learn_geometry(
         preview.show(batch.verts.detach(), batch.faces)
         training.checkpoint(step.index + 1, force=run.cancelled or step.last)
         run.check_cancelled()
-    return final_mesh(net, grids[1])
+    return final_mesh(net, grids[1], config.polish)
 
 
 class Batch:
@@ -183,11 +183,14 @@ class Batch:
         return loss
 
 
-def final_mesh(net: SdfNet, grid: TetGrid) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-    """Ψ's surface without small floating pieces."""
+def final_mesh(
+    net: SdfNet, grid: TetGrid, polish: int = 0
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """Ψ's surface without small floating pieces, smoothed by ``polish`` rounds."""
     with torch.no_grad():
         surface = extract(net, grid)
-    return drop_floaters(surface.verts, surface.faces, FLOATER_SHARE)
+    verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_SHARE)
+    return polished(verts, faces, polish), faces
 
 
 def random_rotations(n: int, generator: torch.Generator) -> Float[Tensor, "n 3 3"]:

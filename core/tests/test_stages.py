@@ -13,6 +13,7 @@ from core.errors import Cancelled, NoSurfaceError
 from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
+from core.geometry.mesh import polished, signed_volume
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
@@ -21,7 +22,13 @@ from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
 from core.stages.appearance import learn_appearance
 from core.stages.distill import decayed, phase_of
-from core.stages.geometry import Batch, bending, eikonal, learn_geometry, random_rotations
+from core.stages.geometry import (
+    Batch,
+    bending,
+    eikonal,
+    learn_geometry,
+    random_rotations,
+)
 from core.texture.unwrap import unwrap
 
 SHORT = replace(
@@ -91,6 +98,17 @@ def test_bending_of_a_regular_tetrahedron_is_four_thirds():
     verts = torch.tensor([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
     faces = torch.tensor([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
     assert float(bending(verts, faces)) == pytest.approx(4 / 3, rel=1e-5)
+
+
+def test_polish_takes_off_the_bumps_and_keeps_the_volume():
+    verts, faces = sphere(32)
+    bump = 0.01 * torch.randn(len(verts), 1, generator=torch.Generator().manual_seed(0))
+    rough = verts * (1 + bump)
+    smooth = polished(rough, faces, 10)
+    assert polished(rough, faces, 0) is rough
+    before, after = ((x.norm(dim=1) - 0.6).std() for x in (rough, smooth))
+    assert float(after) < 0.45 * float(before)
+    assert signed_volume(smooth, faces) == pytest.approx(signed_volume(rough, faces), rel=0.01)
 
 
 @pytest.mark.parametrize("frame", ["object", "camera"])
