@@ -32,6 +32,7 @@ def unwrap_shape(shape: Mesh, config: TextureConfig, run: RunFolder) -> UvMesh:
     with run.timed("unwrap"):
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))
+        run.tell("unwrap", 100, 100)  # a small mesh is done before it ever told its progress
     return UvMesh.of(verts, faces, atlas.uv, atlas.face_uvs)
 
 
