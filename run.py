@@ -3,6 +3,7 @@
 
     python3 run.py COMMAND ...
     blender -b --python-exit-code 1 --python run.py -- COMMAND ...
+    blender --python run.py            a window, with the panel in the sidebar (tab Fantasia3D)
 
 Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
@@ -307,7 +308,20 @@ def main(argv: list[str]) -> int:
         return 130
 
 
+def show_panel() -> None:
+    """Enable the add-on of this tree in the Blender window that this runs in, for its session."""
+    sys.path.insert(0, str(ROOT))
+    import fantasia3d_addon
+
+    fantasia3d_addon.register()
+
+
 if __name__ == "__main__":
-    if "bpy" in sys.modules:
-        leave(main(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []))
-    sys.exit(main(sys.argv[1:]))
+    blender = sys.modules.get("bpy")
+    words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
+    if blender and not words and not blender.app.background:
+        show_panel()
+    elif blender:
+        leave(main(words))
+    else:
+        sys.exit(main(sys.argv[1:]))
