@@ -16,7 +16,6 @@ from collections.abc import Callable, Sequence
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
-from typing_extensions import override
 
 from core.camera import Cameras
 from core.guidance.guidance import (
@@ -56,7 +55,6 @@ class GaussianGuidance(Guidance):
         self.normal_frame = normal_frame
         self.alpha_bar = scaled_linear()
 
-    @override
     def embed(self, prompt: str, negative_prompt: str) -> Embedding:
         """The prompts say nothing to it."""
         return Embedding()
@@ -73,7 +71,6 @@ class GaussianGuidance(Guidance):
         """[2 c - 1, 2 o - 1] with the first three weighted by coverage, downsampled."""
         return coarse_latent(2 * srgb - o, o, self.latent_size)
 
-    @override
     @torch.no_grad()
     def eps_hat(
         self,
