@@ -57,6 +57,7 @@ class GaussianGuidance(Guidance):
 
     def embed(self, prompt: str, negative_prompt: str) -> Embedding:
         """The prompts say nothing to it."""
+        del prompt, negative_prompt
         return Embedding()
 
     def encode_normals(
@@ -81,6 +82,7 @@ class GaussianGuidance(Guidance):
         guidance_scale: float,
     ) -> Float[Tensor, "b 4 s s"]:
         """The exact noise prediction at ``views.cameras``."""
+        del embedding, guidance_scale
         mu = self.reference(views.cameras).to(z_t)
         return mixture_eps(z_t, self.alpha_bar.to(z_t)[t], mu, self.std)
 
