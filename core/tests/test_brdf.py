@@ -109,6 +109,12 @@ def test_shadowing_is_between_0_and_1_and_none_on_a_mirror() -> None:
     assert torch.allclose(smith_g2(cos[1:], cos[1:], torch.zeros(49)), torch.ones(49))
 
 
+def test_shadowing_is_correlated_by_height() -> None:
+    """At alpha 1, Λ = (1 / cos - 1) / 2, so G2 is the harmonic mean of the two cosines."""
+    v, light = torch.rand(2, 50, generator=torch.Generator().manual_seed(0)) * 0.9 + 0.1
+    assert torch.allclose(smith_g2(v, light, torch.ones(50)), 2 / (1 / v + 1 / light), atol=1e-5)
+
+
 def test_visible_normals_are_unit_and_face_the_view() -> None:
     cos_v = torch.tensor([0.05, 0.5, 1.0])[:, None]
     h = visible_normals(cos_v, torch.full_like(cos_v, 0.5), hammersley(256))
