@@ -1,7 +1,10 @@
 """What run.py does inside Blender: the core's job, then the asset, the file and the picture."""
 
 import os
+import signal
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -70,22 +73,41 @@ def test_a_core_that_dies_has_the_status_of_its_signal(tmp_path):
     assert headless.main(argv, PYTHON, FAKE_CORE) == 134
 
 
-def test_ctrl_c_is_the_cores_to_answer(tmp_path, monkeypatch):
-    """SIGINT is not inherited as ignored, and Blender's own handler is back afterwards."""
-    import signal
+def test_ctrl_c_is_the_cores_to_answer(tmp_path):
+    """In a terminal both processes get it: the core stops cleanly, and Blender passes that on."""
+    code = (
+        "import sys, os; from pathlib import Path; from fantasia3d_addon import headless\n"
+        f"argv = ['generate', 'long', '--out', {str(tmp_path / 'run')!r}, '--blend', 'x.blend']\n"
+        f"os._exit(headless.main(argv, Path({sys.executable!r}), Path({str(FAKE_CORE)!r})))"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=FAKE_CORE.parents[1], start_new_session=True
+    )
+    events, deadline = tmp_path / "run" / "events.jsonl", time.monotonic() + 60
+    while not events.exists() or b"progress" not in events.read_bytes():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGINT)
+    assert process.wait(60) == 130
+    assert b"cancelled" in events.read_bytes()
 
+
+@pytest.mark.parametrize("handler", [signal.SIG_DFL, signal.default_int_handler, None])
+def test_the_handler_of_ctrl_c_is_as_before(monkeypatch, handler):
+    """None is Blender's own, in C, which Python can neither name nor put back."""
     before = signal.getsignal(signal.SIGINT)
-    seen = []
-    real = headless.subprocess.Popen
-
-    def spy(*args, **options):
-        seen.append(signal.getsignal(signal.SIGINT))
-        return real(*args, **options)
-
-    monkeypatch.setattr(headless.subprocess, "Popen", spy)
-    headless.main(["generate", "x", "--out", str(tmp_path / "run")], PYTHON, FAKE_CORE)
-    assert seen == [before]
-    assert signal.getsignal(signal.SIGINT) == before
+    try:
+        if handler is None:
+            monkeypatch.setattr(signal, "getsignal", lambda number: None)
+            monkeypatch.setattr(signal, "signal", lambda *a: pytest.fail("it was replaced"))
+        else:
+            signal.signal(signal.SIGINT, handler)
+        with headless._deaf_to_ctrl_c():
+            pass
+        assert signal.getsignal(signal.SIGINT) == handler
+    finally:
+        monkeypatch.undo()
+        signal.signal(signal.SIGINT, before)
 
 
 def test_no_asset_is_a_sentence_and_status_2(tmp_path, capfd):

@@ -107,18 +107,28 @@ def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
         encoding="utf-8",
         errors="replace",
     ) as process:
-        # Only now, or the core would inherit it.
-        handler = signal.signal(signal.SIGINT, signal.SIG_IGN)
         assert process.stdout
-        try:
+        with _deaf_to_ctrl_c():  # only now, or the core would inherit it
             for line in process.stdout:
                 print(line, end="", flush=True)
                 last = line.strip() or last
             process.wait()
-        finally:
-            signal.signal(signal.SIGINT, handler)
     status = process.returncode
     return (status if status >= 0 else 128 - status), last
+
+
+@contextlib.contextmanager
+def _deaf_to_ctrl_c() -> Iterator[None]:
+    """Leave Ctrl-C to the child. Blender's own handler, which Python can't put back, may stay."""
+    handler = signal.getsignal(signal.SIGINT)
+    if handler is None:
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)
 
 
 def _take(argv: Sequence[str], option: str) -> tuple[list[str], str | None]:

@@ -7,6 +7,7 @@ it first, as the command line does. The job's negative prompt names the asset th
 import json
 import os
 import shutil
+import signal
 import sys
 import time
 from pathlib import Path
@@ -19,6 +20,7 @@ if sys.argv[1] == "generate":
 run = Path(sys.argv[-1])
 job = json.loads((run / "job.json").read_text(encoding="utf-8"))
 events = run / "events.jsonl"
+signal.signal(signal.SIGINT, lambda *_: (run / "cancel").touch())
 
 
 def say(kind: str, **fields: object) -> None:
