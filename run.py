@@ -276,6 +276,8 @@ def under_blender(argv: list[str]) -> int:
     from fantasia3d_addon import headless
 
     if core:
+        # Blender's own handler is no Python function, and could not be put back after the job.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         return headless.main(argv, python_path, ROOT)
     return headless.finish(Path(blender["asset"]), blend=blender["blend"]) or 0
 
@@ -310,7 +312,6 @@ def main(argv: list[str]) -> int:
 
 def show_panel() -> None:
     """Enable the add-on of this tree in the Blender window that this runs in, for its session."""
-    sys.path.insert(0, str(ROOT))
     import fantasia3d_addon
 
     fantasia3d_addon.register()
