@@ -132,7 +132,7 @@ def shortened(config: Config, strength: float) -> Config:
     t_high = tuple(t * (1 - strength / 2) for t in g.coarse.t_high)
     coarse = replace(g.coarse, steps=round(g.coarse.steps * keep), t_high=t_high)
     fine = replace(g.fine, steps=max(1, round(g.fine.steps * (0.2 + 0.8 * keep))))
-    rate = g.learning_rate * (0.25 + 0.75 * keep)
+    rate = g.learning_rate * (0.05 + 0.95 * keep)
     return replace(config, geometry=replace(g, coarse=coarse, fine=fine, learning_rate=rate))
 
 
