@@ -30,7 +30,7 @@ SHORT = {
     "geometry.fit_steps": 100,
     "geometry.views": 3,
     "geometry.views_at_once": 3,
-    "appearance.early.steps": 14,
+    "appearance.early.steps": 30,
     "appearance.late.steps": 2,
     "appearance.learning_rate": 0.03,
     "appearance.early.size": 64,
