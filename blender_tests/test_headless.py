@@ -13,6 +13,7 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import write_asset  # noqa: E402
 from blender_tests.pictures import read  # noqa: E402
+from blender_tests.processes import blender_command  # noqa: E402
 from fantasia3d_addon import headless, scene  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
@@ -76,13 +77,11 @@ def test_a_core_that_dies_has_the_status_of_its_signal(tmp_path):
 def test_ctrl_c_is_the_cores_to_answer(tmp_path):
     """In a terminal both processes get it: the core stops cleanly, and Blender passes that on."""
     code = (
-        "import sys, os; from pathlib import Path; from fantasia3d_addon import headless\n"
+        "import os; from pathlib import Path; from fantasia3d_addon import headless\n"
         f"argv = ['generate', 'long', '--out', {str(tmp_path / 'run')!r}, '--blend', 'x.blend']\n"
         f"os._exit(headless.main(argv, Path({sys.executable!r}), Path({str(FAKE_CORE)!r})))"
     )
-    process = subprocess.Popen(
-        [sys.executable, "-c", code], cwd=FAKE_CORE.parents[1], start_new_session=True
-    )
+    process = subprocess.Popen(blender_command(code), start_new_session=True)
     events, deadline = tmp_path / "run" / "events.jsonl", time.monotonic() + 60
     while not events.exists() or b"progress" not in events.read_bytes():
         assert time.monotonic() < deadline
@@ -95,19 +94,12 @@ def test_ctrl_c_is_the_cores_to_answer(tmp_path):
 @pytest.mark.parametrize("handler", [signal.SIG_DFL, signal.default_int_handler, None])
 def test_the_handler_of_ctrl_c_is_as_before(monkeypatch, handler):
     """None is Blender's own, in C, which Python can neither name nor put back."""
-    before = signal.getsignal(signal.SIGINT)
-    try:
-        if handler is None:
-            monkeypatch.setattr(signal, "getsignal", lambda number: None)
-            monkeypatch.setattr(signal, "signal", lambda *a: pytest.fail("it was replaced"))
-        else:
-            signal.signal(signal.SIGINT, handler)
-        with headless._deaf_to_ctrl_c():
-            pass
-        assert signal.getsignal(signal.SIGINT) == handler
-    finally:
-        monkeypatch.undo()
-        signal.signal(signal.SIGINT, before)
+    calls = []
+    monkeypatch.setattr(signal, "getsignal", lambda number: handler)
+    monkeypatch.setattr(signal, "signal", lambda number, new: calls.append(new))
+    with headless._deaf_to_ctrl_c():
+        assert calls == ([] if handler is None else [signal.SIG_IGN])
+    assert calls[1:] == ([] if handler is None else [handler])
 
 
 def test_no_asset_is_a_sentence_and_status_2(tmp_path, capfd):

@@ -1,9 +1,6 @@
 """The camera, the picture and the saved file."""
 
-import os
 import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,6 +18,7 @@ from blender_tests.pictures import (  # noqa: E402
     set_light,
     shoot,
 )
+from blender_tests.processes import blender_command  # noqa: E402
 from fantasia3d_addon import compat, light, scene  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
 from fantasia3d_addon.import_asset import import_asset  # noqa: E402
@@ -117,13 +115,7 @@ def test_saved_and_loaded_by_another_process_it_renders_the_same(asset, tmp_path
         f"shoot(obj, Path({str(tmp_path / 'again.png')!r}))\n"
         "sys.stdout.flush(); os._exit(0)"
     )
-    root = Path(__file__).parents[1]
-    blender = bpy.app.binary_path  # empty where bpy is a module
-    command = [blender, "-b", "--python-expr"] if blender else [sys.executable, "-c"]
-    path = os.pathsep.join([str(root), os.environ.get("PYTHONPATH", "")])
-    subprocess.run(
-        [*command, code], env=os.environ | {"PYTHONPATH": path}, check=True, capture_output=True
-    )
+    subprocess.run(blender_command(code), check=True, capture_output=True)
     np.testing.assert_allclose(read(tmp_path / "again.png"), first, atol=1.5 / 255)
 
 
