@@ -10,6 +10,7 @@ import json
 import os
 import signal
 import sys
+import time
 import traceback
 from contextlib import suppress
 from pathlib import Path
@@ -21,6 +22,9 @@ if TYPE_CHECKING:  # torch takes seconds to load: a wrong option must not wait f
     from core.generate import Inputs
     from core.protocol import Job
     from core.run_folder import RunFolder
+
+
+BEGIN = time.time()  # a wish to cancel that is older than this was meant for an earlier session
 
 
 class Parser(argparse.ArgumentParser):
@@ -142,10 +146,11 @@ def run_job(run: "RunFolder", inputs: "Inputs | None") -> None:
     """
     from core.generate import generate, prepare
 
-    path = run.path
+    path, wish = run.path, run.path / "cancel"
     signal.signal(signal.SIGINT, lambda *_: run.interrupt())
     signal.signal(signal.SIGTERM, lambda *_: run.interrupt())
-    (path / "cancel").unlink(missing_ok=True)
+    if wish.exists() and wish.stat().st_mtime < BEGIN:
+        wish.unlink()
     run.say("started", pid=os.getpid())
     try:
         asset = generate(run, inputs or prepare(run.job))

@@ -64,6 +64,7 @@ def prepare(job: Job) -> Inputs:
 def generate(run: RunFolder, inputs: Inputs) -> Path:
     """Carry out the run from where it stands; the path of its asset folder."""
     job, config, device = run.job, inputs.config, inputs.device
+    run.check_cancelled()
     for text in inputs.warnings:
         run.say("warning", text=text)
 
@@ -75,7 +76,8 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
         if not run.has("geometry"):
             start = mesh_shape(inputs.shape) if inputs.shape else ellipsoid(config.geometry.radii)
             with run.timed("fit"):
-                fit(net, start, config.geometry.fit_steps, generator)
+                steps = config.geometry.fit_steps
+                fit(net, start, steps, generator, lambda step, _: run.advance("fit", step, steps))
         verts, faces = learn_geometry(
             net, inputs.guidance, inputs.embedding, config.geometry, run, generator
         )

@@ -108,6 +108,11 @@ class RunFolder:
                     tenth = (index + 1) * 10 // steps
                     print(f"{stage} {index + 1}/{steps}, {left:.0f} s left", flush=True)
 
+    def advance(self, stage: str, step: int, steps: int) -> None:
+        """Tell how far a stage is, and stop it where the user asks for it."""
+        self.check_cancelled()
+        self.tell(stage, step, steps)
+
     def tell(
         self,
         stage: str,

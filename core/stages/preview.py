@@ -4,6 +4,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import torch
 from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
@@ -14,11 +15,12 @@ from core.texture.files import whole_file
 from core.texture.images import unit_bytes, write_png
 
 SIZE = 256  # pixels
+MAX_FACES = 20_000  # of the light mesh: Blender takes it in within a frame
 VIEW = {"azimuth_deg": [30.0], "elevation_deg": [20.0]}
 
 
 class ShapePreview:
-    """Shows the geometry training's shape as normals, and as a mesh in training units."""
+    """Shows the geometry training's shape as normals, and as a light mesh in training units."""
 
     def __init__(self, run: RunFolder) -> None:
         self._run = run
@@ -31,9 +33,9 @@ class ShapePreview:
         cameras = Cameras.orbit(**VIEW).to(verts.device)
         n, o = render_normals(verts, faces, cameras, SIZE, "camera")
         write_png(self._run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
-        write_shape(self._run.preview_path("shape.obj"), verts, faces)
+        write_shape(self._run.preview_path("shape.npz"), verts, faces)
         self._run.say("preview", stage="geometry", path="preview/normals.png")
-        self._run.say("preview", stage="geometry", path="preview/shape.obj")
+        self._run.say("preview", stage="geometry", path="preview/shape.npz")
         self._shown = time.perf_counter()
 
 
@@ -64,9 +66,36 @@ def over_grey(
 
 
 def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
-    """A mesh without uv as OBJ, in the axes of Blender's import defaults (Y up, -Z forward)."""
-    v, f = verts.detach().cpu().numpy(), faces.cpu().numpy() + 1
-    turned = np.stack([v[:, 0], v[:, 2], -v[:, 1]], 1)
+    """A light mesh as numpy's npz, without pickle: ``verts`` float32 in the world's axes (+Z up),
+    ``faces`` int32."""
+    v, f = lighter(verts.detach().cpu(), faces.cpu())
     with whole_file(path) as aside, aside.open("wb") as file:
-        np.savetxt(file, turned, "v %.5f %.5f %.5f")
-        np.savetxt(file, f, "f %d %d %d")
+        np.savez(file, verts=v.numpy(), faces=f.numpy().astype(np.int32))
+
+
+def lighter(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], max_faces: int = MAX_FACES
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """The mesh with ``max_faces`` faces or fewer, to look at: vertices in one cell become one.
+
+    Rossignac and Borrel, "Multi-resolution 3D approximations", 1993. Within the limit it is left
+    untouched; else it need not be manifold.
+    """
+    kept, size = (verts, faces), 0.0
+    while len(kept[1]) > max_faces:
+        edges = verts[faces] - verts[faces.roll(1, 1)]
+        size = size * 1.2 or 1.2 * float(edges.norm(dim=2).mean())
+        kept = _clustered(verts, faces, size)
+    return kept
+
+
+def _clustered(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], size: float
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """All vertices of a cube of side ``size`` in their mean; faces that this closes are gone."""
+    cells, cell = torch.unique((verts / size).floor().long(), dim=0, return_inverse=True)
+    count = torch.bincount(cell, minlength=len(cells))[:, None]
+    mean = verts.new_zeros(len(cells), 3).index_add_(0, cell, verts) / count
+    corners = cell[faces]
+    open_ = (corners != corners.roll(1, 1)).all(1)
+    return mean, corners[open_]

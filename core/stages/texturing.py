@@ -59,9 +59,4 @@ def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFol
 
 def _progress(stage: str, run: RunFolder) -> Callable[[float], None]:
     """Tells the run how far a stage is, in hundredths, and stops it where the user asks for it."""
-
-    def progress(share: float) -> None:
-        run.check_cancelled()
-        run.tell(stage, round(100 * share), 100)
-
-    return progress
+    return lambda share: run.advance(stage, round(100 * share), 100)

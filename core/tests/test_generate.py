@@ -19,7 +19,8 @@ from core.generate import back, shortened
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
-from core.protocol import LAST, read_events
+from core.protocol import LAST, Job, read_events
+from core.run_folder import RunFolder
 from core.texture.obj import obj_text
 
 ROOT = Path(__file__).parents[2]
@@ -107,10 +108,25 @@ def test_the_events_tell_the_story(whole):
     assert [e["type"] for e in events if e["type"] in LAST] == ["done"]
     assert events[-1] == events[-1] | {"type": "done", "path": "asset"}
     stages = list(dict.fromkeys(e["stage"] for e in events if e["type"] == "progress"))
-    assert stages == ["geometry", "unwrap", "appearance", "bake"]
+    assert stages == ["fit", "geometry", "unwrap", "appearance", "bake"]
     for event in events:
         if event["type"] == "preview":
             assert (whole / event["path"]).is_file()
+
+
+def test_a_cancel_while_the_core_loads_is_heard(tmp_path):
+    run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus", settings=SHORT))
+    (run.path / "cancel").touch()
+    os.utime(run.path / "cancel", (0, 0))  # one of an earlier session
+    process = core("resume", run.path)
+    wait_for(run.path, "fit", 1)
+    process.send_signal(signal.SIGINT)
+    assert finished(process)[0] == 130
+    process = core("resume", run.path)
+    time.sleep(0.5)  # it is busy loading torch
+    (run.path / "cancel").touch()
+    assert finished(process)[0] == 130
+    assert [e["type"] for e in read_events(run.path)][-2:] == ["started", "cancelled"]
 
 
 def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
