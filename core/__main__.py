@@ -51,6 +51,15 @@ def parser() -> Parser:
     texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
     texture.add_argument("mesh")
     texture.add_argument("prompt")
+    texture.add_argument(
+        "--uv", metavar="auto|keep", help="keep: take the mesh's own, even where faces share texels"
+    )
+    texture.add_argument(
+        "--base-color", metavar="FILE|mesh", help="start from this picture, or the mesh's own"
+    )
+    texture.add_argument(
+        "--strength", type=float, metavar="0..1", help="0: a start only; 1: keep the base colour"
+    )
     for command in (generate, texture):
         _add_job_options(command)
 
@@ -117,13 +126,14 @@ def job_of(args: argparse.Namespace) -> "Job":
         "prompt": args.prompt,
         "mesh": _absolute(getattr(args, "mesh", "")),
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
-        "guide_strength": getattr(args, "guide_strength", None),
+        "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
+        "uv": getattr(args, "uv", None),
         "settings": dict(_setting(text) for text in args.set),
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
-    for name in ("guidance", "light"):
-        value = getattr(args, name)
+    for name in ("guidance", "light", "base_color"):
+        value = getattr(args, name, None)
         given[name] = _absolute(value) if value and Path(value).exists() else value
     return Job(**{key: value for key, value in given.items() if value is not None})
 

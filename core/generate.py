@@ -28,6 +28,7 @@ from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
 from core.stages.appearance import learn_appearance, picture_of
 from core.stages.geometry import learn_geometry
+from core.stages.start_color import STEPS, fit_base_color, start_picture
 from core.stages.texturing import bake_maps, unwrap_shape
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -43,6 +44,7 @@ class Inputs:
     embedding: Embedding
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
+    start: Tensor | None = None  # the base colour that the material starts from, linear
     warnings: tuple[str, ...] = ()  # what the user should know of the prompts, such as a cut
 
 
@@ -52,13 +54,14 @@ def prepare(job: Job) -> Inputs:
     device = device_of(job.device)
     path = job.mesh or job.guide_mesh
     shape = load_mesh(Path(path)) if path else None
+    start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(job.guidance, device)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptCutWarning)
         embedding = guidance.embed(job.prompt, job.negative_prompt)
     said = tuple(str(w.message) for w in caught)
-    return Inputs(config, device, guidance, embedding, light, shape, said)
+    return Inputs(config, device, guidance, embedding, light, shape, start, said)
 
 
 def generate(run: RunFolder, inputs: Inputs) -> Path:
@@ -89,7 +92,8 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     if mesh is None:
         assert shape is not None  # a job of "texture" has a mesh
         verts, _, _ = normalise(shape.verts)
-        mesh = unwrap_shape(replace(shape, verts=verts), config.texture, run)
+        own = replace(shape, verts=verts)
+        mesh = unwrap_shape(own, config.texture, run, keep_uv=job.uv == "keep")
         save_unwrapped(run, mesh)
     mesh = mesh.to(device)
 
@@ -97,6 +101,12 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     generator = torch.Generator().manual_seed(job.seed + 1)
     bounds = inputs.guidance.ranges(inputs.embedding)
     material = MaterialNet(within(config.appearance, bounds), generator).to(device)
+    if inputs.start is not None and inputs.shape and not run.has("appearance"):
+        own = replace(inputs.shape, verts=normalise(inputs.shape.verts)[0])
+        with run.timed("start"):
+            fit_base_color(
+                material, own, inputs.start, generator, lambda n: run.advance("start", n, STEPS)
+            )
     environment = Environment.of(inputs.light).to(device)
     learn_appearance(material, mesh, environment, inputs.guidance, inputs.embedding, run, generator)
 
@@ -122,6 +132,8 @@ def config_of(job: Job) -> Config:
     if job.max_faces:
         config = replace(config, texture=replace(config.texture, max_faces=job.max_faces))
     config = with_settings(config, job.settings)
+    if job.base_color:
+        config = retouching(config, job.guide_strength)
     return shortened(config, job.guide_strength) if job.guide_mesh else config
 
 
@@ -136,6 +148,22 @@ def shortened(config: Config, strength: float) -> Config:
     fine = replace(g.fine, steps=max(1, round(g.fine.steps * (0.2 + 0.8 * keep))))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
     return replace(config, geometry=replace(g, coarse=coarse, fine=fine, learning_rate=rate))
+
+
+def retouching(config: Config, strength: float) -> Config:
+    """``config`` for a base colour to start from: less of what paints over it.
+
+    ``strength`` 0 leaves all as it is; at 1 there is no early phase, and the late one touches up.
+    """
+    a, keep = config.appearance, 1 - strength
+    early = replace(a.early, steps=round(a.early.steps * keep))
+    late = replace(
+        a.late,
+        steps=max(1, round(a.late.steps * (0.2 + 0.8 * keep))),
+        t_high=tuple(t * (1 - strength / 2) for t in a.late.t_high),
+    )
+    rate = a.learning_rate * (0.02 + 0.98 * keep)
+    return replace(config, appearance=replace(a, early=early, late=late, learning_rate=rate))
 
 
 def device_of(name: str) -> torch.device:

@@ -15,6 +15,7 @@ from core.errors import UserError
 
 VERSION = 1
 COMMANDS = ("generate", "texture")
+UV_MODES = ("auto", "keep")
 EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
 LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
 MAX_PROMPT = 2000  # characters
@@ -31,8 +32,10 @@ class Job:
     preset: str = "draft"
     guidance: str = "builtin"  # or a folder, or a hub id
     guide_mesh: str = ""  # a file whose shape the geometry starts from; "" is the ellipsoid
-    guide_strength: float = 0.5  # 0 is a start only, 1 keeps the shape
+    guide_strength: float = 0.5  # 0 is a start only, 1 keeps the shape, or the base colour
     mesh: str = ""  # of "texture": the user's own mesh
+    uv: str = "auto"  # of "texture": "keep" takes the mesh's own, even where faces share texels
+    base_color: str = ""  # of "texture": a picture over the mesh's uv to start from; or "mesh"
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
@@ -90,6 +93,10 @@ def _check(job: Job) -> None:
         raise UserError(f"There is no command {job.command!r}.", f"Take {' or '.join(COMMANDS)}.")
     if job.command == "texture" and not job.mesh:
         raise UserError("There is no mesh to texture.", "Name an OBJ, PLY, GLB or STL file.")
+    if job.uv not in UV_MODES:
+        raise UserError(f"There is no uv mode {job.uv!r}.", f"Take {' or '.join(UV_MODES)}.")
+    if job.base_color and job.command != "texture":
+        raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
     if not 0 <= job.guide_strength <= 1:
         raise UserError(f"The guide strength is {job.guide_strength}.", "It takes 0 to 1.")
     if not 0 <= job.seed < 2**63:

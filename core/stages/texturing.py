@@ -8,17 +8,25 @@ from torch import Tensor
 
 from core.appearance.material import Material, MaterialNet
 from core.config import TextureConfig
+from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
 from core.texture.bake import Maps, bake
 from core.texture.simplify import simplify
-from core.texture.texels import uv_faults
+from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
 
 
-def unwrap_shape(shape: Mesh, config: TextureConfig, run: RunFolder) -> UvMesh:
-    """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is."""
+def unwrap_shape(
+    shape: Mesh, config: TextureConfig, run: RunFolder, keep_uv: bool = False
+) -> UvMesh:
+    """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is.
+
+    With ``keep_uv`` its own uv is taken even where faces share texels.
+    """
+    if keep_uv:
+        return _with_own_uv(shape, run)
     if shape.uv is not None and shape.face_uvs is not None:
         faults = uv_faults(shape.uv, shape.face_uvs)
         if not faults:
@@ -34,6 +42,21 @@ def unwrap_shape(shape: Mesh, config: TextureConfig, run: RunFolder) -> UvMesh:
         atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))
         run.tell("unwrap", 100, 100)  # a small mesh is done before it ever told its progress
     return UvMesh.of(verts, faces, atlas.uv, atlas.face_uvs)
+
+
+def _with_own_uv(shape: Mesh, run: RunFolder) -> UvMesh:
+    if shape.uv is None or shape.face_uvs is None:
+        raise UserError("The mesh has no UV map to keep.", "Unwrap it, or have a new one made.")
+    faults = uv_faults(shape.uv, shape.face_uvs)
+    if OVERLAP in faults:
+        faults.remove(OVERLAP)
+        run.say("warning", stage="unwrap", text=OVERLAP, fix="That is right for mirrored parts.")
+    if faults:
+        raise UserError(
+            f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
+            "Mend the UV map, or have a new one made.",
+        )
+    return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
 
 
 def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFolder) -> Maps:

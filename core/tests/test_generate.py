@@ -15,7 +15,7 @@ from PIL import Image
 
 from core.asset import inspect, read_asset
 from core.config import preset
-from core.generate import back, shortened
+from core.generate import back, retouching, shortened
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
@@ -162,6 +162,34 @@ def test_pictures_of_the_asset(whole, tmp_path):
     body = picture[inside[..., 0] == inside[..., 0].max()]
     assert len(body) > 50
     assert body[:, 0].mean() > body[:, 2].mean()
+
+
+def test_retouching_keeps_more_the_stronger_it_is():
+    config = preset("draft")
+    assert retouching(config, 0.0) == config
+    a, kept = config.appearance, retouching(config, 1.0).appearance
+    assert kept.early.steps == 0
+    assert kept.late.t_high == tuple(t / 2 for t in a.late.t_high)
+    assert kept.learning_rate == pytest.approx(0.02 * a.learning_rate)
+
+
+def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(tmp_path):
+    """Two triangles that share their texels: kept as they are; the colour is still there."""
+    mesh = tmp_path / "wall.obj"
+    text = "v -1 0 0\nv 1 0 0\nv 1 2 0\nv -1 2 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+    mesh.write_text(text + "f 1/1 2/2 3/3\nf 3/1 4/2 1/3\n")
+    Image.new("RGB", (8, 8), (40, 160, 60)).save(tmp_path / "green.png")
+    run, words = tmp_path / "run", ["--uv=keep", f"--base-color={tmp_path / 'green.png'}"]
+    status, said = finished(
+        core("texture", mesh, "a red cube", "--out", run, *words, "--strength=1", *OPTIONS)
+    )
+    assert status == 0, said
+    assert "share their texels" in said
+    asset = read_asset(run / "asset")
+    assert sorted(asset.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
+    green = torch.tensor([40, 160, 60]).div(255).pow(2.2)
+    mean = asset.maps.base_color.flatten(0, 1).mean(0)
+    torch.testing.assert_close(mean, green, atol=0.08, rtol=0)
 
 
 def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):

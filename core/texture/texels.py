@@ -95,6 +95,9 @@ def barycentric(at: Float[Tensor, "n 2"], corners: Float[Tensor, "n 3 2"]) -> Fl
     return torch.stack([(1 - of_b - of_c).clamp(min=0), of_b, of_c], -1)
 
 
+OVERLAP = "Some faces of the UV map lie over others, so they share their texels."
+
+
 def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int = 512) -> list[str]:
     """What keeps a user's own uv from taking a texture for every point of the surface; [] is good.
 
@@ -109,7 +112,7 @@ def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int 
         faults.append("More than 2 % of the faces have no area in the UV map.")
     seen = sum(len(band.index) for band in texel_bands(uv, face_uvs, size, 1)) / size**2
     if not faults and float(area.sum()) > 1.02 * seen + 0.002:
-        faults.append("Some faces of the UV map lie over others, so they share their texels.")
+        faults.append(OVERLAP)
     return faults
 
 

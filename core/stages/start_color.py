@@ -1,0 +1,101 @@
+"""Γ's start from a base colour that is there already: the user's own picture over the mesh's uv."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from PIL import Image, UnidentifiedImageError
+from torch import Tensor
+from torch.nn.functional import grid_sample, mse_loss
+
+from core.appearance.material import MaterialNet, to_ranges
+from core.errors import UserError
+from core.geometry.mesh import Mesh, face_areas
+from core.ops import srgb_to_linear
+
+STEPS = 200
+POINTS = 1 << 12  # of the surface, in one step
+STILL = 1e-3  # weight of what holds the rest of the material where it is
+OWN = "mesh"  # names the texture in the mesh's own file
+
+
+def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
+    """The base colour that ``name`` stands for, linear, row 0 = top: a file's, or the mesh's own.
+
+    Raises UserError where there is no such picture, or no uv that it could lie over.
+    """
+    if mesh.uv is None:
+        raise UserError(
+            "The mesh has no UV map for a base colour to lie over.", "Unwrap it, or start plain."
+        )
+    if name == OWN:
+        if mesh.base_color is None:
+            raise UserError("The mesh's file holds no texture.", "Name a picture, or start plain.")
+        return mesh.base_color
+    try:
+        with Image.open(Path(name)) as file:
+            srgb = np.asarray(file.convert("RGB"))
+    except FileNotFoundError:
+        raise UserError(f"There is no file {name}.", "Check the base colour's path.") from None
+    except (OSError, UnidentifiedImageError) as error:
+        raise UserError(f"{name} is no picture ({error}).", "Take a PNG or a JPEG.") from None
+    return srgb_to_linear(torch.from_numpy(srgb.astype(np.float32) / 255))
+
+
+def fit_base_color(
+    net: MaterialNet,
+    mesh: Mesh,
+    picture: Float[Tensor, "h w 3"],
+    generator: torch.Generator,
+    progress: Callable[[int], None] | None = None,
+    steps: int = STEPS,
+) -> float:
+    """Fit kd of Γ to ``picture`` over the uv of ``mesh``, which lies in training units.
+
+    Roughness, metallic and kn are held where they are. Returns the last step's root mean square
+    error, linear; ``progress`` is called with the steps done.
+    """
+    device = next(net.parameters()).device
+    optimizer = torch.optim.Adam(net.parameters(), 1e-2)
+    low, high = net.config.kd_range
+    error = float("nan")
+    for step in range(steps):
+        points, colors = surface_colors(mesh, picture, POINTS, generator)
+        points, colors = points.to(device), colors.to(device)
+        raw = net.raw(points)
+        loss = mse_loss(to_ranges(raw, net.config).kd, colors.clamp(low, high))
+        still = (raw - net.start)[:, 3:].square().mean()
+        optimizer.zero_grad()
+        (loss + STILL * still).backward()
+        optimizer.step()
+        error = float(loss.detach().sqrt())
+        if progress is not None:
+            progress(step + 1)
+    return error
+
+
+def surface_colors(
+    mesh: Mesh, picture: Float[Tensor, "h w 3"], count: int, generator: torch.Generator
+) -> tuple[Float[Tensor, "n 3"], Float[Tensor, "n 3"]]:
+    """``count`` points of the surface, uniform by area, and the picture's colour there."""
+    assert mesh.uv is not None and mesh.face_uvs is not None
+    areas = face_areas(mesh.verts, mesh.faces)
+    face = torch.multinomial(areas, count, True, generator=generator)
+    s, t = torch.rand(2, count, 1, generator=generator)
+    s = s.sqrt()
+    weights = torch.stack([1 - s, s * (1 - t), s * t], 1)
+    points = (weights * mesh.verts[mesh.faces[face]]).sum(1)
+    uv = (weights * mesh.uv[mesh.face_uvs[face]]).sum(1)
+    return points, sample(picture, uv)
+
+
+def sample(picture: Float[Tensor, "h w 3"], uv: Float[Tensor, "n 2"]) -> Float[Tensor, "n 3"]:
+    """Bilinear, and repeated outside the unit square as Blender's image node does."""
+    within = uv - uv.floor()
+    grid = torch.stack([2 * within[:, 0] - 1, 1 - 2 * within[:, 1]], -1)
+    found = grid_sample(
+        picture.permute(2, 0, 1)[None], grid[None, None], padding_mode="border", align_corners=False
+    )
+    return found[0, :, 0].T
