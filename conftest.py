@@ -10,6 +10,7 @@ from jaxtyping import install_import_hook
 # An int may stand for a float, as PEP 484 has it.
 CHECKER = "beartype.beartype(conf=beartype.BeartypeConf(is_pep484_tower=True))"
 UNCHECKED = {
+    "kernels",  # numba compiles what it is given, and checks types itself
     "__init__",  # the prefix "core" would take in all the rest
     "tests",  # pytest rewrites their asserts instead
     "protocol",  # it refuses wrong types itself, in words for the user

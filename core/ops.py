@@ -4,6 +4,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core import kernels
+
 
 def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b 1"]:
     """Inner product over the last axis, which is kept."""
@@ -12,6 +14,8 @@ def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b
 
 def normalize(x: Float[Tensor, "*b c"], eps: float = 1e-12) -> Float[Tensor, "*b c"]:
     """``x`` at unit length; ``eps`` bounds the squared length, so that a zero stays zero."""
+    if kernels.fit(x):
+        return kernels.Normalize.apply(x, eps)
     return x * torch.rsqrt(dot(x, x).clamp(min=eps))
 
 

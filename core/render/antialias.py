@@ -24,6 +24,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
+from core import kernels
 from core.render.rasterizer import Fragments, Points, take
 from core.render.visibility import to_screen
 
@@ -123,6 +124,24 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
 
     On a closed surface these are the edges with exactly one face towards the camera.
     """
+    if kernels.fit(fragments.screen):
+        view, edge, first = kernels.silhouette_edges(fragments, faces, edges)
+    else:
+        view, edge, first = silhouette_edges(fragments, faces, edges)
+    offset = view * fragments.screen.shape[1]
+    inner = torch.where(first, edges.opposite[edge, 0], edges.opposite[edge, 1])
+    index = edges.verts[edge] + offset[:, None]
+    xyz = fragments.screen.reshape(-1, 3)
+    start, end, third = xyz[index[:, 0]], xyz[index[:, 1]], xyz[inner + offset]
+    along, across = end - start, third - start
+    side = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
+    return Silhouette(view, index, start, along, side)
+
+
+def silhouette_edges(
+    fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTable
+) -> tuple[Int[Tensor, " s"], Int[Tensor, " s"], Bool[Tensor, " s"]]:
+    """View and edge of the silhouettes, and whether their first face is towards the camera."""
     front = facing(fragments, faces)
     missing = edges.faces[:, 1:] < 0
     first = front.index_select(0, edges.faces[:, 0])
@@ -131,15 +150,7 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
     ends = fragments.in_front.t()
     seen = ends.index_select(0, edges.verts[:, 0]) & ends.index_select(0, edges.verts[:, 1])
     edge, view = (torch.where(missing, alone, first != second) & seen).nonzero(as_tuple=True)
-
-    offset = view * fragments.screen.shape[1]
-    inner = torch.where(first[edge, view], edges.opposite[edge, 0], edges.opposite[edge, 1])
-    index = edges.verts[edge] + offset[:, None]
-    xyz = fragments.screen.reshape(-1, 3)
-    start, end, third = xyz[index[:, 0]], xyz[index[:, 1]], xyz[inner + offset]
-    along, across = end - start, third - start
-    side = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
-    return Silhouette(view, index, start, along, side)
+    return view, edge, first[edge, view]
 
 
 def facing(fragments: Fragments, faces: Int[Tensor, "f 3"]) -> Bool[Tensor, "f b"]:

@@ -14,6 +14,7 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 from torch.nn.functional import embedding_bag
 
+from core import kernels
 from core.render.visibility import to_screen, visibility
 
 
@@ -62,22 +63,14 @@ def rasterize(
     """
     clip = to_clip(verts, mvp)
     face_id = visibility(clip.detach(), faces, height, width, cull)
-    flat = face_id.view(-1)
-    pixel = (flat >= 0).nonzero().squeeze(1)
-    face = flat.index_select(0, pixel)
-    view = pixel.div(height * width, rounding_mode="floor")
-    corners = faces.index_select(0, face)
-    bary = barycentrics(clip, view, corners, pixel_centres(pixel, height, width))
+    pixel, view, face, corners = covered(face_id, faces)
+    bary = barycentrics(clip, view, corners, pixel, height, width)
 
     with torch.no_grad():
         in_front = clip[..., 2] + clip[..., 3] > 0
         screen = to_screen(clip, height, width)
-        # The picture's depth is linear in clip coordinates, not on the screen.
-        zw = interpolate(
-            clip[..., 2:].reshape(-1, 2), Points(view, corners + (view * len(verts))[:, None], bary)
-        )
-        depth = bary.new_full((flat.shape[0],), torch.inf)
-        depth[pixel] = zw[:, 0] / zw[:, 1] * 0.5 + 0.5
+        depth = bary.new_full((face_id.numel(),), torch.inf)
+        depth.index_copy_(0, pixel, depths(clip, view, corners, bary))
     return Fragments(
         face_id=face_id,
         depth=depth.view_as(face_id),
@@ -98,6 +91,17 @@ def to_clip(verts: Float[Tensor, "v 3"], mvp: Float[Tensor, "b 4 4"]) -> Float[T
     return verts @ mvp[:, :, :3].transpose(1, 2) + mvp[:, None, :, 3]
 
 
+def covered(face_id: Int[Tensor, "b h w"], faces: Int[Tensor, "f 3"]) -> tuple[Tensor, ...]:
+    """The covered pixels' ``pixel``, ``view``, ``face`` and ``corners`` (see Fragments)."""
+    if kernels.fit(face_id, faces):
+        return kernels.covered(face_id, faces)
+    flat = face_id.view(-1)
+    pixel = (flat >= 0).nonzero().squeeze(1)
+    face = flat.index_select(0, pixel)
+    view = pixel.div(face_id[0].numel(), rounding_mode="floor")
+    return pixel, view, face, faces.index_select(0, face)
+
+
 def pixel_centres(pixel: Int[Tensor, " p"], height: int, width: int) -> Float[Tensor, "p 2"]:
     """Normalised device coordinates (x right, y up, in [-1, 1]) of flat pixel indices."""
     column = pixel % width
@@ -109,9 +113,11 @@ def barycentrics(
     clip: Float[Tensor, "b v 4"],
     view: Int[Tensor, " p"],
     corners: Int[Tensor, "p 3"],
-    centre: Float[Tensor, "p 2"],
+    pixel: Int[Tensor, " p"],
+    height: int,
+    width: int,
 ) -> Float[Tensor, "p 3"]:
-    """Perspective-correct barycentrics of the rays through ``centre`` in their faces.
+    """Perspective-correct barycentrics of the rays through the pixels' centres in their faces.
 
     With (X, Y) = (x, y) - w * centre of each corner in clip space, the ray is where X = Y = 0, and
     a corner's weight is the cross product of the other two. No division by w: holds for faces
@@ -119,7 +125,10 @@ def barycentrics(
 
     A sliver, of which only rounding is left, gives its middle without gradient.
     """
+    if kernels.fit(clip, corners):
+        return kernels.Barycentrics.apply(clip, view, corners, pixel, height, width)
     index = (corners + (view * clip.shape[1])[:, None]).t().contiguous()
+    centre = pixel_centres(pixel, height, width)
     return Barycentrics.apply(clip.reshape(-1, 4), index, centre.t().to(clip.dtype)).t()
 
 
@@ -155,6 +164,20 @@ class Barycentrics(torch.autograd.Function):
         return g.new_zeros(ctx.shape).index_add_(0, index.view(-1), rows), None, None
 
 
+def depths(
+    clip: Float[Tensor, "b v 4"],
+    view: Int[Tensor, " p"],
+    corners: Int[Tensor, "p 3"],
+    bary: Float[Tensor, "p 3"],
+) -> Float[Tensor, " p"]:
+    """The points' depth, 0 near plane to 1 far plane: linear in clip coordinates, not in pixels."""
+    if kernels.fit(clip, bary):
+        return kernels.depths(clip, view, corners, bary)
+    index = corners + (view * clip.shape[1])[:, None]
+    zw = interpolate(clip[..., 2:].reshape(-1, 2), Points(view, index, bary))
+    return zw[:, 0] / zw[:, 1] * 0.5 + 0.5
+
+
 def take(x: Float[Tensor, "n c"], index: Int[Tensor, "*p"]) -> Float[Tensor, "*p c"]:
     """Rows of ``x``; its backward is an index_add, several times faster than that of indexing."""
     return x.index_select(0, index.reshape(-1)).view(*index.shape, x.shape[1])
@@ -179,12 +202,16 @@ class WeightedSum(torch.autograd.Function):
     @staticmethod
     def forward(ctx, table: Tensor, index: Tensor, weight: Tensor) -> Tensor:
         ctx.save_for_backward(table, index, weight)
+        if kernels.fit(table, weight):
+            return kernels.weighted_sum(table, index, weight)
         return embedding_bag(index, table, per_sample_weights=weight.contiguous(), mode="sum")
 
     @staticmethod
     @once_differentiable
     def backward(ctx, g: Tensor) -> tuple[Tensor | None, None, Tensor | None]:
         table, index, weight = ctx.saved_tensors
+        if kernels.fit(table, weight, g):
+            return kernels.weighted_sum_backward(g, table, index, weight)
         to_table, to_weight = None, None
         if ctx.needs_input_grad[0]:
             to_table = torch.zeros_like(table)

@@ -73,13 +73,17 @@ def test_barycentrics_have_exact_gradients() -> None:
     view = torch.tensor([0, 1, 1])
     # Inside, where sliver faces are not made safe.
     centre = (clip[view[:, None], corners, :2] / clip[view[:, None], corners, 3:]).mean(1)
+    column, row = ((centre * torch.tensor([1, -1]) + 1) * 128).long().unbind(1)
+    pixel = view * 256 * 256 + row * 256 + column
     clip.requires_grad_()
-    assert torch.autograd.gradcheck(lambda c: barycentrics(c, view, corners, centre), clip)
+    assert torch.autograd.gradcheck(lambda c: barycentrics(c, view, corners, pixel, 256, 256), clip)
 
 
 def test_barycentrics_of_a_sliver_are_finite() -> None:
     clip = torch.tensor([[[0.0, 0, 0, 1], [1, 1, 0, 1], [2, 2, 0, 1]]], requires_grad=True)
-    bary = barycentrics(clip, torch.tensor([0]), torch.tensor([[0, 1, 2]]), torch.zeros(1, 2))
+    bary = barycentrics(
+        clip, *torch.tensor([[0]]), torch.tensor([[0, 1, 2]]), *torch.tensor([[0]]), 1, 1
+    )
     assert torch.allclose(bary, torch.full((1, 3), 1 / 3))
     bary.square().sum().backward()
     assert torch.isfinite(clip.grad).all()

@@ -4,6 +4,7 @@ import pytest
 import torch
 from torch import Tensor
 
+from core import kernels
 from core.camera import Cameras
 from core.render import visibility as module
 from core.render.rasterizer import to_clip
@@ -12,6 +13,13 @@ from core.tests.meshes import sphere, torus
 
 # Askew, so that no edge of the symmetric shapes runs through pixel centres, where twins may differ.
 CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
+
+
+@pytest.fixture(autouse=True, params=["torch", "compiled"])
+def back_end(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Everything here holds for the plain torch and for its compiled twin."""
+    if request.param == "torch":
+        monkeypatch.setattr(kernels, "fit", lambda *_: False)
 
 
 def slow_twin(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool) -> Tensor:
@@ -95,28 +103,16 @@ def planar_fan(count: int, generator: torch.Generator, reach: float) -> tuple[Te
 
 
 @pytest.mark.parametrize("reach", [0.7, 1.0, 500.0])
-def test_shared_edges_leave_no_gap_and_hit_no_pixel_twice(
-    reach: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_shared_edges_leave_no_gap_and_hit_no_pixel_twice(reach: float) -> None:
     """Slivers and huge triangles included: every centre is drawn exactly once."""
-    drawn = []
-    original = torch.Tensor.scatter_reduce_
-
-    def count(self: Tensor, dim: int, index: Tensor, src: Tensor, reduce: str) -> Tensor:
-        drawn.append(index)
-        return original(self, dim, index, src, reduce)
-
-    monkeypatch.setattr(torch.Tensor, "scatter_reduce_", count)
     generator = torch.Generator().manual_seed(3)
-    for _ in range(5):
-        drawn.clear()
-        clip, faces = planar_fan(400, generator, reach)
-        visibility(clip, faces, 64, 48)
-        hits = torch.bincount(torch.cat(drawn), minlength=64 * 48).view(64, 48)
+    for _ in range(3):
+        clip, faces = planar_fan(100, generator, reach)
+        alone = [visibility(clip, face[None], 64, 48) >= 0 for face in faces]
         x = (torch.arange(48) + 0.5) / 24 - 1
         y = 1 - (torch.arange(64) + 0.5) / 32
         inside = (x.abs() < reach)[None] & (y.abs() < reach)[:, None]
-        assert torch.equal(hits, inside.long())
+        assert torch.equal(torch.stack(alone).sum(0)[0], inside.long())
 
 
 def test_vertices_on_pixel_centres_are_hit_once() -> None:

@@ -1,0 +1,122 @@
+"""The CPU's hot loops, compiled by numba: twins of the plain torch formulas beside the seams.
+
+Torch stays the definition, runs on every device, and is what these are tested against; a seam asks
+``fit`` of its tensors. Numba compiles at the first use and keeps the result on disk.
+
+The arithmetic is float32 step by step, as torch's is (numba takes a bare 0.5 for float64), so that
+both draw the same picture.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import torch
+from torch import Tensor
+from torch.autograd.function import once_differentiable
+
+from core.kernels import rasterizer as _rasterizer
+from core.kernels import visibility as _visibility
+
+if TYPE_CHECKING:
+    from core.render.antialias import EdgeTable
+    from core.render.rasterizer import Fragments
+
+
+def fit(*tensors: Tensor) -> bool:
+    """Whether the compiled twin takes these: on a CPU, floats in single precision."""
+    return all(
+        t.device.type == "cpu" and (t.dtype == torch.float32 or not t.dtype.is_floating_point)
+        for t in tensors
+    )
+
+
+def _arrays(*tensors: Tensor) -> list:
+    """The tensors' memory as numpy arrays."""
+    return [t.detach().contiguous().numpy() for t in tensors]
+
+
+def visibility(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool) -> Tensor:
+    """See :func:`core.render.visibility.visibility`."""
+    face_id = torch.empty(len(clip), height, width, dtype=torch.int64)
+    views, faces, pictures = _arrays(clip, faces, face_id)
+    for view, picture in zip(views, pictures, strict=True):
+        _visibility.see(view, faces, cull, picture)
+    return face_id
+
+
+def covered(face_id: Tensor, faces: Tensor) -> tuple[Tensor, ...]:
+    """See :func:`core.render.rasterizer.covered`."""
+    found = _rasterizer.covered(*_arrays(face_id.flatten(1), faces))
+    return tuple(torch.from_numpy(x) for x in found)
+
+
+class Barycentrics(torch.autograd.Function):
+    """See :func:`core.render.rasterizer.barycentrics`."""
+
+    @staticmethod
+    def forward(ctx, clip, view, corners, pixel, height, width):
+        arrays = _arrays(clip, view, corners, pixel)
+        bary, sound = _rasterizer.barycentrics(*arrays, height, width)
+        bary, sound = torch.from_numpy(bary), torch.from_numpy(sound)
+        ctx.save_for_backward(clip, view, corners, pixel, bary, sound)
+        ctx.size = (height, width)
+        return bary
+
+    @staticmethod
+    @once_differentiable
+    def backward(ctx, g):
+        *arrays, bary, sound = _arrays(*ctx.saved_tensors)
+        grad = _rasterizer.barycentrics_backward(*_arrays(g), *arrays, *ctx.size, bary, sound)
+        return torch.from_numpy(grad), None, None, None, None, None
+
+
+def depths(clip: Tensor, view: Tensor, corners: Tensor, bary: Tensor) -> Tensor:
+    """See :func:`core.render.rasterizer.depths`."""
+    return torch.from_numpy(_rasterizer.depths(*_arrays(clip, view, corners, bary)))
+
+
+class Normalize(torch.autograd.Function):
+    """See :func:`core.ops.normalize`."""
+
+    @staticmethod
+    def forward(ctx, x, eps):
+        ctx.eps = np.float32(eps)
+        rows = _arrays(x)[0].reshape(-1, x.shape[-1])
+        out, scale = (torch.from_numpy(part) for part in _rasterizer.normalize(rows, ctx.eps))
+        out = out.view(x.shape)
+        ctx.save_for_backward(out, scale)
+        return out
+
+    @staticmethod
+    @once_differentiable
+    def backward(ctx, g):
+        g, out, scale = _arrays(g, *ctx.saved_tensors)
+        rows = (-1, g.shape[-1])
+        grad = _rasterizer.normalize_backward(g.reshape(rows), out.reshape(rows), scale, ctx.eps)
+        return torch.from_numpy(grad).view(ctx.saved_tensors[0].shape), None
+
+
+def weighted_sum(table: Tensor, index: Tensor, weight: Tensor) -> Tensor:
+    """See :class:`core.render.rasterizer.WeightedSum`."""
+    return torch.from_numpy(_rasterizer.weighted_sum(*_arrays(table, index, weight)))
+
+
+def weighted_sum_backward(
+    g: Tensor, table: Tensor, index: Tensor, weight: Tensor
+) -> tuple[Tensor, None, Tensor]:
+    """Its gradients to the table and to the weights."""
+    found = _rasterizer.weighted_sum_backward(*_arrays(g, table, index, weight))
+    return torch.from_numpy(found[0]), None, torch.from_numpy(found[1])
+
+
+def silhouette_edges(
+    fragments: "Fragments", faces: Tensor, edges: "EdgeTable"
+) -> tuple[Tensor, Tensor, Tensor]:
+    """See :func:`core.render.antialias.silhouette_edges`."""
+    screen, before, faces, verts, owners = _arrays(
+        fragments.screen, fragments.in_front, faces, edges.verts, edges.faces
+    )
+    front = _rasterizer.facing(screen, faces)
+    found = _rasterizer.silhouette_edges(front, before, verts, owners, fragments.cull)
+    view, edge = (torch.from_numpy(x) for x in found)
+    return view, edge, torch.from_numpy(front)[view, edges.faces[edge, 0]]

@@ -1,0 +1,107 @@
+"""The compiled loops against the torch formulas that they are twins of."""
+
+from collections.abc import Callable
+
+import pytest
+import torch
+from torch import Tensor
+
+from core import kernels
+from core.camera import Cameras
+from core.ops import normalize
+from core.render.antialias import edge_table
+from core.render.normals import render_normals
+from core.render.rasterizer import rasterize
+from core.render.visibility import visibility
+from core.tests.meshes import sphere, torus
+
+CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
+INSIDE = Cameras.orbit([10.0, 130.0], [20.0, -50.0], distance=0.75)
+SHAPES = {"ball": sphere(5, bump=0.12, noise=0.0015), "ring": torus(96, 48)}
+
+
+@pytest.fixture
+def both(monkeypatch: pytest.MonkeyPatch) -> Callable:
+    """Runs a function with the compiled loops and with plain torch."""
+
+    def run(function: Callable) -> tuple:
+        compiled = function()
+        with monkeypatch.context() as patch:
+            patch.setattr(kernels, "fit", lambda *_: False)
+            return compiled, function()
+
+    return run
+
+
+@pytest.mark.parametrize("cull", [True, False])
+@pytest.mark.parametrize("cameras", [CAMERAS, INSIDE], ids=["whole", "clipped"])
+@pytest.mark.parametrize("name", SHAPES)
+def test_the_same_faces_are_seen(both: Callable, name: str, cameras: Cameras, cull: bool) -> None:
+    verts, faces = SHAPES[name]
+
+    def fragments() -> list[Tensor]:
+        found = rasterize(verts, faces, cameras.mvp, 61, 83, cull)
+        return [found.face_id, found.pixel, found.view, found.corners, found.bary, found.depth]
+
+    compiled, plain = both(fragments)
+    for ours, theirs in zip(compiled[:4], plain[:4], strict=True):
+        assert torch.equal(ours, theirs)
+    for ours, theirs in zip(compiled[4:], plain[4:], strict=True):
+        assert torch.allclose(ours, theirs, atol=2e-5)
+
+
+@pytest.mark.parametrize("cull", [True, False])
+@pytest.mark.parametrize("name", SHAPES)
+def test_pictures_and_gradients_agree(both: Callable, name: str, cull: bool) -> None:
+    verts, faces = SHAPES[name]
+    weight = torch.rand(3, 40, 40, 4, generator=torch.Generator().manual_seed(0))
+
+    def drawn() -> tuple[Tensor, Tensor]:
+        at = verts.clone().requires_grad_()
+        picture = torch.cat(render_normals(at, faces, CAMERAS, 40, cull=cull), -1)
+        (picture * weight).sum().backward()
+        return picture.detach(), at.grad
+
+    (picture, grad), (plain_picture, plain_grad) = both(drawn)
+    assert torch.allclose(picture, plain_picture, atol=2e-5)
+    assert float((grad - plain_grad).norm() / plain_grad.norm()) < 1e-4
+
+
+def test_a_zero_stays_zero_at_unit_length(both: Callable) -> None:
+    generator = torch.Generator().manual_seed(0)
+    rows = torch.randn(5, 7, 3, generator=generator) * torch.logspace(-9, 3, 7)[:, None]
+    rows[0] = 0
+    weight = torch.randn(rows.shape, generator=generator)
+
+    def unit() -> tuple[Tensor, Tensor]:
+        x = rows.clone().requires_grad_()
+        out = normalize(x)
+        (out * weight).sum().backward()
+        return out.detach(), x.grad
+
+    (out, grad), (plain, plain_grad) = both(unit)
+    assert torch.allclose(out, plain, atol=1e-6)
+    assert torch.allclose(grad, plain_grad, rtol=1e-4, atol=1e-6)
+    assert (out[0] == 0).all()
+
+
+def test_edges_with_many_faces_agree(both: Callable) -> None:
+    """A fan, whose edge with three faces counts as two, and a view from behind."""
+    verts = torch.tensor([[0.0, 0, -0.5], [0, 0, 0.5], [0.5, 0, 0], [-0.4, 0.3, 0], [0, -0.5, 0.1]])
+    faces = torch.tensor([[0, 1, 2], [0, 1, 3], [1, 0, 4]])
+    table = edge_table(faces)
+
+    def drawn() -> Tensor:
+        return torch.cat(render_normals(verts, faces, CAMERAS, 24, edges=table, cull=False), -1)
+
+    compiled, plain = both(drawn)
+    assert torch.allclose(compiled, plain, atol=1e-5)
+    assert float(compiled.abs().sum()) > 10
+
+
+def test_double_precision_goes_the_plain_way() -> None:
+    verts, faces = SHAPES["ring"]
+    assert kernels.fit(verts, faces)
+    assert not kernels.fit(verts.double(), faces)
+    seen = visibility(torch.nn.functional.pad(verts, (0, 1), value=1.0)[None].double(), faces, 9, 9)
+    assert int(seen.max()) >= 0
