@@ -12,6 +12,8 @@ from jaxtyping import Float, Int
 from torch import Tensor, nn
 from torch.nn.functional import embedding_bag
 
+from core import kernels
+
 # Müller et al. 2022, Eq. 4: 1, 2654435761, 805459861; the second as the int32 of the same bits.
 PRIMES = (1, 2654435761 - 2**32, 805459861)
 CORNERS = tuple(itertools.product((0, 1), repeat=3))
@@ -47,8 +49,10 @@ class HashGrid(nn.Module):
 
     def forward(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n w"]:
         """Features of points in [-extent, extent]³, coarse levels first; outside: the nearest's."""
-        unit = (points.T / (2 * self.extent) + 0.5).clamp(0, 1).contiguous()
-        return _Sample.apply(self.table, unit, self.resolutions, self.sizes)
+        unit = (points / (2 * self.extent) + 0.5).clamp(0, 1)
+        if kernels.fit(self.table, points):
+            return kernels.SampleHashGrid.apply(self.table, unit, self.resolutions, self.sizes)
+        return _Sample.apply(self.table, unit.T.contiguous(), self.resolutions, self.sizes)
 
 
 def node_rows(node: Int[Tensor, "3 n"], resolution: int, size: int) -> Int[Tensor, "8 n"]:

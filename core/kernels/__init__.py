@@ -14,6 +14,7 @@ import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from core.kernels import hash_grid as _hash_grid
 from core.kernels import rasterizer as _rasterizer
 from core.kernels import visibility as _visibility
 
@@ -120,3 +121,20 @@ def silhouette_edges(
     found = _rasterizer.silhouette_edges(front, before, verts, owners, fragments.cull)
     view, edge = (torch.from_numpy(x) for x in found)
     return view, edge, torch.from_numpy(front)[view, edges.faces[edge, 0]]
+
+
+class SampleHashGrid(torch.autograd.Function):
+    """See :class:`core.hash_grid.HashGrid`; ``unit`` (N, 3) in [0, 1]."""
+
+    @staticmethod
+    def forward(ctx, table, unit, resolutions, sizes):
+        ctx.levels = np.array(resolutions), np.array(sizes)
+        ctx.save_for_backward(table, unit)
+        return torch.from_numpy(_hash_grid.sample(*_arrays(table, unit), *ctx.levels))
+
+    @staticmethod
+    @once_differentiable
+    def backward(ctx, g):
+        arrays = _arrays(g, *ctx.saved_tensors)
+        found = _hash_grid.sample_backward(*arrays, *ctx.levels, ctx.needs_input_grad[1])
+        return torch.from_numpy(found[0]), torch.from_numpy(found[1]), None, None

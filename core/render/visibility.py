@@ -3,9 +3,9 @@
 Plain torch, the same on CPU and GPU (the CPU has a compiled twin in :mod:`core.kernels`): every
 triangle is cut into the rows of pixel centres that it crosses, every row into a span, and the spans
 meet in a z-buffer. A span's ends are where the row crosses two of the triangle's edges. Neighbours
-compute the crossing of their common edge from the same numbers in the same order, and spans are half
-open, so a surface has neither gaps nor pixels hit twice (this is the top-left rule). Nothing depends
-on how large a triangle is.
+compute the crossing of their common edge from the same numbers in the same order, and spans are
+half open, so a surface has neither gaps nor pixels hit twice (this is the top-left rule). Nothing
+depends on how large a triangle is.
 """
 
 from typing import NamedTuple

@@ -8,6 +8,7 @@ from torch import Tensor
 
 from core import kernels
 from core.camera import Cameras
+from core.hash_grid import HashGrid
 from core.ops import normalize
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
@@ -105,3 +106,23 @@ def test_double_precision_goes_the_plain_way() -> None:
     assert not kernels.fit(verts.double(), faces)
     seen = visibility(torch.nn.functional.pad(verts, (0, 1), value=1.0)[None].double(), faces, 9, 9)
     assert int(seen.max()) >= 0
+
+
+@pytest.mark.parametrize("features", [1, 2])
+def test_hash_grids_agree(both: Callable, features: int) -> None:
+    """Dense levels and hashed ones, points on the cube's faces and corners among them."""
+    generator = torch.Generator().manual_seed(0)
+    grid = HashGrid(4, features, log2_size=9, base=4, finest=60, generator=generator)
+    torch.nn.init.uniform_(grid.table, -1, 1, generator=generator)
+    points = (torch.rand(500, 3, generator=generator) * 2 - 1) * 1.05
+    points[:8] = torch.cartesian_prod(*[torch.tensor([-1.05, 1.05])] * 3)
+    weight = torch.randn(500, 4 * features, generator=generator)
+
+    def sampled() -> tuple[Tensor, Tensor, Tensor]:
+        grid.table.grad, at = None, points.clone().requires_grad_()
+        out = grid(at)
+        (out * weight).sum().backward()
+        return out.detach(), grid.table.grad, at.grad
+
+    for ours, theirs in zip(*both(sampled), strict=True):
+        assert torch.allclose(ours, theirs, rtol=1e-4, atol=1e-4 * float(theirs.abs().max()))
