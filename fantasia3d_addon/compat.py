@@ -37,6 +37,27 @@ def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
         node.convention = "OPENGL"
 
 
+def set_video(scene: bpy.types.Scene) -> None:
+    """Render to an MP4 file: H.264 in a form that every player takes."""
+    settings = scene.render.image_settings
+    if "media_type" in settings.bl_rna.properties:  # since 5.0 it comes before the format
+        settings.media_type = "VIDEO"
+    settings.file_format = "FFMPEG"
+    ffmpeg = scene.render.ffmpeg
+    ffmpeg.format, ffmpeg.codec = "MPEG4", "H264"
+    ffmpeg.constant_rate_factor, ffmpeg.audio_codec = "HIGH", "NONE"
+
+
+def has_video() -> bool:
+    """Whether this build writes MP4."""
+    return bool(bpy.app.build_options.codec_ffmpeg)
+
+
+def has_usd() -> bool:
+    """Whether this build writes USD; Debian's do not."""
+    return bool(bpy.app.build_options.usd)
+
+
 def text_field(
     layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str, placeholder: str
 ) -> None:

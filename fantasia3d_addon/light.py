@@ -81,8 +81,15 @@ def set_world(
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
     old, scene.world = scene.world, world
-    _remove_unused(old)
+    _put_away(old)
     return world
+
+
+def light_node(world: bpy.types.World | None, kind: str) -> bpy.types.Node | None:
+    """The node of :func:`set_world` of ``kind``: "Mapping", "Background", "TexEnvironment"."""
+    if world is None or not world.name.startswith(WORLD) or not world.node_tree:
+        return None
+    return next((n for n in world.node_tree.nodes if n.bl_idname == f"ShaderNode{kind}"), None)
 
 
 def environment_image(world: bpy.types.World) -> bpy.types.Image:
@@ -108,9 +115,14 @@ def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
     return float((luminance * weight).sum() / weight.sum())
 
 
-def _remove_unused(world: bpy.types.World | None) -> None:
-    """Take an earlier light of ours out of the file, with its picture, if no scene has it."""
-    if world is None or not world.name.startswith(WORLD) or world.users:
+def _put_away(world: bpy.types.World | None) -> None:
+    """Take an earlier light of ours out of the file, if no scene has it; keep the user's own."""
+    if world is None:
+        return
+    if not world.name.startswith(WORLD):
+        world.use_fake_user = True  # or Blender would drop it when the file is saved
+        return
+    if world.users:
         return
     image = environment_image(world)
     bpy.data.worlds.remove(world)

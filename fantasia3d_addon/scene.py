@@ -107,7 +107,24 @@ def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> No
 
 @contextlib.contextmanager
 def _backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> Iterator[None]:
-    """A ground under ``obj`` that shows its shadow alone, before an even grey."""
+    """:func:`add_backdrop` for one picture."""
+    world = scene.world
+    ground = add_backdrop(scene, obj)
+    mesh = ground.data
+    try:
+        yield
+    finally:
+        bpy.data.worlds.remove(scene.world)
+        scene.world = world
+        bpy.data.objects.remove(ground)
+        bpy.data.meshes.remove(mesh)
+
+
+def add_backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Object:
+    """A ground under ``obj`` that shows its shadow alone, before an even grey.
+
+    The scene's world becomes a copy that the camera does not see.
+    """
     center, radius = bounding_sphere(obj)
     low = min((obj.matrix_world @ Vector(corner)).z for corner in obj.bound_box)
     half = 50 * radius
@@ -118,16 +135,9 @@ def _backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> Iterator[None]:
     ground.location = (center.x, center.y, low)
     ground.is_shadow_catcher = True
     scene.collection.objects.link(ground)
-    world = scene.world
-    scene.world = world.copy()
+    scene.world = scene.world.copy()
     _hide_from_camera(scene.world.node_tree)
-    try:
-        yield
-    finally:
-        bpy.data.worlds.remove(scene.world)
-        scene.world = world
-        bpy.data.objects.remove(ground)
-        bpy.data.meshes.remove(mesh)
+    return ground
 
 
 def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
