@@ -1,11 +1,15 @@
 """Fixtures of the tests under Blender: an empty file, an asset folder, the add-on registered."""
 
-from collections.abc import Iterator
+import sys
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from blender_tests.asset_fixture import write_asset
+
+FAKE_CORE = Path(__file__).parent / "fake_core"
 
 
 @pytest.fixture
@@ -31,3 +35,33 @@ def addon(empty: None) -> Iterator[None]:
     fantasia3d_addon.register()
     yield
     fantasia3d_addon.unregister()
+
+
+@pytest.fixture
+def ready(addon, tmp_path, monkeypatch):
+    """The settings of the add-on with the fake core, an asset to make, and a folder for runs."""
+    import bpy
+
+    from fantasia3d_addon import environment, preferences
+
+    monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
+    monkeypatch.setattr(environment, "project_root", lambda: FAKE_CORE)
+    monkeypatch.setattr(preferences.Machine, "runs", tmp_path / "runs")
+    settings = bpy.context.scene.fantasia3d
+    settings.prompt = "a red wooden chair"
+    settings.negative_prompt = str(write_asset(tmp_path / "made"))  # the fake core hands it out
+    return settings
+
+
+@pytest.fixture
+def wait() -> Callable[..., None]:
+    """Calls the session's tick as a timer would, until all has ended or ``until`` says so."""
+    from fantasia3d_addon.session import session
+
+    def until_the_end(until: Callable[[], bool] = lambda: False) -> None:
+        deadline = time.monotonic() + 60
+        while session.tick() is not None and not until():
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
+
+    return until_the_end

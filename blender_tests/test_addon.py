@@ -2,7 +2,6 @@
 
 import random
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -10,22 +9,22 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 import fantasia3d_addon  # noqa: E402
-from blender_tests.asset_fixture import write_asset  # noqa: E402
-from fantasia3d_addon import environment, preferences  # noqa: E402
+from fantasia3d_addon import ask, live_preview, preferences  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.properties import job_of  # noqa: E402
+from fantasia3d_addon.properties import job_of, take_job  # noqa: E402
 from fantasia3d_addon.registration import CLASSES  # noqa: E402
 from fantasia3d_addon.session import session  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
-FAKE_CORE = Path(__file__).parent / "fake_core"
+ROOT = Path(__file__).parents[1]
 
 
 def traces() -> set[str]:
     """What Blender knows by our name."""
     kinds = (
         bpy.types.Panel,
+        bpy.types.UIList,
         bpy.types.Operator,
         bpy.types.PropertyGroup,
         bpy.types.AddonPreferences,
@@ -33,7 +32,10 @@ def traces() -> set[str]:
     found = {cls.__name__ for kind in kinds for cls in kind.__subclasses__() if cls.is_registered}
     found = {name for name in found if name.startswith("FANTASIA3D")}
     found |= {f"ops.{name}" for name in dir(bpy.ops.fantasia3d)}
-    found |= {"Scene.fantasia3d"} if hasattr(bpy.types.Scene, "fantasia3d") else set()
+    for owner in (bpy.types.Scene, bpy.types.WindowManager):
+        found |= {f"{owner.__name__}.fantasia3d"} if hasattr(owner, "fantasia3d") else set()
+    for handlers, function in live_preview.HANDLERS:
+        found |= {function.__name__} if function in handlers else set()
     return found | ({"a timer"} if bpy.app.timers.is_registered(session._timer) else set())
 
 
@@ -51,97 +53,11 @@ def test_the_package_loads_without_blender():
     """run.py shares its environment module under plain Python."""
     import subprocess
 
-    names = "fantasia3d_addon.environment, fantasia3d_addon.jobs"
+    modules = ("environment", "jobs", "history", "target", "claim", "follow", "work")
+    names = ", ".join(f"fantasia3d_addon.{module}" for module in modules)
     code = f"import sys, {names}; print('bpy' in sys.modules)"
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=FAKE_CORE.parents[1], capture_output=True, text=True
-    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert done.stdout.strip() == "False", done.stderr
-
-
-@pytest.fixture
-def ready(addon, tmp_path, monkeypatch):
-    """The add-on with the fake core, an asset to make, and a folder for runs."""
-    monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
-    monkeypatch.setattr(environment, "project_root", lambda: FAKE_CORE)
-    monkeypatch.setattr(preferences.Machine, "runs", tmp_path / "runs")
-    settings = bpy.context.scene.fantasia3d
-    settings.prompt = "a red wooden chair"
-    settings.negative_prompt = str(write_asset(tmp_path / "made"))  # the fake core hands it out
-    return settings
-
-
-def wait(until=lambda: False) -> None:
-    """Call the session's tick as a timer would, until the run has ended."""
-    deadline = time.monotonic() + 60
-    while session.tick() is not None and not until():
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
-
-
-def test_generate_puts_the_asset_at_the_cursor(ready):
-    bpy.context.scene.cursor.location = (1, 2, 3)
-    assert bpy.ops.fantasia3d.generate() == {"FINISHED"}
-    bpy.context.scene.cursor.location = (0, 0, 0)  # where it was is what counts
-    wait()
-    (obj,) = bpy.data.objects
-    assert (obj.name, tuple(obj.location)) == ("a red wooden chair", (1, 2, 3))
-    assert session.asset == obj.name
-    assert session.error is None
-    assert session.run.folder.name.endswith("-a-red-wooden-chair")
-
-
-def test_progress_is_told_while_it_runs(ready):
-    ready.prompt = "long"
-    bpy.ops.fantasia3d.generate()
-    wait(until=lambda: session.progress.share > 0)
-    assert session.progress.line.startswith("Geometry 0%, 0:01 left")
-    with pytest.raises(RuntimeError, match=r"A run is going on|poll"):
-        bpy.ops.fantasia3d.generate()
-    assert bpy.ops.fantasia3d.cancel() == {"FINISHED"}
-    assert session.progress.line == "Geometry: stops after this step"
-    wait()
-    assert session.run.last.type == "cancelled"
-    assert (session.error, len(bpy.data.objects)) == (None, 0)
-
-
-def test_an_error_stays_in_the_panel_with_its_fix(ready):
-    ready.prompt = "fail"
-    bpy.ops.fantasia3d.generate()
-    wait()
-    assert session.error == ("There is no noun 'blorb'.", "Say chair.")
-    assert bpy.ops.fantasia3d.open_log.poll()
-    ready.prompt = "x"
-    bpy.ops.fantasia3d.generate()
-    assert session.error is None  # a new run, a new page
-    wait()
-
-
-def test_half_an_asset_is_an_error_in_the_panel(ready):
-    (Path(ready.negative_prompt) / "orm.png").unlink()
-    bpy.ops.fantasia3d.generate()
-    wait()
-    assert session.error is not None
-    assert session.error[0].endswith("orm.png is missing.")
-    assert not bpy.data.objects
-
-
-def test_a_new_file_does_not_lose_the_run(ready):
-    bpy.ops.fantasia3d.generate()
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    assert bpy.app.timers.is_registered(session._timer)
-    wait()
-    assert [obj.name for obj in bpy.data.objects] == ["a red wooden chair"]
-
-
-def test_the_guide_is_written_into_the_run(ready):
-    mesh = bpy.data.meshes.new("guide")
-    mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
-    ready.guide = bpy.data.objects.new("guide", mesh)
-    bpy.context.scene.collection.objects.link(ready.guide)
-    bpy.ops.fantasia3d.generate()
-    assert (session.run.folder / "guide.obj").read_text().count("\nf ") == 1
-    wait()
 
 
 def test_the_import_operator_is_the_function(addon, asset):
@@ -183,46 +99,27 @@ def test_every_poll_answers_in_every_scene(addon, scene):
         bpy.ops.object.mode_set(mode="EDIT")
     answers = {name: operator.poll() for name, operator in operators().items()}
     assert answers["fantasia3d.import_asset"] == (scene != "edit mode")
-    assert not answers["fantasia3d.generate"]  # the prompt is empty
-    assert not answers["fantasia3d.cancel"]
-    assert not answers["fantasia3d.open_log"]
-    assert answers["fantasia3d.new_seed"]
+    assert answers["fantasia3d.guide_from_selection"] == (scene == "edit mode")
+    for name in ("generate", "texture", "cancel", "stop_now", "open_log", "queue_drop"):
+        assert not answers[f"fantasia3d.{name}"]  # the prompt is empty, nothing runs or waits
+    for name in ("new_seed", "dismiss", "refresh", "check"):
+        assert answers[f"fantasia3d.{name}"]
     if scene == "edit mode":
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
-    from fantasia3d_addon.operators import reason_against
-
-    assert "prompt is empty" in reason_against(bpy.context)
-    bpy.context.scene.fantasia3d.prompt = "a chair"
+    settings = bpy.context.scene.fantasia3d
+    assert "prompt is empty" in ask.reason_against(bpy.context)
+    settings.prompt = "a chair"
     monkeypatch.setenv("FANTASIA3D_PYTHON", str(tmp_path / "none"))
-    assert "Set Up first" in reason_against(bpy.context)
+    assert "Set Up first" in ask.reason_against(bpy.context)
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
-    assert reason_against(bpy.context) == ""
+    assert ask.reason_against(bpy.context) == ""
     assert bpy.ops.fantasia3d.generate.poll()
-
-
-def test_set_up_and_check_call_the_environment(addon, monkeypatch, tmp_path):
-    monkeypatch.setenv("FANTASIA3D_ENV", str(tmp_path / "env"))
-    asked = []
-
-    def ensure(root, groups, say):
-        say("half", 0.5)
-        asked.append(groups)
-        raise environment.SetupError("No disk.", "Buy one.")
-
-    monkeypatch.setattr(environment, "ensure", ensure)
-    session.set_up(bpy.context).join(10)
-    assert asked == [()]
-    assert session.work.error == ("No disk.", "Buy one.")
-    line = environment.Line("torch", "MISSING", "It is not there. Press Set Up.")
-    monkeypatch.setattr(environment, "examine", lambda root: [line])
-    session.check(bpy.context).join(10)
-    assert session.work.error == ("Missing: torch.", "It is not there. Press Set Up.")
-    monkeypatch.setattr(environment, "examine", lambda root: [])
-    session.check(bpy.context).join(10)
-    assert (session.work.error, session.work.text) == (None, "Everything is here.")
+    assert ask.reason_against_texture(bpy.context) == "Select a mesh."
+    settings.light = "FILE"
+    assert "Choose an HDR or EXR file" in ask.reason_against(bpy.context)
 
 
 def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
@@ -232,21 +129,45 @@ def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
     settings = bpy.context.scene.fantasia3d
     settings.prompt = "a chair"
     assert Job(**job_of(settings)) == Job(prompt="a chair")  # the defaults of both are the same
-    settings.guidance, settings.model = "model", "some/model"
+    settings.guidance, settings.hub_id = "hub", "some/model"
     settings.texture_size, settings.max_faces, settings.seed = "2048", 5000, 7
-    settings.light = "blender:city"
+    settings.light, settings.device = "blender:city", "cpu"
     settings.preset, settings.guide_strength = "paper", 0.25
-    job = Job(**job_of(settings, tmp_path / "guide.obj"))
+    settings.overrides = "geometry.views=3  texture.samples=9"
+    job = Job(**job_of(settings))
     assert (job.guidance, job.texture_size, job.max_faces) == ("some/model", 2048, 5000)
     assert job.light.endswith("city.exr")
-    assert job.guide_mesh == str(tmp_path / "guide.obj")
+    assert job.settings == {"geometry.views": "3", "texture.samples": "9"}
+    settings.color_strength = 0.75
+    job = Job(**job_of(settings, "texture") | {"mesh": "m.obj", "base_color": "c.png"})
+    assert (job.command, job.uv, job.guide_strength) == ("texture", "keep", 0.75)
+
+
+def test_the_settings_come_back_from_their_job(addon, tmp_path):
+    settings = bpy.context.scene.fantasia3d
+    (tmp_path / "model_index.json").touch()
+    settings.prompt, settings.seed, settings.preset = "a chair", 9, "paper"
+    settings.guidance, settings.model_folder = "folder", str(tmp_path)
+    settings.texture_size, settings.light = "1024", "blender:forest"
+    settings.overrides, settings.guide_strength = "geometry.views=3", 0.25
+    job = job_of(settings)
+    for name in settings.bl_rna.properties.keys():  # noqa: SIM118
+        if name not in ("rna_type", "name"):
+            settings.property_unset(name)
+    assert job_of(settings) != job
+    take_job(settings, job)
+    assert job_of(settings) == job
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"guidance": "model"}, "No model is named"),
+        ({"guidance": "folder"}, "is no Stable Diffusion model"),
+        ({"guidance": "folder", "model_folder": "/tmp"}, "is no Stable Diffusion model"),
+        ({"guidance": "hub"}, "No model is named"),
+        ({"light": "FILE"}, "No light is named"),
         ({"light": "FILE", "light_file": "/no/such.hdr"}, "There is no light"),
+        ({"overrides": "geometry.views"}, "has no value"),
     ],
 )
 def test_a_job_that_cannot_be_is_refused(addon, change, message):
@@ -255,6 +176,29 @@ def test_a_job_that_cannot_be_is_refused(addon, change, message):
         setattr(settings, name, value)
     with pytest.raises(AddonError, match=message):
         job_of(settings)
+
+
+def test_the_guide_is_the_selected_mesh(addon):
+    obj = bpy.data.objects.new("x", bpy.data.meshes.new("x"))
+    bpy.context.scene.collection.objects.link(obj)
+    bpy.context.view_layer.objects.active = obj
+    assert bpy.ops.fantasia3d.guide_from_selection() == {"FINISHED"}
+    assert bpy.context.scene.fantasia3d.guide == obj
+
+
+def test_a_light_keeps_its_number_whichever_others_there_are(addon, monkeypatch):
+    """A file saved in one Blender shows the same light in another."""
+    from fantasia3d_addon import light, properties
+
+    def numbers() -> dict[str, int]:
+        properties.forget_lights()
+        return {item[0]: item[4] for item in properties._lights(None, None)}
+
+    before, here = numbers(), light.blender_lights()
+    monkeypatch.setattr(light, "blender_lights", lambda: {"aurora": Path("x"), **here})
+    after = numbers()
+    assert after.items() > before.items()
+    assert len(set(after.values())) == len(after)
 
 
 def test_the_network_is_used_only_where_blender_and_the_user_allow_it(addon):

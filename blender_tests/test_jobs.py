@@ -138,7 +138,7 @@ def test_a_run_is_followed_again_after_the_end_of_its_blender(tmp_path):
     run = Run.attach(tmp_path / "run")
     events = follow(run, until=lambda events: len(events) > 4)
     assert events[0].type == "started"
-    assert is_core(run.pid)
+    assert is_core(run.pid, run.folder)
     run.cancel()
     follow(run)
     assert run.last is not None
@@ -198,6 +198,29 @@ def test_a_place_that_cannot_be_written(tmp_path):
         start(tmp_path / "file" / "run")
 
 
-def test_strangers_are_not_taken_for_the_core():
-    assert not is_core(os.getpid())
-    assert not is_core(2**22 + 1)
+def test_strangers_are_not_taken_for_the_core(tmp_path):
+    assert not is_core(os.getpid(), tmp_path / "a run of its own")
+    assert not is_core(2**22 + 1, tmp_path)
+
+
+def test_a_core_on_another_run_is_a_stranger_too(tmp_path):
+    """A number that the system gives away anew."""
+    run = start(tmp_path / "one", "long")
+    follow(run, until=lambda events: len(events) > 2)
+    assert is_core(run.pid, tmp_path / "one")
+    assert not is_core(run.pid, tmp_path / "two")
+    run.kill()
+    follow(run)
+
+
+def test_kill_ends_a_process_that_does_not_listen(tmp_path):
+    run = start(tmp_path / "run", "deaf")
+    follow(run, until=lambda events: len(events) > 2)
+    run.cancel()
+    time.sleep(0.2)
+    run.poll()
+    assert run.last is None
+    run.kill()
+    follow(run)
+    assert run.last is not None
+    assert "signal 9" in run.last.text

@@ -32,16 +32,10 @@ def import_asset(
     name = data_name(asset.prompt)
     made: list[bpy.types.ID] = []
     try:
-        images = {}
-        for role, picture in asset.pictures.items():
-            title = data_name(asset.prompt, f" {role.replace('_', ' ')}")
-            images[role] = _load_image(picture, title, made)
+        material = _make_material(asset, name, UV_MAP, made)
         mesh = bpy.data.meshes.new(name)
         made.append(mesh)
         _fill_mesh(mesh, asset)
-        material = bpy.data.materials.new(name)
-        made.append(material)
-        build_material(material, images, asset.distribution)
         mesh.materials.append(material)
         obj = bpy.data.objects.new(name, mesh)
         made.append(obj)
@@ -51,6 +45,35 @@ def import_asset(
         bpy.data.batch_remove(made)
         raise
     return obj
+
+
+def import_material(folder: Path, uv_map: str) -> bpy.types.Material:
+    """The material of the asset in ``folder`` alone, for a mesh whose maps lie over ``uv_map``.
+
+    Raises:
+        AssetError: as :func:`import_asset`.
+    """
+    asset = read_asset(Path(folder))
+    made: list[bpy.types.ID] = []
+    try:
+        return _make_material(asset, data_name(asset.prompt), uv_map, made)
+    except BaseException:
+        bpy.data.batch_remove(made)
+        raise
+
+
+def _make_material(
+    asset: AssetFolder, name: str, uv_map: str, made: list[bpy.types.ID]
+) -> bpy.types.Material:
+    """The material with its pictures; all that is new is added to ``made`` at once."""
+    images = {}
+    for role, picture in asset.pictures.items():
+        title = data_name(asset.prompt, f" {role.replace('_', ' ')}")
+        images[role] = _load_image(picture, title, made)
+    material = bpy.data.materials.new(name)
+    made.append(material)
+    build_material(material, images, asset.distribution, uv_map)
+    return material
 
 
 def data_name(prompt: str, suffix: str = "") -> str:

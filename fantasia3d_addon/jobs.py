@@ -6,10 +6,12 @@ The run folder is described in docs/architecture.md.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import dataclasses
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -69,15 +71,7 @@ class Run:
         Raises:
             JobError: the folder holds another run or can't be written, or ``python`` can't run.
         """
-        if (folder / "job.json").exists():
-            raise JobError(f"{folder} holds a run already.", "Resume it, or take another folder.")
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            aside = folder / "job.json.tmp"
-            aside.write_text(json.dumps(job, ensure_ascii=False, indent=1) + "\n", "utf-8")
-            aside.replace(folder / "job.json")
-        except OSError as error:
-            raise _unwritable(folder, error) from None
+        prepare(folder, job)
         return cls.resume(folder, python, core_root, environ)
 
     @classmethod
@@ -151,11 +145,16 @@ class Run:
         """Ask the core to stop after its present step; a ``cancelled`` event is the answer."""
         (self.folder / "cancel").touch()
 
+    def kill(self) -> None:
+        """End the process at once; the run resumes from its last checkpoint."""
+        if self.pid and (self._process is not None or is_core(self.pid, self.folder)):
+            kill_process(self.pid)
+
     def _is_dead(self) -> bool:
         if self._process is not None:
             return self._process.poll() is not None
         if self.pid:
-            return not is_core(self.pid)
+            return not is_core(self.pid, self.folder)
         return time.time() - self._newest() > START_SECONDS
 
     def _newest(self) -> float:
@@ -186,8 +185,30 @@ class Run:
         return [_event(line) for line in whole.splitlines() if line.strip()]
 
 
-def is_core(pid: int) -> bool:
-    """Whether the process ``pid`` lives and, where the system tells, is one of the core's."""
+def prepare(folder: Path, job: Mapping[str, Any]) -> None:
+    """Write ``job`` as job.json into the new run folder ``folder``; nothing is started.
+
+    Raises:
+        JobError: the folder holds another run or can't be written.
+    """
+    if (folder / "job.json").exists():
+        raise JobError(f"{folder} holds a run already.", "Resume it, or take another folder.")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        write_json(folder / "job.json", job)
+    except OSError as error:
+        raise _unwritable(folder, error) from None
+
+
+def write_json(path: Path, data: Mapping[str, Any]) -> None:
+    """Write a small JSON file whole: aside, then renamed."""
+    aside = path.with_name(path.name + ".tmp")
+    aside.write_text(json.dumps(data, ensure_ascii=False, indent=1) + "\n", "utf-8")
+    aside.replace(path)
+
+
+def is_core(pid: int, folder: Path) -> bool:
+    """Whether ``pid`` lives and, where the system tells, is the core's process for ``folder``."""
     if sys.platform == "win32":
         return _lives_on_windows(pid)
     try:
@@ -195,7 +216,17 @@ def is_core(pid: int) -> bool:
     except (ProcessLookupError, PermissionError):  # a stranger's process took the number over
         return False
     status = Path(f"/proc/{pid}/cmdline")  # Linux; empty for a zombie
-    return b"core" in status.read_bytes().split(b"\0") if status.exists() else True
+    return os.fsencode(folder.name) in status.read_bytes() if status.exists() else True
+
+
+def kill_process(pid: int) -> None:
+    """End ``pid`` and the processes that it started."""
+    if sys.platform == "win32":
+        command = ["taskkill", "/F", "/T", "/PID", str(pid)]
+        subprocess.run(command, capture_output=True, check=False)
+        return
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(pid, signal.SIGKILL)  # :func:`_spawn` made it the first of its group
 
 
 def _lives_on_windows(pid: int) -> bool:

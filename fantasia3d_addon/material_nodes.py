@@ -12,7 +12,10 @@ UV_MAP = "UVMap"
 
 
 def build_material(
-    material: bpy.types.Material, images: Mapping[str, bpy.types.Image], distribution: str
+    material: bpy.types.Material,
+    images: Mapping[str, bpy.types.Image],
+    distribution: str,
+    uv_map: str = UV_MAP,
 ) -> None:
     """Give the new ``material`` its nodes.
 
@@ -26,7 +29,7 @@ def build_material(
     _link(tree, bsdf, "BSDF", output, "Surface")
 
     uv = _node(tree, "ShaderNodeUVMap", -1000, -200)
-    uv.uv_map = UV_MAP
+    uv.uv_map = uv_map
     maps = {}
     for row, (role, label) in enumerate(
         (("base_color", "Base Color"), ("orm", "Roughness, Metallic"), ("normal", "Normal"))
@@ -44,7 +47,7 @@ def build_material(
 
     bump = _node(tree, "ShaderNodeNormalMap", -300, -500)
     bump.space = "TANGENT"
-    bump.uv_map = UV_MAP
+    bump.uv_map = uv_map
     compat.set_opengl_convention(bump)
     _link(tree, maps["normal"], "Color", bump, "Color")
     _link(tree, bump, "Normal", bsdf, "Normal")

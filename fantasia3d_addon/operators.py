@@ -1,17 +1,19 @@
-"""The operators: each reads properties, calls one function, and reports."""
+"""The panel's operators: each reads properties, calls one function, and reports."""
 
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from pathlib import Path
 
 import bpy
 from bpy.props import StringProperty
 
+from . import ask, history
+from .arrival import mark_taken
 from .environment import SetupError
 from .errors import AddonError
 from .import_asset import import_asset
-from .preferences import Machine
 from .session import session
 
 MENDABLE = (AddonError, SetupError)
@@ -26,17 +28,30 @@ class FANTASIA3D_OT_generate(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """Says why it can't be pressed."""
-        reason = reason_against(context)
+        reason = ask.reason_against(context)
         cls.poll_message_set(reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            run = session.generate(context)
-        except MENDABLE as error:
-            return refuse(self, error)
-        self.report({"INFO"}, f"Started in {run.folder}")
-        return {"FINISHED"}
+        return submit(self, lambda: ask.generate(context))
+
+
+class FANTASIA3D_OT_texture(bpy.types.Operator):
+    """Make a material for the selected mesh from the prompt, in the background"""
+
+    bl_idname = "fantasia3d.texture"
+    bl_label = "Texture"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Says why it can't be pressed."""
+        reason = ask.reason_against_texture(context)
+        cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return submit(self, lambda: ask.texture(context))
 
 
 class FANTASIA3D_OT_cancel(bpy.types.Operator):
@@ -45,13 +60,43 @@ class FANTASIA3D_OT_cancel(bpy.types.Operator):
     bl_idname = "fantasia3d.cancel"
     bl_label = "Cancel"
 
+    run: StringProperty(name="Run", description="The folder's name; empty for the first")
+
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         cls.poll_message_set("Nothing is running.")
-        return session.busy
+        return bool(session.running)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        session.cancel()
+        session.cancel(self.run)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_stop_now(bpy.types.Operator):
+    """End a process whose cancel takes long; the run resumes from its last checkpoint"""
+
+    bl_idname = "fantasia3d.stop_now"
+    bl_label = "Stop Now"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("Press Cancel first.")
+        return any(follow.progress.cancelling for follow in session.running)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        session.kill()
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_dismiss(bpy.types.Operator):
+    """Put the message away"""
+
+    bl_idname = "fantasia3d.dismiss"
+    bl_label = "Dismiss"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        session.error, session.last, session.asset = None, None, ""
+        session.missed.clear()
         return {"FINISHED"}
 
 
@@ -80,6 +125,8 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
             obj = import_asset(context, folder, context.scene.cursor.location)
         except MENDABLE as error:
             return refuse(self, error)
+        mark_taken(folder)
+        session.missed = [entry for entry in session.missed if entry.folder != folder]
         for other in context.selected_objects:
             other.select_set(False)
         obj.select_set(True)
@@ -95,7 +142,24 @@ class FANTASIA3D_OT_new_seed(bpy.types.Operator):
     bl_options = {"UNDO"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        context.scene.fantasia3d.seed = random.randrange(2**31)
+        context.scene.fantasia3d.seed = random.randrange(history.SEEDS)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
+    """Take the selected mesh as the shape to start from"""
+
+    bl_idname = "fantasia3d.guide_from_selection"
+    bl_label = "Use Selected Mesh"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("Select a mesh.")
+        return context.active_object is not None and context.active_object.type == "MESH"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.scene.fantasia3d.guide = context.active_object
         return {"FINISHED"}
 
 
@@ -108,74 +172,21 @@ class FANTASIA3D_OT_open_log(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         cls.poll_message_set("There is no log yet.")
-        return session.run is not None and session.run.log.exists()
+        return session.log is not None
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return bpy.ops.wm.path_open(filepath=str(session.run.log))
+        return bpy.ops.wm.path_open(filepath=str(session.log))
 
 
-class FANTASIA3D_OT_set_up(bpy.types.Operator):
-    """Make the core's own Python environment; nothing is installed into Blender"""
-
-    bl_idname = "fantasia3d.set_up"
-    bl_label = "Set Up"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        reason = reason_against_set_up()
-        cls.poll_message_set(reason)
-        return not reason
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            session.set_up(context)
-        except MENDABLE as error:
-            return refuse(self, error)
-        return {"FINISHED"}
-
-
-class FANTASIA3D_OT_check(bpy.types.Operator):
-    """See what is here and what is missing"""
-
-    bl_idname = "fantasia3d.check"
-    bl_label = "Check"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("The set-up is running.")
-        return not (session.work and session.work.running)
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            session.check(context)
-        except MENDABLE as error:
-            return refuse(self, error)
-        return {"FINISHED"}
-
-
-def reason_against(context: bpy.types.Context) -> str:
-    """Why a job can't be started now; empty if it can."""
-    if not context.scene.fantasia3d.prompt.strip():
-        return "Say what to make: the prompt is empty."
-    if session.busy:
-        return "A run is going on."
+def submit(operator: bpy.types.Operator, function: Callable[[], Path]) -> set[str]:
+    """Put a job into the queue and say so."""
     try:
-        python = Machine(context).python
-    except SetupError as error:
-        return f"{error.text} {error.fix}"
-    if not python.exists():
-        return "Press Set Up first: the core's Python is not there yet."
-    return ""
-
-
-def reason_against_set_up() -> str:
-    """Why the environment can't be made now; empty if it can."""
-    if session.work and session.work.running:
-        return "It is running."
-    if not bpy.app.online_access:
-        return "Allow online access first: Preferences, System, Network."
-    return ""
+        folder = function()
+    except MENDABLE as error:
+        return refuse(operator, error)
+    begun = any(follow.run.folder == folder for follow in session.running)
+    operator.report({"INFO"}, f"{'Started' if begun else 'Waits its turn'}: {folder.name}")
+    return {"FINISHED"}
 
 
 def refuse(operator: bpy.types.Operator, error: AddonError | SetupError) -> set[str]:
@@ -187,10 +198,12 @@ def refuse(operator: bpy.types.Operator, error: AddonError | SetupError) -> set[
 
 CLASSES = (
     FANTASIA3D_OT_generate,
+    FANTASIA3D_OT_texture,
     FANTASIA3D_OT_cancel,
+    FANTASIA3D_OT_stop_now,
+    FANTASIA3D_OT_dismiss,
     FANTASIA3D_OT_import_asset,
     FANTASIA3D_OT_new_seed,
+    FANTASIA3D_OT_guide_from_selection,
     FANTASIA3D_OT_open_log,
-    FANTASIA3D_OT_set_up,
-    FANTASIA3D_OT_check,
 )

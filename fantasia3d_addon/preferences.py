@@ -17,14 +17,30 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
 
     bl_idname = __package__
 
-    python: StringProperty(
-        name="Python",
-        description="A Python that has the core's packages; empty for the one that Set up makes",
-        subtype="FILE_PATH",
-    )
     environment_folder: StringProperty(
         name="Environment",
-        description="Where Set up makes the core's Python; empty for the user's data folder",
+        description="Where Set Up makes the method's Python; empty for your data folder",
+        subtype="DIR_PATH",
+    )
+    base_python: StringProperty(
+        name="Made of",
+        description=f"The Python {environment.PYTHON} that Set Up makes the environment of; "
+        "empty for the first that is found",
+        subtype="FILE_PATH",
+    )
+    wheels_folder: StringProperty(
+        name="Wheels",
+        description="A folder of wheels, for a set-up without a network; empty for the registry",
+        subtype="DIR_PATH",
+    )
+    python: StringProperty(
+        name="Existing Python",
+        description="A Python that has the method's packages, used as it is instead of Set Up's",
+        subtype="FILE_PATH",
+    )
+    runs_folder: StringProperty(
+        name="Runs",
+        description="Where runs and their assets are kept; empty for Blender's user folder",
         subtype="DIR_PATH",
     )
     models_folder: StringProperty(
@@ -32,25 +48,25 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         description="Where downloaded Stable Diffusion models lie; empty for the hub's own cache",
         subtype="DIR_PATH",
     )
-    runs_folder: StringProperty(
-        name="Runs",
-        description="Where runs and their assets are kept; empty for Blender's user folder",
-        subtype="DIR_PATH",
-    )
     download_models: BoolProperty(
         name="Download models",
-        description="Let the core fetch a model that is named by its hub id",
+        description="Let the method fetch a model that is named by its hub id",
     )
 
     def draw(self, context: bpy.types.Context) -> None:
         """The set-up first: nothing runs without it."""
-        from .panel import draw_set_up
+        from .setup_panel import draw_set_up
 
-        self.layout.use_property_split = True
-        draw_set_up(self.layout, context)
-        for name in ("environment_folder", "python", "runs_folder", "models_folder"):
-            self.layout.prop(self, name)
-        row = self.layout.row()
+        layout = self.layout
+        draw_set_up(layout, context)
+        layout.use_property_split = True
+        column = layout.column(heading="Set-Up")
+        for name in ("environment_folder", "base_python", "wheels_folder", "python"):
+            column.prop(self, name)
+        column = layout.column()
+        for name in ("runs_folder", "models_folder"):
+            column.prop(self, name)
+        row = column.row()
         row.active = bpy.app.online_access
         row.prop(self, "download_models")
 
@@ -63,7 +79,7 @@ class Machine:
         self._given = addon.preferences if addon else None
 
     def _path(self, name: str) -> Path | None:
-        text = getattr(self._given, name, "")
+        text = getattr(self._given, name, "").strip()
         return Path(bpy.path.abspath(text)).expanduser() if text else None
 
     @property
@@ -77,12 +93,22 @@ class Machine:
         return self._path("environment_folder") or environment.env_folder(self.root)
 
     @property
+    def place(self) -> environment.Place:
+        """Where and of what Set Up makes the environment."""
+        return environment.Place(
+            self.environment, self._path("base_python"), self._path("wheels_folder")
+        )
+
+    @property
+    def own_python(self) -> Path | None:
+        """The interpreter that the user chose instead of the environment's."""
+        named = self._path("python") or os.environ.get("FANTASIA3D_PYTHON")
+        return Path(shutil.which(str(named)) or named) if named else None
+
+    @property
     def python(self) -> Path:
         """The interpreter that runs the core; it need not be there yet."""
-        named = self._path("python") or os.environ.get("FANTASIA3D_PYTHON")
-        if named:
-            return Path(shutil.which(str(named)) or named)
-        return environment.env_python(self.environment)
+        return self.own_python or environment.env_python(self.environment)
 
     @property
     def runs(self) -> Path:
@@ -105,3 +131,6 @@ def _user_folder() -> Path:
         return Path(bpy.utils.extension_path_user(__package__))
     except ValueError:  # used as a plain module, not installed as an extension
         return Path(bpy.utils.user_resource("DATAFILES", path="fantasia3d"))
+
+
+CLASSES = (FANTASIA3D_AddonPreferences,)

@@ -4,29 +4,52 @@ from __future__ import annotations
 
 import bpy
 
-from . import operators, panel
-from .preferences import FANTASIA3D_AddonPreferences
-from .properties import FANTASIA3D_PG_settings
+from . import (
+    job_operators,
+    job_panel,
+    live_preview,
+    operators,
+    panel,
+    preferences,
+    presets,
+    properties,
+    setup_operators,
+    thumbnails,
+)
 from .session import session
 
-CLASSES = (
-    FANTASIA3D_PG_settings,
-    FANTASIA3D_AddonPreferences,
-    *operators.CLASSES,
-    *panel.CLASSES,
+MODULES = (  # each has its CLASSES
+    properties,
+    preferences,
+    presets,
+    operators,
+    job_operators,
+    setup_operators,
+    panel,
+    job_panel,
 )
+CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 
 def register() -> None:
-    """Register all classes, then the scene's settings."""
+    """Register all classes, the settings of scenes and of this Blender, and the handlers."""
+    thumbnails.open_collection()
+    properties.forget_lights()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.Scene.fantasia3d = bpy.props.PointerProperty(type=FANTASIA3D_PG_settings)
+    pointer = bpy.props.PointerProperty
+    bpy.types.Scene.fantasia3d = pointer(type=properties.FANTASIA3D_PG_settings)
+    bpy.types.WindowManager.fantasia3d = pointer(type=properties.FANTASIA3D_PG_jobs)
+    live_preview.add_handlers()
+    session.open()
 
 
 def unregister() -> None:
     """Undo :func:`register`, backwards."""
     session.close()
+    live_preview.remove_handlers()
     del bpy.types.Scene.fantasia3d
+    del bpy.types.WindowManager.fantasia3d
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
+    thumbnails.close_collection()

@@ -1,4 +1,4 @@
-"""What goes on in this Blender: the run that it follows, and the set-up of the core's Python.
+"""What goes on in this Blender: the runs that it follows, its queue, its history, the set-up.
 
 One :class:`Session` lives from register to unregister. Its :meth:`tick` is called by a timer in a
 window (timers never fire in the background) or by a loop in a script; it never blocks.
@@ -6,200 +6,313 @@ window (timers never fire in the background) or by a loop in a script; it never 
 
 from __future__ import annotations
 
-import os
-import threading
+import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import bpy
 
-from . import environment
+from . import history, live_preview
+from .arrival import obstacle, take_in
+from .claim import Claim
+from .environment import SetupError
 from .errors import AddonError
-from .export_shape import export_shape
-from .import_asset import data_name, import_asset
-from .jobs import Event, Run
+from .follow import Follow
+from .history import Entry
+from .import_asset import data_name
+from .jobs import Run, prepare
 from .preferences import Machine
-from .properties import job_of
+from .target import Target
+from .work import Work
 
 TICK_SECONDS = 0.25
-
-
-class Progress:
-    """How far the run is, as the panel shows it."""
-
-    def __init__(self) -> None:
-        self.text = "Starting"
-        self.share = 0.0  # of the present stage
-        self.seconds_left: float | None = None
-        self.cancelling = False
-
-    def take(self, event: Event) -> None:
-        """Show a ``progress`` event."""
-        self.text = event.stage.capitalize() or self.text
-        self.share = event.step / event.steps if event.steps else 0.0
-        self.seconds_left = event.seconds_left
-
-    @property
-    def line(self) -> str:
-        """One line: the stage, its share, the time that it will take."""
-        if self.cancelling:
-            return f"{self.text}: stops after this step"
-        left = self.seconds_left
-        time_left = f", {left // 60:.0f}:{left % 60:02.0f} left" if left is not None else ""
-        return f"{self.text} {self.share:.0%}{time_left}"
-
-
-class Work:
-    """A function that runs in a thread of its own and never touches bpy: a set-up or a check."""
-
-    def __init__(self, function: Callable[[Callable[[str, float], None]], str]) -> None:
-        self.text, self.share = "Starting", 0.0
-        self.error: tuple[str, str] | None = None  # a sentence and its fix
-        self._function = function
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
-
-    @property
-    def running(self) -> bool:
-        """Whether it has not ended yet."""
-        return self._thread.is_alive()
-
-    def join(self, seconds: float) -> None:
-        """Wait for its end; for scripts."""
-        self._thread.join(seconds)
-
-    def _say(self, text: str, share: float) -> None:
-        self.text, self.share = text, share
-
-    def _run(self) -> None:
-        try:
-            self.text = self._function(self._say)
-        except environment.SetupError as error:
-            self.error = (error.text, error.fix)
+ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
 
 
 class Session:
     """The state of this Blender that is no part of the file."""
 
     def __init__(self) -> None:
-        self.run: Run | None = None
-        self.progress = Progress()
+        self.running: list[Follow] = []  # one, and those that earlier Blenders left behind
+        self.waiting: list[tuple[Path, Claim | None]] = []
+        self.paused = False  # the queue waits for the user
+        self.arriving: list[Follow] = []  # done, and not yet in the scene
+        self.missed: list[Entry] = []  # done while no Blender, or another file, was open
+        self.last: Follow | None = None  # the last run that ended
         self.error: tuple[str, str] | None = None  # the last one: a sentence and its fix
-        self.warning: tuple[str, str] | None = None
         self.asset = ""  # the name of the last object that was made
-        self.work: Work | None = None
-        self._scene = ""
-        self._location = (0.0, 0.0, 0.0)
+        self.work: Work | None = None  # a set-up or a check
+        self.history: list[Entry] = []
+        self._scan: Work | None = None
+        self._file_number = 0
         self._timer = self.tick  # one object: Blender knows a timer by its identity
+        self._adopter = self._adopt_later
 
     @property
     def busy(self) -> bool:
-        """Whether a run is being followed."""
-        return self.run is not None and not self.run.finished
+        """Whether something of a job is still to be done."""
+        return bool(self.running or self.arriving or (self.waiting and not self.paused))
 
-    def generate(self, context: bpy.types.Context) -> Run:
-        """Start the job that the scene's settings ask for, and follow it.
+    @property
+    def run(self) -> Follow | None:
+        """The run that is shown first: one that goes on, or else the last."""
+        return self.running[0] if self.running else self.last
+
+    @property
+    def names(self) -> list[str]:
+        """The run folders' names of the runs that go on."""
+        return [follow.name for follow in self.running]
+
+    @property
+    def log(self) -> Path | None:
+        """What the run that is shown printed."""
+        return self.run.run.log if self.run and self.run.run.log.exists() else None
+
+    def here(self, context: bpy.types.Context, **more: Any) -> Target:
+        """The place where an asset that is asked for now shall stand."""
+        return Target(
+            file=bpy.data.filepath,
+            scene=context.scene.name,
+            location=tuple(context.scene.cursor.location),
+            **more,
+        )
+
+    def submit(
+        self,
+        context: bpy.types.Context,
+        job: Mapping[str, Any],
+        target: Target,
+        files: Mapping[str, Path] | None = None,
+    ) -> Path:
+        """Put ``job`` into the queue, with copies of its ``files`` by name; its run folder.
 
         Raises:
-            AddonError: it can't be started; nothing runs then.
-            SetupError: the core is not there.
+            AddonError: the place can't be written; nothing is left of it then.
         """
-        settings, machine = context.scene.fantasia3d, Machine(context)
-        job_of(settings)  # what is wrong with it is said before a folder is made
-        folder = new_run_folder(machine.runs, settings.prompt)
-        guide = folder / "guide.obj" if settings.guide else None
-        if guide:
-            export_shape(settings.guide, guide, context.evaluated_depsgraph_get())
-        run = Run.start(
-            folder, job_of(settings, guide), machine.python, machine.root, machine.core_environ
-        )
-        return self.follow(context, run)
+        folder = new_run_folder(Machine(context).runs, str(job.get("prompt", "")))
+        try:
+            for name, path in (files or {}).items():
+                shutil.copyfile(path, folder / name)
+            target.write(folder)
+            prepare(folder, history.settle(job, folder))
+        except BaseException as error:
+            shutil.rmtree(folder, ignore_errors=True)
+            if isinstance(error, OSError):
+                raise AddonError(
+                    f"{folder} can't be written ({error.strerror}).",
+                    "Choose another folder for runs in the add-on's preferences.",
+                ) from None
+            raise
+        self.enqueue(context, folder)
+        return folder
 
-    def follow(self, context: bpy.types.Context, run: Run) -> Run:
-        """Follow ``run``; its asset will stand at the 3D cursor of the present scene."""
-        self.run, self.progress = run, Progress()
-        self.error, self.warning, self.asset = None, None, ""
-        self._scene = context.scene.name
-        self._location = tuple(context.scene.cursor.location)
+    def enqueue(self, context: bpy.types.Context, folder: Path) -> None:
+        """Have the run in ``folder`` begun or resumed when its turn comes.
+
+        Raises:
+            AddonError: another Blender follows it, or it can't be started.
+        """
+        claim = Claim.take(folder)
+        if claim is None:
+            raise AddonError(
+                "Another Blender follows this run.", "Cancel it there, or wait for its end."
+            )
+        self.error, self.paused = None, False
+        self.waiting.append((folder, claim))
+        self._start_next(raise_error=True)
+        self.refresh()
         self.watch()
-        return run
 
-    def cancel(self) -> None:
-        """Ask the run to stop after its present step."""
-        if self.run:
-            self.run.cancel()
-            self.progress.cancelling = True
-
-    def set_up(self, context: bpy.types.Context) -> Work:
-        """Make the core's Python environment, in the background."""
-        machine = Machine(context)
-        root = machine.root
-        os.environ["FANTASIA3D_ENV"] = str(machine.environment)  # environment's own interface
-        return self._begin(lambda say: f"Ready: {environment.ensure(root, (), say)}")
-
-    def check(self, context: bpy.types.Context) -> Work:
-        """Look at what is here and what is missing, in the background."""
-        machine = Machine(context)
-        root = machine.root
-        os.environ["FANTASIA3D_ENV"] = str(machine.environment)
-
-        def look(_say: Callable[[str, float], None]) -> str:
-            missing = [line for line in environment.examine(root) if line.state == "MISSING"]
-            if missing:
-                raise environment.SetupError(
-                    f"Missing: {', '.join(line.name for line in missing)}.", missing[0].text
-                )
-            return "Everything is here."
-
-        return self._begin(look)
-
-    def _begin(self, function: Callable[[Callable[[str, float], None]], str]) -> Work:
-        self.work = Work(function)
+    def follow(self, run: Run, claim: Claim | None) -> Follow:
+        """Follow ``run`` from here on."""
+        follow = Follow(run, Target.read(run.folder), claim, self._file_number)
+        self.running.append(follow)
+        self.asset = ""
         self.watch()
-        return self.work
+        return follow
+
+    def adopt(self, context: bpy.types.Context) -> None:
+        """Take up what an earlier Blender left behind: runs that go on, a queue, finished assets.
+
+        A run that another living Blender follows is left to it.
+        """
+        self.history = history.scan(Machine(context).runs)
+        ours = {*(f.run.folder for f in self.running), *(folder for folder, _ in self.waiting)}
+        for entry in reversed(self.history):  # the oldest first
+            if entry.folder in ours or entry.state not in (
+                history.RUNNING, history.WAITING, history.DONE
+            ):  # fmt: skip
+                continue
+            claim = Claim.take(entry.folder)
+            if claim is None:
+                continue
+            if entry.state == history.RUNNING:
+                self.follow(Run.attach(entry.folder), claim)
+            elif entry.state == history.WAITING:
+                self.waiting.append((entry.folder, claim))
+                self.paused = True
+            else:
+                claim.release()
+                if is_missed(entry):
+                    self.missed.append(entry)
+        self.watch()
+
+    def cancel(self, name: str = "") -> None:
+        """Ask the run of that name, or the first, to stop after its present step."""
+        for follow in [f for f in self.running if name in ("", f.name)][:1]:
+            follow.cancel()
+        self.watch()
+
+    def kill(self) -> None:
+        """End the processes whose cancel waits too long; they resume from their checkpoints."""
+        for follow in self.running:
+            if follow.progress.cancelling:
+                follow.run.kill()
+
+    def drop(self, folder: Path) -> None:
+        """Take a waiting job out of the queue, and its folder off the disk."""
+        for item in [item for item in self.waiting if item[0] == folder]:
+            self.waiting.remove(item)
+            if item[1]:
+                item[1].release()
+            entry = history.read_entry(folder)
+            if entry and entry.state == history.WAITING:
+                history.remove(entry)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Read the history anew, in the background."""
+        if self._scan is None or not self._scan.running:
+            runs, known = Machine(bpy.context).runs, {e.folder: e for e in self.history}
+            self._scan = Work("History", lambda _say: history.scan(runs, known))
+            self.watch()
+
+    def begin(self, work: Work) -> Work:
+        """Show a set-up or a check until its end."""
+        self.work = work
+        self.watch()
+        return work
+
+    def file_opened(self) -> None:
+        """Another file is open now: what was asked for in the last one does not belong here."""
+        self._file_number += 1
+
+    def open(self) -> None:
+        """Begin: look for what an earlier Blender left, once there is a window."""
+        if not bpy.app.background:
+            bpy.app.timers.register(self._adopter, first_interval=ADOPT_SECONDS)
 
     def watch(self) -> None:
         """Have :meth:`tick` called while there is something to follow."""
         if not bpy.app.timers.is_registered(self._timer):
-            bpy.app.timers.register(self._timer, first_interval=TICK_SECONDS, persistent=True)
+            bpy.app.timers.register(self._timer, first_interval=0.05, persistent=True)
 
     def close(self) -> None:
         """Stop following and forget; what runs goes on by itself."""
-        if bpy.app.timers.is_registered(self._timer):
-            bpy.app.timers.unregister(self._timer)
+        for timer in (self._timer, self._adopter):
+            if bpy.app.timers.is_registered(timer):
+                bpy.app.timers.unregister(timer)
+        for follow in self.running + self.arriving:
+            follow.release()
+        for _, claim in self.waiting:
+            if claim:
+                claim.release()
+        live_preview.remove()
         self.__init__()
 
     def tick(self) -> float | None:
         """Take in what has happened; the seconds to the next call, None when all has ended."""
-        if self.run and self.busy:
-            for event in self.run.poll():
-                self._take(event)
+        for follow in list(self.running):
+            follow.poll()
+            if follow.run.finished:
+                self._end(follow)
+            elif follow.shape:
+                self._show(follow)
+        self._arrive()
+        self._start_next()
+        if self._scan and not self._scan.running:
+            if isinstance(self._scan.result, list):
+                self.history = self._scan.result
+            self._scan = None
+            _list_history(self.history)
         _redraw()
-        return TICK_SECONDS if self.busy or (self.work and self.work.running) else None
+        working = (self.work and self.work.running) or self._scan
+        return TICK_SECONDS if self.busy or working else None
 
-    def _take(self, event: Event) -> None:
-        if event.type == "progress":
-            self.progress.take(event)
-        elif event.type == "warning":
-            self.warning = (event.text, event.fix)
-        elif event.type == "error":
-            self.error = (event.text, event.fix)
-        elif event.type == "done":
-            self._import()
+    def _adopt_later(self) -> None:
+        self.adopt(bpy.context)
+        self.refresh()
 
-    def _import(self) -> None:
-        assert self.run
-        scene = bpy.data.scenes.get(self._scene) or bpy.context.scene  # another file may be open
-        where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
-        try:
-            self.asset = import_asset(where, self.run.asset, self._location).name
-        except AddonError as error:
-            self.error = (error.text, error.fix)
+    def _start_next(self, raise_error: bool = False) -> None:
+        """Start the first that waits, if nothing runs."""
+        if self.running or self.paused or not self.waiting:
             return
-        if not bpy.app.background:
-            with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
-                bpy.ops.ed.undo_push(message=f"Generate {self.asset}")
+        folder, claim = self.waiting.pop(0)
+        machine = Machine(bpy.context)
+        try:
+            run = Run.resume(folder, machine.python, machine.root, machine.core_environ)
+        except (AddonError, SetupError) as error:
+            if claim:
+                claim.release()
+            self.error = (error.text, error.fix)
+            if raise_error:
+                raise
+            return
+        self.follow(run, claim)
+
+    def _end(self, follow: Follow) -> None:
+        self.running.remove(follow)
+        self.last = follow
+        live_preview.remove(keep=self.names)
+        if follow.end and follow.end.type == "done":
+            self.arriving.append(follow)
+        else:
+            follow.release()
+            if follow.end and follow.end.type == "error":
+                self.error = (follow.end.text, follow.end.fix)
+        self.refresh()
+
+    def _show(self, follow: Follow) -> None:
+        """Show the shape that ``follow`` has so far, in the file that it belongs to."""
+        path, follow.shape = follow.shape, None
+        if path and self._belongs(follow) and not follow.target.object:
+            scene = scene_of(follow.target)
+            live_preview.show(
+                scene.collection, path, follow.name, follow.prompt, follow.target.location
+            )
+
+    def _belongs(self, follow: Follow) -> bool:
+        """Whether the file that ``follow`` was asked for in is open."""
+        return follow.file_number == self._file_number or follow.target.file == bpy.data.filepath
+
+    def _arrive(self) -> None:
+        """Take the assets that are done into the scene, unless the user is in the middle of
+        something."""
+        for follow in [] if obstacle() else list(self.arriving):
+            self.arriving.remove(follow)
+            if not self._belongs(follow):
+                entry = history.read_entry(follow.run.folder)
+                self.missed += [entry] if entry else []
+            else:
+                try:
+                    scene = scene_of(follow.target)
+                    self.asset = take_in(follow.run.folder, follow.target, scene)
+                except AddonError as error:
+                    self.error = (error.text, error.fix)
+            follow.release()
+
+
+def scene_of(target: Target) -> bpy.types.Scene:
+    """The scene that the asset was asked for in; the present one where it has gone."""
+    return bpy.data.scenes.get(target.scene) or bpy.context.scene
+
+
+def is_missed(entry: Entry) -> bool:
+    """Whether a finished asset was asked for in Blender and never came into a scene."""
+    asked = (entry.folder / "target.json").exists()
+    return asked and not (entry.folder / "taken").exists()
 
 
 def new_run_folder(runs: Path, prompt: str) -> Path:
@@ -226,12 +339,24 @@ def new_run_folder(runs: Path, prompt: str) -> Path:
             return folder
 
 
+def _list_history(entries: list[Entry]) -> None:
+    """Have the panel's list hold what the history holds."""
+    listed = bpy.context.window_manager.fantasia3d.entries
+    if [item.name for item in listed] != [str(entry.folder) for entry in entries]:
+        listed.clear()
+        for entry in entries:
+            listed.add().name = str(entry.folder)
+
+
 def _redraw() -> None:
     """Draw the sidebars and the preferences anew."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
-            if area.type in ("VIEW_3D", "PREFERENCES"):
+            if area.type == "PREFERENCES":
                 area.tag_redraw()
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()
 
 
 session = Session()  # the one of this Blender; unregistration empties it

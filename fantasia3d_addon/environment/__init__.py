@@ -12,8 +12,9 @@ FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 """
 
 from .doctor import Line, examine
-from .install import Progress, ensure
+from .install import Progress, ensure, remove
 from .layout import (
+    Place,
     data_folder,
     env_folder,
     env_python,
@@ -22,11 +23,12 @@ from .layout import (
     project_root,
     requirements,
 )
-from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia
+from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
 
 __all__ = [
     "PYTHON",
     "Line",
+    "Place",
     "Progress",
     "SetupError",
     "clean_environ",
@@ -40,5 +42,7 @@ __all__ = [
     "lacking",
     "log_file",
     "project_root",
+    "remove",
     "requirements",
+    "try_lock",
 ]

@@ -53,15 +53,20 @@ class Line(NamedTuple):
     text: str
 
 
-def examine(root: Path) -> list[Line]:
+def examine(root: Path, folder: Path | None = None, python: Path | None = None) -> list[Line]:
     """All findings; takes a few seconds, for torch is loaded in the environment's Python.
 
-    Inside Blender its own module counts, and the environment need not hold one.
+    ``folder`` is that of the environment where it is not the project's own choice; ``python`` an
+    interpreter that is used instead of one. Inside Blender its own module counts, and the
+    environment need not hold one.
     """
-    return [*_python(root), *_environment(root), *_data(root)]
+    named = os.environ.get("FANTASIA3D_PYTHON", "") if python is None else str(python)
+    given = named if folder is None or python else ""
+    folder = folder or layout.env_folder(root)
+    return [*_python(root, folder, given), *_environment(root, folder, given), *_data(root)]
 
 
-def _python(root: Path) -> list[Line]:
+def _python(root: Path, folder: Path, given: str) -> list[Line]:
     lines = [Line("launcher", NOTE, f"Python {sys.version.split()[0]}, {root}")]
     if "bpy" in sys.modules:
         lines.append(Line("Blender", OK, sys.modules["bpy"].app.version_string))
@@ -69,13 +74,11 @@ def _python(root: Path) -> list[Line]:
     try:
         return [*lines, Line(name, OK, str(machine.find_python()))]
     except SetupError as error:
-        needed = "core" in layout.lacking(layout.env_folder(root), root)
-        needed = needed and not os.environ.get("FANTASIA3D_PYTHON")
+        needed = "core" in layout.lacking(folder, root) and not given
         return [*lines, Line(name, MISSING if needed else NOTE, str(error))]
 
 
-def _environment(root: Path) -> list[Line]:
-    folder, given = layout.env_folder(root), os.environ.get("FANTASIA3D_PYTHON")
+def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     groups, make = ["blender"], "generate makes it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
         groups, make = [], 'press "Set up", or: python3 run.py setup'

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import IO, Protocol
 
@@ -32,6 +32,7 @@ SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, mea
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
 LEAN_PIP = (23, 2)  # older ones fetch a whole wheel (torch: 0.5 GB) to read what it needs
 SILENCE = 15.0  # seconds after which a long step is said to go on
+LOOK = 0.5  # seconds between two looks at whether the user gave up
 CHECKS = {  # what must load before a group counts as installed
     "core": "import torch, numpy, safetensors, PIL; print('torch', torch.__version__)",
     "blender": "import bpy, os, sys; print('bpy', bpy.app.version_string); sys.stdout.flush(); "
@@ -46,17 +47,20 @@ def ensure(
     progress: Progress,
     allow_cuda: bool = False,
     renew: bool = False,
+    place: layout.Place | None = None,
+    stopped: Callable[[], bool] = lambda: False,
 ) -> Path:
     """The interpreter of an environment that holds the core and ``groups``; made if need be.
 
-    An interpreter named in FANTASIA3D_PYTHON is taken as it is. ``allow_cuda`` takes torch's CUDA
-    build on a machine without a GPU too; ``renew`` makes the environment anew.
+    An interpreter named in FANTASIA3D_PYTHON is taken as it is, unless ``place`` says where the
+    environment shall be. ``allow_cuda`` takes torch's CUDA build on a machine without a GPU too;
+    ``renew`` makes the environment anew; ``stopped`` is asked twice a second whether to give up.
 
     Raises:
         SetupError: something is missing that the user can mend; nothing half-made is left.
     """
     given = os.environ.get("FANTASIA3D_PYTHON")
-    if given:
+    if given and place is None:
         found = shutil.which(str(Path(given).expanduser()))
         if not found:
             raise SetupError(
@@ -64,17 +68,22 @@ def ensure(
                 "Name a Python that has this project's packages, or unset it.",
             )
         return Path(found)
-    folder = layout.env_folder(root)
+    place = place or layout.Place()
+    folder = place.folder or layout.env_folder(root)
     if renew or layout.lacking(folder, root, groups):
-        with _locked(folder, progress) as lock:
+        machine.check_length(folder)
+        with _locked(folder, progress, stopped) as lock:
             todo = ["core", *groups] if renew else layout.lacking(folder, root, groups)
             if todo:  # no other process has done it meanwhile
-                _SetUp(folder, root, progress, lock).carry_out(todo, allow_cuda)
+                set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
+                set_up.carry_out(todo, allow_cuda)
     return layout.env_python(folder)
 
 
 @contextlib.contextmanager
-def _locked(folder: Path, progress: Progress) -> Generator[IO[bytes], None, None]:
+def _locked(
+    folder: Path, progress: Progress, stopped: Callable[[], bool] = lambda: False
+) -> Generator[IO[bytes], None, None]:
     """Hold the set-up's lock, which the system lets go when its last holder dies."""
     path = folder.with_name(folder.name + ".lock")
     try:
@@ -87,28 +96,18 @@ def _locked(folder: Path, progress: Progress) -> Generator[IO[bytes], None, None
         ) from None
     with file:
         told = False
-        while not _try_lock(file):
+        while not machine.try_lock(file):
             if not told:
                 progress("Another set-up of the same environment is running; waiting for it.", 0.0)
                 told = True
-            time.sleep(0.5)
+            time.sleep(LOOK)
+            _check_stopped(stopped)
         yield file
 
 
-def _try_lock(file: IO[bytes]) -> bool:
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            file.seek(0)
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True
+def _check_stopped(stopped: Callable[[], bool]) -> None:
+    if stopped():
+        raise SetupError("The set-up was cancelled.", "Nothing of it is left. Start it again.")
 
 
 def remove(folder: Path) -> None:
@@ -136,16 +135,26 @@ def remove(folder: Path) -> None:
 class _SetUp:
     """One set-up of ``folder``; ``lock`` is held, and handed on to the children that write."""
 
-    def __init__(self, folder: Path, root: Path, progress: Progress, lock: IO[bytes]) -> None:
-        self.folder, self.root, self.progress, self.lock = folder, root, progress, lock
-        self.python = str(layout.env_python(folder))
+    def __init__(
+        self,
+        place: layout.Place,
+        root: Path,
+        progress: Progress,
+        lock: IO[bytes],
+        stopped: Callable[[], bool],
+    ) -> None:
+        assert place.folder is not None
+        self.folder, self.root, self.progress, self.lock = place.folder, root, progress, lock
+        self.base, self.stopped = place.python, stopped
+        self.wheels = str(place.wheels or os.environ.get("FANTASIA3D_WHEELS") or "")
+        self.python = str(layout.env_python(self.folder))
         self.start = time.monotonic()
         self.expected = 1.0  # bytes to be written
         self.step, self.share = "", 0.0  # what is being done, and how much is
 
     def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
         """Install the groups ``todo``; all from nothing if ``core`` is among them."""
-        fresh, base, gpu = "core" in todo, machine.find_python(), machine.has_nvidia()
+        fresh, base, gpu = "core" in todo, machine.find_python(self.base), machine.has_nvidia()
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
         machine.check_disk(self.folder, 1.5 * self.expected)  # with the downloads
@@ -170,7 +179,7 @@ class _SetUp:
         self._begin(f"making a virtual environment of {base}")
         self._run([str(base), "-m", "venv", str(self.folder)])
         said = machine.output([self.python, "-m", "pip", "--version"])
-        if pip_version(said) < LEAN_PIP and not os.environ.get("FANTASIA3D_WHEELS"):
+        if pip_version(said) < LEAN_PIP and not self.wheels:
             self._pip("install", *self._tool("pip"))
 
     def _tool(self, name: str) -> list[str]:
@@ -243,8 +252,7 @@ class _SetUp:
         shutil.rmtree(tool)
 
     def _pip(self, verb: str, *args: str) -> None:
-        wheels = os.environ.get("FANTASIA3D_WHEELS")
-        offline = ["--no-index", "--find-links", wheels] if wheels else []
+        offline = ["--no-index", "--find-links", self.wheels] if self.wheels else []
         head = ["-m", "pip", "--no-input", "--no-color", "--disable-pip-version-check", verb]
         self._run([self.python, *head, "--progress-bar", "off", *offline, *args])
 
@@ -287,12 +295,17 @@ class _SetUp:
 
         threading.Thread(target=read, daemon=True).start()
         said: list[str] = []
+        heard = time.monotonic()
         while True:
+            _check_stopped(self.stopped)
             try:
-                raw = lines.get(timeout=SILENCE)
+                raw = lines.get(timeout=LOOK)
             except queue.Empty:
-                self._tell(f"{self.step}: {self._seconds()} s so far")
+                if time.monotonic() - heard > SILENCE:
+                    heard = time.monotonic()
+                    self._tell(f"{self.step}: {self._seconds()} s so far")
                 continue
+            heard = time.monotonic()
             if raw is None:
                 return "".join(said[-200:])
             line = raw.decode("utf-8", "replace")

@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from .machine import SetupError
 
@@ -47,6 +47,14 @@ def data_folder() -> Path:
     else:
         base = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
     return Path(base) / "fantasia3d"
+
+
+class Place(NamedTuple):
+    """Where and of what an environment is made; what is None is the project's own choice."""
+
+    folder: Path | None = None  # of the environment
+    python: Path | None = None  # the interpreter that it is made of
+    wheels: Path | None = None  # a folder of wheels that stands for the registry
 
 
 def env_folder(root: Path) -> Path:

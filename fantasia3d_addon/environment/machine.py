@@ -8,8 +8,10 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import IO, Any
 
 PYTHON = "3.11"  # bpy 4.5's wheel is for this one alone
+LONGEST, DEEPEST = 259, 190  # characters: of a path under Windows; of torch's files in the folder
 CLEAN = (
     "PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
     "PIP_TARGET", "PIP_PREFIX", "PIP_USER",
@@ -94,14 +96,14 @@ def python_candidates() -> Iterator[str]:
         yield sys.executable
 
 
-def find_python() -> Path:
-    """A Python of the wanted version that can make environments.
+def find_python(given: Path | None = None) -> Path:
+    """A Python of the wanted version that can make environments: ``given``, or the first found.
 
     Raises:
         SetupError: there is none.
     """
     version, without_venv = PYTHON, ""
-    for candidate in dict.fromkeys(python_candidates()):
+    for candidate in [str(given)] if given else dict.fromkeys(python_candidates()):
         answer = output([candidate, "-I", "-c", PROBE]) if candidate else ""
         found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
         if found == version and wide == "True":
@@ -113,12 +115,60 @@ def find_python() -> Path:
             f"{without_venv} cannot make environments: its venv or ensurepip module is missing.",
             f"Install it (on Debian and Ubuntu: apt install python{version}-venv).",
         )
+    if given:
+        raise SetupError(
+            f"{given} is no Python {version} of 64 bits.",
+            f"Choose the program python{version} itself, or leave the field empty.",
+        )
     raise SetupError(
         f"Python {version} is not on this machine (this one is {sys.version.split()[0]}), "
         "and Blender's Python module is made for that version alone.",
         f"Install it beside the Python you have: from python.org, from your system's packages, or "
         f"with `uv python install {version}`.",
     )
+
+
+def try_lock(file: IO[bytes]) -> bool:
+    """Take the lock of an open file if nobody has it; closing the file lets it go."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(0)
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+def check_length(folder: Path) -> None:
+    """Refuse a folder whose deepest files Windows could not name.
+
+    Raises:
+        SetupError: its path is too long.
+    """
+    if sys.platform == "win32" and len(str(folder)) > LONGEST - DEEPEST and not _long_paths():
+        raise SetupError(
+            f"{folder} has {len(str(folder))} characters; Windows takes {LONGEST - DEEPEST} here.",
+            "Choose a shorter folder for the environment, such as C:\\f3d, or allow long paths.",
+        )
+
+
+def _long_paths() -> bool:
+    """Whether this Windows takes paths of more than 260 characters."""
+    import winreg
+
+    registry: Any = winreg  # its types are there on Windows alone
+    place = r"SYSTEM\CurrentControlSet\Control\FileSystem"
+    try:
+        with registry.OpenKey(registry.HKEY_LOCAL_MACHINE, place) as key:
+            return bool(registry.QueryValueEx(key, "LongPathsEnabled")[0])
+    except OSError:
+        return False
 
 
 def check_disk(folder: Path, need: float) -> None:

@@ -1,0 +1,261 @@
+"""Jobs in Blender, with a stand-in for the core: queue, end, crash, several Blenders at once."""
+
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.conftest import FAKE_CORE  # noqa: E402
+from blender_tests.processes import blender_command  # noqa: E402
+from fantasia3d_addon import ask, history  # noqa: E402
+from fantasia3d_addon.errors import AddonError  # noqa: E402
+from fantasia3d_addon.jobs import is_core  # noqa: E402
+from fantasia3d_addon.session import session  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+AWAY = """
+import os, sys, time
+from pathlib import Path
+import bpy, fantasia3d_addon
+from fantasia3d_addon import ask, environment, preferences
+from fantasia3d_addon.session import session
+os.environ["FANTASIA3D_PYTHON"] = {python!r}
+environment.project_root = lambda: Path({core!r})
+preferences.Machine.runs = Path({runs!r})
+fantasia3d_addon.register()
+settings = bpy.context.scene.fantasia3d
+settings.negative_prompt = {asset!r}
+for settings.prompt in {prompts!r}:
+    ask.generate(bpy.context)
+until = time.time() + 30
+while time.time() < until and not (session.running and session.running[0].progress.step > 2):
+    session.tick()
+    time.sleep(0.01)
+print("begun", flush=True)
+{then}
+os.kill(os.getpid(), 9)
+"""
+
+
+@contextmanager
+def another_blender(ready, runs: Path, *prompts: str, then: str = "") -> Iterator[None]:
+    """A Blender that asks for ``prompts``, sees the first begin, does ``then`` and is killed."""
+    code = AWAY.format(
+        python=sys.executable,
+        core=str(FAKE_CORE),
+        runs=str(runs),
+        asset=ready.negative_prompt,
+        prompts=list(prompts),
+        then=then,
+    )
+    command = blender_command(code)
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout
+        assert any(line.strip() == "begun" for line in process.stdout)
+        yield
+        process.kill()
+
+
+def only_run(runs: Path) -> history.Entry:
+    (entry,) = history.scan(runs)
+    return entry
+
+
+def test_generate_puts_the_asset_at_the_cursor(ready, wait):
+    bpy.context.scene.cursor.location = (1, 2, 3)
+    assert bpy.ops.fantasia3d.generate() == {"FINISHED"}
+    bpy.context.scene.cursor.location = (0, 0, 0)  # where it was is what counts
+    wait()
+    (obj,) = bpy.data.objects
+    assert (obj.name, tuple(obj.location)) == ("a red wooden chair", (1, 2, 3))
+    assert (session.asset, session.error) == (obj.name, None)
+    assert session.last.name.endswith("-a-red-wooden-chair")
+    assert all(image.packed_file for image in bpy.data.images if image.source == "FILE")
+
+
+def test_the_operator_is_the_function(ready, wait):
+    jobs = []
+    for press in (lambda: ask.generate(bpy.context), bpy.ops.fantasia3d.generate):
+        press()
+        wait()
+        jobs.append(session.last.job)
+    assert jobs[0] == jobs[1]
+    assert len(bpy.data.objects) == 2
+
+
+def test_progress_is_told_while_it_runs_and_cancel_says_what_it_waits_for(ready, wait):
+    ready.prompt = "long"
+    bpy.ops.fantasia3d.generate()
+    progress = session.running[0].progress
+    assert progress.detail == "Loading the method, a few seconds"
+    wait(until=lambda: progress.share > 0)
+    assert progress.line.startswith("Shape  0%")
+    assert progress.detail.startswith("Stage 2 of 5, 1:4")  # minutes and seconds
+    begin = time.monotonic()
+    assert bpy.ops.fantasia3d.cancel() == {"FINISHED"}
+    assert (progress.line, progress.detail) == (
+        "Cancelling",
+        "Waits for the present step of “Shape”",
+    )
+    wait()
+    assert time.monotonic() - begin < 1.0
+    assert session.last.end.type == "cancelled"
+    assert (session.error, len(bpy.data.objects)) == (None, 0)
+
+
+def test_a_core_that_does_not_listen_can_be_stopped_and_resumed(ready, wait, monkeypatch):
+    ready.prompt = "deaf"
+    bpy.ops.fantasia3d.generate()
+    wait(until=lambda: session.running[0].progress.share > 0)
+    assert not bpy.ops.fantasia3d.stop_now.poll()
+    bpy.ops.fantasia3d.cancel()
+    assert not session.running[0].progress.overdue
+    monkeypatch.setattr("fantasia3d_addon.follow.PATIENCE", 0.0)
+    assert session.running[0].progress.overdue
+    bpy.ops.fantasia3d.stop_now()
+    wait()
+    assert session.error[0].startswith("The generator stopped without a word")
+    entry = only_run(session.last.run.folder.parent)
+    assert (entry.state, entry.resumable) == (history.STOPPED, True)
+
+
+def test_an_error_stays_in_the_panel_with_its_fix(ready, wait):
+    ready.prompt = "fail"
+    bpy.ops.fantasia3d.generate()
+    wait()
+    assert session.error == ("There is no noun 'blorb'.", "Say chair.")
+    assert bpy.ops.fantasia3d.open_log.poll()
+    ready.prompt = "x"
+    bpy.ops.fantasia3d.generate()
+    assert session.error is None  # a new run, a new page
+    wait()
+    bpy.ops.fantasia3d.dismiss()
+    assert (session.last, session.asset) == (None, "")
+
+
+def test_half_an_asset_is_an_error_in_the_panel(ready, wait):
+    (Path(ready.negative_prompt) / "orm.png").unlink()
+    bpy.ops.fantasia3d.generate()
+    wait()
+    assert session.error[0].endswith("orm.png is missing.")
+    assert not bpy.data.objects
+
+
+def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait):
+    runs = []
+    for ready.prompt in ("long", "second", "third", "fourth"):
+        runs.append(ask.generate(bpy.context))
+    assert [follow.prompt for follow in session.running] == ["long"]
+    assert [folder for folder, _ in session.waiting] == runs[1:]
+    assert history.read_entry(runs[1]).state == history.WAITING
+    bpy.ops.fantasia3d.queue_drop(folder=str(runs[2]))
+    assert not runs[2].exists()
+    session.cancel()
+    wait()
+    states = {entry.prompt: entry.state for entry in history.scan(runs[0].parent)}
+    assert states == {"long": "cancelled", "second": "done", "fourth": "done"}
+    assert len(bpy.data.objects) == 2
+
+
+def test_the_process_is_gone_when_its_job_is_done(ready, wait):
+    """It holds the GPU's memory."""
+    bpy.ops.fantasia3d.generate()
+    run = session.running[0].run
+    wait()
+    assert run.pid
+    assert not is_core(run.pid, run.folder)
+
+
+def test_an_asset_waits_while_the_user_is_in_edit_mode(ready, wait):
+    obj = bpy.data.objects.new("x", bpy.data.meshes.new("x"))
+    bpy.context.scene.collection.objects.link(obj)
+    bpy.context.view_layer.objects.active = obj
+    bpy.ops.fantasia3d.generate()
+    bpy.ops.object.mode_set(mode="EDIT")
+    wait(until=lambda: bool(session.arriving))
+    for _ in range(3):
+        assert session.tick() is not None
+    assert len(bpy.data.objects) == 1
+    bpy.ops.object.mode_set(mode="OBJECT")
+    wait()
+    assert len(bpy.data.objects) == 2
+
+
+def test_a_new_file_does_not_lose_the_run(ready, wait):
+    bpy.ops.fantasia3d.generate()
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    assert bpy.app.timers.is_registered(session._timer)
+    wait()
+    assert [obj.name for obj in bpy.data.objects] == ["a red wooden chair"]
+
+
+def test_an_asset_does_not_fall_into_another_file(ready, wait, tmp_path):
+    mine = str(tmp_path / "mine.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=mine)
+    ready.prompt = "brief"
+    bpy.ops.fantasia3d.generate()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))  # the same work
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    wait()
+    assert not bpy.data.objects
+    assert [entry.prompt for entry in session.missed] == ["brief"]
+    assert bpy.ops.fantasia3d.job_import(folder=str(session.missed[0].folder)) == {"FINISHED"}
+    assert len(bpy.data.objects) == 1
+    assert not session.missed
+
+
+def test_a_run_that_goes_on_after_a_crash_is_found_and_followed(ready, wait, tmp_path):
+    with another_blender(ready, tmp_path / "runs", "brief", "second"):
+        pass
+    session.adopt(bpy.context)
+    assert [follow.prompt for follow in session.running] == ["brief"]
+    assert [history.read_entry(folder).prompt for folder, _ in session.waiting] == ["second"]
+    assert session.paused
+    wait()
+    assert [obj.name for obj in bpy.data.objects] == ["a red wooden chair"]
+    assert bpy.ops.fantasia3d.queue_go_on() == {"FINISHED"}
+    wait()
+    assert len(bpy.data.objects) == 2
+
+
+def test_a_run_of_a_living_blender_is_left_to_it(ready, wait, tmp_path):
+    with another_blender(ready, tmp_path / "runs", "long", then="time.sleep(60)"):
+        session.adopt(bpy.context)
+        assert not session.running
+        entry = only_run(tmp_path / "runs")
+        assert entry.state == history.RUNNING
+        with pytest.raises(AddonError, match="still running"):
+            history.remove(entry)
+    session.adopt(bpy.context)
+    assert [follow.prompt for follow in session.running] == ["long"]
+    session.cancel()
+    wait()
+    assert only_run(tmp_path / "runs").state == history.CANCELLED
+
+
+def test_what_was_done_while_blender_was_closed_is_told(ready, wait, tmp_path):
+    with another_blender(ready, tmp_path / "runs", "brief"):
+        pass
+    entry = only_run(tmp_path / "runs")
+    while entry.state != history.DONE:
+        time.sleep(0.1)
+        entry = only_run(tmp_path / "runs")
+    session.adopt(bpy.context)
+    assert [missed.prompt for missed in session.missed] == ["brief"]
+    bpy.ops.fantasia3d.job_import(folder=str(entry.folder))
+    assert [obj.name for obj in bpy.data.objects] == ["a red wooden chair"]
+    session.adopt(bpy.context)
+    assert not session.missed
+
+
+def test_the_core_is_missing(ready, monkeypatch, tmp_path):
+    monkeypatch.setattr("fantasia3d_addon.preferences.Machine.python", tmp_path / "none")
+    with pytest.raises(AddonError, match="There is no Python"):
+        ask.generate(bpy.context)
+    assert (session.running, session.waiting) == ([], [])
