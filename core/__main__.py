@@ -97,6 +97,11 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--preset", help="draft, standard or paper")
     command.add_argument("--negative", dest="negative_prompt", metavar="TEXT")
     command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    command.add_argument(
+        "--ignore-unknown-words",
+        action="store_true",
+        help="leave out what the built-in prior does not know, instead of refusing it",
+    )
     command.add_argument("--light", metavar="FILE|NAME")
     command.add_argument("--texture-size", type=int, metavar="N")
     command.add_argument("--max-faces", type=int, metavar="N")
@@ -128,6 +133,7 @@ def job_of(args: argparse.Namespace) -> "Job":
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
         "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
         "uv": getattr(args, "uv", None),
+        "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):

@@ -21,8 +21,13 @@ from core.geometry.init_shape import ellipsoid, fit, mesh_shape
 from core.geometry.mesh import Mesh, load_mesh, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
-from core.guidance.guidance import Embedding, Guidance, MaterialRanges, make_guidance
-from core.guidance.prompts import PromptCutWarning
+from core.guidance.guidance import (
+    Embedding,
+    Guidance,
+    MaterialRanges,
+    PromptWarning,
+    make_guidance,
+)
 from core.protocol import Job
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
@@ -56,9 +61,9 @@ def prepare(job: Job) -> Inputs:
     shape = load_mesh(Path(path)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
-    guidance = make_guidance(job.guidance, device)
+    guidance = make_guidance(job.guidance, device, ignore_unknown=job.ignore_unknown_words)
     with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", PromptCutWarning)
+        warnings.simplefilter("always", PromptWarning)
         embedding = guidance.embed(job.prompt, job.negative_prompt)
     said = tuple(str(w.message) for w in caught)
     return Inputs(config, device, guidance, embedding, light, shape, start, said)

@@ -40,6 +40,7 @@ class Job:
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
     device: str = "auto"
+    ignore_unknown_words: bool = False  # of "builtin": leave out what it does not know
     settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}
     version: int = VERSION
 
@@ -79,7 +80,7 @@ def _check(job: Job) -> None:
         value = getattr(job, f.name)
         kind = get_origin(f.type) or f.type
         takes = (int, float) if kind is float else kind
-        if isinstance(value, bool) or not isinstance(value, takes):
+        if isinstance(value, bool) != (kind is bool) or not isinstance(value, takes):
             raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
     if not job.prompt.strip():
         raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')

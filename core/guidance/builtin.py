@@ -4,6 +4,7 @@ The geometry network paints object-frame normals, the appearance network paints 
 normals. Both work on pictures of 64² without an autoencoder: the latent is the picture.
 """
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from core.guidance.guidance import (
     Guidance,
     MaterialRanges,
     NormalFrame,
+    PromptWarning,
     Views,
     coarse_latent,
 )
@@ -26,13 +28,13 @@ from core.guidance.sds import eps_from_v, guide
 from core.prior.diffusion import alpha_bar_schedule
 from core.prior.palette import finishes_of
 from core.prior.unet import BLOCK, UNet, camera_map
-from core.prior.vocabulary import Words, parse
-from core.prior.weights import load_weights
+from core.prior.vocabulary import SLOTS, Known, Words, parse
+from core.prior.weights import load_weights, load_words
 
 WEIGHTS = Path(__file__).parent / "weights"
 SIZE = 64
-GEOMETRY_SLOTS = ("noun", "shape")
-APPEARANCE_SLOTS = ("noun", "color", "material")
+GEOMETRY_SLOTS = ("noun", "shape", "part")
+APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")
 
 
 @dataclass(frozen=True)
@@ -53,15 +55,26 @@ class BuiltinGuidance(Guidance):
     normal_frame: NormalFrame = "object"
     latent_size = SIZE
 
-    def __init__(self, geometry: UNet, appearance: UNet) -> None:
+    def __init__(
+        self, geometry: UNet, appearance: UNet, known: Known = SLOTS, ignore_unknown: bool = False
+    ) -> None:
         self.geometry, self.appearance = geometry, appearance
+        self.known, self.ignore_unknown = known, ignore_unknown
         self.device = next(geometry.parameters()).device
         self.alpha_bar = alpha_bar_schedule().to(self.device)
         self.half = has_fast_bfloat16(self.device)
 
     def embed(self, prompt: str, negative_prompt: str) -> BuiltinEmbedding:
-        """Raises ``UserError`` for words that are not in the vocabulary."""
-        return BuiltinEmbedding(parse(prompt), parse(negative_prompt, noun_needed=False))
+        """Raises ``UserError`` for words that are not in the vocabulary, unless they are ignored.
+
+        Warns, as ``PromptWarning``, of what was read as another word or left out.
+        """
+        options = {"known": self.known, "ignore_unknown": self.ignore_unknown}
+        words = parse(prompt, **options)
+        negative = parse(negative_prompt, noun_needed=False, **options)
+        for note in (*words.notes, *negative.notes):
+            warnings.warn(note, PromptWarning, stacklevel=2)
+        return BuiltinEmbedding(words, negative)
 
     def ranges(self, embedding: Embedding) -> MaterialRanges:
         """The roughness and metallic that the words' parts are painted with, and a little around.
@@ -127,19 +140,20 @@ def has_fast_bfloat16(device: torch.device) -> bool:
     return bool(flags.get("amx_bf16") or flags.get("avx512_bf16"))
 
 
-def load_builtin(device: "torch.device | str") -> BuiltinGuidance:
-    """The shipped networks on ``device``.
+def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) -> BuiltinGuidance:
+    """The shipped networks on ``device``; ``ignore_unknown`` leaves out words that are unknown.
 
     Raises ``MissingError`` when the weights are not there or broken.
     """
-    nets = []
+    nets, known = [], {}
     for name in ("geometry", "appearance"):
         path = WEIGHTS / f"{name}.safetensors"
         try:
             nets.append(load_weights(path).to(device))
+            known |= load_words(path)
         except (FileNotFoundError, SafetensorError) as error:
             raise MissingError(
                 f"The built-in prior's weights {path.name} are missing or broken ({error}).",
                 "Fetch them again with the project, or train them: python -m core.prior train.",
             ) from error
-    return BuiltinGuidance(*nets)
+    return BuiltinGuidance(*nets, known, ignore_unknown)

@@ -21,6 +21,10 @@ from core.camera import Cameras
 NormalFrame = Literal["object", "camera"]
 
 
+class PromptWarning(UserWarning):
+    """A prompt was not taken to the letter; the message says in what."""
+
+
 class Embedding:
     """A prompt as one guidance understands it. Opaque: only the guidance that made it reads it."""
 
@@ -124,13 +128,16 @@ def coarse_latent(
     return torch.nn.functional.adaptive_avg_pool2d(picture, size)
 
 
-def make_guidance(spec: str, device: "torch.device | str", *, chunk: int = 4) -> Guidance:
+def make_guidance(
+    spec: str, device: "torch.device | str", *, chunk: int = 4, ignore_unknown: bool = False
+) -> Guidance:
     """The guidance that the user names.
 
     Args:
         spec: "builtin", or a Stable Diffusion checkpoint in diffusers' format: its folder, or its
             hub id where it is in the local cache.
         chunk: pictures that go through a large network at a time.
+        ignore_unknown: whether words that "builtin" does not know are left out, not refused.
 
     Raises:
         UserError: neither a known name nor a checkpoint.
@@ -140,7 +147,7 @@ def make_guidance(spec: str, device: "torch.device | str", *, chunk: int = 4) ->
     if spec == "builtin":
         from core.guidance.builtin import load_builtin
 
-        return load_builtin(device)
+        return load_builtin(device, ignore_unknown=ignore_unknown)
     from core.guidance.stable_diffusion import StableDiffusion
 
     return StableDiffusion.load(spec, device, chunk=chunk)

@@ -15,6 +15,7 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.errors import UserError
+from core.guidance.guidance import PromptWarning
 
 VIEWS: Final = ("front", "side", "back", "overhead", "bottom")
 MAX_CHARACTERS: Final = 1000  # about three times what CLIP's 77 tokens hold
@@ -25,7 +26,7 @@ _POLE_DEG = 60.0  # where the view from above or below begins
 _POLE_BLEND_DEG = 15.0  # half the width of the soft change to it
 
 
-class PromptCutWarning(UserWarning):
+class PromptCutWarning(PromptWarning):
     """A text encoder could not hold the whole prompt; the message says what was cut."""
 
 

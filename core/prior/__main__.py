@@ -1,4 +1,4 @@
-"""Make the built-in prior: ``python -m core.prior data | train | evaluate``.
+"""Make the built-in prior: ``python -m core.prior data | train | evaluate | ship``.
 
 From nothing, on two CPU cores: ``data`` for some minutes, then ``train geometry`` and
 ``train appearance`` beside each other, then ``evaluate``. The shipped weights were made so; how
@@ -17,7 +17,8 @@ from core.guidance.builtin import WEIGHTS
 from core.prior.data import NOUNS, write_shards
 from core.prior.evaluate import CHANCE, score_noun
 from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
-from core.prior.weights import load_weights
+from core.prior.vocabulary import SLOTS
+from core.prior.weights import load_weights, save_weights
 
 DEFAULT_FOLDER = Path("out/prior")
 
@@ -31,10 +32,14 @@ def parser() -> argparse.ArgumentParser:
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
     data.add_argument("--workers", type=int, default=2)
 
-    train = commands.add_parser("train", help="train one network; weights go to --out")
+    train = commands.add_parser(
+        "train", help="train one network; goes on from the checkpoint in --out if there is one"
+    )
     train.add_argument("network", choices=("geometry", "appearance"))
     train.add_argument("--minutes", type=float, help="the whole budget of this training")
-    train.add_argument("--resume", action="store_true", help="go on from the folder's checkpoint")
+    train.add_argument(
+        "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
+    )
     train.add_argument("--seed", type=int, default=0)
 
     evaluate = commands.add_parser("evaluate", help="nouns and azimuths, on fresh renders")
@@ -43,7 +48,10 @@ def parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
     evaluate.add_argument("--seed", type=int, default=1_000_000, help="the data's end at 100,000")
 
-    for command in (data, train):
+    ship = commands.add_parser("ship", help="put the trained weights into the project")
+    ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
+
+    for command in (data, train, ship):
         command.add_argument("--out", type=Path, default=DEFAULT_FOLDER, metavar="FOLDER")
     return top
 
@@ -52,7 +60,7 @@ def main(arguments: list[str]) -> None:
     """Run one command."""
     options = parser().parse_args(arguments)
     torch.set_num_threads(1)
-    {"data": data, "train": train, "evaluate": evaluate}[options.command](options)
+    {"data": data, "train": train, "evaluate": evaluate, "ship": ship}[options.command](options)
 
 
 def data(options: argparse.Namespace) -> None:
@@ -74,11 +82,24 @@ def train(options: argparse.Namespace) -> None:
     geometry = options.network == "geometry"
     training = Training(GEOMETRY if geometry else APPEARANCE, config)
     checkpoint = options.out / f"{options.network}.safetensors"
-    if options.resume:
-        if not checkpoint.exists():
-            raise UserError(f"There is no checkpoint {checkpoint}.", "Start without --resume.")
+    if checkpoint.exists():
         training.resume(checkpoint)
+    elif options.start:
+        training.start_from(options.start)
     run(training, (Geometry if geometry else Appearance)(options.out), checkpoint)
+
+
+def ship(options: argparse.Namespace) -> None:
+    """Copy both networks into the project, with the words that may be asked for."""
+    missing = [word for word in options.without if all(word not in SLOTS[s] for s in SLOTS)]
+    if missing:
+        raise UserError(f"There is no word {missing[0]!r}.", "See core/prior/words.py.")
+    known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
+    for name in ("geometry", "appearance"):
+        net = load_weights(options.out / f"{name}_ema.safetensors")
+        path = WEIGHTS / f"{name}.safetensors"
+        save_weights(path, net.config, dict(net.named_parameters()), known)
+        print(path)
 
 
 def evaluate(options: argparse.Namespace) -> None:

@@ -11,13 +11,16 @@ from torch.nn.functional import normalize
 from core.appearance.environment import Environment, load_light
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
-from core.prior.families import Draw
-from core.prior.palette import coat, paint
-from core.prior.vocabulary import COLORS, MATERIALS
+from core.prior.draw import Draw
+from core.prior.palette import Said, coat, paint
+from core.prior.vocabulary import SLOTS
 from core.render.shade import shade
 
 UNSAID_COLOR = 0.35  # share of captions without a colour
 UNSAID_MATERIAL = 0.55
+UNSAID_PATTERN = 0.7
+UNSAID_SECOND = 0.35  # of those with a pattern
+SAID = ("color", "material", "pattern", "second")
 
 
 class Painter:
@@ -25,18 +28,19 @@ class Painter:
 
     def __init__(self) -> None:
         self.environment = Environment.of(load_light("studio"))
-        self.colors, self.materials = ["", *COLORS], ["", *MATERIALS]
+        self.tables = [["", *SLOTS[slot]] for slot in SAID]
 
-    def words(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor]:
-        """Random colours and materials (N,), as rows of their embeddings."""
-        color = torch.randint(1, len(self.colors), (count,), generator=generator)
-        material = torch.randint(1, len(self.materials), (count,), generator=generator)
-        said = torch.rand(2, count, generator=generator)
-        return color * (said[0] >= UNSAID_COLOR), material * (said[1] >= UNSAID_MATERIAL)
+    def words(self, count: int, generator: torch.Generator) -> Tensor:
+        """Random captions (N, 4): rows of the embeddings of ``SAID``."""
+        rows = [torch.randint(1, len(t), (count,), generator=generator) for t in self.tables]
+        color, _, _, second = rows
+        said = torch.rand(4, count, generator=generator)
+        patterned = said[2] >= UNSAID_PATTERN
+        chosen = (said[0] >= UNSAID_COLOR, said[1] >= UNSAID_MATERIAL, patterned)
+        with_second = patterned & (said[3] >= UNSAID_SECOND) & (second != color)
+        return torch.stack(rows, 1) * torch.stack([*chosen, with_second], 1)
 
-    def pictures(
-        self, samples: Samples, index: Tensor, color: Tensor, material: Tensor, draw: Draw
-    ) -> Tensor:
+    def pictures(self, samples: Samples, index: Tensor, words: Tensor, draw: Draw) -> Tensor:
         """[(2 srgb - 1) * o, 2o - 1] (N, 4, s, s) of the samples ``index`` in these words."""
         coverage = samples.coverage[index].float() / 255
         seen = (coverage[:, 0] > 0).flatten().nonzero().squeeze(1)
@@ -50,12 +54,8 @@ class Painter:
 
         surface = []
         for k, row in enumerate(index.tolist()):
-            paints = coat(
-                NOUNS[int(samples.noun[row])],
-                self.colors[int(color[k])],
-                self.materials[int(material[k])],
-                draw,
-            )
+            said = [table[i] for table, i in zip(self.tables, words[k].tolist(), strict=True)]
+            paints = coat(NOUNS[int(samples.noun[row])], Said(*said), draw)
             mine = which == k
             surface.append(paint(paints, part[mine], point[mine], normal[mine]))
         kd, roughness, metallic = (torch.cat(column) for column in zip(*surface, strict=True))

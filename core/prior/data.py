@@ -15,7 +15,8 @@ from safetensors.torch import load_file, save_file
 from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
-from core.prior.families import FAMILIES, STRETCH, Draw, build
+from core.prior.draw import OPTIONS, PARTS, Draw
+from core.prior.families import FAMILIES, STRETCH, build
 from core.prior.tracer import render
 
 SIZE = 64
@@ -25,10 +26,12 @@ CAMERAS = CameraConfig(distance=(2.9, 3.1))
 
 NOUNS = list(FAMILIES)
 ADJECTIVES = ["", *STRETCH]
+TOLD = ["", *PARTS]
 # The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.
-SHARES = {"ball": 0.35, "cube": 0.6, "cylinder": 0.5, "cone": 0.5, "bottle": 0.7, "tree": 0.7}
-SHARES |= {"chair": 1.6, "mug": 1.6, "armchair": 1.2, "table": 1.3, "house": 1.3, "torus": 1.1}
+SHARES = dict.fromkeys(("ball", "cube", "cylinder", "cone", "bottle", "tree", "bowling pin"), 0.5)
+SHARES |= dict.fromkeys(("chair", "mug", "table", "stool", "bench", "house", "bucket"), 1.6)
 PLAIN = 0.75  # share of objects that no adjective describes
+UNTOLD = 0.4  # share of objects with options of which nothing is said
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,7 @@ class Samples:
     point: Tensor  # (N, 3, s, s) int8, × 120
     noun: Tensor  # (N,) index into NOUNS
     adjective: Tensor  # (N,) index into ADJECTIVES
+    told: Tensor  # (N,) index into TOLD
     camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy
 
     def __len__(self) -> int:
@@ -66,12 +70,15 @@ def make(seed: int, objects: int = OBJECTS) -> Samples:
         noun = int(torch.multinomial(shares, 1, generator=generator))
         plain = draw.chance(PLAIN)
         adjective = 0 if plain else 1 + int(draw(0, len(ADJECTIVES) - 1))
-        rows.append(_views(noun, adjective, draw))
+        options = OPTIONS.get(NOUNS[noun], ())
+        untold = draw.chance(UNTOLD) or not options
+        told = 0 if untold else TOLD.index(options[int(draw(0, len(options)))])
+        rows.append(_views(noun, adjective, told, draw))
     return Samples(*(torch.cat(column).contiguous() for column in zip(*rows, strict=True)))
 
 
-def _views(noun: int, adjective: int, draw: Draw) -> tuple[Tensor, ...]:
-    shape = build(NOUNS[noun], ADJECTIVES[adjective], draw)
+def _views(noun: int, adjective: int, told: int, draw: Draw) -> tuple[Tensor, ...]:
+    shape = build(NOUNS[noun], ADJECTIVES[adjective], Draw(draw.generator, TOLD[told]))
     cameras = sample_cameras(VIEWS, CAMERAS, draw.generator)
     seen = render(shape, cameras, SIZE)
     facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
@@ -82,6 +89,7 @@ def _views(noun: int, adjective: int, draw: Draw) -> tuple[Tensor, ...]:
         (seen.point * 120).round().clamp(-127, 127).to(torch.int8),
         torch.full((VIEWS,), noun),
         torch.full((VIEWS,), adjective),
+        torch.full((VIEWS,), told),
         torch.stack(facts, 1),
     )
 

@@ -16,12 +16,14 @@ from core.camera import Cameras
 from core.guidance.sds import add_noise, eps_from_v
 from core.prior.data import NOUNS, SIZE
 from core.prior.diffusion import alpha_bar_schedule
-from core.prior.families import Draw, build
+from core.prior.draw import Draw
+from core.prior.families import build
 from core.prior.tracer import render
 from core.prior.unet import BLOCK, UNet, camera_map
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8
+SLOTS = 3  # of the geometry network: noun, shape, part
 CHANCE = 1 / len(NOUNS)
 WITH_FRONT = ("chair", "armchair", "mug", "house", "snowman")
 
@@ -84,7 +86,7 @@ def score_noun(net: UNet, noun: str, views: int, generator: torch.Generator) -> 
 
 def _best_noun(net: UNet, x: Tensor, cameras: Cameras, generator: torch.Generator) -> int:
     count = len(NOUNS)
-    words = torch.stack([torch.arange(count) + 1, torch.zeros(count, dtype=torch.long)], 1)
+    words = torch.nn.functional.pad(torch.arange(count)[:, None] + 1, (0, SLOTS - 1))
     same = cameras[torch.zeros(count, dtype=torch.long)]
     total = torch.zeros(count)
     for t in TIMES:
@@ -97,7 +99,7 @@ def _best_turn(
     net: UNet, x: Tensor, noun: int, cameras: Cameras, generator: torch.Generator
 ) -> int:
     turns = torch.arange(SECTORS) * (2 * torch.pi / SECTORS)
-    words = torch.tensor([[noun + 1, 0]]).expand(SECTORS, -1)
+    words = torch.tensor([[noun + 1, *[0] * (SLOTS - 1)]]).expand(SECTORS, -1)
     zero = torch.zeros(SECTORS, dtype=torch.long)
     same = cameras[zero]
     turned = Cameras(same.azimuth + turns, same.elevation, same.distance, same.fovy)

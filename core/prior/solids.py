@@ -14,6 +14,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 Solid = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
+Parts = dict[str, Solid]
 Vector = tuple[float, float, float]
 
 
@@ -163,6 +164,94 @@ def join(*solids: Solid) -> Solid:
         for solid in solids[1:]:
             result = torch.minimum(result, solid(p))
         return result
+
+    return distance
+
+
+def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
+    """The hull of a ball of radius ``first`` at ``start`` and one of ``last`` at ``end``; exact."""
+    along = [e - s for s, e in zip(start, end, strict=True)]
+    square, shrink = sum(a * a for a in along), first - last
+    slope = square - shrink * shrink
+
+    def distance(p: Tensor) -> Tensor:
+        q = [p[:, i] - start[i] for i in range(3)]
+        y = _sum(q[i] * along[i] for i in range(3))
+        z = y - square
+        across = _sum((q[i] * square - along[i] * y) ** 2 for i in range(3))
+        y2, z2 = y * y * square, z * z * square
+        k = math.copysign(shrink * shrink, shrink) * across
+        side = ((across * slope / square).sqrt() + y * shrink) / square - first
+        at_first = (across + y2).sqrt() / square - first
+        at_last = (across + z2).sqrt() / square - last
+        inner = torch.where(z.sign() * slope * z2 > k, at_last, side)
+        return torch.where(y.sign() * slope * y2 < k, at_first, inner)
+
+    return distance
+
+
+def egg(center: Vector, radii: Vector) -> Solid:
+    """An ellipsoid; a lower bound of the distance."""
+    smallest = min(radii)
+
+    def distance(p: Tensor) -> Tensor:
+        return (_norm(*((p[:, i] - center[i]) / radii[i] for i in range(3))) - 1) * smallest
+
+    return distance
+
+
+def blend(width: float, *solids: Solid) -> Solid:
+    """The union with seams filled over ``width`` (Quilez's polynomial minimum); a lower bound."""
+
+    def distance(p: Tensor) -> Tensor:
+        result = solids[0](p)
+        for solid in solids[1:]:
+            other = solid(p)
+            h = (0.5 + 0.5 * (other - result) / width).clamp(0, 1)
+            result = other + (result - other) * h - width * h * (1 - h)
+        return result
+
+    return distance
+
+
+def moved(solid: Solid, by: Vector) -> Solid:
+    """``solid`` carried along ``by``."""
+    return lambda p: solid(p - p.new_tensor(by))
+
+
+def turned(solid: Solid, axis: int, degrees: float) -> Solid:
+    """``solid`` turned about a coordinate axis, counter-clockwise seen from its tip."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+
+    def distance(p: Tensor) -> Tensor:
+        q = list(p.unbind(1))
+        q[i], q[j] = c * p[:, i] + s * p[:, j], c * p[:, j] - s * p[:, i]
+        return solid(torch.stack(q, 1))
+
+    return distance
+
+
+def both(solid: Solid, *axes: int) -> Solid:
+    """``solid``, which stands on the positive side of the axes (x if none), mirrored."""
+    folded = axes or (0,)
+
+    def distance(p: Tensor) -> Tensor:
+        q = [p[:, i].abs() if i in folded else p[:, i] for i in range(3)]
+        return solid(torch.stack(q, 1))
+
+    return distance
+
+
+def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
+    """``count`` copies about +Z of ``solid``, which stands at +X and is symmetric in y."""
+    step = 2 * math.pi / count
+
+    def distance(p: Tensor) -> Tensor:
+        angle = torch.atan2(p[:, 1], p[:, 0]) - math.radians(first_deg)
+        angle = angle - (angle / step).round() * step
+        radius = _norm(p[:, 0], p[:, 1])
+        return solid(torch.stack([radius * angle.cos(), radius * angle.sin(), p[:, 2]], 1))
 
     return distance
 

@@ -19,12 +19,12 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
-from core.prior.colored import Painter
-from core.prior.data import ADJECTIVES, NOUNS, joined, read_shards
+from core.prior.colored import SAID, Painter
+from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
-from core.prior.families import Draw
+from core.prior.draw import Draw
 from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
-from core.prior.vocabulary import COLORS, MATERIALS
+from core.prior.vocabulary import SLOTS
 from core.prior.weights import save_weights, write_tensors
 
 # Pictures, words, camera maps, and the hint or None.
@@ -51,9 +51,11 @@ class TrainConfig:
     seed: int = 0
 
 
-GEOMETRY = UNetConfig(words=(len(NOUNS), len(ADJECTIVES) - 1), widths=(48, 96, 128, 192))
+GEOMETRY = UNetConfig(
+    words=(len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1), widths=(48, 96, 128, 192)
+)
 APPEARANCE = UNetConfig(
-    words=(len(NOUNS), len(COLORS), len(MATERIALS)), widths=(32, 64, 96, 128), hint=4
+    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)), widths=(32, 64, 96, 128), hint=4
 )
 
 
@@ -112,17 +114,18 @@ class Source(ABC):
 
 
 class Geometry(Source):
-    """Batches of geometry pictures with the noun and the shape adjective."""
+    """Batches of geometry pictures with the noun, the shape adjective and what is told of parts."""
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and no hint."""
         index, pictures, camera = self.draw(count, generator)
-        words = torch.stack([self.samples.noun[index] + 1, self.samples.adjective[index]], 1)
+        s = self.samples
+        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.told[index]], 1)
         return pictures, words, camera, None
 
 
 class Appearance(Source):
-    """Batches of painted pictures with noun, colour and material, and the geometry as the hint."""
+    """Batches of painted pictures with the noun and ``SAID``, and the geometry as the hint."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
@@ -131,9 +134,9 @@ class Appearance(Source):
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and geometry pictures."""
         index, hint, camera = self.draw(count, generator)
-        color, material = self.painter.words(count, generator)
-        pictures = self.painter.pictures(self.samples, index, color, material, Draw(generator))
-        words = torch.stack([self.samples.noun[index] + 1, color, material], 1)
+        said = self.painter.words(count, generator)
+        pictures = self.painter.pictures(self.samples, index, said, Draw(generator))
+        words = torch.cat([self.samples.noun[index][:, None] + 1, said], 1)
         return pictures, words, camera, hint
 
 
@@ -182,6 +185,24 @@ class Training:
             mean.lerp_(parameter.detach(), 1 - keep)
         self.loss = loss.item() if self.step == 1 else 0.99 * self.loss + 0.01 * loss.item()
         self.seconds += time.monotonic() - start
+
+    def start_from(self, path: Path) -> None:
+        """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
+
+        A new word starts as the mean of its slot's words, a new slot as silent.
+        """
+        old = load_file(path)
+        with torch.no_grad():
+            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                if name not in old:
+                    p.zero_()
+                elif name.startswith("words."):
+                    rows = old[name].float()
+                    p[: len(rows)] = rows
+                    p[len(rows) :] = rows[1:].mean(0)
+                else:
+                    p.copy_(old[name])
+                mean.copy_(p)
 
     def save(self, path: Path) -> None:
         """Everything that ``resume`` needs, in one file; and the averaged weights beside it."""

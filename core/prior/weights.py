@@ -3,12 +3,14 @@
 import json
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from safetensors import safe_open
 from safetensors.torch import load_file, save_file
 from torch import Tensor
 
 from core.prior.unet import UNet, UNetConfig
+from core.prior.vocabulary import Known
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
@@ -18,18 +20,30 @@ def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, st
     aside.replace(path)
 
 
-def save_weights(path: Path, config: UNetConfig, tensors: dict[str, Tensor]) -> None:
-    """The shipped form, in half precision."""
+def save_weights(
+    path: Path, config: UNetConfig, tensors: dict[str, Tensor], words: Known | None = None
+) -> None:
+    """The shipped form, in half precision; ``words`` are those by slot that are good enough."""
     half = {name: tensor.half() for name, tensor in tensors.items()}
-    write_tensors(path, half, {"config": json.dumps(asdict(config))})
+    said = {slot: list(known) for slot, known in (words or {}).items()}
+    write_tensors(path, half, {"config": json.dumps(asdict(config)), "words": json.dumps(said)})
 
 
 def load_weights(path: Path) -> UNet:
     """A network from ``save_weights``, in single precision, ready to be asked."""
-    with safe_open(path, "pt") as file:
-        facts = json.loads(file.metadata()["config"])
+    facts = _metadata(path, "config")
     for name in ("words", "widths", "attention"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
     net = UNet(UNetConfig(**facts))
     net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
     return net.eval().requires_grad_(False)
+
+
+def load_words(path: Path) -> dict[str, list[str]]:
+    """The words by slot that the file's network may be asked for."""
+    return _metadata(path, "words")
+
+
+def _metadata(path: Path, key: str) -> dict[str, Any]:
+    with safe_open(path, "pt") as file:
+        return json.loads(file.metadata()[key])

@@ -3,8 +3,10 @@
 import pytest
 import torch
 
+from core.__main__ import job_of, parse
 from core.camera import Cameras
 from core.errors import MissingError, UserError
+from core.generate import prepare
 from core.guidance import builtin
 from core.guidance.builtin import (
     APPEARANCE_SLOTS,
@@ -16,9 +18,11 @@ from core.guidance.builtin import (
 from core.guidance.guidance import Views, make_guidance
 from core.guidance.sds import add_noise
 from core.prior.diffusion import x_from_v
-from core.prior.families import Draw, build
+from core.prior.draw import Draw
+from core.prior.families import build
 from core.prior.tracer import render
 from core.prior.vocabulary import SLOTS
+from core.protocol import Job
 
 
 @pytest.fixture(scope="module")
@@ -143,6 +147,19 @@ def test_unknown_words_are_refused_in_both_prompts(guidance):
         guidance.embed("a gnome", "")
     with pytest.raises(UserError, match="'blurry'"):
         guidance.embed("a chair", "blurry")
+
+
+def test_what_was_not_taken_to_the_letter_is_a_warning():
+    job = job_of(parse(["generate", "a gnome chiar", "--ignore-unknown-words"]))
+    assert Job.from_json(job.to_json()).ignore_unknown_words
+    with pytest.raises(UserError, match="ignore_unknown_words is 1"):
+        Job(prompt="a chair", ignore_unknown_words=1)
+    inputs = prepare(job)
+    assert inputs.embedding.words.noun == "chair"
+    assert inputs.warnings == (
+        "'chiar' is read as 'chair'.",
+        "The built-in prior does not know 'gnome': left out.",
+    )
 
 
 def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):

@@ -8,50 +8,104 @@ import torch
 from core.ops import linear_to_srgb
 from core.prior.colored import Painter
 from core.prior.data import NOUNS, make
-from core.prior.families import FAMILIES, Draw
+from core.prior.draw import Draw
 from core.prior.palette import (
     COLOR_VALUES,
     FINISHES,
-    MAIN,
-    NATURE,
-    PATTERNS,
+    Said,
     coat,
+    companion,
+    finishes_of,
+    looks,
     paint,
-    part_names,
 )
-from core.prior.vocabulary import COLORS, MATERIALS
+from core.prior.patterns import PATTERNS as PAINTED
+from core.prior.patterns import Place
+from core.prior.vocabulary import SLOTS
+from core.prior.words import COLORS, MATERIALS, PATTERNS
 
 
 def _draw(seed: int = 0) -> Draw:
     return Draw(torch.Generator().manual_seed(seed))
 
 
-def test_all_words_and_all_parts_have_paint():
+def _index(noun: str, part: str) -> int:
+    return list(looks(noun)).index(part)
+
+
+def test_all_words_have_paint():
     assert list(COLOR_VALUES) == list(COLORS)
     assert list(FINISHES) == ["", *MATERIALS]
-    for noun in FAMILIES:
-        assert set(NATURE[noun]) == set(part_names(noun))
-        assert set(MAIN.get(noun, ())) <= set(part_names(noun))
+    assert list(PAINTED)[: len(PATTERNS)] == list(PATTERNS)
+
+
+@pytest.mark.parametrize("noun", NOUNS)
+def test_every_noun_has_a_main_part_and_known_patterns(noun):
+    parts = looks(noun).values()
+    assert any(look.role == "*" for look in parts)
+    assert all(look.role in "*+&-" for look in parts)
+    assert all(look.pattern in ("", *PAINTED) for look in parts)
 
 
 def test_a_colour_word_paints_the_main_parts_only():
-    names = part_names("snowman")
-    blue = coat("snowman", "blue", "", _draw())
-    body, nose = (blue.color[names.index(part)] for part in ("body", "nose"))
+    blue = coat("snowman", Said("blue"), _draw())
+    body, nose = (blue.color[_index("snowman", part)] for part in ("body", "nose"))
     assert body.argmax() == 2
     assert body[2] > 3 * body[0]
     assert nose.argmax() == 0
     assert nose[0] > 2 * nose[2]
 
 
+def test_a_red_mug_has_a_red_handle_until_a_second_colour_is_said():
+    red = coat("mug", Said("red"), _draw()).color
+    assert torch.equal(red[0], red[1])
+    both = coat("mug", Said("red", "", "two-tone", "blue"), _draw()).color
+    assert torch.equal(both[0], red[0])
+    assert both[1].argmax() == 2
+
+
 def test_a_metal_is_a_metal_and_a_wood_has_grain():
-    golden = coat("ball", "", "golden", _draw())
+    golden = coat("ball", Said("", "golden"), _draw())
     assert golden.metallic.item() == 1
     assert golden.color[0, 0] > golden.color[0, 2] * 2
-    wooden = coat("ball", "red", "wooden", _draw())
-    assert PATTERNS[wooden.pattern[0]] == "grain"
+    wooden = coat("ball", Said("red", "wooden"), _draw())
+    assert list(PAINTED)[wooden.pattern[0]] == "grain"
     assert wooden.metallic.item() == 0
     assert wooden.color[0, 0] > 3 * wooden.color[0, 1]
+
+
+def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
+    finishes = dict(zip(looks("car"), finishes_of("car", "golden"), strict=True))
+    assert finishes["body"].metallic == finishes["lamps"].metallic == 1
+    assert finishes["wheels"] == FINISHES["rubber"]
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+def test_a_pattern_shows_both_colours_in_fair_shares(pattern):
+    points = torch.nn.functional.normalize(torch.randn(4000, 3, generator=_draw().generator), dim=1)
+    said = coat("ball", Said("red", "", pattern, "blue"), _draw())
+    kd, _, _ = paint(said, torch.zeros(4000, dtype=torch.long), points * 0.8, points)
+    red = (kd[:, 0] > kd[:, 2]).float().mean().item()
+    assert 0.35 < red < 0.85
+    assert len(kd.unique(dim=0)) == 2
+
+
+def test_the_unsaid_second_colour_stands_out():
+    for value in COLOR_VALUES.values():
+        other = torch.tensor(companion(value))
+        assert (other - torch.tensor(value)).abs().max() > 0.25
+
+
+@pytest.mark.parametrize("name", PAINTED)
+def test_a_pattern_is_the_same_for_every_order_of_points(name):
+    points = _draw().generator
+    point = torch.rand(50, 3, generator=points) * 2 - 1
+    normal = torch.nn.functional.normalize(point, dim=1)
+    color, second = torch.full((50, 3), 0.4), torch.full((50, 3), 0.9)
+    whole = PAINTED[name](color, second, Place(point, normal))
+    tail = PAINTED[name](color[20:], second[20:], Place(point[20:], normal[20:]))
+    torch.testing.assert_close(whole[20:], tail)
+    assert whole.isfinite().all()
 
 
 @pytest.mark.parametrize("color", COLORS)
@@ -59,15 +113,14 @@ def test_jitter_stays_within_the_word(color):
     """No draw is nearer to another colour word than to its own."""
     values = torch.tensor([COLOR_VALUES[name] for name in COLORS])
     for seed in range(20):
-        drawn = coat("ball", color, "", _draw(seed)).color[0]
+        drawn = coat("ball", Said(color), _draw(seed)).color[0]
         assert list(COLORS)[int((values - drawn).norm(dim=1).argmin())] == color
 
 
 def test_patterns_repaint_only_their_own_parts():
-    mushroom = coat("mushroom", "", "", _draw())
-    names = part_names("mushroom")
+    mushroom = coat("mushroom", Said(), _draw())
     up = torch.tensor([[0.0, 0.0, 1.0]]).expand(2, 3)
-    part = torch.tensor([names.index("cap"), names.index("stem")])
+    part = torch.tensor([_index("mushroom", "cap"), _index("mushroom", "stem")])
     kd, roughness, metallic = paint(mushroom, part, torch.zeros(2, 3), up)
     assert kd[0].min() > 0.7  # a white spot on top of the cap
     torch.testing.assert_close(linear_to_srgb(kd[1]), mushroom.color[part[1]], atol=1e-5, rtol=0)
@@ -78,16 +131,24 @@ def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
     samples = make(11, 6)
     painter = Painter()
     index = torch.arange(len(samples))
-    color = torch.full((len(samples),), 1 + list(COLORS).index("green"))
-    x = painter.pictures(samples, index, color, torch.zeros_like(color), _draw())
+    said = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
+    x = painter.pictures(samples, index, said, _draw())
     assert x.shape == (len(samples), 4, 64, 64)
     coverage = samples.coverage.float() / 255
     torch.testing.assert_close(x[:, 3:], 2 * coverage - 1)
     assert (x[:, :3].abs() * (coverage == 0)).max() == 0
     for row in range(0, len(samples), 4):
         noun = NOUNS[int(samples.noun[row])]
-        main = torch.tensor([part in MAIN.get(noun, part_names(noun)) for part in part_names(noun)])
+        main = torch.tensor([look.role in "*&" for look in looks(noun).values()])
         seen = (coverage[row, 0] == 1) & main[samples.part[row].long().clamp_min(0)]
         if seen.sum() > 20:
             hue, _, _ = colorsys.rgb_to_hsv(*(x[row, :3, seen].mean(1) * 0.5 + 0.5).tolist())
             assert 0.25 < hue < 0.45, noun
+
+
+def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_pattern():
+    words = Painter().words(20000, _draw().generator)
+    for slot, name in enumerate(("color", "material", "pattern", "second")):
+        assert words[:, slot].unique().tolist() == list(range(len(SLOTS[name]) + 1))
+    assert (words[words[:, 3] > 0, 2] > 0).all()
+    assert (words[words[:, 3] > 0, 3] != words[words[:, 3] > 0, 0]).all()

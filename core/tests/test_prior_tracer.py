@@ -8,7 +8,8 @@ import torch
 from core.camera import Cameras
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
-from core.prior.families import Draw, Shape, build, normalised
+from core.prior.draw import Draw
+from core.prior.families import Shape, build, normalised
 from core.prior.solids import ball
 from core.prior.tracer import render
 from core.render.normals import render_normals

@@ -7,7 +7,7 @@ import torch
 
 from core.camera import Cameras
 from core.guidance.sds import add_noise, eps_from_v
-from core.prior.data import ADJECTIVES, NOUNS, make, read_shards, write_shard
+from core.prior.data import ADJECTIVES, NOUNS, TOLD, make, read_shards, write_shard
 from core.prior.diffusion import alpha_bar_schedule, v_target, x_from_v
 from core.prior.evaluate import turn_normals
 from core.prior.train import (
@@ -19,9 +19,10 @@ from core.prior.train import (
     learning_rate,
 )
 from core.prior.unet import MAP_CHANNELS, UNet, UNetConfig, camera_map
-from core.prior.weights import load_weights, save_weights
+from core.prior.weights import load_weights, load_words, save_weights
 
-TINY = UNetConfig(words=(len(NOUNS), len(ADJECTIVES) - 1), widths=(8, 8, 16, 16), code=16)
+WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1)
+TINY = UNetConfig(words=WORDS, widths=(8, 8, 16, 16), code=16)
 
 
 def _generator(seed: int = 0) -> torch.Generator:
@@ -150,6 +151,26 @@ def test_a_training_goes_on_where_it_was_stopped(folder, tmp_path):
     assert again.step == 3
 
 
+def test_a_training_starts_from_weights_that_know_fewer_words(tmp_path):
+    torch.manual_seed(1)
+    small = UNetConfig(words=(WORDS[0] - 5, WORDS[1] - 2), widths=(8, 8, 16, 16), code=16)
+    old = UNet(small)
+    save_weights(tmp_path / "old.safetensors", small, dict(old.named_parameters()))
+    training = Training(TINY, TrainConfig())
+    training.start_from(tmp_path / "old.safetensors")
+    camera, z = camera_map(Cameras.orbit([30.0], [0.0]), 32), torch.randn(1, 4, 64, 64)
+    t = torch.tensor([500])
+    with torch.no_grad():
+        expected = old(z, t, torch.tensor([[3, 1]]), camera)
+        same = training.net(z, t, torch.tensor([[3, 1, 0]]), camera)
+        silent = training.net(z, t, torch.tensor([[3, 1, 2]]), camera)
+    torch.testing.assert_close(same, expected, atol=2e-3, rtol=2e-2)  # through half precision
+    torch.testing.assert_close(same, silent)
+    rows = training.net.words[0].weight
+    mean = old.words[0].weight[1:].mean(0)
+    torch.testing.assert_close(rows[-1], mean, atol=1e-3, rtol=1e-2)
+
+
 def test_a_training_learns_its_few_pictures(folder):
     source = Geometry(folder)
     training = Training(TINY, TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=3e-3))
@@ -169,8 +190,10 @@ def test_a_training_learns_its_few_pictures(folder):
 def test_weights_travel_in_half_precision(tmp_path):
     torch.manual_seed(0)
     net = UNet(TINY)
-    save_weights(tmp_path / "net.safetensors", TINY, dict(net.named_parameters()))
+    known = {"noun": ["ball", "cube"]}
+    save_weights(tmp_path / "net.safetensors", TINY, dict(net.named_parameters()), known)
     again = load_weights(tmp_path / "net.safetensors")
+    assert load_words(tmp_path / "net.safetensors") == known
     assert again.config == TINY
     for a, b in zip(net.parameters(), again.parameters(), strict=True):
         torch.testing.assert_close(a, b, atol=1e-4, rtol=1e-3)

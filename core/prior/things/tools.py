@@ -1,0 +1,153 @@
+"""Tools, instruments and a robot."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    join,
+    moved,
+    prism,
+    taper,
+    tube,
+    turned,
+)
+
+
+def hammer(draw: Draw) -> Parts:
+    """Upright, its face to the left, its claw to the right."""
+    high, grip, face = draw(1.7, 1.95), draw(0.11, 0.13), draw(0.2, 0.24)
+    claw = join(
+        taper((0.1, 0, high), (0.45, 0, high + 0.02), 0.17, 0.13),
+        taper((0.45, 0, high + 0.02), (0.72, 0, high - 0.22), 0.13, 0.07),
+    )
+    head = join(
+        tube((-0.34, 0, high), (0.15, 0, high), 0.16),
+        tube((-0.62, 0, high), (-0.3, 0, high), face, 0.04),
+    )
+    wood = join(
+        taper((0, 0, 0.1), (0, 0, high * 0.5), grip * 1.25, grip),
+        capsule((0, 0, high * 0.5), (0, 0, high + 0.12), grip),
+    )
+    return {"head": join(head, claw, box((0, 0, high), (0.18, 0.18, 0.19), 0.03)), "handle": wood}
+
+
+def axe(draw: Draw) -> Parts:
+    """Upright, its edge to the left."""
+    high, grip = draw(1.8, 2.05), draw(0.1, 0.12)
+    reach, edge = draw(0.62, 0.72), draw(0.4, 0.5)
+    z = high - 0.25
+    blade = [
+        (0.16, z - 0.16),
+        (0.16, z + 0.16),
+        (-reach * 0.6, z + edge * 0.62),
+        (-reach, z + edge),
+    ]
+    blade += [(-reach - 0.1, z), (-reach, z - edge), (-reach * 0.55, z - edge * 0.5)]
+    return {
+        "head": join(prism(blade, 1, 0.09), box((0.0, 0, z), (0.2, 0.16, 0.18), 0.03)),
+        "handle": join(
+            capsule((0, 0, 0.12), (0, 0, high), grip),
+            taper((0, 0, 0.12), (0, 0, 0.5), grip * 1.4, grip),
+        ),
+    }
+
+
+def anvil(draw: Draw) -> Parts:
+    """Its horn to the left."""
+    top, long, waist = draw(0.95, 1.1), draw(0.6, 0.72), draw(0.26, 0.32)
+    foot = [(0.6, 0), (0.6, 0.16), (waist, 0.42), (waist, top - 0.3), (0.5, top - 0.12), (0.5, top)]
+    side = [*foot, *((-a, b) for a, b in reversed(foot))]
+    return {
+        "body": join(
+            prism(side, 1, draw(0.26, 0.32)),
+            box((0.2, 0, top), (long, 0.32, 0.17), 0.02),
+            taper((-0.3, 0, top - 0.02), (-1.15, 0, top + 0.06), 0.24, 0.07),
+        )
+    }
+
+
+def guitar(draw: Draw) -> Parts:
+    """Upright, its strings to the front."""
+    low, high, thick = draw(0.6, 0.68), draw(0.44, 0.5), draw(0.14, 0.18)
+    z, top = low + draw(0.72, 0.8), draw(2.5, 2.7)
+    front = -thick
+    body = blend(
+        0.2, *(tube((0, -thick, c), (0, thick, c), r, 0.03) for c, r in ((low, low), (z, high)))
+    )
+    return {
+        "body": body,
+        "neck": join(
+            box((0, front, (z + top) / 2), (0.12, 0.1, (top - z) / 2)),
+            box((0, front, top), (0.18, 0.09, 0.2), 0.04),
+        ),
+        "hole": tube((0, front - 0.07, z - 0.28), (0, front, z - 0.28), draw(0.2, 0.23)),
+        "bridge": box((0, front, low * 0.68), (0.27, 0.09, 0.09), 0.02),
+    }
+
+
+def drum(draw: Draw) -> Parts:
+    """A side drum with its sticks."""
+    radius, high = draw(0.78, 0.88), draw(0.75, 1.0)
+    hoop = tube((0, 0, -0.1), (0, 0, 0.1), radius + 0.08, 0.03)
+    stick = join(capsule((-0.5, 0, 0.12), (0.65, 0, 0.12), 0.085), ball((-0.5, 0, 0.12), 0.13))
+    sticks = (moved(turned(stick, 2, a), (0, 0, high)) for a in (draw(50, 75), draw(105, 130)))
+    return {
+        "shell": tube((0, 0, 0.0), (0, 0, high), radius),
+        "hoops": join(moved(hoop, (0, 0, 0.1)), moved(hoop, (0, 0, high - 0.12))),
+        "skin": tube((0, 0, high - 0.2), (0, 0, high + 0.03), radius - 0.03, 0.02),
+        "sticks": join(*sticks),
+    }
+
+
+def robot(draw: Draw) -> Parts:
+    """A toy of boxes, its face to the front."""
+    x, body, head = draw(0.42, 0.5), draw(0.38, 0.44), draw(0.3, 0.35)
+    low = draw(0.55, 0.65)
+    top = low + 2 * body
+    z = top + head + 0.08
+    depth = draw(0.28, 0.34)
+    arm = join(
+        box((x + 0.17, 0, top - 0.42), (0.12, 0.14, 0.38), 0.04),
+        ball((x + 0.17, 0, top - 0.88), 0.17),
+    )
+    leg = join(
+        box((0.22, 0, low / 2), (0.14, 0.15, low / 2)),
+        box((0.23, -0.08, 0.1), (0.18, 0.26, 0.1), 0.04),
+    )
+    return {
+        "body": join(
+            box((0, 0, low + body), (x, depth, body), 0.06),
+            tube((0, 0, top - 0.1), (0, 0, z), 0.13),
+        ),
+        "head": box((0, 0, z), (head * 1.15, head, head), 0.06),
+        "limbs": both(join(arm, leg)),
+        "eyes": join(
+            both(
+                tube(
+                    (head * 0.5, -head - 0.06, z + 0.06),
+                    (head * 0.5, -head + 0.1, z + 0.06),
+                    0.11,
+                    0.02,
+                )
+            ),
+            box((0, -depth, low + body * 1.1), (x * 0.6, 0.06, body * 0.45), 0.02),
+        ),
+        "aerial": join(
+            tube((0, 0, z + head - 0.05), (0, 0, z + head + 0.2), 0.085),
+            ball((0, 0, z + head + 0.26), 0.13),
+        ),
+    }
+
+
+TOOLS = {
+    "hammer": hammer,
+    "axe": axe,
+    "anvil": anvil,
+    "guitar": guitar,
+    "drum": drum,
+    "robot": robot,
+}
