@@ -88,6 +88,9 @@ def parser() -> Parser:
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="of prior: which")
+    bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help="of prior: where the runs go")
     return top
 
 
@@ -269,7 +272,12 @@ def _export(args: argparse.Namespace) -> None:
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
 
-    bench(args.names, args.json)
+    if args.names == ["prior"]:  # hours, and folders of runs: never one of several
+        from core.benchmarks.bench_prior import bench_prior
+
+        bench_prior(args.nouns, args.seeds, args.out, args.json)
+    else:
+        bench(args.names, args.json)
 
 
 _COMMANDS = {

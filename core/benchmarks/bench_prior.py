@@ -1,0 +1,197 @@
+"""``run.py bench prior``: how good the built-in prior is, measured on the meshes that it makes.
+
+Every noun is generated with each seed, in words that also name a colour and a material, and scored:
+shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``), colour, material,
+closedness, pieces and holes. A run is one folder and its score one file in it: a bench that was
+stopped goes on where it stood, and a run that is there is not made again.
+"""
+
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import torch
+from torch import Tensor
+
+from core.asset import read_asset
+from core.benchmarks import machine, row, table_line
+from core.errors import UserError
+from core.generate import generate, prepare
+from core.geometry.mesh import Mesh, health
+from core.guidance.builtin import WEIGHTS
+from core.ops import srgb_to_linear
+from core.prior.palette import COLOR_VALUES, FINISHES, looks
+from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
+from core.prior.weights import load_words
+from core.protocol import Job, write_text
+from core.run_folder import RunFolder
+from core.stages.start_color import surface_colors
+
+FOLDER = Path("out/bench_prior")
+# Holes that make a thing what it is. Others may have any number.
+GENUS = {"torus": 1, "mug": 1, "teapot": 1, "bucket": 1, "trophy": 2, "crown": 1, "chair": 0}
+MAX_DELTA_E = 20.0
+ROUGHNESS_REACH = 0.2  # around the word's own
+POINTS = 4000
+
+
+def bench_prior(
+    nouns: list[str], seeds: int, folder: Path | None = None, out: Path | None = None
+) -> None:
+    """Make what ``folder`` lacks, score it, print the scores and a table; JSON to ``out``.
+
+    ``nouns`` empty: all that the shipped weights offer. One thread: two benches that share the
+    nouns between them use two cores.
+    """
+    known = load_words(WEIGHTS / "geometry.safetensors")
+    unknown = [noun for noun in nouns if noun not in known["noun"]]
+    if unknown:
+        raise UserError(
+            f"The built-in prior has no noun {unknown[0]!r}.", f"Take {', '.join(known['noun'])}."
+        )
+    torch.set_num_threads(1)
+    references = reference_clouds(known["noun"])
+    scores = []
+    for noun in nouns or known["noun"]:
+        for seed in range(seeds):
+            scores.append(_scored(noun, seed, known, folder or FOLDER, references))
+            print(line(scores[-1]), flush=True)
+    rows = [{"part": "prior"} | found for found in summary(scores)]
+    print(*map(table_line, rows), sep="\n")
+    if out:
+        facts = {"machine": machine(), "rows": rows, "runs": scores}
+        write_text(out, json.dumps(facts, indent=1) + "\n")
+
+
+def _scored(
+    noun: str, seed: int, known: dict[str, list[str]], folder: Path, references: dict
+) -> dict[str, Any]:
+    run = folder / f"{noun.replace(' ', '-')}-{seed}"
+    told = run / "score.json"
+    if told.exists():
+        return json.loads(told.read_text(encoding="utf-8"))
+    color, material = words_for(noun, seed, known)
+    start = time.monotonic()
+    failure = _make(run, f"{color} {material} {noun}", seed)
+    facts = {"noun": noun, "seed": seed, "color": color, "material": material}
+    facts |= {"seconds": round(time.monotonic() - start, 1), "failure": failure}
+    facts |= {} if failure else score(run, facts, references)
+    write_text(told, json.dumps(facts, indent=1) + "\n")
+    return facts
+
+
+def words_for(noun: str, seed: int, known: dict[str, list[str]]) -> tuple[str, str]:
+    """A colour and a material; strides make all of them come about equally often."""
+    index = known["noun"].index(noun)
+    colors, materials = known["color"], known["material"]
+    return colors[(5 * index + 7 * seed) % len(colors)], materials[
+        (index + 5 * seed) % len(materials)
+    ]
+
+
+def _make(run: Path, prompt: str, seed: int) -> str:
+    """Carry the run out, or go on with it; what went wrong, or ""."""
+    if (run / "job.json").exists():
+        here = RunFolder.open(run)
+    else:
+        here = RunFolder.create(run, Job(prompt=prompt, seed=seed))
+    if here.asset.exists():
+        return ""
+    try:
+        generate(here, prepare(here.job))
+    except UserError as error:
+        if error.status == 130:
+            raise
+        return error.text
+    return ""
+
+
+def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
+    """The measures of a finished run (see the module's head)."""
+    asset = read_asset(run)
+    generator = torch.Generator().manual_seed(0)
+    ranks = ranking(mesh_cloud(asset.verts, asset.faces, generator), references)
+    names = [name for name, _ in ranks]
+    noun, report = facts["noun"], health(asset.verts, asset.faces)
+    shape = {
+        "rank": names.index(noun) + 1,
+        "nearest": names[:5],
+        "chamfer": round(dict(ranks)[noun], 4),
+        "closed": report["closed"],
+        "components": report["components"],
+        "genus": report["genus"],
+    }
+    mesh = Mesh(asset.verts, asset.faces, asset.uv, asset.face_uvs)
+    _, kd = surface_colors(mesh, asset.maps.base_color, POINTS, generator)
+    _, orm = surface_colors(mesh, asset.maps.orm, POINTS, generator)
+    finish = FINISHES[facts["material"]]
+    roughness, metallic = orm[:, 1].median().item(), orm[:, 2].median().item()
+    right = abs(roughness - finish.roughness) < ROUGHNESS_REACH
+    right &= (metallic > 0.5) == (finish.metallic > 0.5)
+    return shape | {
+        "delta_e": round(main_delta_e(kd, noun, facts["color"]), 1),
+        "roughness": round(roughness, 3),
+        "metallic": round(metallic, 3),
+        "material_right": right,
+    }
+
+
+def main_delta_e(kd: Tensor, noun: str, color: str) -> float:
+    """Median CIE76 difference to the word's colour over the main parts' share of the surface.
+
+    Which points belong to main parts is not known: they are taken to be those that come nearest,
+    as many as the share of the noun's parts that a colour word is about.
+    """
+    roles = [look.role in "*&" for look in looks(noun).values()]
+    target = lab(srgb_to_linear(torch.tensor([COLOR_VALUES[color]])))
+    away = (lab(kd) - target).norm(dim=1).sort().values
+    return away[int(len(away) * sum(roles) / len(roles) / 2)].item()
+
+
+def lab(linear: Tensor) -> Tensor:
+    """CIE L*a*b* (P, 3) of linear Rec. 709, under D65."""
+    to_xyz = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    xyz = linear @ linear.new_tensor(to_xyz).T / linear.new_tensor([0.9505, 1.0, 1.089])
+    f = torch.where(xyz > 0.008856, xyz.clamp_min(0.008856) ** (1 / 3), 7.787 * xyz + 16 / 116)
+    x, y, z = f.unbind(1)
+    return torch.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], 1)
+
+
+def line(score: dict[str, Any]) -> str:
+    """A score as text."""
+    head = f"{score['noun']:13} {score['seed']}  "
+    if score["failure"]:
+        return f"{head}FAILED: {score['failure']}"
+    marks = "" if score["rank"] == 1 else f" (nearest {score['nearest'][0]})"
+    return (
+        f"{head}rank {score['rank']:2}{marks}  dE {score['delta_e']:5.1f}  "
+        f"rough {score['roughness']:.2f} metal {score['metallic']:.2f} "
+        f"{'' if score['material_right'] else 'WRONG '}({score['color']} {score['material']})  "
+        f"pieces {score['components']} genus {score['genus']}  {score['seconds']:.0f} s"
+    )
+
+
+def summary(scores: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Rates over all runs; a run that failed counts as wrong in every one."""
+
+    def rate(name: str, right: list[bool], target: float) -> dict[str, Any]:
+        share = sum(right) / max(len(right), 1)
+        return row(f"{name}, of {len(right)} runs", share, "", target, at_least=True)
+
+    made = [s for s in scores if not s["failure"]]
+    lost = [False] * (len(scores) - len(made))
+    holed = [s for s in made if s["noun"] in GENUS]
+    rows = [
+        rate("shape, top 1", [s["rank"] == 1 for s in made] + lost, 0.85),
+        rate("shape, top 5", [s["rank"] <= 5 for s in made] + lost, 0.97),
+        rate("colour within 20", [s["delta_e"] <= MAX_DELTA_E for s in made] + lost, 0.95),
+        rate("material", [s["material_right"] for s in made] + lost, 0.9),
+        rate(
+            "closed, one piece", [s["closed"] and s["components"] == 1 for s in made] + lost, 0.98
+        ),
+        rate("nothing vanished", [True] * len(made) + lost, 1.0),
+    ]
+    if holed:
+        rows.append(rate("holes", [s["genus"] == GENUS[s["noun"]] for s in holed], 1.0))
+    return rows
