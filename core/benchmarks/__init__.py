@@ -6,17 +6,21 @@ changes them little. Targets are those of docs/performance.md; nothing fails whe
 
 import importlib
 import json
+import math
+import os
 import platform
+import re
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import torch
+from torch import Tensor
 
 from core.errors import UserError
 
-PARTS = ("render", "geometry", "texture", "guidance")
+PARTS = ("render", "gradients", "geometry", "texture", "guidance", "gpu")
 
 
 def least_ms(run: Callable[[], Any], rounds: int = 3) -> float:
@@ -30,9 +34,47 @@ def least_ms(run: Callable[[], Any], rounds: int = 3) -> float:
     return 1e3 * min(times)
 
 
-def row(name: str, value: float, unit: str, target: float | None = None) -> dict[str, Any]:
-    """One line of the table; ``target`` is an upper bound, None where there is none."""
-    return {"name": name, "value": value, "unit": unit, "target": target}
+def row(
+    name: str, value: float, unit: str, target: float | None = None, at_least: bool = False
+) -> dict[str, Any]:
+    """One line of the table.
+
+    ``target``: the value wanted at most (``at_least``: at least); None where nothing is.
+    """
+    return {"name": name, "value": value, "unit": unit, "target": target, "at_least": at_least}
+
+
+def machine() -> str:
+    """This machine in words."""
+    name = platform.processor() or platform.machine()
+    if (info := Path("/proc/cpuinfo")).exists():
+        models = re.findall(r"^model name\s*:\s*(.+)$", info.read_text(), re.MULTILINE)
+        name = models[0] if models else name
+    device = torch.cuda.get_device_name() if torch.cuda.is_available() else "no CUDA device"
+    return (
+        f"{name}, {os.cpu_count()} cores, {device}; Python {platform.python_version()}, "
+        f"torch {torch.__version__}"
+    )
+
+
+def ball(faces: int, bump: float = 0.05) -> tuple[Tensor, Tensor]:
+    """A closed ball of about this number of faces, with waves of relative height ``bump``."""
+    n = round(math.sqrt(faces / 2))
+    theta = torch.arange(1, n) * (math.pi / n)
+    phi = torch.arange(n) * (2 * math.pi / n)
+    theta, phi = (x.reshape(-1) for x in torch.meshgrid(theta, phi, indexing="ij"))
+    d = torch.stack([theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()], -1)
+    d = torch.cat([d, d.new_tensor([[0, 0, 1], [0, 0, -1]])])
+    verts = 0.75 * d * (1 + bump * torch.sin(9 * d).sum(1, keepdim=True))
+    ring = torch.arange(n)
+    after = (ring + 1) % n
+    top = torch.stack([torch.full_like(ring, len(d) - 2), ring, after], 1)
+    last = (n - 2) * n
+    end = torch.stack([torch.full_like(ring, len(d) - 1), last + after, last + ring], 1)
+    start = torch.arange(n - 2)[:, None] * n
+    a, b = (start + ring).reshape(-1), (start + after).reshape(-1)
+    c, e = a + n, b + n
+    return verts, torch.cat([top, torch.stack([a, c, e], 1), torch.stack([a, e, b], 1), end])
 
 
 def bench(names: list[str], out: Path | None = None) -> None:
@@ -43,16 +85,19 @@ def bench(names: list[str], out: Path | None = None) -> None:
     torch.set_num_threads(1)
     rows = []
     for name in names or PARTS:
-        for line in importlib.import_module(f"core.benchmarks.bench_{name}").rows():
+        found = importlib.import_module(f"core.benchmarks.bench_{name}").rows()
+        if not found:
+            print(f"{name:<10} nothing to measure: this machine has no CUDA device")
+        for line in found:
             rows.append({"part": name} | line)
             print(table_line(rows[-1]), flush=True)
     if out:
-        machine = {"processor": platform.processor() or platform.machine(), "threads": 1}
-        text = json.dumps({"machine": machine, "rows": rows}, indent=1) + "\n"
+        text = json.dumps({"machine": machine(), "rows": rows}, indent=1) + "\n"
         out.write_text(text, encoding="utf-8")
 
 
 def table_line(line: dict[str, Any]) -> str:
     """A row as text, with its target where it has one."""
-    target = "" if line.get("target") is None else f"  (target {line['target']:g})"
+    bound = "at least" if line["at_least"] else "at most"
+    target = "" if line["target"] is None else f"  ({bound} {line['target']:g})"
     return f"{line['part']:<10} {line['name']:<56} {line['value']:>9.4g} {line['unit']}{target}"

@@ -1,12 +1,9 @@
 """Drawing and shading, forward and backward, at the sizes that the training uses."""
 
-import math
-
 import torch
-from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
-from core.benchmarks import least_ms, row
+from core.benchmarks import ball, least_ms, row
 from core.camera import Cameras
 from core.ops import normalize
 from core.render.antialias import edge_table
@@ -14,25 +11,6 @@ from core.render.normals import render_normals
 from core.render.rasterizer import to_clip
 from core.render.shade import shade
 from core.render.visibility import visibility
-
-
-def ball(rows: int, columns: int) -> tuple[Tensor, Tensor]:
-    """A closed bumpy ball of 2 * columns * (rows - 1) faces."""
-    theta = torch.arange(1, rows) * (math.pi / rows)
-    phi = torch.arange(columns) * (2 * math.pi / columns)
-    theta, phi = (x.reshape(-1) for x in torch.meshgrid(theta, phi, indexing="ij"))
-    d = torch.stack([theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()], -1)
-    d = torch.cat([d, d.new_tensor([[0, 0, 1], [0, 0, -1]])])
-    verts = 0.75 * d * (1 + 0.05 * torch.sin(9 * d).sum(1, keepdim=True))
-    ring = torch.arange(columns)
-    after = (ring + 1) % columns
-    top = torch.stack([torch.full_like(ring, len(d) - 2), ring, after], 1)
-    last = (rows - 2) * columns
-    end = torch.stack([torch.full_like(ring, len(d) - 1), last + after, last + ring], 1)
-    start = torch.arange(rows - 2)[:, None] * columns
-    a, b = (start + ring).reshape(-1), (start + after).reshape(-1)
-    c, e = a + columns, b + columns
-    return verts, torch.cat([top, torch.stack([a, c, e], 1), torch.stack([a, e, b], 1), end])
 
 
 def rows() -> list[dict]:
@@ -43,8 +21,8 @@ def rows() -> list[dict]:
 def draw_rows() -> list[dict]:
     """Visibility alone, and normals with mask and antialias."""
     lines = []
-    for n, targets in ((101, (80.0, 168.0)), (202, (269.0, 234.0))):
-        verts, faces = ball(n, n)
+    for n, targets in ((20_000, (60.0, 130.0)), (80_000, (200.0, 200.0))):
+        verts, faces = ball(n)
         verts.requires_grad_()
         edges = edge_table(faces)
         for (views, size), target in zip(((24, 64), (4, 512)), targets, strict=True):

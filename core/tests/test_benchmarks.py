@@ -1,0 +1,64 @@
+import json
+import time
+
+import pytest
+import torch
+from diffusers import UNet2DConditionModel
+
+from core import benchmarks
+from core.benchmarks import ball, bench, bench_gpu, least_ms, machine, row, table_line
+from core.errors import UserError
+
+
+@pytest.mark.parametrize("faces", [1_000, 20_000])
+def test_ball_is_closed_and_about_as_fine_as_asked(faces: int) -> None:
+    verts, triangles = ball(faces)
+    assert len(triangles) == pytest.approx(faces, rel=0.1)
+    assert len(verts) - len(triangles) * 3 // 2 + len(triangles) == 2
+    a, b, c = verts[triangles].unbind(1)
+    assert float((torch.linalg.cross(a, b) * c).sum()) > 0  # faces outward
+
+
+def test_time_is_the_processes_own() -> None:
+    assert least_ms(lambda: time.sleep(0.05), 1) < 25
+
+
+def test_line_says_which_way_the_target_lies() -> None:
+    assert table_line({"part": "a"} | row("b", 1.0, "ms", 2.0)).endswith("ms  (at most 2)")
+    assert table_line({"part": "a"} | row("b", 1.0, "", 0.5, at_least=True)).endswith(
+        "(at least 0.5)"
+    )
+    assert table_line({"part": "a"} | row("b", 1.0, "ms")).endswith("ms")
+
+
+def test_table_is_written_whole_with_the_machine(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(bench_gpu, "rows", lambda: [row("x", 3.0, "ms", 4.0)])
+    bench(["gpu"], tmp_path / "table.json")
+    table = json.loads((tmp_path / "table.json").read_text())
+    assert table["machine"] == machine()
+    assert table["rows"] == [{"part": "gpu"} | row("x", 3.0, "ms", 4.0)]
+    monkeypatch.setattr(bench_gpu, "rows", list)
+    bench(["gpu"])
+    assert "no CUDA device" in capsys.readouterr().out
+
+
+def test_unknown_part_is_named() -> None:
+    with pytest.raises(UserError, match="rendr") as error:
+        bench(["rendr"])
+    assert all(part in error.value.fix for part in benchmarks.PARTS)
+
+
+def test_a_step_beside_a_network_runs_on_any_device() -> None:
+    torch.manual_seed(0)
+    unet = UNet2DConditionModel(
+        sample_size=8,
+        block_out_channels=(8, 8),
+        layers_per_block=1,
+        down_block_types=("DownBlock2D", "CrossAttnDownBlock2D"),
+        up_block_types=("CrossAttnUpBlock2D", "UpBlock2D"),
+        cross_attention_dim=8,
+        attention_head_dim=2,
+        norm_num_groups=4,
+    )
+    render, step = bench_gpu.iteration_ms(unet, torch.device("cpu"), 200, views=2, size=32)
+    assert 0 < render < step
