@@ -58,6 +58,18 @@ def has_usd() -> bool:
     return bool(bpy.app.build_options.usd)
 
 
+def usd_textures() -> dict[str, object]:
+    """The option of the USD exporter that writes pictures into a folder beside the file."""
+    properties = bpy.ops.wm.usd_export.get_rna_type().properties
+    mode = "export_textures_mode" in properties
+    return {"export_textures_mode": "NEW"} if mode else {"export_textures": True}
+
+
+def has_operator(group: str, name: str) -> bool:
+    """Whether an operator is there: Blender's own exporters may be add-ons that are off."""
+    return name in dir(getattr(bpy.ops, group))
+
+
 def text_field(
     layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str, placeholder: str
 ) -> None:
