@@ -12,6 +12,10 @@ Two rules make the slope 1:
 * **Outermost.** Where folds put several silhouette edges between the same two pixels, only the
   outermost bounds what is seen, and only it blends.
 
+Where two surfaces cut into each other there is no edge, so the line between them is drawn hard and
+carries no gradient. A surface of marching tetrahedra never does; a user's mesh may, and its vertices
+are not trained.
+
 Comparing neighbouring pixels' triangles instead (as in Laine et al. 2020, "Modular Primitives for
 High-Performance Differentiable Rendering", §3.5) loses most of the gradient once the triangles at
 the silhouette are foreshortened below a pixel.
