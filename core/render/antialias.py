@@ -13,8 +13,8 @@ Two rules make the slope 1:
   outermost bounds what is seen, and only it blends.
 
 Where two surfaces cut into each other there is no edge, so the line between them is drawn hard and
-carries no gradient. A surface of marching tetrahedra never does; a user's mesh may, and its vertices
-are not trained.
+carries no gradient. A surface of marching tetrahedra never does; a user's mesh may, and its
+vertices are not trained.
 
 Comparing neighbouring pixels' triangles instead (as in Laine et al. 2020, "Modular Primitives for
 High-Performance Differentiable Rendering", §3.5) loses most of the gradient once the triangles at
