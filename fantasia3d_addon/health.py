@@ -116,6 +116,22 @@ def examine(obj: bpy.types.Object) -> Report:
     return found
 
 
+_known: dict[int, tuple[tuple[int, int], Report]] = {}  # by the mesh, as it was when examined
+
+
+def remember(obj: bpy.types.Object) -> Report:
+    """:func:`examine`, kept for :func:`known`."""
+    report = examine(obj)
+    _known[obj.data.session_uid] = ((len(obj.data.vertices), len(obj.data.polygons)), report)
+    return report
+
+
+def known(obj: bpy.types.Object) -> Report | None:
+    """The last report on ``obj``, while its mesh has the vertices and faces that it had then."""
+    counts, report = _known.get(obj.data.session_uid, (None, None))
+    return report if counts == (len(obj.data.vertices), len(obj.data.polygons)) else None
+
+
 def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     """Mend ``what`` of REPAIRS, or all faults of ``obj``; the names of what was done.
 

@@ -75,9 +75,9 @@ def steps(obj: bpy.types.Object, kind: str, options: Options) -> Iterator[float]
 
 def clear(obj: bpy.types.Object) -> None:
     """Take the simulation of ``obj`` away, and what was made for it; it stands as before."""
-    before = obj.get(MARK)
-    if before is None:
+    if not is_simulated(obj):
         return
+    before = obj[MARK]
     scene = bpy.context.scene
     scene.frame_set(scene.frame_start)
     for modifier in [m for m in obj.modifiers if m.name == MARK]:
@@ -94,6 +94,11 @@ def clear(obj: bpy.types.Object) -> None:
         if not others:
             _release(other)
     bpy.context.view_layer.update()
+
+
+def is_simulated(obj: bpy.types.Object) -> bool:
+    """Whether :func:`simulate` has been at ``obj``."""
+    return hasattr(obj.get(MARK), "to_dict")
 
 
 def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:

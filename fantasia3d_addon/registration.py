@@ -8,13 +8,18 @@ from . import (
     job_operators,
     job_panel,
     live_preview,
+    mesh_operators,
     operators,
     panel,
     preferences,
     presets,
     properties,
     setup_operators,
+    step_operators,
     thumbnails,
+    tool_operators,
+    tool_properties,
+    tools_panel,
 )
 from .session import session
 
@@ -27,6 +32,11 @@ MODULES = (  # each has its CLASSES
     setup_operators,
     panel,
     job_panel,
+    tool_properties,
+    tool_operators,
+    mesh_operators,
+    step_operators,
+    tools_panel,
 )
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
@@ -39,6 +49,7 @@ def register() -> None:
         bpy.utils.register_class(cls)
     pointer = bpy.props.PointerProperty
     bpy.types.Scene.fantasia3d = pointer(type=properties.FANTASIA3D_PG_settings)
+    bpy.types.Scene.fantasia3d_tools = pointer(type=tool_properties.FANTASIA3D_PG_tools)
     bpy.types.WindowManager.fantasia3d = pointer(type=properties.FANTASIA3D_PG_jobs)
     live_preview.add_handlers()
     session.open()
@@ -49,6 +60,7 @@ def unregister() -> None:
     session.close()
     live_preview.remove_handlers()
     del bpy.types.Scene.fantasia3d
+    del bpy.types.Scene.fantasia3d_tools
     del bpy.types.WindowManager.fantasia3d
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
