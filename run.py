@@ -11,10 +11,14 @@ Commands:
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
-    export ASSET --format blend|glb|obj --out FILE
+    export ASSET --format blend|glb|usd|fbx|obj --out FILE
+    relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
+    physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
+    cornell ASSET... --render FILE
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to mend it
     setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
+    package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
     python [ARGUMENTS]         the environment's Python
 
@@ -36,6 +40,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn, TextIO
@@ -48,7 +53,9 @@ from fantasia3d_addon import environment  # noqa: E402 -- standard library only,
 
 JOBS = ("generate", "texture", "resume")  # these end in an asset that Blender may take
 CORE = (*JOBS, "render", "inspect", "export", "bench")
-OWN = ("doctor", "setup", "test", "python")
+SCENE = ("relight", "physics", "cornell")  # Blender's alone
+SCENE_FORMATS = ("usd", "usdc", "usda", "usdz", "fbx")  # which the core does not write
+OWN = ("doctor", "setup", "package", "test", "python")
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
 
 
@@ -105,6 +112,13 @@ def split(argv: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     return arguments, blender
 
 
+def is_blenders(argv: Sequence[str]) -> bool:
+    """Whether a command is for Blender alone, by one of the add-on's own commands."""
+    if argv[0] in SCENE:
+        return True
+    return argv[0] == "export" and (take(argv, "--format")[0] or "").lower() in SCENE_FORMATS
+
+
 def check_targets(blender: dict[str, str]) -> None:
     """Refuse files that could not be written after an hour's work.
 
@@ -124,10 +138,11 @@ def check_targets(blender: dict[str, str]) -> None:
 
 def check_command(argv: Sequence[str]) -> None:
     """Refuse a command that is not there, by name."""
-    if argv[0] in (*CORE, *OWN):
+    known = (*CORE, *SCENE, *OWN)
+    if argv[0] in known:
         return
-    near = difflib.get_close_matches(argv[0], (*CORE, *OWN), n=1)
-    hint = f"Did you mean {near[0]}?" if near else f"It takes {', '.join((*CORE, *OWN))}."
+    near = difflib.get_close_matches(argv[0], known, n=1)
+    hint = f"Did you mean {near[0]}?" if near else f"It takes {', '.join(known)}."
     raise InputError(f"There is no command {argv[0]!r}. {hint}")
 
 
@@ -163,7 +178,11 @@ def launch(argv: list[str]) -> int:
     if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
         return hand_over([environment.find_python(), Path(__file__).resolve(), *argv])
     if argv[0] in OWN:
-        return {"doctor": doctor, "setup": setup, "test": test, "python": python}[argv[0]](argv[1:])
+        own = {"doctor": doctor, "setup": setup, "package": package, "test": test, "python": python}
+        return own[argv[0]](argv[1:])
+    if is_blenders(argv):
+        python_path = environment.ensure(ROOT, ("blender",), say)
+        return hand_over([python_path, Path(__file__).resolve(), "--scene", *argv])
     core, blender = split(argv)
     check_targets(blender)
     python_path = environment.ensure(ROOT, ("blender",) if blender else (), say)
@@ -178,13 +197,9 @@ def setup(arguments: list[str]) -> int:
     groups = [word for word in arguments if word not in flags]
     wrong = [word for word in groups if word not in ("blender", "test")]
     if wrong:
-        takes = "blender, test, --renew and --allow-cuda"
-        raise InputError(f"setup has no {wrong[0]!r}. It takes {takes}.")
-    print(
-        environment.ensure(
-            ROOT, groups, say, allow_cuda="--allow-cuda" in flags, renew="--renew" in flags
-        )
-    )
+        raise InputError(f"setup has no {wrong[0]!r}, but blender, test, --renew, --allow-cuda.")
+    cuda, renew = "--allow-cuda" in flags, "--renew" in flags
+    print(environment.ensure(ROOT, groups, say, allow_cuda=cuda, renew=renew))
     return 0
 
 
@@ -192,6 +207,54 @@ def test(arguments: list[str]) -> int:
     """Run pytest over the core's and the add-on's tests."""
     python_path = environment.ensure(ROOT, ("blender", "test"), say)
     return hand_over([python_path, "-m", "pytest", *arguments], ROOT)
+
+
+def package(arguments: list[str]) -> int:
+    """Build the extension's zip with Blender's own builder, and validate it."""
+    out, rest = take(arguments, "--out")
+    if rest:
+        raise InputError(f"package takes --out FOLDER alone, and got {rest[0]!r}.")
+    folder = Path(out or ROOT / "out").expanduser().absolute()
+    builder = find_builder(environment.ensure(ROOT, ("blender",), say))
+    with tempfile.TemporaryDirectory() as temporary:
+        source = Path(temporary) / "fantasia3d"
+        fill_package(source)
+        use_builder([*builder, "build", f"--source-dir={source}"], temporary)
+        (made,) = Path(temporary).glob("*.zip")
+        use_builder([*builder, "validate", made], temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        print(shutil.copy(made, folder))
+    return 0
+
+
+def use_builder(command: Sequence[str | Path], folder: str) -> None:
+    """Run Blender's builder in ``folder``, where what it builds comes to lie."""
+    environ = environment.clean_environ()
+    done = subprocess.run(command, env=environ, cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        raise InputError(f"Blender's builder refuses: {(done.stdout + done.stderr).strip()}")
+
+
+def find_builder(python_path: Path) -> list[str | Path]:
+    """The command of Blender's builder, which lies beside the bpy module of ``python_path``."""
+    code = "import importlib.util as u; print(u.find_spec('bpy').submodule_search_locations[0])"
+    done = subprocess.run(
+        [str(python_path), "-c", code], capture_output=True, text=True, check=True
+    )
+    found = list(Path(done.stdout.strip()).glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
+    if not found:
+        raise InputError("This bpy has no extension builder. Run setup blender --renew.")
+    return [python_path, found[0]]
+
+
+def fill_package(folder: Path) -> None:
+    """What the zip holds: the add-on, with the manifest's name for Blender, and the core inside."""
+    junk = shutil.ignore_patterns("__pycache__", "*.pyc", "tests")
+    shutil.copytree(ROOT / "fantasia3d_addon", folder, ignore=junk)
+    shutil.copytree(ROOT / "core", folder / "core", ignore=junk)
+    shutil.copy(ROOT / "manifest.toml", folder / "blender_manifest.toml")
+    for name in ("pyproject.toml", "LICENSE"):
+        shutil.copy(ROOT / name, folder)
 
 
 def python(arguments: list[str]) -> int:
@@ -268,6 +331,10 @@ def under_blender(argv: list[str]) -> int:
     if not argv or argv[0] in (*OWN, "-h", "--help", "help"):
         return launch(argv)
     check_command(argv)
+    if is_blenders(argv):
+        from fantasia3d_addon import headless
+
+        return headless.command(argv)
     core, blender = split(argv)
     check_targets(blender)
     python_path = environment.ensure(ROOT, (), say)
@@ -301,6 +368,10 @@ def main(argv: list[str]) -> int:
             return inside(argv[1:])
         if argv[:1] == ["--finish"]:
             finish(argv[1])
+        if argv[:1] == ["--scene"]:
+            from fantasia3d_addon import headless
+
+            leave(headless.command(argv[1:]) or 0)
         return under_blender(argv) if "bpy" in sys.modules else launch(argv)
     except (InputError, environment.SetupError) as error:
         print(f"error: {error}", file=sys.stderr)

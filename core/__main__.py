@@ -82,7 +82,7 @@ def parser() -> Parser:
 
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
-    export.add_argument("--format", required=True, help="glb or obj (blend needs Blender)")
+    export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
     bench = add("bench", "Measure this machine.")

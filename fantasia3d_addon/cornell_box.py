@@ -27,6 +27,7 @@ COLORS = {
     "green": (0.14, 0.45, 0.091),
 }
 EMISSION = (17.0, 12.0, 4.0)  # radiance
+EXPOSURE = 1.0  # stops: what a picture of it takes to be bright on a screen
 ROOM = 0.78  # how much of the box's floor the assets may take
 FOVY = math.radians(39.3077)  # the original's camera: 35 mm lens, 25 mm film
 

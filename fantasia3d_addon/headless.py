@@ -12,8 +12,8 @@ from pathlib import Path
 
 import bpy
 
+from . import commands, scene
 from . import light as lights
-from . import scene
 from .asset_folder import read_info
 from .environment import clean_environ
 from .errors import AddonError, LightError
@@ -57,6 +57,21 @@ def finish(
     for path in (blend, render):
         if path:
             print(Path(path).expanduser().absolute(), flush=True)
+    return 0
+
+
+def command(argv: Sequence[str]) -> int:
+    """Carry out one of :mod:`commands` in this Blender: the exit status."""
+    if {"-h", "--help"} & set(argv):
+        commands.parser().parse_args(list(argv))
+    try:
+        with _quiet():
+            made = commands.carry_out(argv)
+    except AddonError as error:
+        print(f"error: {error}", file=sys.stderr, flush=True)
+        return INPUT
+    for path in made:
+        print(path.expanduser().absolute(), flush=True)
     return 0
 
 

@@ -14,6 +14,7 @@ from mathutils import Vector
 
 from . import compat, light
 from .errors import AddonError, OutputError
+from .mesh_data import moved, verts_of
 
 CAMERA = "Fantasia3D camera"
 FOVY = math.radians(24)  # a long lens: little distortion, as in product photographs
@@ -33,11 +34,11 @@ FORMATS = {
 
 def bounding_sphere(obj: bpy.types.Object) -> tuple[Vector, float]:
     """Centre and radius, in the world, of the sphere about the middle of the bounding box."""
-    mesh = obj.data
-    verts = np.empty(len(mesh.vertices) * 3, np.float32)
-    mesh.vertices.foreach_get("co", verts)
-    matrix = np.array(obj.matrix_world)
-    points = verts.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
+    return sphere_about(moved(verts_of(obj.data), obj.matrix_world))
+
+
+def sphere_about(points: np.ndarray) -> tuple[Vector, float]:
+    """Centre and radius of the sphere about the middle of the bounding box of ``points`` (N,3)."""
     center = (points.min(0) + points.max(0)) / 2
     return Vector(center), float(np.linalg.norm(points - center, axis=1).max())
 
@@ -49,7 +50,17 @@ def add_camera(
     elevation_deg: float = 16.0,
 ) -> bpy.types.Object:
     """A camera that sees all of ``obj``; azimuth 0 stands at -Y and grows towards +X."""
-    center, radius = bounding_sphere(obj)
+    return add_camera_about(scene, *bounding_sphere(obj), azimuth_deg, elevation_deg)
+
+
+def add_camera_about(
+    scene: bpy.types.Scene,
+    center: Vector,
+    radius: float,
+    azimuth_deg: float = 32.0,
+    elevation_deg: float = 16.0,
+) -> bpy.types.Object:
+    """A camera that sees all of the sphere."""
     data = bpy.data.cameras.new(CAMERA)
     data.sensor_fit = "VERTICAL"
     data.angle = FOVY
@@ -135,9 +146,14 @@ def add_backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Obj
     ground.location = (center.x, center.y, low)
     ground.is_shadow_catcher = True
     scene.collection.objects.link(ground)
+    hide_world(scene)
+    return ground
+
+
+def hide_world(scene: bpy.types.Scene) -> None:
+    """Give ``scene`` a copy of its world that the camera does not see: it sees an even grey."""
     scene.world = scene.world.copy()
     _hide_from_camera(scene.world.node_tree)
-    return ground
 
 
 def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
