@@ -55,8 +55,9 @@ class Entry:
 
     @property
     def resumable(self) -> bool:
-        """Whether the core may go on with it."""
-        return self.state in (CANCELLED, STOPPED, FAILED)
+        """Whether the core may go on with it; what failed at once would fail again."""
+        begun = self.state == FAILED and (self.folder / "checkpoint").is_dir()
+        return begun or self.state in (CANCELLED, STOPPED)
 
 
 def scan(runs: Path, known: Mapping[Path, Entry] | None = None) -> list[Entry]:

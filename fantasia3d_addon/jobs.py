@@ -122,6 +122,11 @@ class Run:
         return self.folder / "asset"
 
     @property
+    def resumable(self) -> bool:
+        """Whether there is something to go on from."""
+        return (self.folder / "checkpoint").is_dir()
+
+    @property
     def log(self) -> Path:
         """What the core and its libraries print."""
         return self.folder / "log.txt"

@@ -7,7 +7,7 @@ import bpy
 
 TAB = "Fantasia3D"
 TEXT_SIZE = 11.0  # points, of Blender's widgets
-LEFT_OUT = 62.0  # pixels at scale 1: the panel's borders and an icon
+LEFT_OUT = 96.0  # pixels at scale 1: the tabs, the panel's borders, an icon
 
 
 def sentence(

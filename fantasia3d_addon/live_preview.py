@@ -6,6 +6,7 @@ and undo does not bring it back.
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -31,9 +32,14 @@ def show(
     It stands on ``location`` as the finished asset will.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
-            verts, faces = file["verts"], file["faces"]
-    except (OSError, ValueError, KeyError):  # replaced or removed in this moment
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
+            verts, faces = parts["verts"], parts["faces"]
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        zipfile.BadZipFile,
+    ):  # replaced or removed in this moment
         return None
     if not len(faces):
         return None

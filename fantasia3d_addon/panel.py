@@ -123,14 +123,16 @@ def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
     column = layout.column()
     row = column.row()
     row.scale_y = 1.5
-    waits = session.busy
     if textures:
         reason = ask.reason_against_texture(context)
         word, name = "Texture", "fantasia3d.texture"
     else:
         reason = ask.reason_against(context)
         word, name = "Generate", "fantasia3d.generate"
-    row.operator(name, text=f"{word} Next" if waits else word, icon="SHADERFX")
+    if session.busy:
+        row.operator(name, text="Add to Queue", icon="ADD")
+    else:
+        row.operator(name, text=word, icon="SHADERFX")
     if reason:
         sentence(column, context, reason, "INFO", quiet=True)
 
@@ -163,7 +165,7 @@ def _draw_outcome(layout: bpy.types.UILayout, context: bpy.types.Context) -> Non
         message(box, context, session.error, "ERROR")
         row = box.row(align=True)
         row.operator("fantasia3d.open_log", icon="TEXT")
-        if last and last.end and last.end.type == "error":
+        if last and last.end and last.end.type == "error" and last.run.resumable:
             row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif last and last.end and last.end.type == "cancelled":

@@ -69,11 +69,12 @@ def _stage(
     made.append(mesh)
     mesh.uv_layers.active = mesh.uv_layers[uv_map]
     slots = [slot.material for slot in obj.material_slots] or [None]
-    mesh.materials.clear()
-    for material in slots:
+    if not mesh.materials:
+        mesh.materials.append(None)
+    for index, material in enumerate(slots):
         glowing = _glowing(material, image)
         made.append(glowing)
-        mesh.materials.append(glowing)
+        mesh.materials[index] = glowing
     helper = bpy.data.objects.new("Base colour", mesh)
     made.append(helper)
     scene = bpy.data.scenes.new("Base colour")
@@ -96,11 +97,11 @@ def _glowing(material: bpy.types.Material | None, image: bpy.types.Image) -> bpy
         color = tuple(material.diffuse_color) if material else GREY
     else:
         glowing, color = material.copy(), None
-    tree = glowing.node_tree
+    tree, name = glowing.node_tree, material.name if material else ""
     emission = tree.nodes.new("ShaderNodeEmission")
     output = tree.get_output_node("CYCLES") or tree.nodes.new("ShaderNodeOutputMaterial")
     try:
-        _join(tree, color or _color(tree, output.inputs["Surface"], glowing.name), emission)
+        _join(tree, color or _color(tree, output.inputs["Surface"], name), emission)
     except AddonError:
         bpy.data.materials.remove(glowing)
         raise

@@ -67,19 +67,23 @@ def add_uv_map(context: bpy.types.Context, obj: bpy.types.Object) -> str:
     mesh.uv_layers.new(name=NEW_UV_MAP)
     mesh.polygons.foreach_set("hide", np.zeros(len(mesh.polygons), bool))
     context.scene.collection.objects.link(helper)
-    active = context.view_layer.objects.active
-    context.view_layer.objects.active = helper
+    objects = context.view_layer.objects
+    active, selected = objects.active, list(objects.selected)
+    for other in selected:  # they would be edited too
+        other.select_set(False)
+    objects.active = helper
+    helper.select_set(True)
     try:
-        chosen = {"object": helper, "active_object": helper, "selected_objects": [helper]}
-        with context.temp_override(**chosen):
-            bpy.ops.object.mode_set(mode="EDIT")
-            bpy.ops.mesh.select_all(action="SELECT")
-            bpy.ops.uv.smart_project(angle_limit=ANGLE, island_margin=MARGIN)
-            bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.uv.smart_project(angle_limit=ANGLE, island_margin=MARGIN)
+        bpy.ops.object.mode_set(mode="OBJECT")
         uv = np.empty(2 * len(mesh.loops), np.float32)
         mesh.uv_layers[NEW_UV_MAP].uv.foreach_get("vector", uv)
     finally:
-        context.view_layer.objects.active = active
+        objects.active = active
+        for other in selected:
+            other.select_set(True)
         bpy.data.objects.remove(helper)
         bpy.data.meshes.remove(mesh)
     layers = obj.data.uv_layers

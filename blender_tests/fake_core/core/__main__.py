@@ -61,7 +61,7 @@ def train(stage: str, steps: int, pause: float, shows: bool) -> None:
             say("cancelled", text="Cancelled.", fix="Resume it.")
             sys.exit(130)
         if shows and step % 10 == 0:
-            preview(min(1.0, step / steps * 2))
+            preview(min(1.0, step / 60))
         left = round((steps - step) * pause + 1, 1)
         say("progress", stage=stage, step=step + 1, steps=steps, loss=0.5, seconds_left=left)
         time.sleep(pause)
@@ -86,8 +86,7 @@ if prompt == "half a line":
         time.sleep(0.3)
         file.write(line[middle:])
 if prompt.startswith("show"):  # as long as a user looks at it
-    train("geometry", 60, 0.1, shows=True)
-    train("appearance", 20, 0.1, shows=False)
+    train("geometry", 600, 0.1, shows=True)
 elif prompt == "brief":  # as long as another Blender needs to find it
     train("geometry", 60, 0.05, shows=False)
 else:

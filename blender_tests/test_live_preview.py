@@ -1,0 +1,139 @@
+"""The shape that grows in the viewport, and the pictures of the panel."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.asset_fixture import block, write_png  # noqa: E402
+from fantasia3d_addon import live_preview, thumbnails  # noqa: E402
+from fantasia3d_addon.session import session  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+
+
+def write_shape(path: Path, scale: float = 1.0, n: int = 8) -> np.ndarray:
+    """In training units: about the origin."""
+    verts, faces, _, _ = block(n)
+    verts = (verts - verts.mean(0)) * (1, 1, scale)
+    np.savez(path, verts=verts.astype(np.float32), faces=faces.astype(np.int32))
+    return verts
+
+
+def show(path: Path, location=(1, 2, 3)) -> bpy.types.Object | None:
+    collection = bpy.context.scene.collection
+    return live_preview.show(collection, path, "run", "a red chair", location)
+
+
+def test_it_stands_where_the_asset_will_and_is_updated_in_place(addon, tmp_path):
+    path = tmp_path / "shape.npz"
+    write_shape(path)
+    obj = show(path)
+    mesh = obj.data
+    for scale in (0.5, 2.0):
+        verts = write_shape(path, scale, n=6)
+        assert show(path) == obj
+        assert (obj.data, len(bpy.data.meshes), len(bpy.data.objects)) == (mesh, 1, 1)
+        co = np.empty(3 * len(mesh.vertices), np.float32)
+        mesh.vertices.foreach_get("co", co)
+        low, high = co.reshape(-1, 3).min(0), co.reshape(-1, 3).max(0)
+        assert low[2] == pytest.approx(0, abs=1e-6)
+        np.testing.assert_allclose((low + high)[:2], 0, atol=1e-6)
+        assert (high - low).max() == pytest.approx(1, abs=1e-6)
+        extent = verts.max(0) - verts.min(0)
+        np.testing.assert_allclose(high - low, extent / extent.max(), atol=1e-5)
+    assert tuple(obj.location) == (1, 2, 3)
+    assert obj.name == "a red chair (preview)"
+    assert obj.hide_select
+    assert obj.hide_render
+    assert not mesh.validate()
+
+
+def test_a_file_that_is_being_replaced_is_passed_over(addon, tmp_path):
+    path = tmp_path / "shape.npz"
+    assert show(path) is None
+    path.write_bytes(b"PK\x03\x04 half a file")
+    assert show(path) is None
+    np.savez(path, verts=np.zeros((0, 3), np.float32), faces=np.zeros((0, 3), np.int32))
+    assert show(path) is None
+    assert not bpy.data.objects
+
+
+def test_it_is_gone_from_a_saved_file_and_comes_back(addon, tmp_path):
+    write_shape(tmp_path / "shape.npz")
+    show(tmp_path / "shape.npz")
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "a.blend"))
+    assert not bpy.data.objects
+    assert not bpy.data.meshes
+    assert show(tmp_path / "shape.npz")
+
+
+def test_undo_brings_none_back_whose_run_has_ended(addon, tmp_path):
+    bpy.ops.ed.undo_push(message="before")
+    write_shape(tmp_path / "shape.npz")
+    show(tmp_path / "shape.npz")
+    bpy.data.objects.new("the user's", None)
+    bpy.ops.ed.undo_push(message="something of the user's")
+    live_preview.remove()
+    bpy.ops.ed.undo_push(message="the asset")
+    bpy.ops.ed.undo()
+    assert "the user's" in bpy.data.objects
+    assert live_preview.find("run") is None
+
+
+def test_a_run_shows_its_shape_until_its_end(ready, wait):
+    ready.prompt = "show"
+    bpy.context.scene.cursor.location = (0, 0, 1)
+    bpy.ops.fantasia3d.generate()
+    name = session.running[0].name
+    wait(until=lambda: live_preview.find(name) is not None)
+    obj = live_preview.find(name)
+    assert tuple(obj.location) == (0, 0, 1)
+    first = [tuple(v.co) for v in obj.data.vertices]
+    wait(until=lambda: [tuple(v.co) for v in obj.data.vertices] != first)
+    assert session.running[0].picture.name == "normals.png"
+    session.cancel()
+    wait()
+    assert not bpy.data.objects
+    assert not bpy.data.meshes
+
+
+def test_twenty_thousand_faces_are_taken_in_within_a_tick(addon, tmp_path):
+    import time
+
+    write_shape(tmp_path / "shape.npz", n=40)  # 19,200 faces
+    show(tmp_path / "shape.npz")
+    seconds = []
+    for _ in range(5):
+        begin = time.thread_time()
+        show(tmp_path / "shape.npz")
+        seconds.append(time.thread_time() - begin)
+    assert min(seconds) < 0.05
+
+
+def test_a_picture_is_read_anew_when_it_changes(addon, tmp_path):
+    import os
+
+    path, pictures = tmp_path / "a.png", thumbnails._collections[0]
+    assert thumbnails.icon(None) == thumbnails.icon(path) == 0
+    assert not pictures
+    write_png(path, np.zeros((8, 8, 3), np.uint8))
+    os.utime(path, (1, 1))
+    thumbnails.icon(path)
+    (first,) = pictures
+    thumbnails.icon(path)
+    assert list(pictures) == [first]
+    os.utime(path, (2, 2))
+    thumbnails.icon(path)
+    assert len(pictures) == 1
+    assert first not in pictures
+
+
+def test_every_light_has_its_picture(addon):
+    from fantasia3d_addon import light
+
+    for name in ("neutral", *light.blender_lights()):
+        path = thumbnails.LIGHTS / f"{name}.png"
+        assert path.is_file(), "run python -m blender_tests.light_icons"
