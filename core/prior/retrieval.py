@@ -6,7 +6,7 @@ is still that thing.
 """
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.mesh import NORMAL_RADIUS, face_areas
@@ -32,8 +32,11 @@ def reference_clouds(nouns: list[str], count: int = REFERENCES) -> dict[str, lis
 
 
 def mesh_cloud(
-    verts: Float[Tensor, "v 3"], faces: Tensor, generator: torch.Generator, count: int = POINTS
-) -> Cloud:
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    generator: torch.Generator,
+    count: int = POINTS,
+) -> Float[Tensor, "{count} 3"]:
     """Points uniform over the surface, in the frame of the references."""
     low, high = verts.amin(0), verts.amax(0)
     verts = verts - (low + high) / 2
@@ -45,7 +48,7 @@ def mesh_cloud(
     return (1 - s) * a + s * (1 - t) * b + s * t * c
 
 
-def _some(points: Cloud, generator: torch.Generator) -> Cloud:
+def _some(points: Tensor, generator: torch.Generator) -> Tensor:
     return points[torch.randperm(len(points), generator=generator)[:POINTS]]
 
 
@@ -57,7 +60,7 @@ def turns(cloud: Cloud, count: int = TURNS) -> Float[Tensor, "t n 3"]:
     return torch.stack([c * x - s * y, s * x + c * y, z.expand(count, -1)], -1)
 
 
-def chamfer(a: Float[Tensor, "*t n 3"], b: Cloud) -> Float[Tensor, "*t"]:
+def chamfer(a: Float[Tensor, "*t n 3"], b: Float[Tensor, "m 3"]) -> Float[Tensor, "*t"]:
     """The symmetric Chamfer distance of clouds ``a`` to the cloud ``b``."""
     d = torch.cdist(a, b)
     return (d.amin(-1).mean(-1) + d.amin(-2).mean(-1)) / 2
