@@ -18,6 +18,7 @@ from core.texture.bake import Maps
 from core.texture.files import told_errors, whole_file
 from core.texture.glb import glb_bytes
 from core.texture.obj import mtl_text, obj_text, read_obj, write_plain_obj
+from core.texture.stretch import uv_health
 
 __all__ = [
     "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
@@ -93,7 +94,7 @@ def write_asset(
     def fill(aside: Path) -> None:
         _write_pictures(aside, maps, preview)
         _write_mesh(aside, verts.float(), faces, uv.float(), face_uvs)
-        told = _told(aside, verts, faces, info)
+        told = _told(aside, (verts, faces, uv, face_uvs), info)
         text = json.dumps(told, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
         with whole_file(aside / "asset.json") as path:
             path.write_text(text, encoding="utf-8")
@@ -143,7 +144,8 @@ def inspect(path: Path) -> dict[str, Any]:
         asset = read_asset(path)
         told = {k: v for k, v in asset.info.items() if k not in ("mesh", "files")}
         size = list(asset.maps.base_color.shape[:2])
-        mesh = dict(health(asset.verts, asset.faces))
+        parts = (asset.verts, asset.faces, asset.uv, asset.face_uvs)
+        mesh = health(asset.verts, asset.faces) | uv_health(*parts)
         return {"path": str(asset.folder), **told, "texture_size": size, "mesh": mesh}
     mesh = load_mesh(path)
     return {"path": str(path), "uv": mesh.uv is not None, "mesh": health(mesh.verts, mesh.faces)}
@@ -196,13 +198,14 @@ def _write_mesh(folder: Path, verts: Tensor, faces: Tensor, uv: Tensor, face_uvs
         path.write_text(obj_text(verts, faces, uv, face_uvs, normals, "mesh"), encoding="ascii")
 
 
-def _told(folder: Path, verts: Tensor, faces: Tensor, info: dict[str, Any]) -> dict[str, Any]:
-    """asset.json: what is known here, and what ``info`` adds."""
+def _told(folder: Path, mesh: tuple[Tensor, ...], info: dict[str, Any]) -> dict[str, Any]:
+    """asset.json: what is known here, and what ``info`` adds. ``mesh`` is as write_asset has it."""
+    verts, faces = mesh[:2]
     size = float((verts.amax(0) - verts.amin(0)).max())
     here = {
         "version": VERSION,
         "size_m": round(size, 6),
-        "mesh": dict(health(verts, faces)),
+        "mesh": health(verts, faces) | uv_health(*mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
     }
     return info | here

@@ -18,6 +18,7 @@ from core.texture.files import told_errors
 
 MAX_FACES = 100_000  # xatlas takes half a minute here, and beyond this sometimes hours
 TIME_LIMIT = 900.0  # seconds; thirty times what MAX_FACES needs
+PATIENCE = 8.0  # times the expected seconds: xatlas's thorough packing of some meshes never ends
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
 WORKER = Path(__file__).with_name("unwrap_worker.py")
 
@@ -38,8 +39,9 @@ def unwrap(
 ) -> Unwrapped:
     """Cut the surface into islands and lay them out for a texture of ``size`` texels a side.
 
-    The same mesh gives the same atlas. ``progress`` is called some times a second with the
-    estimated part done, in [0, 1); what it raises stops the work.
+    The same mesh gives the same atlas, unless the machine is so busy that the thorough packing
+    is given up for the quick one. ``progress`` is called some times a second with the estimated
+    part done, in [0, 1); what it raises stops the work.
 
     Raises UserError: more than MAX_FACES faces, numbers that are not finite, a mesh that xatlas
     cannot open out, or longer than ``time_limit`` seconds.
@@ -62,7 +64,15 @@ def unwrap(
         folder = Path(name)
         np.save(folder / "verts.npy", verts.detach().cpu().float().numpy())
         np.save(folder / "faces.npy", faces.cpu().numpy().astype(np.uint32))
-        _run(folder, size, expected_seconds(len(faces)), progress, time_limit)
+        expected = expected_seconds(len(faces))
+        patience = min(PATIENCE * (expected + 1), time_limit / 2)
+        if not _run(folder, (size, "thorough"), expected, progress, patience) and not _run(
+            folder, (size, "quick"), expected, progress, time_limit - patience
+        ):
+            raise UserError(
+                f"The unwrap was not done after {time_limit:.0f} seconds.",
+                "Take a smaller --max-faces, or give the mesh a UV map of its own.",
+            )
         uv = torch.from_numpy(np.load(folder / "uv.npy")).to(verts)
         face_uvs = torch.from_numpy(np.load(folder / "face_uvs.npy").astype(np.int64))
     return Unwrapped(uv, face_uvs.to(faces))
@@ -75,12 +85,14 @@ def expected_seconds(face_count: int) -> float:
 
 def _run(
     folder: Path,
-    size: int,
+    options: tuple[int, str],
     expected: float,
     progress: Callable[[float], None] | None,
     time_limit: float,
-) -> None:
-    command = [sys.executable, str(WORKER), str(folder), str(size), str(PADDING)]
+) -> bool:
+    """Whether the worker ended in time."""
+    size, manner = options
+    command = [sys.executable, str(WORKER), str(folder), str(size), str(PADDING), manner]
     begin = time.monotonic()
     with (folder / "log.txt").open("wb") as log:
         worker = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
@@ -88,10 +100,7 @@ def _run(
             while _running(worker):
                 seconds = time.monotonic() - begin
                 if seconds > time_limit:
-                    raise UserError(
-                        f"The unwrap was not done after {time_limit:.0f} seconds.",
-                        "Take a smaller --max-faces, or give the mesh a UV map of its own.",
-                    )
+                    return False
                 if progress:
                     progress(min(seconds / expected, 0.99))
         finally:
@@ -99,6 +108,7 @@ def _run(
             worker.wait()
     if worker.returncode:
         _explain(worker.returncode, (folder / "log.txt").read_text(errors="replace"))
+    return True
 
 
 def _running(worker: "subprocess.Popen[bytes]") -> bool:
