@@ -32,7 +32,7 @@ class FANTASIA3D_OT_simulate(bpy.types.Operator):
         """Says why it can't be pressed."""
         return allowed(cls, context)
 
-    def options(self) -> physics.Options:
+    def chosen(self) -> physics.Options:
         """The operator's properties."""
         return physics.Options(
             frames=self.frames, height=self.height, convex=self.convex, softness=self.softness,
@@ -41,12 +41,12 @@ class FANTASIA3D_OT_simulate(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return told(
-            self, lambda: physics.simulate(context.active_object, self.kind, self.options())
+            self, lambda: physics.simulate(context.active_object, self.kind, self.chosen())
         )
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         self._steps: Iterator[float] = physics.steps(
-            context.active_object, self.kind, self.options()
+            context.active_object, self.kind, self.chosen()
         )
         manager = context.window_manager
         manager.progress_begin(0, 100)

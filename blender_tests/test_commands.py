@@ -1,0 +1,122 @@
+"""The command line's Blender side: relight, physics, cornell, exports."""
+
+import subprocess
+import sys
+
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.pictures import lobe, read, write_hdr  # noqa: E402
+from blender_tests.processes import ROOT  # noqa: E402
+from fantasia3d_addon import commands, compat, headless, scene  # noqa: E402
+from fantasia3d_addon.errors import AddonError  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """Pictures of 32 pixels and two samples, whatever is asked for."""
+    set_up = scene.set_up_cycles
+
+    def small(target, size=0, samples=None):
+        set_up(target, 32, 2)
+        target.cycles.use_denoising = False
+        if target.world:
+            target.world.cycles.sampling_method = "MANUAL"
+            target.world.cycles.sample_map_resolution = 32
+
+    monkeypatch.setattr(scene, "set_up_cycles", small)
+
+
+def test_relight_makes_a_picture_a_turntable_and_a_file(asset, tmp_path, quick, capfd):
+    light = write_hdr(tmp_path / "x.hdr", lobe((1, -0.5, 0.5)))
+    argv = ["relight", str(asset), "--light", str(light), "--material", "gold"]
+    argv += ["--render", str(tmp_path / "a.png"), "--blend", str(tmp_path / "a.blend")]
+    argv += ["--turntable", str(tmp_path / "turn"), "--frames", "2"]
+    assert headless.command(argv) == 0
+    assert read(tmp_path / "a.png").shape == (32, 32, 3)
+    assert len(list((tmp_path / "turn").iterdir())) == 2
+    told = capfd.readouterr().out
+    assert told.splitlines() == [str(tmp_path / n) for n in ("a.blend", "a.png", "turn")]
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
+    (obj,) = (o for o in bpy.data.objects if o.type == "MESH")
+    assert obj.active_material.name.startswith("Gold")
+
+
+def test_physics_saves_the_baked_cloth(asset, tmp_path, quick):
+    argv = ["physics", str(asset), "--physics", "cloth", "--frames", "8"]
+    argv += ["--blend", str(tmp_path / "a.blend"), "--render", str(tmp_path / "a.png"), "--at", "5"]
+    assert headless.command(argv) == 0
+    assert (tmp_path / "a.png").is_file()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
+    from fantasia3d_addon import bake_physics, physics
+
+    owner = physics.owner_of(bpy.data.objects["a red wooden chair"])
+    assert bake_physics.cache_of(owner).is_baked
+    assert bpy.context.scene.frame_current == 5
+
+
+def test_cornell_takes_many(asset, tmp_path, quick):
+    argv = ["cornell", str(asset), str(asset), "--blend", str(tmp_path / "a.blend")]
+    assert headless.command(argv) == 0
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
+    assert sum(o.name.startswith("a red") for o in bpy.data.objects) == 2
+    assert "Cornell box" in bpy.data.collections
+
+
+@pytest.mark.parametrize("ending", ["fbx", "usdc"])
+def test_export_writes_what_the_core_does_not(asset, tmp_path, ending):
+    if ending == "usdc" and not compat.has_usd():
+        pytest.skip("this build writes no USD")
+    path = tmp_path / f"a.{ending}"
+    argv = ["export", str(asset), "--format", ending.removesuffix("c"), "--out", str(path)]
+    assert headless.command(argv) == 0
+    assert path.stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    ("argv", "message"),
+    [
+        (["relight", "X"], "There is nothing to make. Name --render, --turntable or --blend."),
+        (["relight", "X", "--render", "a.doc"], "ends in .png"),
+        (["relight", "X", "--render", "a.png"], "it has no asset.json"),
+        (["relight", "X", "--ligt", "a"], "--ligt"),
+        (["physics", "X", "--physics", "magic"], "invalid choice: 'magic'"),
+        (["physics", "X"], "--physics"),
+        (["export", "X", "--format", "usd", "--out", "x.fbx"], "file's name ends in it"),
+    ],
+)
+def test_what_cannot_be_is_one_sentence_and_status_2(tmp_path, argv, message, capfd):
+    argv = [str(tmp_path) if word == "X" else word for word in argv]
+    assert headless.command(argv) == 2
+    told = capfd.readouterr().err
+    assert told.startswith("error: ")
+    assert message in told
+    assert "Traceback" not in told
+    with pytest.raises(AddonError):
+        commands.carry_out(argv)
+
+
+def test_the_launcher_hands_such_commands_to_blender(tmp_path):
+    sys.path.insert(0, str(ROOT))
+    try:
+        import run
+    finally:
+        sys.path.remove(str(ROOT))
+    assert run.is_blenders(["relight", "x"])
+    assert run.is_blenders(["export", "x", "--format", "fbx"])
+    assert not run.is_blenders(["export", "x", "--format", "glb"])
+    assert not run.is_blenders(["render", "x"])
+
+
+@pytest.mark.slow
+def test_the_command_line_itself_lights_an_asset(asset, tmp_path):
+    if bpy.app.binary_path:
+        pytest.skip("under Blender the launcher is tested by test_package.py")
+    out = tmp_path / "a.png"
+    command = [sys.executable, str(ROOT / "run.py"), "--scene", "relight", str(asset)]
+    command += ["--render", str(out), "--size", "32", "--samples", "2"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stdout.strip()) == (0, str(out)), done.stderr

@@ -1,0 +1,221 @@
+"""What leaves the file: exports that come back the same, LODs, quads, the Asset Browser."""
+
+import json
+import shutil
+import struct
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.asset_fixture import bump_normals, write_asset  # noqa: E402
+from blender_tests.pictures import read, render, set_light  # noqa: E402
+from fantasia3d_addon import (  # noqa: E402
+    asset_browser,
+    compat,
+    exports,
+    health,
+    maps,
+    material_edit,
+    png,
+    remesh,
+)
+from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
+from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.mesh_data import corner_uv, triangles  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+FORMATS = ("glb", "usdc", "usdz", "fbx", "obj")
+
+
+@pytest.fixture
+def obj(tmp_path):
+    """The block, half metallic, with bumps, its material edited."""
+    folder = write_asset(tmp_path / "asset", normal=bump_normals(64), metallic=0.5, roughness=0.5)
+    made = import_asset(bpy.context, folder)
+    material_edit.adjust_material(made.active_material, (1, 0.6, 1), 0.8, 0.5)
+    bpy.context.view_layer.update()
+    return made
+
+
+def bring_back(path) -> "bpy.types.Object":
+    """The object that Blender's own importer makes of a file."""
+    kind = exports.ENDINGS[path.suffix]
+    if kind == "GLB":
+        bpy.ops.import_scene.gltf(filepath=str(path))
+    elif kind == "USD":
+        bpy.ops.wm.usd_import(filepath=str(path))
+    elif kind == "FBX":
+        bpy.ops.import_scene.fbx(filepath=str(path))
+    else:
+        bpy.ops.wm.obj_import(filepath=str(path))
+        for image in bpy.data.images:  # Blender's OBJ importer takes all for sRGB
+            if "base_color" not in image.name and image.source == "FILE":
+                image.colorspace_settings.is_data = True
+    return next(o for o in bpy.data.objects if o.type == "MESH")
+
+
+@pytest.mark.parametrize("ending", FORMATS)
+def test_what_comes_back_looks_the_same_from_another_folder(obj, tmp_path, ending):
+    if ending.startswith("usd") and not compat.has_usd():
+        pytest.skip("this build writes no USD")
+    set_light(tmp_path, (0.4, -1, 0.4), strength=0.4)
+    before = {kind: len(getattr(bpy.data, kind)) for kind in ("objects", "meshes", "materials")}
+    out = tmp_path / "out"
+    path = exports.export_object(obj, out / f"a b.{ending}")
+    assert {k: len(getattr(bpy.data, k)) for k in before} == before
+    assert obj.name == obj.active_material.name == "a red wooden chair"
+    first = render(obj, tmp_path, azimuth_deg=20, elevation_deg=15, samples=16)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    shutil.move(out, tmp_path / "elsewhere")
+    again = bring_back(tmp_path / "elsewhere" / path.name)
+    set_light(tmp_path, (0.4, -1, 0.4), strength=0.4)
+    picture = render(again, tmp_path, azimuth_deg=20, elevation_deg=15, samples=16)
+    assert np.abs(first - picture).mean() < 0.02
+    assert np.abs(first - picture).mean() < 0.2 * np.abs(first - first.mean((0, 1))).mean()
+    assert health.examine(again).uv_fill == pytest.approx(0.846, abs=0.02)
+
+
+def test_a_glb_holds_its_pictures_and_tangents(obj, tmp_path):
+    path = exports.export_object(obj, tmp_path / "x.glb")
+    data = path.read_bytes()
+    length = struct.unpack("<I", data[12:16])[0]
+    told = json.loads(data[20 : 20 + length])
+    (material,) = told["materials"]
+    shading = material["pbrMetallicRoughness"]
+    assert {"baseColorTexture", "metallicRoughnessTexture"} <= shading.keys()
+    assert "normalTexture" in material
+    assert all("bufferView" in image for image in told["images"])
+    assert "TANGENT" in told["meshes"][0]["primitives"][0]["attributes"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["asset", "x.glb"]
+
+
+def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
+    exports.export_object(obj, tmp_path / "x.obj")
+    text = (tmp_path / "x.mtl").read_text()
+    named = {line.split()[0]: line.split()[-1] for line in text.splitlines() if "map_" in line}
+    assert named.keys() == {"map_Kd", "map_Pr", "map_Pm", "map_Bump"}
+    assert all((tmp_path / name).is_file() for name in named.values())
+
+
+def test_directx_flips_green_alone(obj, tmp_path):
+    exports.export_object(obj, tmp_path / "gl.obj")
+    exports.export_object(obj, tmp_path / "dx.obj", flip_normal_y=True)
+    gl = read(tmp_path / "gl_textures" / "gl_normal.png")
+    dx = read(tmp_path / "dx_textures" / "dx_normal.png")
+    np.testing.assert_allclose(dx[..., 1], 1 - gl[..., 1], atol=1e-4)
+    np.testing.assert_allclose(dx[..., ::2], gl[..., ::2], atol=1e-6)
+    with pytest.raises(OutputError, match="allows OpenGL's normal maps alone"):
+        exports.export_object(obj, tmp_path / "x.glb", flip_normal_y=True)
+
+
+def test_a_solid_wood_is_baked_for_elsewhere(obj, tmp_path):
+    material_edit.replace_material(obj, "wood")
+    exports.export_object(obj, tmp_path / "x.obj", size=64)
+    color = read(tmp_path / "x_textures" / "x_base_color.png")
+    inside = color[8:24, 4:16].reshape(-1, 3)
+    assert (inside[:, 0] > inside[:, 1]).all() and (inside[:, 1] > inside[:, 2]).all()
+    assert inside.std() > 0.01  # it has rings
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("x.stl", "has no format that is known"), ("file/x.glb", "can't be written")],
+)
+def test_a_file_that_cannot_be_is_a_sentence(obj, tmp_path, name, message):
+    (tmp_path / "file").touch()
+    with pytest.raises(OutputError, match=message):
+        exports.export_object(obj, tmp_path / name)
+
+
+def test_png_is_read_back_to_the_bit(tmp_path):
+    values = np.linspace(0, 1, 7 * 5 * 3).reshape(7, 5, 3)
+    for bits in (8, 16):
+        png.write_png(tmp_path / "x.png", png.to_bytes(values, bits))
+        np.testing.assert_allclose(read(tmp_path / "x.png"), values, atol=0.51 / (2**bits - 1))
+
+
+def test_lods_have_fewer_faces_and_the_same_uvs(obj, tmp_path):
+    """The colour that each triangle's middle has in the atlas is that of the side it lies on."""
+    lods = remesh.make_lods(obj, levels=2, ratio=0.5)
+    faces = len(obj.data.polygons)
+    assert [lod.name for lod in lods] == [f"{obj.name} LOD{i}" for i in (1, 2)]
+    color = maps.maps_of(obj).base_color
+    for level, lod in enumerate(lods, 1):
+        assert len(lod.data.polygons) == pytest.approx(faces * 0.5**level, rel=0.03)
+        assert lod.active_material == obj.active_material
+        assert health.examine(lod).closed
+        uv = corner_uv(lod.data)[triangles(lod.data)[1]].mean(1)
+        rows = ((1 - uv[:, 1]) * 64).astype(int)
+        found = color[rows, (uv[:, 0] * 64).astype(int)]
+        normals = np.array([tuple(p.normal) for p in lod.data.polygons])
+        front = normals[:, 1] < -0.9
+        assert front.sum() > 3
+        assert (found[front].argmax(1) == 0).mean() > 0.95  # the front is red
+    with pytest.raises(AddonError, match="can't be made"):
+        remesh.make_lods(obj, levels=0)
+
+
+def test_quads_look_as_the_triangles_did(obj, tmp_path):
+    set_light(tmp_path, (0.4, -1, 0.4), strength=0.4)
+    first = render(obj, tmp_path, 20, 15, samples=16)
+    quads = remesh.quad_remesh(obj, faces=500, size=128)
+    sizes = [len(p.vertices) for p in quads.data.polygons]
+    assert sizes.count(4) == len(sizes)
+    assert 250 < len(sizes) < 1000
+    report = health.examine(quads)
+    assert report.closed and report.manifold and report.uv_fill > 0.2
+    assert all(image.packed_file for image in bpy.data.images if "quads" in image.name)
+    assert obj.hide_render
+    picture = render(quads, tmp_path, 20, 15, samples=16)
+    assert np.abs(first - picture).mean() < 0.03
+
+
+def test_an_open_mesh_is_not_remeshed(tmp_path):
+    from blender_tests.asset_fixture import block
+
+    verts, faces, uv, face_uvs = block()
+    folder = write_asset(tmp_path / "open", (verts, faces[3:], uv, face_uvs[3:]))
+    obj = import_asset(bpy.context, folder)
+    with pytest.raises(AddonError, match=r"is not closed and manifold.*Press Repair All"):
+        remesh.quad_remesh(obj)
+    assert list(bpy.data.objects) == [obj]
+
+
+def test_an_asset_browser_entry_has_a_thumbnail_and_tags(obj, tmp_path, monkeypatch):
+    monkeypatch.setattr(asset_browser, "SIZE", 32)
+    monkeypatch.setattr(asset_browser, "SAMPLES", 2)
+    monkeypatch.setattr(compat, "has_denoiser", lambda: False)
+    before = {kind: len(getattr(bpy.data, kind)) for kind in ("scenes", "worlds", "cameras")}
+    asset_browser.mark_asset(obj, ["chair", " red ", "chair", ""], "a chair")
+    assert {k: len(getattr(bpy.data, k)) for k in before} == before
+    assert sorted(tag.name for tag in obj.asset_data.tags) == ["chair", "red"]
+    assert obj.asset_data.description == "a chair"
+    pixels = np.array(obj.preview.image_pixels_float[:]).reshape(32, 32, 4)
+    assert pixels[16, 16, 3] > 0.99 > 0.01 > pixels[0, 0, 3]  # the asset, and nothing about it
+    assert pixels[12:20, 12:20, 0].mean() > 2 * pixels[12:20, 12:20, 1].mean()
+    path = asset_browser.save_to_library(obj, tmp_path)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(path), assets_only=True) as (there, here):
+        assert there.objects == ["a red wooden chair"]
+        here.objects = there.objects
+    assert all(image.packed_file for image in bpy.data.images if image.source == "FILE")
+
+
+def test_the_operators_are_the_functions(addon, obj, tmp_path):
+    bpy.context.view_layer.objects.active = obj
+    exports.export_object(obj, tmp_path / "f" / "x.obj")
+    assert bpy.ops.fantasia3d.export(filepath=str(tmp_path / "o" / "x"), format="obj") == {
+        "FINISHED"
+    }
+    for name in ("x.obj", "x_textures/x_normal.png", "x_textures/x_roughness.png"):
+        assert (tmp_path / "f" / name).read_bytes() == (tmp_path / "o" / name).read_bytes()
+    assert bpy.ops.fantasia3d.make_lods(levels=1) == {"FINISHED"}
+    assert f"{obj.name} LOD1" in bpy.data.objects
+    assert bpy.ops.fantasia3d.mark_asset(tags="a,b", thumbnail=False) == {"FINISHED"}
+    assert len(obj.asset_data.tags) == 2
+    assert bpy.ops.fantasia3d.quad_remesh(faces=300, texture_size=32) == {"FINISHED"}
+    assert bpy.context.object.name.endswith("quads")
+    with pytest.raises(RuntimeError, match="no format that is known"):
+        bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x.stl"))

@@ -1,0 +1,185 @@
+"""Rigid and soft bodies, cloth and a draped sheet: they move, stay whole, and go again."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from blender_tests.asset_fixture import block, write_asset  # noqa: E402
+from fantasia3d_addon import bake_physics, physics, proxy  # noqa: E402
+from fantasia3d_addon.errors import AddonError  # noqa: E402
+from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.mesh_data import values, world_verts  # noqa: E402
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+FRAMES = 14
+
+
+@pytest.fixture
+def obj(asset):
+    made = import_asset(bpy.context, asset)
+    bpy.context.view_layer.update()
+    return made
+
+
+def motion(obj) -> np.ndarray:
+    """The vertices (frames, V, 3) of ``obj`` at the first, the middle and the last frame."""
+    frames = []
+    for frame in (1, FRAMES // 2, FRAMES):
+        bpy.context.scene.frame_set(frame)
+        frames.append(world_verts(obj))
+    return np.stack(frames)
+
+
+def edge_lengths(obj, points) -> np.ndarray:
+    ends = values(obj.data.edges, "vertices", 2, np.int32)
+    return np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
+
+
+def everything() -> dict[str, list[str]]:
+    kinds = ("objects", "meshes", "materials")
+    return {kind: sorted(getattr(bpy.data, kind).keys()) for kind in kinds}
+
+
+@pytest.mark.parametrize("kind", ["RIGID", "SOFT", "CLOTH"])
+def test_it_falls_stays_whole_and_goes_without_a_trace(obj, kind):
+    before, start = everything(), world_verts(obj)
+    physics.simulate(obj, kind, physics.Options(frames=FRAMES, height=0.3))
+    owner = physics.owner_of(obj)
+    assert bake_physics.cache_of(owner).is_baked
+    path = motion(obj)
+    assert np.isfinite(path).all()
+    np.testing.assert_allclose(path[0], start + np.array([0, 0, 0.3]), atol=0.01)
+    assert path[1].mean(0)[2] < path[0].mean(0)[2] - 0.02
+    assert path[2][:, 2].min() > -0.06  # the ground holds it
+    assert len(path[2]) == len(start)  # no vertex was doubled, so that no seam can open
+    stretch = edge_lengths(obj, path[2]) / edge_lengths(obj, path[0])
+    assert stretch.max() < (1.001 if kind == "RIGID" else 8)
+    if kind != "RIGID":
+        assert np.abs(stretch - 1).max() > 0.01  # it is no rigid body
+    physics.clear(obj)
+    assert everything() == before
+    np.testing.assert_allclose(world_verts(obj), start, atol=1e-5)
+
+
+def test_free_fall_is_half_g_t_squared(obj):
+    physics.simulate(obj, "RIGID", physics.Options(frames=10, height=2.0, convex=True))
+    scene = bpy.context.scene
+    height = []
+    for frame in (1, 10):
+        scene.frame_set(frame)
+        height.append(world_verts(obj).mean(0)[2])
+    seconds = 9 / scene.render.fps
+    assert height[0] - height[1] == pytest.approx(9.81 / 2 * seconds**2, rel=0.08)
+
+
+def test_a_sheet_falls_over_it_and_it_stays(obj):
+    start = world_verts(obj)
+    physics.simulate(obj, "DRAPE", physics.Options(frames=FRAMES))
+    path = motion(obj)
+    np.testing.assert_allclose(path, np.stack([start] * 3), atol=1e-6)
+    sheet = physics.owner_of(obj)
+    bpy.context.scene.frame_set(FRAMES)
+    points = world_verts(sheet)
+    assert np.isfinite(points).all()
+    top = start[:, 2].max()
+    middle = np.linalg.norm(points[:, :2] - start[:, :2].mean(0), axis=1) < 0.1
+    assert points[middle, 2].min() > top - 0.05  # it lies on the top
+    assert points[:, 2].min() < top - 0.1  # its border hangs down
+    physics.clear(obj)
+    assert [o.name for o in bpy.data.objects] == [obj.name]
+
+
+def test_it_falls_on_the_users_own_floor_and_the_floor_is_free_afterwards(obj):
+    bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
+    floor = bpy.context.object
+    physics.simulate(obj, "SOFT", physics.Options(frames=FRAMES, height=0.0))
+    assert physics.GROUND not in bpy.data.objects
+    assert any(m.type == "COLLISION" for m in floor.modifiers)
+    physics.clear(obj)
+    assert not floor.modifiers
+
+
+def test_a_bake_travels_with_the_file(obj, tmp_path):
+    physics.simulate(obj, "SOFT", physics.Options(frames=FRAMES))
+    before = motion(obj)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "x.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "x.blend"))
+    obj = bpy.data.objects["a red wooden chair"]
+    np.testing.assert_allclose(motion(obj), before, atol=1e-5)
+    assert physics.is_simulated(obj)
+
+
+def test_a_mesh_with_open_seams_is_refused_with_what_to_press(tmp_path):
+    verts, faces, uv, face_uvs = block()
+    doubled = verts[faces.ravel()]  # as an exporter without welding writes it
+    mesh = doubled, np.arange(len(doubled)).reshape(-1, 3), uv, face_uvs
+    obj = import_asset(bpy.context, write_asset(tmp_path / "a", mesh))
+    for kind in ("SOFT", "CLOTH"):
+        with pytest.raises(AddonError, match=r"is not welded.*Press Weld"):
+            physics.simulate(obj, kind)
+    assert [o.name for o in bpy.data.objects] == [obj.name]
+    assert not obj.modifiers
+
+
+def test_an_open_mesh_is_no_soft_body(tmp_path):
+    verts, faces, uv, face_uvs = block()
+    mesh = verts, faces[:-4], uv, face_uvs[:-4]
+    obj = import_asset(bpy.context, write_asset(tmp_path / "a", mesh))
+    with pytest.raises(AddonError, match=r"is not closed.*Press Fill Holes"):
+        physics.simulate(obj, "SOFT")
+
+
+def test_what_explodes_is_said_and_taken_back(obj, monkeypatch):
+    monkeypatch.setattr(bake_physics, "STRETCH", 0.5)  # even rest is too much
+    before, start = everything(), world_verts(obj)
+    with pytest.raises(AddonError, match=r"does not stay in one piece: an edge becomes"):
+        physics.simulate(obj, "CLOTH", physics.Options(frames=3))
+    assert everything() == before
+    np.testing.assert_allclose(world_verts(obj), start, atol=1e-6)
+
+
+def test_stopping_half_way_takes_it_back(obj):
+    before = everything()
+    steps = physics.steps(obj, "SOFT", physics.Options(frames=50))
+    for _ in range(3):
+        next(steps)
+    steps.close()
+    assert everything() == before
+
+
+def test_a_convex_body_is_one_part_and_its_centre_of_mass_is_exact():
+    bpy.ops.mesh.primitive_cube_add(size=2, location=(0, 0, 0))
+    mesh = proxy.cage(bpy.context.object, 400)
+    parts = proxy.convex_parts(mesh)
+    assert len(parts) == 1
+    _, center, volume = proxy.hull_mesh("hull", parts[0] + (1, 2, 3))
+    np.testing.assert_allclose(center, (1, 2, 3), atol=1e-6)
+    assert volume == pytest.approx(8, rel=1e-5)
+
+
+def test_a_torus_is_parted_so_that_its_hole_stays_open():
+    """The hull of a torus fills its hole; the parts come within 12 % of the solid."""
+    bpy.ops.mesh.primitive_torus_add(
+        major_radius=1, minor_radius=0.3, major_segments=24, minor_segments=8
+    )
+    mesh = proxy.cage(bpy.context.object, 400)
+    parts = proxy.convex_parts(mesh, most=16)
+    assert len(parts) >= 6
+    hulls = [proxy.hull_mesh("hull", part) for part in parts]
+    whole = proxy.hull_mesh("hull", np.concatenate(parts))[2]
+    solid = 2 * np.pi**2 * 1 * 0.3**2
+    assert sum(volume for _, _, volume in hulls) < 1.15 * solid < 0.8 * whole
+    for part in parts:
+        assert (np.linalg.norm(part.mean(0)[:2])) > 0.5  # none lies across the hole
+
+
+def test_the_operators_are_the_functions(addon, obj):
+    bpy.context.view_layer.objects.active = obj
+    physics.simulate(obj, "RIGID", physics.Options(frames=FRAMES, height=0.2))
+    function = motion(obj)
+    assert bpy.ops.fantasia3d.simulate(kind="RIGID", frames=FRAMES, height=0.2) == {"FINISHED"}
+    np.testing.assert_allclose(motion(obj), function, atol=1e-5)
+    assert bpy.ops.fantasia3d.clear_simulation() == {"FINISHED"}
+    assert not physics.is_simulated(obj)
+    assert not bpy.ops.fantasia3d.clear_simulation.poll()
