@@ -41,6 +41,7 @@ def parser() -> argparse.ArgumentParser:
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
     )
     train.add_argument("--seed", type=int, default=0)
+    train.add_argument("--device", default="cpu", help="cpu or cuda")
 
     evaluate = commands.add_parser("evaluate", help="nouns and azimuths, on fresh renders")
     evaluate.add_argument("--weights", type=Path, default=WEIGHTS / "geometry.safetensors")
@@ -80,7 +81,7 @@ def train(options: argparse.Namespace) -> None:
     if options.minutes is not None:
         config = replace(config, minutes=options.minutes)
     geometry = options.network == "geometry"
-    training = Training(GEOMETRY if geometry else APPEARANCE, config)
+    training = Training(GEOMETRY if geometry else APPEARANCE, config, options.device)
     checkpoint = options.out / f"{options.network}.safetensors"
     if checkpoint.exists():
         training.resume(checkpoint)

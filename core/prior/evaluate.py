@@ -80,7 +80,7 @@ def score_noun(net: UNet, noun: str, views: int, generator: torch.Generator) -> 
     index = NOUNS.index(noun)
     right = exact = near = 0
     for view in range(views):
-        sector = view % SECTORS
+        sector = 3 * view % SECTORS  # any number of views is spread around
         azimuth = 360 / SECTORS * sector + draw(-10, 10)
         cameras = Cameras.orbit([azimuth], [draw(5, 40)], draw(2.9, 3.1))
         seen = render(build(noun, "", draw), cameras, SIZE)

@@ -1,4 +1,4 @@
-"""Training of the prior's two networks on one CPU thread, for a budget of minutes.
+"""Training of the prior's two networks, on one CPU thread or a GPU, for a budget of minutes.
 
 The learning rate follows the share of the budget that is spent, so the budget is the whole
 schedule. A checkpoint is written every few minutes; a stopped run goes on from it, with the
@@ -143,16 +143,18 @@ class Appearance(Source):
 class Training:
     """A network on its way: weights, their moving average, the optimiser, the time spent."""
 
-    def __init__(self, unet: UNetConfig, config: TrainConfig) -> None:
-        self.config, self.unet = config, unet
+    def __init__(
+        self, unet: UNetConfig, config: TrainConfig, device: "torch.device | str" = "cpu"
+    ) -> None:
+        self.config, self.unet, self.device = config, unet, torch.device(device)
         torch.manual_seed(config.seed)
-        self.net = UNet(unet)
+        self.net = UNet(unet).to(self.device)
         self.params = list(self.net.parameters())
         self.ema = [p.detach().clone() for p in self.params]
         self.optimizer = torch.optim.AdamW(
             self.params, config.learning_rate, betas=(0.9, 0.99), weight_decay=1e-3, fused=True
         )
-        self.alpha_bar = alpha_bar_schedule()
+        self.alpha_bar = alpha_bar_schedule().to(self.device)
         self.generator = torch.Generator().manual_seed(config.seed)
         self.step, self.seconds, self.loss = 0, 0.0, float("nan")
 
@@ -167,10 +169,13 @@ class Training:
         config, g = self.config, self.generator
         x, words, camera, hint = source.batch(config.batch, g)
         words, camera = drop_conditions(words, camera, config, g)
-        t = draw_times(config.batch, config, g)
-        eps, alpha_bar = torch.randn(x.shape, generator=g), self.alpha_bar[t]
+        t = draw_times(config.batch, config, g).to(self.device)
+        eps = torch.randn(x.shape, generator=g).to(self.device)
+        x, words, camera = (tensor.to(self.device) for tensor in (x, words, camera))
+        hint = None if hint is None else hint.to(self.device)
+        alpha_bar = self.alpha_bar[t]
         z_t = add_noise(x, eps, alpha_bar)
-        with torch.autocast("cpu", torch.bfloat16):
+        with torch.autocast(self.device.type, torch.bfloat16):
             v = self.net(z_t, t, words, camera, hint)
         loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
         self.optimizer.zero_grad()
@@ -233,7 +238,7 @@ class Training:
                 p.copy_(tensors[f"net.{name}"])
                 mean.copy_(tensors[f"ema.{name}"])
                 self.optimizer.state[p] = {
-                    "step": torch.tensor(float(self.step)),
+                    "step": torch.tensor(float(self.step), device=p.device),
                     "exp_avg": torch.empty_like(p).copy_(tensors[f"m.{name}"]),
                     "exp_avg_sq": torch.empty_like(p).copy_(tensors[f"v.{name}"]),
                 }
