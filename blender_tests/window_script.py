@@ -125,11 +125,12 @@ def steps() -> Iterator[float]:
         co = shape.data.vertices[0].co if shape else ()
         report["shapes"].append([round(x, 4) for x in co])
     screenshot("running")
-    begin = time.monotonic()
+    asked = time.time()
     session.cancel()
+    report["waits_for"] = session.running[0].progress.detail
     while session.running:
         yield 0.05
-    report["cancel_seconds"] = time.monotonic() - begin
+    report["cancel_seconds"] = session.last.end.time - asked
     report["last"] = session.last.end.type
     report["left"] = [o.name for o in bpy.data.objects if live_preview.RUN in o]
     yield 0.5

@@ -92,10 +92,14 @@ def lighter(
 def _clustered(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], size: float
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """All vertices of a cube of side ``size`` in their mean; faces that this closes are gone."""
+    """All vertices of a cube of side ``size`` in their mean; faces that this closes are gone, and
+    so are those that come to lie on one another."""
     cells, cell = torch.unique((verts / size).floor().long(), dim=0, return_inverse=True)
     count = torch.bincount(cell, minlength=len(cells))[:, None]
     mean = verts.new_zeros(len(cells), 3).index_add_(0, cell, verts) / count
     corners = cell[faces]
-    open_ = (corners != corners.roll(1, 1)).all(1)
-    return mean, corners[open_]
+    corners = corners[(corners != corners.roll(1, 1)).all(1)]
+    _, same, times = torch.unique(
+        corners.sort(1).values, dim=0, return_inverse=True, return_counts=True
+    )
+    return mean, corners[times[same] == 1]

@@ -1,0 +1,195 @@
+"""The set-up by its buttons, with a Python and a registry that are played."""
+
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+bpy = pytest.importorskip("bpy")
+
+from fantasia3d_addon import environment, preferences, setup_operators  # noqa: E402
+from fantasia3d_addon.session import session  # noqa: E402
+
+pytestmark = [
+    pytest.mark.blender,
+    pytest.mark.usefixtures("empty", "addon"),
+    pytest.mark.skipif(os.name != "posix", reason="the stand-in is a shell program"),
+]
+# A Python that answers the probe, copies itself as an "environment", and plays pip.
+PLAYED = """#!{python} -S
+import os, shutil, sys, time
+args = sys.argv[1:]
+with open({calls!r}, "a", encoding="utf-8") as file:
+    print(*args, file=file)
+if args[:2] == ["-m", "venv"]:
+    os.makedirs(args[2] + "/bin", exist_ok=True)
+    shutil.copy(sys.argv[0], args[2] + "/bin/python")
+elif args[:2] == ["-I", "-c"]:
+    print({probe!r} if "version_info" in args[2] else "loads")
+elif args[0] == "-c":
+    print({facts!r})
+elif "--version" in args:
+    print("pip 26.3 from somewhere")
+elif "--report" in args:
+    with open(args[args.index("--report") + 1], "w") as file:
+        file.write({report!r})
+elif "install" in args:
+    print("Installing collected packages: torch", flush=True)
+    time.sleep(float(os.environ.get("PLAYED_SECONDS", 0)))
+"""
+REPORT = {"install": [{"metadata": {"version": "2.13.0", "requires_dist": []}}]}
+
+
+class Box:
+    """A machine of its own: a tree of the project, a Python, and folders with difficult names."""
+
+    def __init__(self, folder: Path, patch: pytest.MonkeyPatch) -> None:
+        self.folder = folder / "ein Ordner ü 文"
+        self.calls = self.folder / "calls"
+        self.python = self.folder / "python 3.11"
+        self.root = self.folder / "tree"
+        (self.root / "core").mkdir(parents=True)
+        (self.root / "pyproject.toml").write_text(
+            "[project]\ndependencies = ['torch==2.13.0']\n"
+            "[project.optional-dependencies]\nsetup = ['uv==1', 'pip==26']\n"
+        )
+        text = PLAYED.format(
+            python=sys.executable,
+            calls=str(self.calls),
+            probe=f"3.11|True|True|{self.python}",
+            report=json.dumps(REPORT),
+            facts=json.dumps({"python": "3.11.9", "wrong": [], "torch": "2.13.0"}),
+        )
+        self.python.write_text(text, encoding="utf-8")
+        self.python.chmod(0o755)
+        self.wheels = self.folder / "wheels"
+        self.env = self.folder / ("an environment whose name is long " * 4).strip()
+        place = environment.Place(self.env, self.python, self.wheels)
+        patch.setattr(preferences.Machine, "root", self.root)
+        patch.setattr(preferences.Machine, "environment", self.env)
+        patch.setattr(preferences.Machine, "place", place)
+        machine = sys.modules[environment.find_python.__module__]
+        patch.setattr(machine, "has_nvidia", lambda: False)
+        patch.setattr(machine, "python_candidates", lambda: iter([str(self.python)]))
+        for name in ("FANTASIA3D_PYTHON", "FANTASIA3D_ENV", "FANTASIA3D_WHEELS"):
+            patch.delenv(name, raising=False)
+
+    @property
+    def installs(self) -> list[str]:
+        lines = self.calls.read_text(encoding="utf-8").splitlines() if self.calls.exists() else []
+        return [line for line in lines if " install " in line and "--report" not in line]
+
+
+@pytest.fixture
+def box(tmp_path, monkeypatch):
+    box = Box(tmp_path, monkeypatch)
+    box.wheels.mkdir()
+    return box
+
+
+def done() -> object:
+    work = session.work
+    work.join(60)
+    assert not work.running
+    session.tick()
+    return work
+
+
+def test_set_up_repair_and_remove(box):
+    assert bpy.ops.fantasia3d.set_up() == {"FINISHED"}
+    work = done()
+    assert work.error is None
+    assert work.result == environment.env_python(box.env)
+    assert (work.share, work.text) == (1.0, f"Ready: {work.result}")
+    assert f"--no-index --find-links {box.wheels}" in box.installs[0]
+    assert bpy.ops.fantasia3d.open_set_up_log.poll()
+    bpy.ops.fantasia3d.set_up()
+    done()
+    assert len(box.installs) == 1, "what is there is not made again"
+    (box.env / "broken").touch()
+    assert bpy.ops.fantasia3d.repair() == {"FINISHED"}
+    assert done().error is None
+    assert not (box.env / "broken").exists()
+    assert len(box.installs) == 2
+    assert bpy.ops.fantasia3d.remove_environment("EXEC_DEFAULT") == {"FINISHED"}
+    assert done().error is None
+    assert not box.env.exists()
+    assert not bpy.ops.fantasia3d.remove_environment.poll()
+
+
+def test_a_set_up_is_cancelled_and_leaves_nothing(box, monkeypatch):
+    monkeypatch.setenv("PLAYED_SECONDS", "60")
+    bpy.ops.fantasia3d.set_up()
+    deadline = time.monotonic() + 30
+    while not box.installs:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    assert session.tick() is not None  # the bar moves
+    assert not bpy.ops.fantasia3d.set_up.poll()
+    assert not bpy.ops.fantasia3d.check.poll()
+    begin = time.monotonic()
+    assert bpy.ops.fantasia3d.cancel_set_up() == {"FINISHED"}
+    assert done().error[0] == "The set-up was cancelled."
+    assert time.monotonic() - begin < 10
+    assert not box.env.exists()
+
+
+def test_a_folder_with_the_users_files_is_left_alone(box):
+    box.env.mkdir()
+    (box.env / "thesis.txt").write_text("years")
+    for press in (bpy.ops.fantasia3d.set_up, bpy.ops.fantasia3d.remove_environment):
+        press("EXEC_DEFAULT")
+        assert "not this project's" in done().error[0]
+    assert [path.name for path in box.env.iterdir()] == ["thesis.txt"]
+
+
+def test_a_python_that_is_none_is_said(box, monkeypatch):
+    place = environment.Place(box.env, box.folder / "nothing", box.wheels)
+    monkeypatch.setattr(preferences.Machine, "place", place)
+    bpy.ops.fantasia3d.set_up()
+    assert done().error[0].endswith("nothing is no Python 3.11 of 64 bits.")
+
+
+def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
+    assert setup_operators.reason_against() == ""
+    box.wheels.rmdir()
+    assert "is not there" in setup_operators.reason_against()
+    place = environment.Place(box.env, box.python)
+    monkeypatch.setattr(preferences.Machine, "place", place)
+    online = bpy.app.online_access
+    assert setup_operators.reason_against() == (
+        "" if online else "Allow online access (Preferences, System, Network), "
+        "or name a folder of wheels."
+    )  # fmt: skip
+
+
+def test_check_says_what_is_missing_and_how_to_mend_it(box):
+    assert bpy.ops.fantasia3d.check() == {"FINISHED"}
+    work = done()
+    assert work.text.startswith("Missing: environment")
+    found = {line.name: line for line in work.result}
+    assert str(box.env) in found["environment"].text
+    assert 'press "Set Up"' in found["environment"].text
+
+
+def test_check_looks_at_the_python_that_was_chosen(box, monkeypatch):
+    monkeypatch.setattr(preferences.Machine, "own_python", box.python)
+    bpy.ops.fantasia3d.check()
+    work = done()
+    found = {line.name: line.text for line in work.result}
+    assert found["environment"] == str(box.python)
+    assert (found["torch"], found["packages"]) == ("2.13.0", "as pinned, under Python 3.11.9")
+
+
+def test_windows_is_told_of_a_path_that_is_too_long(monkeypatch):
+    machine = sys.modules[environment.find_python.__module__]
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(machine, "_long_paths", lambda: False)
+    machine.check_length(Path("C:/f3d"))
+    with pytest.raises(environment.SetupError, match="Windows takes 69 here"):
+        machine.check_length(Path("C:/" + 80 * "x"))
+    monkeypatch.setattr(machine, "_long_paths", lambda: True)
+    machine.check_length(Path("C:/" + 80 * "x"))
