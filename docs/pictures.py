@@ -32,7 +32,7 @@ from fantasia3d_addon.import_asset import import_asset  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 GAP = 6
-SAMPLES = 28  # of a pixel, then the denoiser
+SAMPLES = 16  # of a pixel, then the denoiser
 
 
 def empty() -> bpy.types.Scene:
@@ -70,7 +70,7 @@ def relighting(chair: Path, torus: Path, _mug: Path) -> list[list[Image.Image]]:
     """Two assets, each under three of Blender's own lights."""
     rows = []
     for folder in (torus, chair):
-        obj = looked_at(folder, 260)
+        obj = looked_at(folder, 230)
         row = []
         for name, turn in (("city", 0), ("sunset", 60), ("forest", 0)):
             lit(obj, name, turn)
@@ -81,7 +81,7 @@ def relighting(chair: Path, torus: Path, _mug: Path) -> list[list[Image.Image]]:
 
 def materials(chair: Path, _torus: Path, _mug: Path) -> list[list[Image.Image]]:
     """The chair as it was made, and in other materials."""
-    obj = looked_at(chair, 280)
+    obj = looked_at(chair, 250)
     lit(obj, light.STUDIO)
     row = [shot(obj)]
     for name in ("wood", "gold", "marble"):
@@ -98,7 +98,7 @@ def cornell(chair: Path, torus: Path, mug: Path) -> list[list[Image.Image]]:
         obj.scale = (size, size, size)
     objs[1].rotation_euler.z = -0.35
     cornell_box.build(target, objs)
-    scene.set_up_cycles(target, 460, 3 * SAMPLES)
+    scene.set_up_cycles(target, 420, 3 * SAMPLES)
     target.cycles.max_bounces, target.cycles.adaptive_threshold = 10, 0.02
     target.view_settings.exposure = cornell_box.EXPOSURE
     return [[shot(objs[0], backdrop=False)]]
@@ -117,7 +117,7 @@ def frames(
     scene.add_camera_about(target, *scene.sphere_about(points))
     target.frame_set(1)
     lit(obj, light.STUDIO)
-    scene.set_up_cycles(target, 230, SAMPLES)
+    scene.set_up_cycles(target, 200, SAMPLES)
     if ground := bpy.data.objects.get(physics.GROUND):
         ground.is_shadow_catcher = True
         scene.hide_world(target)
