@@ -15,6 +15,7 @@ from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
 
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+ShadingModel = Literal["lobes", "split_sum"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,6 +71,7 @@ class AppearanceConfig:
     learning_rate: float = 1e-2
     learning_rate_end: float = 1.0
     gradient_cap: float = 0.0
+    shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
     rotate_light: bool = True  # a fixed light bakes into kd
     kd_range: tuple[float, float] = (0.03, 0.97)
     roughness_range: tuple[float, float] = (0.08, 0.9)

@@ -112,7 +112,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
             fit_base_color(
                 material, own, inputs.start, generator, lambda n: run.advance("start", n, STEPS)
             )
-    environment = Environment.of(inputs.light).to(device)
+    environment = Environment.of(inputs.light, config.appearance.shading).to(device)
     learn_appearance(material, mesh, environment, inputs.guidance, inputs.embedding, run, generator)
 
     # TEXTURING: Γ on the texels, edge padding, the asset folder

@@ -5,27 +5,30 @@
 
 Both factors are tables made once: :mod:`core.appearance.brdf`, and for each light this. For the
 second factor there are two models: the textbook's (:mod:`core.appearance.specular`), and fitted
-lobes that match Cycles (:mod:`core.appearance.lobes`).
+lobes that match Cycles (:mod:`core.appearance.lobes`), with the sun and other small bright lights
+shaded on their own (:mod:`core.appearance.lamps`).
 """
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.appearance.lamps import Lamps, split_lamps
 from core.appearance.latlong import Levels, convolve, resample
 from core.appearance.lights import load_light as load_light
 from core.appearance.lobes import FittedLobes
 from core.appearance.specular import SplitSum
+from core.config import ShadingModel
 
 MIRROR_ROWS = 512
 IRRADIANCE_ROWS = 128
 
 
 class Incoming(NamedTuple):
-    """The light averaged over the lobes of the reflectance."""
+    """The light averaged over the lobes of the reflectance; without the lamps."""
 
     diffuse: Float[Tensor, "p 3"]  # cosine about the normal
     base: Float[Tensor, "p 3"]  # specular, F = 1 - (1 - cos)^5
@@ -38,30 +41,33 @@ class Environment:
     """One light, prefiltered. Linear radiance; directions in the world."""
 
     mirror: Levels  # as it came
-    irradiance_map: Levels  # ∫ L cos / π
+    irradiance_map: Levels  # ∫ L cos / π of what is no lamp's
     specular: FittedLobes | SplitSum
+    lamps: Lamps
 
     @classmethod
-    def of(
-        cls, image: Float[Tensor, "h w 3"], model: Literal["lobes", "split_sum"] = "lobes"
-    ) -> "Environment":
+    def of(cls, image: Float[Tensor, "h w 3"], model: ShadingModel = "lobes") -> "Environment":
         """Prefilters a lat-long map of any size, on the map's device; 1 to 2 s on one core.
 
-        ``model``: fitted lobes, which look as in Cycles, or the paper's split sum, a third of the
-        time to shade.
+        ``model``: fitted lobes, which look as in Cycles, or the paper's split sum, which is faster
+        to shade.
         """
         device, image = image.device, image.detach().to("cpu", torch.float32)
         rows = min(MIRROR_ROWS, image.shape[0])
         image = resample(image, rows, min(2 * MIRROR_ROWS, image.shape[1]))
-        small = resample(image, IRRADIANCE_ROWS, 2 * IRRADIANCE_ROWS)
+        rest, lamps = split_lamps(image) if model == "lobes" else (image, Lamps.none())
+        small = resample(rest, IRRADIANCE_ROWS, 2 * IRRADIANCE_ROWS)
         irradiance = convolve(small, lambda cos: cos.clamp(min=0))
-        specular = FittedLobes.of(image) if model == "lobes" else SplitSum.of(image)
-        return cls(Levels.of([image]), Levels.of([irradiance]), specular).to(device)
+        specular = FittedLobes.of(rest) if model == "lobes" else SplitSum.of(rest)
+        return cls(Levels.of([image]), Levels.of([irradiance]), specular, lamps).to(device)
 
     def to(self, device: "torch.device | str") -> "Environment":
         """The same on ``device``."""
         return Environment(
-            self.mirror.to(device), self.irradiance_map.to(device), self.specular.to(device)
+            self.mirror.to(device),
+            self.irradiance_map.to(device),
+            self.specular.to(device),
+            self.lamps.to(device),
         )
 
     def rotated(self, azimuth: float) -> "Environment":
@@ -73,6 +79,7 @@ class Environment:
             self.mirror.rotated(azimuth),
             self.irradiance_map.rotated(azimuth),
             self.specular.rotated(azimuth),
+            self.lamps.rotated(azimuth),
         )
 
     def radiance(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
@@ -81,7 +88,7 @@ class Environment:
 
     def irradiance(self, normal: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
         """∫ L_i (ω_i·n) dω_i / π (Eq. 8): what a white diffuse surface sends out."""
-        return self.irradiance_map.read(normal)
+        return self.irradiance_map.read(normal) + self.lamps.irradiance(normal)
 
     def incoming(
         self,
@@ -90,5 +97,5 @@ class Environment:
         roughness: Float[Tensor, "p 1"],
     ) -> Incoming:
         """The light as the surface averages it; ``view`` points to the eye."""
-        diffuse = self.irradiance(normal)
+        diffuse = self.irradiance_map.read(normal)
         return Incoming(diffuse, *self.specular.average(normal, view, roughness, diffuse))

@@ -1,15 +1,17 @@
-"""The split sum's second factor, close to exact: six lobes fitted to the reflectance.
+"""The split sum's second factor, close to exact: a few lobes fitted to the reflectance.
 
-The textbook's single blurred map forgets that the lobe leans and stretches at grazing angles, and
-that its Fresnel term varies across it; against Cycles that costs 5 to 16 dB. Here the light is
-averaged over six round (von Mises-Fisher) lobes in the plane of incidence and the cosine lobe about
-the normal, whose places, widths and weights by roughness and n·v were fitted once
-(:mod:`core.appearance.fit_lobes`). All of it is smooth in the normal and the roughness.
+The textbook's single blurred map forgets that the lobe leans and stretches at grazing angles, is
+cut at the horizon, and that its Fresnel term varies across it; against Cycles that costs up to
+25 dB. Here the light is averaged over six round lobes in the plane of incidence and the cosine lobe
+about the normal, whose places, widths and weights by roughness and n·v were fitted once
+(:mod:`core.appearance.fit_lobes`). A lobe is what GGX reflects straight back, so its tail is GGX's.
+All of it is smooth in the normal and the roughness.
 """
 
 import math
 from dataclasses import dataclass
 from functools import cache, partial
+from pathlib import Path
 
 import torch
 from jaxtyping import Float
@@ -17,63 +19,75 @@ from safetensors.torch import load_file
 from torch import Tensor
 from torch.nn.functional import grid_sample
 
-from core.appearance.fit_lobes import FILE, LOBES, ROOT_COS, ROUGHNESS
+from core.appearance.brdf import MIN_ALPHA
 from core.appearance.latlong import Levels, convolve, resample
+from core.appearance.specular import ggx_kernel
 from core.ops import dot
 
-# Width of level k: SIGMA * 2**k radians. Rows of the maps from level 1: a texel is at most as wide.
-SIGMA = 2 * math.pi / 1024
-ROWS = (256, 256, 128, 128, 64, 64, 64, 64)
-MIN_ALPHA = 1e-4
+FILE = Path(__file__).with_name("lobes.safetensors")
+LOBES = 6
+ROUGHNESS = (0.05, 1.0, 14)  # the table's rows: first, last, number
+ROOT_COS = (0.12, 1.0, 20)  # its columns, of sqrt(n·v), which spreads out the grazing angles
+# Level k is blurred by the lobe of alpha FINEST * 2**k; level 0 is the light as it came. Rows of
+# the maps from level 1: a texel is about as wide as its lobe at most.
+FINEST = 1 / 256
+ROWS = (256, 256, 128, 128, 64, 64, 32, 32)
 
 
 @cache
-def lobe_table() -> Float[Tensor, "1 channels rows columns"]:
+def lobe_table() -> Float[Tensor, "channels rows columns"]:
     """What the fit wrote."""
-    return load_file(FILE)["lobes"][None]
+    return load_file(FILE)["lobes"]
 
 
 def lookup_lobes(
-    roughness: Float[Tensor, "p 1"], cos_v: Float[Tensor, "p 1"]
+    table: Float[Tensor, "channels rows columns"],
+    roughness: Float[Tensor, "p 1"],
+    cos_v: Float[Tensor, "p 1"],
 ) -> tuple[Float[Tensor, "p k"], Float[Tensor, "p k"], Float[Tensor, "p 3 k1"]]:
-    """Offsets, log widths, and weights (of the cosine lobe last), bilinear in the table."""
+    """Offsets, log widths, and weights (of the cosine lobe last), bilinear in the table.
+
+    The weights of a Fresnel term add up to 1.
+    """
     root = torch.sqrt(cos_v.clamp(ROOT_COS[0] ** 2, ROOT_COS[1]))
     places = [
         (x - first) / (last - first) * 2 - 1
         for x, (first, last, _) in ((root, ROOT_COS), (roughness, ROUGHNESS))
     ]
     found = grid_sample(
-        lobe_table().to(roughness),
+        table[None].to(roughness),
         torch.cat(places, 1)[None, None],
         align_corners=True,
         padding_mode="border",
     )[0, :, 0].t()
-    offset, log_width, weights = found.split([LOBES, LOBES, 3 * (LOBES + 1)], 1)
-    return offset, log_width, weights.unflatten(1, (3, LOBES + 1))
+    count = (len(table) - 3) // 5
+    offset, log_width, weights = found.split([count, count, 3 * (count + 1)], 1)
+    return offset, log_width, weights.unflatten(1, (3, count + 1))
 
 
 @dataclass(frozen=True)
 class FittedLobes:
-    """Level k is the light blurred by a round lobe of width SIGMA * 2**k; level 0 as it came."""
+    """The light, blurred level by level, and the lobes to read it by."""
 
     maps: Levels
+    table: Float[Tensor, "channels rows columns"]
 
     @classmethod
     def of(cls, image: Float[Tensor, "h w 3"]) -> "FittedLobes":
         """Blurs a lat-long map."""
         blurred = [
-            convolve(resample(image, n, 2 * n), partial(vmf_kernel, sigma=level_width(k + 1, n)))
+            convolve(resample(image, n, 2 * n), partial(ggx_kernel, alpha=FINEST * 2 ** (k + 1)))
             for k, n in enumerate(ROWS)
         ]
-        return cls(Levels.of([image, *blurred]))
+        return cls(Levels.of([image, *blurred]), lobe_table())
 
     def to(self, device: "torch.device | str") -> "FittedLobes":
         """The same on ``device``."""
-        return FittedLobes(self.maps.to(device))
+        return FittedLobes(self.maps.to(device), self.table.to(device))
 
     def rotated(self, azimuth: float) -> "FittedLobes":
         """Turned about the vertical, radians."""
-        return FittedLobes(self.maps.rotated(azimuth))
+        return FittedLobes(self.maps.rotated(azimuth), self.table)
 
     def average(
         self,
@@ -88,9 +102,9 @@ class FittedLobes:
         """
         alpha = roughness.square().clamp(min=MIN_ALPHA)
         cos_v = dot(normal, view)
-        offset, log_width, weights = lookup_lobes(roughness, cos_v)
+        offset, log_width, weights = lookup_lobes(self.table, roughness, cos_v)
         axes = lobe_axes(normal, view, alpha * offset)
-        level = (log_width + alpha.log()) / math.log(2) - math.log2(SIGMA)
+        level = (log_width + alpha.log()) / math.log(2) - math.log2(FINEST)
         light = self.maps.read(axes.reshape(-1, 3), level.reshape(-1)).view_as(axes)
         light = torch.cat([light, diffuse[:, None]], 1)
         return torch.bmm(weights, light).transpose(0, 1)
@@ -113,17 +127,3 @@ def lobe_axes(
     along_normal = cos_v * delta.cos() - sin_v.square() * ratio
     along_side = delta.cos() + cos_v * ratio
     return along_normal[..., None] * normal[:, None] - along_side[..., None] * side[:, None]
-
-
-def vmf_kernel(cos: Float[Tensor, "*b"], sigma: float) -> Float[Tensor, "*b"]:
-    """A von Mises-Fisher lobe of concentration 1 / sigma^2; 1 on its axis."""
-    return torch.exp((cos - 1) / sigma**2)
-
-
-def level_width(level: int, rows: int) -> float:
-    """The width to blur a map of so many rows by, for level ``level``.
-
-    The texels' own width (variance 1/12) and that of reading between them (1/6) are in it already.
-    """
-    texel = math.pi / rows
-    return math.sqrt((SIGMA * 2**level) ** 2 - texel**2 / 4)

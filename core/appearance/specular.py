@@ -30,7 +30,7 @@ class SplitSum:
     def of(cls, image: Float[Tensor, "h w 3"]) -> "SplitSum":
         """Blurs a lat-long map."""
         blurred = [
-            convolve(resample(image, n, 2 * n), partial(ggx_kernel, roughness=STEP * (k + 1)))
+            convolve(resample(image, n, 2 * n), partial(ggx_kernel, alpha=(STEP * (k + 1)) ** 2))
             for k, n in enumerate(ROWS)
         ]
         return cls(Levels.of([image, *blurred]))
@@ -56,10 +56,10 @@ class SplitSum:
         return light.expand(3, *diffuse.shape)
 
 
-def ggx_kernel(cos: Float[Tensor, "*b"], roughness: float) -> Float[Tensor, "*b"]:
+def ggx_kernel(cos: Float[Tensor, "*b"], alpha: float) -> Float[Tensor, "*b"]:
     """Weight of light at an angle from the mirror direction, where n = v = r (Karis 2013).
 
     Sampling D (n·h) makes the density of l D / 4, and light counts with n·l.
     """
     cos_h = torch.sqrt((1 + cos) / 2)
-    return ggx_d(cos_h, torch.full_like(cos, roughness**2)) * cos.clamp(min=0)
+    return ggx_d(cos_h, torch.full_like(cos, alpha)) * cos.clamp(min=0)

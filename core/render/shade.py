@@ -50,12 +50,14 @@ def shade_chunk(
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
     albedo = lookup_albedo(roughness, cos_v)
     light = environment.incoming(normal, view, roughness)
+    lamp = environment.lamps.reflected(normal, view, cos_v, roughness)
     # Eq. 8 with Schlick's F = F0 + (1 - F0)(1 - cos)^5 and F0 = kd.
-    metal = kd * (albedo.total - albedo.schlick) * light.base + albedo.schlick * light.schlick
-    coat = albedo.dielectric * light.dielectric
+    base = (albedo.total - albedo.schlick) * light.base + lamp[0]
+    metal = kd * base + albedo.schlick * light.schlick + lamp[1]
+    coat = albedo.dielectric * light.dielectric + lamp[2]
     # Eq. 7. The light that the dielectric layer reflects does not reach the base below it.
     passed = 1 - albedo.dielectric / albedo.total.clamp(min=1e-3)
-    diffuse = kd * passed * light.diffuse
+    diffuse = kd * passed * (light.diffuse + environment.lamps.irradiance(normal))
     return metallic * metal + (1 - metallic) * (diffuse + coat)
 
 
@@ -70,3 +72,26 @@ def perturb(
     bitangent = tangent[:, 3:] * torch.linalg.cross(normal, tangent[:, :3])
     x, y, z = kn.split(1, dim=1)
     return normalize(x * tangent[:, :3] + y * bitangent + z * normal)
+
+
+def lifted(
+    normal: Float[Tensor, "p 3"], view: Float[Tensor, "p 3"], front: Float[Tensor, "p 3"]
+) -> Float[Tensor, "p 3"]:
+    """``normal`` turned towards the face's own, ``front``, until the mirror direction leaves it.
+
+    Without it a normal map mirrors what lies inside the object. As Blender does it: the least turn
+    after which the mirror direction is 0.01 (or 0.9 of the view's height) above the face. All unit.
+    """
+    height = dot(view, front)
+    least = torch.minimum(0.9 * height, torch.full_like(height, 0.01))
+    mirrored = 2 * dot(normal, view) * dot(normal, front) - height
+    side = normalize(normal - dot(normal, front) * front)
+    # With n = x side + z front and z² = t, the mirror direction's height is `least` where
+    # a t² - b t + c / 4 = 0.
+    across = dot(view, side)
+    a = (across.square() + height.square()).clamp(min=1e-12)
+    b = a + height * least
+    root = (b.square() - a * (least + height).square()).clamp(min=1e-12).sqrt()
+    z2 = ((b + torch.where(across < 0, root, -root)) / (2 * a)).clamp(1e-6, 1 - 1e-6)
+    turned = (1 - z2).sqrt() * side + z2.sqrt() * front
+    return torch.where(mirrored < least, turned, normal)

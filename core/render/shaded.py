@@ -15,7 +15,7 @@ from core.camera import Cameras
 from core.ops import dot, linear_to_srgb, normalize
 from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
-from core.render.shade import perturb, shade
+from core.render.shade import lifted, perturb, shade
 
 # The material at P points of the surface, known by position (P,3) and uv (P,2).
 MaterialSource = Callable[[Tensor, Tensor], Material]
@@ -69,9 +69,19 @@ class Surface(NamedTuple):
 
     points: Float[Tensor, "p 3"]
     uv: Float[Tensor, "p 2"]
-    normal: Float[Tensor, "p 3"]  # as interpolated; towards the camera's side on an open mesh
+    normal: Float[Tensor, "p 3"]  # as interpolated, on the face's front
     tangent: Float[Tensor, "p 4"]
     to_eye: Float[Tensor, "p 3"]  # unit
+    side: Float[Tensor, "p 1"]  # 1 where the face is seen from the front, -1 from behind
+    front: Float[Tensor, "p 3"]  # the face's own unit normal, on its front
+
+    def shading_normal(self, kn: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
+        """``kn`` in the world, towards the eye's side: perturbed on the front, then turned round.
+
+        In this order, as Cycles does: a bump in front is a dent behind.
+        """
+        normal = self.side * perturb(self.normal, self.tangent, kn)
+        return lifted(normal, self.to_eye, self.side * self.front)
 
 
 def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
@@ -81,9 +91,12 @@ def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
     uv = interpolate(mesh.uv[mesh.face_uvs], fragments)
     tangent = interpolate(mesh.tangents, fragments)
     to_eye = normalize(cameras.eye[fragments.view] - points)
+    a, b, c = mesh.verts[fragments.corners].unbind(1)
+    front = normalize(torch.linalg.cross(b - a, c - a), 1e-30)
+    side = torch.ones_like(to_eye[:, :1])
     if not mesh.closed:
-        normal = torch.where(dot(normal, to_eye) < 0, -normal, normal)
-    return Surface(points, uv, normal, tangent, to_eye)
+        side[dot(front, to_eye) < 0] = -1
+    return Surface(points, uv, normal, tangent, to_eye, side, front)
 
 
 def render_shaded(
@@ -97,12 +110,13 @@ def render_shaded(
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
     material = source(surface.points, surface.uv)
-    normal = perturb(surface.normal, surface.tangent, material.kn)
+    normal = surface.shading_normal(material.kn)
     color = shade(
         normal, surface.to_eye, material.kd, material.roughness, material.metallic, environment
     )
     srgb = linear_to_srgb(saturate(color))
-    values = torch.cat([srgb, normalize(surface.normal), torch.ones_like(srgb[:, :1])], -1)
+    smooth = surface.side * normalize(surface.normal)
+    values = torch.cat([srgb, smooth, torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
     srgb, n, o = picture.split([3, 3, 1], -1)
     return Shaded(srgb, o, n, surface.points, material)

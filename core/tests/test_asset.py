@@ -17,6 +17,7 @@ from core.geometry.mesh import health
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture import images
 from core.texture.bake import Maps, bake
+from core.texture.stretch import uv_health
 
 INFO = {"prompt": "a red wooden chair", "seed": 3, "timings": {"geometry": 1.5}}
 
@@ -247,7 +248,7 @@ def test_no_asset_is_told(tmp_path: Path) -> None:
 
 def test_inspect(folder: Path, parts) -> None:
     told = inspect(folder)
-    assert told["mesh"] == health(parts[0], parts[1])
+    assert told["mesh"] == health(parts[0], parts[1]) | uv_health(*parts[:4])
     assert told["texture_size"] == [64, 64]
     assert json.loads(json.dumps(told)) == told
     mesh = inspect(folder / "mesh.obj")

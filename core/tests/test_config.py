@@ -60,3 +60,13 @@ def test_the_paper_preset_says_what_the_paper_says():
 def test_an_unknown_preset_is_refused():
     with pytest.raises(UserError, match="draft, standard, paper"):
         preset("fast")
+
+
+def test_shading_model_is_a_setting() -> None:
+    draft = preset("draft")
+    config = with_settings(draft, {"appearance.shading": "split_sum"})
+    assert config.appearance.shading == "split_sum"
+    assert draft.appearance.shading == "lobes"
+    with pytest.raises(UserError, match="appearance.shading is 'phong'") as caught:
+        with_settings(draft, {"appearance.shading": "phong"})
+    assert caught.value.fix == "It takes lobes or split_sum."

@@ -6,17 +6,8 @@ from torch import Tensor
 
 from core.appearance.brdf import brdf, fresnel_dielectric, lookup_albedo, schlick_weight
 from core.appearance.environment import Environment
-from core.appearance.fit_lobes import LOBES, ROOT_COS, ROUGHNESS
-from core.appearance.latlong import convolve, directions, solid_angles
-from core.appearance.lobes import (
-    ROWS,
-    SIGMA,
-    level_width,
-    lobe_axes,
-    lobe_table,
-    lookup_lobes,
-    vmf_kernel,
-)
+from core.appearance.latlong import directions, solid_angles
+from core.appearance.lobes import LOBES, ROOT_COS, ROUGHNESS, lobe_axes, lobe_table, lookup_lobes
 from core.ops import dot, normalize
 
 GENERATOR = torch.Generator().manual_seed(0)
@@ -66,9 +57,9 @@ def environments() -> dict[str, Environment]:
 def test_lobes_average_the_light_as_the_reflectance_does(
     environments: dict[str, Environment], roughness: float, cos: float
 ) -> None:
-    """The light that metal and dielectric reflect, within 4 % (narrow lobes at grazing 10 %).
+    """The light that metal and dielectric reflect, within 4 and 7 %.
 
-    The split sum misses by 10 to 40 % where the lobe leans.
+    The split sum misses by 9 to 55 % where the lobe leans. The fit saw other lights than this.
     """
     view = cos * NORMAL + math.sqrt(1 - cos * cos) * SIDE
     rough = torch.full((40, 1), roughness)
@@ -83,9 +74,12 @@ def test_lobes_average_the_light_as_the_reflectance_does(
     for name, environment in environments.items():
         found = reflected(*environment.incoming(NORMAL, view, rough)[1:])
         error[name] = (found - truth).square().mean((1, 2)).sqrt() / truth.mean((1, 2))
-    assert float(error["lobes"].max()) < (0.1 if (roughness, cos) == (0.3, 0.3) else 0.04)
+    metal, dielectric = error["lobes"].tolist()
+    assert metal < 0.04
+    assert dielectric < 0.07
     if cos < 0.9:
-        assert float((error["lobes"] / error["split_sum"]).max()) < 1 / 3
+        assert metal < error["split_sum"][0] / 3
+        assert dielectric < error["split_sum"][1] * 0.6
 
 
 def test_lobe_without_offset_is_the_mirror_direction() -> None:
@@ -114,27 +108,11 @@ def test_looking_along_the_normal_is_smooth() -> None:
 
 
 def test_table_is_as_the_fit_says_and_loses_no_light() -> None:
-    assert lobe_table().shape == (1, 2 * LOBES + 3 * (LOBES + 1), ROUGHNESS[2], ROOT_COS[2])
+    table = lobe_table()
+    assert table.shape == (2 * LOBES + 3 * (LOBES + 1), ROUGHNESS[2], ROOT_COS[2])
     roughness = torch.rand(100, 1, generator=GENERATOR)
     cos = torch.rand(100, 1, generator=GENERATOR)
-    _, _, weights = lookup_lobes(roughness, cos)
+    _, _, weights = lookup_lobes(table, roughness, cos)
     assert float(weights.min()) >= 0
     assert torch.allclose(weights.sum(2), torch.ones(100, 3), atol=1e-5)
     assert float(lookup_albedo(roughness, cos).total.max()) <= 1 + 1e-4
-
-
-@pytest.mark.parametrize("level", [1, 3, 6])
-def test_level_is_blurred_by_its_width(level: int) -> None:
-    """One bright texel becomes a spot of the level's width, the reading's own blur counted in."""
-    rows = ROWS[level - 1]
-    image = torch.zeros(rows, 2 * rows, 3)
-    image[rows // 2, rows] = 1
-    sigma = level_width(level, rows)
-    blurred = convolve(image, lambda cos: vmf_kernel(cos, sigma))
-    d, area = directions(rows, 2 * rows), solid_angles(rows, 2 * rows)[:, None]
-    weight = blurred[..., :1] * area
-    spread = (weight * (1 - d @ d[rows // 2, rows])[..., None]).sum() / weight.sum()
-    # Two axes; for wide lobes 1 - cos is a little less than half the squared angle.
-    texel = math.pi / rows
-    expected = (SIGMA * 2**level) ** 2 - texel**2 / 4
-    assert float(spread) == pytest.approx(expected, rel=0.02 + expected / 4)

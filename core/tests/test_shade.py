@@ -7,7 +7,7 @@ from core.appearance.environment import Environment
 from core.appearance.latlong import directions
 from core.ops import dot, normalize
 from core.render import shade as module
-from core.render.shade import perturb, shade
+from core.render.shade import lifted, perturb, shade
 
 GENERATOR = torch.Generator().manual_seed(0)
 N = 200
@@ -141,3 +141,28 @@ def test_normal_map_axes_are_tangent_bitangent_normal(sign: float) -> None:
     bitangent = sign * torch.linalg.cross(NORMAL, tangent[:, :3])
     for axis, part in ((tangent[:, :3], 0), (bitangent, 1), (NORMAL, 2)):
         assert torch.allclose(dot(found, axis), kn[:, part : part + 1], atol=1e-5)
+
+
+FRONT = normalize(VIEW + 0.9 * normalize(torch.randn(N, 3, generator=GENERATOR)))
+
+
+def test_a_lifted_normal_mirrors_to_the_outside() -> None:
+    steep = normalize(FRONT + 1.5 * normalize(torch.randn(N, 3, generator=GENERATOR)))
+    below = dot(2 * dot(steep, VIEW) * steep - VIEW, FRONT) < 0
+    assert 10 < int(below.sum()) < N - 10
+    found = lifted(steep, VIEW, FRONT)
+    height = dot(2 * dot(found, VIEW) * found - VIEW, FRONT)
+    least = torch.minimum(0.9 * dot(VIEW, FRONT), torch.full((N, 1), 0.01))
+    assert torch.allclose(height[below], least[below], atol=1e-4)
+    assert torch.allclose(found.norm(dim=1), torch.ones(N), atol=1e-5)
+    # In the plane of both normals, and between them.
+    assert float(dot(found, torch.linalg.cross(steep, FRONT)).abs().max()) < 1e-5
+    assert bool((dot(found, FRONT) >= dot(steep, FRONT) - 1e-6).all())
+    fine = (height > least + 1e-4).squeeze(1)
+    assert torch.equal(found[fine], steep[fine])
+
+
+def test_the_lift_has_a_finite_gradient() -> None:
+    steep = normalize(FRONT + 1.5 * NORMAL).requires_grad_()
+    lifted(torch.cat([steep, FRONT]), VIEW.repeat(2, 1), FRONT.repeat(2, 1)).sum().backward()
+    assert torch.isfinite(steep.grad).all()
