@@ -46,27 +46,24 @@ def bake(
 
     Raises UserError where the uv map covers no texel.
     """
-    values = torch.zeros(size * size, 8)
+    maps = Maps(*(torch.ones(size * size, 3) for _ in Maps._fields))
     covered = torch.zeros(size * size, dtype=torch.bool)
     for texels in texel_bands(uv, face_uvs, size, samples):
         if len(texels.index):
             where, mean = _means(verts, faces, texels, material)
-            values[where] = mean
+            maps.base_color[where] = mean[:, :3]
+            maps.orm[where, 1:] = mean[:, 3:5]
+            maps.normal[where] = normalize(mean[:, 5:])
             covered[where] = True
             if progress:
                 progress(0.9 * float(where[-1] + 1) / size**2)
     hit = covered.view(size, size)
     nearest = nearest_covered(hit)
-    base_color, roughness, metallic, kn = values.view(size, size, 8).split([3, 1, 1, 3], -1)
-    orm = torch.cat([torch.ones_like(roughness), roughness, metallic], -1)
-    maps = Maps(
-        pad(base_color.contiguous(), hit, nearest),
-        pad(orm, hit, nearest),
-        pad(normalize(kn), hit, nearest),
-    )
+    for image in maps:  # in place: at 8192² a map is 0.8 GB
+        pad(image.view(size, size, 3), hit, nearest)
     if progress:
         progress(1.0)
-    return maps
+    return Maps(*(image.view(size, size, 3) for image in maps))
 
 
 def _means(

@@ -4,6 +4,7 @@ Numbers are scaled and cut in floating point and rounded last: colours get their
 they lose bits, and a normal below -1 or above 1 stays at the end of the range, it does not wrap.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -17,20 +18,32 @@ from core.errors import UserError
 from core.ops import linear_to_srgb, srgb_to_linear
 from core.texture.files import whole_file
 
+BAND = 1 << 24  # numbers changed at once
+
 
 def srgb_bytes(linear: Float[Tensor, "h w c"]) -> UInt8[np.ndarray, "h w c"]:
     """Linear colour to 8-bit sRGB."""
-    return unit_bytes(linear_to_srgb(linear))
+    return by_rows(lambda x: unit_bytes(linear_to_srgb(x)), linear)
 
 
 def unit_bytes(x: Float[Tensor, "h w c"]) -> UInt8[np.ndarray, "h w c"]:
     """[0, 1] to 8 bits."""
-    return (x.clamp(0, 1) * 255).round().to(torch.uint8).cpu().numpy()
+    return by_rows(lambda x: (x.clamp(0, 1) * 255).round().to(torch.uint8).cpu().numpy(), x)
 
 
 def normal_words(n: Float[Tensor, "h w 3"]) -> UInt16[np.ndarray, "h w 3"]:
     """Unit vectors to 16 bits, 0.5 + 0.5 n; flat is (32768, 32768, 65535)."""
-    return ((n.clamp(-1, 1) * 0.5 + 0.5) * 65535).round().cpu().numpy().astype(np.uint16)
+
+    def words(n: Tensor) -> np.ndarray:
+        return ((n.clamp(-1, 1) * 0.5 + 0.5) * 65535).round().cpu().numpy().astype(np.uint16)
+
+    return by_rows(words, n)
+
+
+def by_rows(change: Callable[[Tensor], np.ndarray], image: Float[Tensor, "h w c"]) -> np.ndarray:
+    """``change`` of ``image``, some rows at a time: a map of 8192² has steps of 0.8 GB each."""
+    rows = max(1, BAND // max(1, image[:1].numel()))
+    return np.concatenate([change(part) for part in image.split(rows)])
 
 
 def colors(image: np.ndarray) -> Float[Tensor, "h w c"]:
