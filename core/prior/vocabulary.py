@@ -206,15 +206,19 @@ class _Reading:
         pattern = self.only("pattern") or ("two-tone" if second else "")
         return {"color": color, "second": second, "pattern": pattern}
 
+    def options(self, noun: str) -> list[str]:
+        """What may be said of the noun's parts."""
+        return [said for said in OPTIONS.get(noun, ()) if said in self.known["part"]]
+
     def part(self, noun: str) -> str:
         """The one word of ``PARTS`` that is said of the noun, or none."""
         told = []
         for part, there, _ in self.parts:
             said = part if there else f"no {part}"
-            if said in OPTIONS.get(noun, ()):
+            if said in self.options(noun):
                 told.append(said)
             elif noun and not (there and _always_has(noun, part)):
-                raise _part_error(noun, part, there)
+                raise _part_error(noun, part, there, self.options(noun))
         if len(set(told)) > 1:
             raise _two_error("part", told)
         return told[0] if told else ""
@@ -232,7 +236,9 @@ def _role(noun: str, part: str) -> str:
 
 
 def _always_has(noun: str, part: str) -> bool:
-    legs = {"stool", "bench", "table", "chair", "pig", "turtle"}
+    if any(part in said for said in OPTIONS.get(noun, ())):
+        return False
+    legs = {"bench", "chair", "pig", "turtle"}
     if part in LEGS:
         return part == "four legs" and noun in legs
     names = {part, f"{part}s", PART_FORMS.get(part, part), *(["back"] * (part == "backrest"))}
@@ -311,8 +317,7 @@ def _two_error(slot: str, words: list[str]) -> UserError:
     )
 
 
-def _part_error(noun: str, part: str, there: bool) -> UserError:
-    options = OPTIONS.get(noun, ())
+def _part_error(noun: str, part: str, there: bool, options: list[str]) -> UserError:
     choice = f"Of a {noun} you can say: {', '.join(options)}." if options else "Leave that out."
     told = f"with {part}" if there else f"without {part}"
     return UserError(f"The built-in prior cannot make a {noun} {told}.", choice)

@@ -197,6 +197,10 @@ def test_a_word_that_the_weights_do_not_know_is_refused():
     assert parse("a chair", known=known).noun == "chair"
     with pytest.raises(UserError, match="'table'"):
         parse("a table", known=known)
+    known = SLOTS | {"part": ["handle", "no handle"]}
+    assert parse("a mug with a handle", known=known).part == "handle"
+    with pytest.raises(UserError, match="cannot make a chair with armrests"):
+        parse("a chair with armrests", known=known)
 
 
 @pytest.mark.parametrize("prompt", ["", "   ", "red", "a photo of", "!?"])
