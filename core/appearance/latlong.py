@@ -14,8 +14,6 @@ from jaxtyping import Float
 from torch import Tensor
 from torch.nn.functional import grid_sample
 
-from core import kernels
-
 Kernel = Callable[[Tensor], Tensor]  # weight by the cosine to the lobe's axis
 
 
@@ -140,10 +138,6 @@ class Levels:
 
         ``None`` reads level 0. Levels beyond the ends read the ends.
         """
-        if kernels.fit(self.picture, direction):
-            at = direction.new_zeros(len(direction)) if level is None else level
-            turns = self.azimuth / (2 * math.pi)
-            return kernels.ReadLevels.apply(self.picture, self.places, turns, direction, at)
         uv = to_uv(direction)
         u = (uv[:, 0] + self.azimuth / (2 * math.pi)) % 1
         if level is None:

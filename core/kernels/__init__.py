@@ -15,7 +15,6 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from core.kernels import hash_grid as _hash_grid
-from core.kernels import latlong as _latlong
 from core.kernels import rasterizer as _rasterizer
 from core.kernels import visibility as _visibility
 
@@ -139,22 +138,3 @@ class SampleHashGrid(torch.autograd.Function):
         arrays = _arrays(g, *ctx.saved_tensors)
         found = _hash_grid.sample_backward(*arrays, *ctx.levels, ctx.needs_input_grad[1])
         return torch.from_numpy(found[0]), torch.from_numpy(found[1]), None, None
-
-
-class ReadLevels(torch.autograd.Function):
-    """See :meth:`core.appearance.latlong.Levels.read`; ``azimuth`` in turns."""
-
-    @staticmethod
-    def forward(ctx, picture, places, azimuth, direction, level):
-        ctx.azimuth = np.float32(azimuth)
-        ctx.save_for_backward(picture, places, direction, level)
-        picture, places, *rest = _arrays(picture[0], places, direction, level)
-        return torch.from_numpy(_latlong.read(picture, places, ctx.azimuth, *rest))
-
-    @staticmethod
-    @once_differentiable
-    def backward(ctx, g):
-        picture, *rest = ctx.saved_tensors
-        g, picture, places, *rest = _arrays(g, picture[0], *rest)
-        found = _latlong.read_backward(g, picture, places, ctx.azimuth, *rest)
-        return None, None, None, torch.from_numpy(found[0]), torch.from_numpy(found[1])

@@ -7,7 +7,6 @@ import torch
 from torch import Tensor
 
 from core import kernels
-from core.appearance.latlong import Levels
 from core.camera import Cameras
 from core.hash_grid import HashGrid
 from core.ops import normalize
@@ -127,25 +126,3 @@ def test_hash_grids_agree(both: Callable, features: int) -> None:
 
     for ours, theirs in zip(*both(sampled), strict=True):
         assert torch.allclose(ours, theirs, rtol=1e-4, atol=1e-4 * float(theirs.abs().max()))
-
-
-@pytest.mark.parametrize("count", [1, 3])
-def test_light_is_read_the_same(both: Callable, count: int) -> None:
-    """Also at the poles, across the seam, and beyond the levels' ends."""
-    generator = torch.Generator().manual_seed(0)
-    sizes = (32, 16, 16)[:count]
-    levels = Levels.of([torch.rand(n, 2 * n, 3, generator=generator) for n in sizes]).rotated(2.0)
-    axes = torch.randn(300, 3, generator=generator)
-    axes[:4] = torch.tensor([[0.0, 0, 1], [0, 0, -1], [-1, 1e-7, 0], [-1, -1e-7, 0]])
-    at = 4 * torch.rand(300, generator=generator) - 1
-    weight = torch.randn(300, 3, generator=generator)
-
-    def lit() -> list[Tensor]:
-        d, level = axes.clone().requires_grad_(), at.clone().requires_grad_()
-        light = levels.read(d, level if count > 1 else None)
-        (light * weight).sum().backward()
-        return [light.detach(), d.grad, torch.zeros(1) if level.grad is None else level.grad]
-
-    compiled, plain = both(lit)
-    for ours, theirs in zip(compiled, plain, strict=True):
-        assert float((ours - theirs).abs().max()) < 1e-4 * (1 + float(theirs.abs().max()))
