@@ -259,3 +259,21 @@ def test_the_core_is_missing(ready, monkeypatch, tmp_path):
     with pytest.raises(AddonError, match="There is no Python"):
         ask.generate(bpy.context)
     assert (session.running, session.waiting) == ([], [])
+
+
+def test_no_tick_takes_long_from_the_start_to_the_asset(ready, wait, monkeypatch):
+    """By the thread's own clock: another process's turn is not ours."""
+    seconds = []
+
+    def timed(tick=session.tick):
+        begin = time.thread_time()
+        try:
+            return tick()
+        finally:
+            seconds.append(time.thread_time() - begin)
+
+    monkeypatch.setattr(session, "tick", timed)
+    bpy.ops.fantasia3d.generate()
+    wait()
+    assert len(bpy.data.objects) == 1
+    assert max(seconds) < 0.05

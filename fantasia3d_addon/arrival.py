@@ -6,6 +6,7 @@ from pathlib import Path
 
 import bpy
 
+from .asset_folder import AssetFolder
 from .errors import AddonError
 from .import_asset import import_asset
 from .target import Target
@@ -14,10 +15,16 @@ from .texture_object import dress
 BUSY = ("TRANSFORM_OT_", "MESH_OT_", "SCULPT_OT_", "PAINT_OT_", "GPENCIL_OT_")
 
 
-def take_in(folder: Path, target: Target, scene: bpy.types.Scene, push_undo: bool = True) -> str:
+def take_in(
+    folder: Path,
+    target: Target,
+    scene: bpy.types.Scene,
+    asset: AssetFolder | None = None,
+    push_undo: bool = True,
+) -> str:
     """The asset of the run in ``folder``, where ``target`` says; the name of its object.
 
-    One undo step; an operator makes it by itself.
+    ``asset`` is what was read there already. One undo step; an operator makes it by itself.
 
     Raises:
         AddonError: the asset is broken, or the object has gone.
@@ -29,10 +36,10 @@ def take_in(folder: Path, target: Target, scene: bpy.types.Scene, push_undo: boo
                 f"There is no object “{target.object}” any more.",
                 "Import the asset from the history: it holds the mesh too.",
             )
-        dress(obj, folder, target.uv_map, target.assign)
+        dress(obj, asset or folder, target.uv_map, target.assign)
     else:
         where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
-        obj = import_asset(where, folder, target.location)
+        obj = import_asset(where, asset or folder, target.location)
     mark_taken(folder)
     if push_undo:
         _push_undo(f"Generate {obj.name}")

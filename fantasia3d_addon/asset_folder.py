@@ -17,6 +17,7 @@ import numpy as np
 from .errors import AssetError
 
 VERSION = 1
+PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
 DISTRIBUTIONS = ("GGX", "MULTI_GGX")
 REMAKE = "Resume its run, or generate it again."
@@ -82,6 +83,8 @@ def read_asset(folder: Path) -> AssetFolder:
         )
     verts, faces, corner_uv = read_obj(files["mesh"][0])
     _check_counts(folder, info, len(verts), len(faces))
+    for role in ROLES:
+        _check_png(files[role][0])
     pictures = {
         role: Picture(path, entry.get("color_space", "Non-Color"))
         for role, (path, entry) in files.items()
@@ -150,6 +153,20 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     upright = np.stack([verts[:, 0], -verts[:, 2], verts[:, 1]], 1)
     faces = corners[..., 0].astype(np.int32)
     return np.ascontiguousarray(upright), np.ascontiguousarray(faces), uv[corners[..., 1].ravel()]
+
+
+def _check_png(path: Path) -> None:
+    """By the file's first and last bytes: to decode it here would hold Blender up."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(24)
+            file.seek(-8, 2)
+            end = file.read(4)
+    except OSError:
+        head = end = b""
+    sizes = head[16:20], head[20:24]
+    if head[:8] != PNG or b"\0\0\0\0" in sizes or end != b"IEND":
+        raise AssetError(f"{path} is no picture, or half of one.", REMAKE)
 
 
 def _numbers(lines: list[bytes], key: bytes, width: int) -> np.ndarray:

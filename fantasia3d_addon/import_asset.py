@@ -17,10 +17,12 @@ NAME_BYTES = 63  # of a datablock, in UTF-8; Blender 5 takes more, but earlier o
 
 def import_asset(
     where: bpy.types.Context | bpy.types.Scene | bpy.types.LayerCollection,
-    folder: Path,
+    folder: Path | AssetFolder,
     location: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> bpy.types.Object:
     """The asset in ``folder`` as one object in the collection of ``where``, base at ``location``.
+
+    An AssetFolder is one that was read already.
 
     Upright, its front to -Y, in metres; welded, smooth, with a Principled material and its maps
     packed. The selection and the mode of the user's own work are left alone.
@@ -28,7 +30,7 @@ def import_asset(
     Raises:
         AssetError: the folder is no asset, or half of one; nothing of it is left in the file.
     """
-    asset = read_asset(Path(folder))
+    asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
     name = data_name(asset.prompt)
     made: list[bpy.types.ID] = []
     try:
@@ -47,13 +49,13 @@ def import_asset(
     return obj
 
 
-def import_material(folder: Path, uv_map: str) -> bpy.types.Material:
+def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:
     """The material of the asset in ``folder`` alone, for a mesh whose maps lie over ``uv_map``.
 
     Raises:
         AssetError: as :func:`import_asset`.
     """
-    asset = read_asset(Path(folder))
+    asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
     made: list[bpy.types.ID] = []
     try:
         return _make_material(asset, data_name(asset.prompt), uv_map, made)
@@ -110,8 +112,6 @@ def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.ty
     made.append(image)
     image.name = name
     _set_color_space(image, picture)
-    if 0 in image.size:
-        raise AssetError(f"{picture.path} is no picture.", "Generate it again.")
     image.pack()
     return image
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import bpy
 
 from . import ask, compat, thumbnails
+from .arrival import obstacle
 from .environment import SetupError
 from .follow import Follow
 from .layout import TAB, fold, message, sentence
@@ -180,8 +181,6 @@ def _draw_outcome(layout: bpy.types.UILayout, context: bpy.types.Context) -> Non
         row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
         row.operator("fantasia3d.job_import", icon="IMPORT").folder = str(entry.folder)
     if session.arriving:
-        from .arrival import obstacle
-
         sentence(layout, context, f"The asset is ready. {obstacle()}", "CHECKMARK")
 
 

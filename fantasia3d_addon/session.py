@@ -16,6 +16,7 @@ import bpy
 
 from . import history, live_preview
 from .arrival import obstacle, take_in
+from .asset_folder import AssetFolder, read_asset
 from .claim import Claim
 from .environment import SetupError
 from .errors import AddonError
@@ -38,7 +39,7 @@ class Session:
         self.running: list[Follow] = []  # one, and those that earlier Blenders left behind
         self.waiting: list[tuple[Path, Claim | None]] = []
         self.paused = False  # the queue waits for the user
-        self.arriving: list[Follow] = []  # done, and not yet in the scene
+        self.arriving: list[tuple[Follow, Work]] = []  # done, being read, not yet in the scene
         self.missed: list[Entry] = []  # done while no Blender, or another file, was open
         self.last: Follow | None = None  # the last run that ended
         self.error: tuple[str, str] | None = None  # the last one: a sentence and its fix
@@ -214,7 +215,7 @@ class Session:
         for timer in (self._timer, self._adopter):
             if bpy.app.timers.is_registered(timer):
                 bpy.app.timers.unregister(timer)
-        for follow in self.running + self.arriving:
+        for follow in [*self.running, *(follow for follow, _ in self.arriving)]:
             follow.release()
         for _, claim in self.waiting:
             if claim:
@@ -267,7 +268,8 @@ class Session:
         self.last = follow
         live_preview.remove(keep=self.names)
         if follow.end and follow.end.type == "done":
-            self.arriving.append(follow)
+            folder = follow.run.folder  # to read it takes longer than a tick may
+            self.arriving.append((follow, Work("Asset", lambda _say: read_asset(folder))))
         else:
             follow.release()
             if follow.end and follow.end.type == "error":
@@ -290,15 +292,19 @@ class Session:
     def _arrive(self) -> None:
         """Take the assets that are done into the scene, unless the user is in the middle of
         something."""
-        for follow in [] if obstacle() else list(self.arriving):
-            self.arriving.remove(follow)
+        ready = [item for item in self.arriving if not item[1].running]
+        for follow, work in [] if obstacle() else ready:
+            self.arriving.remove((follow, work))
             if not self._belongs(follow):
                 entry = history.read_entry(follow.run.folder)
                 self.missed += [entry] if entry else []
+            elif work.error:
+                self.error = work.error
             else:
                 try:
                     scene = scene_of(follow.target)
-                    self.asset = take_in(follow.run.folder, follow.target, scene)
+                    asset = work.result if isinstance(work.result, AssetFolder) else None
+                    self.asset = take_in(follow.run.folder, follow.target, scene, asset)
                 except AddonError as error:
                     self.error = (error.text, error.fix)
             follow.release()

@@ -11,6 +11,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from .asset_folder import AssetFolder
 from .errors import AddonError
 from .export_shape import export_shape
 from .import_asset import import_material
@@ -96,7 +97,9 @@ def add_uv_map(context: bpy.types.Context, obj: bpy.types.Object) -> str:
     return layer.name
 
 
-def dress(obj: bpy.types.Object, folder: Path, uv_map: str, assign: str) -> bpy.types.Material:
+def dress(
+    obj: bpy.types.Object, folder: Path | AssetFolder, uv_map: str, assign: str
+) -> bpy.types.Material:
     """Give ``obj`` the material of the asset in ``folder``.
 
     ``assign`` "slot": in a new slot, which no face has yet unless it is the first; "object": shown
