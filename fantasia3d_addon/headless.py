@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import subprocess
@@ -170,7 +169,5 @@ def _quiet() -> Iterator[None]:
         yield
     finally:
         sys.stdout.flush()
-        if os.name == "posix":  # what Blender's C code has printed may still wait in its buffer
-            ctypes.CDLL(None).fflush(None)
         os.dup2(kept, 1)
         os.close(kept)
