@@ -81,7 +81,7 @@ def _python(root: Path, folder: Path, given: str) -> list[Line]:
 def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     groups, make = ["blender"], "generate makes it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
-        groups, make = [], 'press "Set up", or: python3 run.py setup'
+        groups, make = [], 'press "Set Up", or: python3 run.py setup'
     lacking = [] if given else layout.lacking(folder, root, groups)
     if "core" in lacking:
         return [Line("environment", MISSING, f"{folder} is not made yet; {make}")]
