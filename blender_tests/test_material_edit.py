@@ -6,7 +6,7 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import linear, render, set_light  # noqa: E402
-from fantasia3d_addon import maps, material_edit, material_library  # noqa: E402
+from fantasia3d_addon import compat, maps, material_edit, material_library  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.import_asset import import_asset  # noqa: E402
 
@@ -124,13 +124,19 @@ def test_the_scales_are_in_the_maps_that_leave(asset):
     )
 
 
+def without_nodes():
+    material = bpy.data.materials.new("x")
+    compat.empty_nodes(material)
+    return material
+
+
 @pytest.mark.parametrize(
     ("act", "message"),
     [
         (lambda obj: material_edit.replace_material(obj, "unobtainium"), "Name one of wood, gold"),
         (material_edit.restore_material, "has its own material"),
         (
-            lambda obj: material_edit.adjust_material(bpy.data.materials.new("x")),
+            lambda obj: material_edit.adjust_material(without_nodes()),
             "has no Principled BSDF",
         ),
     ],
