@@ -1,7 +1,4 @@
-"""The core's pictures against Cycles: the same light, camera and material give the same picture.
-
-This file may import both sides of the border.
-"""
+"""The core's pictures against Cycles: the same light, camera and material give the same picture."""
 
 import math
 from pathlib import Path
@@ -12,21 +9,28 @@ import torch
 
 bpy = pytest.importorskip("bpy")
 
+from blender_tests.beside_cycles import (  # noqa: E402
+    KD,
+    Exact,
+    add_ball,
+    ball_points,
+    cycles_pixels,
+    empty_scene,
+    psnr,
+)
 from core.appearance.environment import Environment  # noqa: E402
 from core.appearance.latlong import directions  # noqa: E402
-from core.appearance.lights import load_light  # noqa: E402
-from core.camera import Cameras  # noqa: E402
-from core.exr import read_exr, write_exr  # noqa: E402
+from core.appearance.lights import blender_light, load_light  # noqa: E402
+from core.exr import write_exr  # noqa: E402
 from core.ops import linear_to_srgb, normalize  # noqa: E402
-from core.render.normals import vertex_normals  # noqa: E402
-from core.render.rasterizer import interpolate, rasterize  # noqa: E402
 from core.render.shade import shade  # noqa: E402
+from core.texture.images import read_png, units  # noqa: E402
 
 pytestmark = pytest.mark.blender
 
-SIZE = 64
-CAMERA = Cameras.orbit([35.0], [25.0])
-KD = (0.8, 0.35, 0.1)
+LIGHTS = ("courtyard", "city", "forest", "sunset", "interior")  # city and sunset have a sun
+ROUGHNESS = (0.1, 0.3, 0.5, 0.8)
+LEAST, LEAST_EXACT = 38, 45  # dB
 
 
 @pytest.fixture(scope="module")
@@ -49,108 +53,94 @@ def light_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def blender_scene(light: Path, roughness: float, metallic: float):
-    """A ball of radius 0.9 under ``light``, seen by CAMERA; returns its mesh."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.use_denoising = 96, False
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.max_bounces = 1
-    scene.cycles.sample_clamp_indirect = scene.cycles.sample_clamp_direct = 0
-    scene.cycles.blur_glossy = 0
-    # Pixels as points, as the core shades them.
-    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BLACKMAN_HARRIS", 0.01
-    scene.render.threads_mode, scene.render.threads = "FIXED", 1
-    scene.render.resolution_x = scene.render.resolution_y = SIZE
-    scene.render.film_transparent = True
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=192, ring_count=96, radius=0.9)
-    bpy.ops.object.shade_smooth()
-    ball = bpy.context.object
-    material = bpy.data.materials.new("ball")
-    material.use_nodes = True
-    principled = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
-    principled.distribution = "GGX"
-    principled.inputs["Base Color"].default_value = (*KD, 1)
-    principled.inputs["Roughness"].default_value = roughness
-    principled.inputs["Metallic"].default_value = metallic
-    ball.data.materials.append(material)
-
-    scene.world = bpy.data.worlds.new("world")
-    scene.world.use_nodes = True
-    tree = scene.world.node_tree
-    texture = tree.nodes.new("ShaderNodeTexEnvironment")
-    texture.image = bpy.data.images.load(str(light))
-    background = next(n for n in tree.nodes if n.type == "BACKGROUND")
-    tree.links.new(texture.outputs["Color"], background.inputs["Color"])
-
-    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    scene.collection.objects.link(camera)
-    camera.data.sensor_fit, camera.data.angle = "VERTICAL", float(CAMERA.fovy)
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = CAMERA.rotation[0].T.numpy(), CAMERA.eye[0].numpy()
-    camera.matrix_world = matrix.T.tolist()  # as columns, which is how bpy takes a flat matrix
-    scene.camera = camera
-    return ball.data
-
-
-def cycles_picture(path: Path) -> tuple[torch.Tensor, torch.Tensor]:
-    """Colour and coverage of the current scene."""
-    bpy.context.scene.render.filepath = str(path)
-    bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(str(path))
-    image.colorspace_settings.name = "Non-Color"
-    pixels = torch.tensor(np.array(image.pixels[:], dtype=np.float32)).view(SIZE, SIZE, 4).flip(0)
-    assert torch.equal(read_exr(path), pixels[..., :3]), "the core reads what Blender wrote"
-    return pixels[..., :3], pixels[..., 3]
-
-
-def core_picture(mesh, environment: Environment, roughness: float, metallic: float):
-    """Colour and coverage of the same ball in the core."""
-    mesh.calc_loop_triangles()
-    faces = np.empty(len(mesh.loop_triangles) * 3, np.int32)
-    mesh.loop_triangles.foreach_get("vertices", faces)
-    verts = np.empty(len(mesh.vertices) * 3, np.float32)
-    mesh.vertices.foreach_get("co", verts)
-    verts = torch.from_numpy(verts).view(-1, 3)
-    faces = torch.from_numpy(faces.astype(np.int64)).view(-1, 3)
-    fragments = rasterize(verts, faces, CAMERA.mvp, SIZE, SIZE)
-    normal = normalize(interpolate(vertex_normals(verts, faces), fragments))
-    view = normalize(CAMERA.eye - interpolate(verts, fragments))
+def ball(roughness: float, metallic: float, size: int) -> tuple:
+    """Where the ball is, and what :func:`shade` takes of its points."""
+    seen, normal, view = ball_points(size)
     like = torch.ones_like(normal[:, :1])
-    color = shade(
-        normal, view, torch.tensor(KD) * like, roughness * like, metallic * like, environment
-    )
-    image = torch.zeros(SIZE * SIZE, 3).index_copy(0, fragments.pixel, color)
-    return image.view(SIZE, SIZE, 3), (fragments.face_id[0] >= 0).float()
+    return seen, (normal, view, torch.tensor(KD) * like, roughness * like, metallic * like)
 
 
-def psnr(a: torch.Tensor, b: torch.Tensor) -> float:
-    """Peak signal-to-noise ratio in sRGB, dB."""
-    a, b = (linear_to_srgb(x.clamp(0, 1)) for x in (a, b))
-    return float(-10 * torch.log10((a - b).square().mean()))
+def both(picture: torch.Tensor, cover: torch.Tensor, seen: torch.Tensor, ours: torch.Tensor):
+    """Cycles' and the core's colours where both see the ball."""
+    assert float((cover != seen).float().mean()) < 0.005
+    return picture[cover & seen], ours[cover[seen]]
 
 
-# What the core reaches under this light, less 2 dB.
-@pytest.mark.parametrize(
-    ("roughness", "metallic", "least"),
-    [(0.05, 1.0, 34), (0.3, 0.0, 40), (0.5, 1.0, 41), (0.8, 0.0, 41)],
-)
+@pytest.mark.parametrize(("roughness", "metallic"), [(0.1, 1), (0.3, 0), (0.5, 1), (0.8, 0)])
 def test_ball_looks_as_in_cycles(
-    light_file: Path, tmp_path: Path, roughness: float, metallic: float, least: float
+    light_file: Path, tmp_path: Path, roughness: float, metallic: float
 ) -> None:
-    mesh = blender_scene(light_file, roughness, metallic)
-    theirs, their_cover = cycles_picture(tmp_path / "cycles.exr")
+    """And not as under the same light turned round."""
+    empty_scene(light_file, 64, 96)
+    add_ball(roughness, metallic)
+    theirs = cycles_pixels(tmp_path / "cycles.exr")
     environment = Environment.of(load_light(light_file))
-    ours, our_cover = core_picture(mesh, environment, roughness, metallic)
-    # Cycles traces the ray, the core rounds the outline's pixels on its own.
-    assert float((our_cover - their_cover).abs().sum()) < 0.005 * SIZE * SIZE
-    both = (our_cover > 0.5) & (their_cover > 0.5)
-    result = psnr(ours[both], theirs[both])
-    turned = core_picture(mesh, environment.rotated(math.pi), roughness, metallic)[0]
-    assert psnr(turned[both], theirs[both]) < result - 10
-    print(f"roughness {roughness} metallic {metallic}: {result:.1f} dB")
-    assert result > least
+    seen, points = ball(roughness, metallic, 64)
+    result = psnr(*both(*theirs, seen, shade(*points, environment)))
+    turned = psnr(*both(*theirs, seen, shade(*points, environment.rotated(math.pi))))
+    print(f"roughness {roughness} metallic {metallic}: {result:.1f} dB, turned {turned:.1f}")
+    assert result > LEAST
+    assert turned < result - 10
+
+
+def test_standard_view_is_the_srgb_curve(light_file: Path, tmp_path: Path) -> None:
+    """What the comparisons assume of the colours that a user sees."""
+    empty_scene(light_file, 32, 4)
+    add_ball(0.5, 0.0)
+    pixels, cover = cycles_pixels(tmp_path / "cycles.exr")
+    settings = bpy.context.scene.render.image_settings
+    settings.file_format, settings.color_mode, settings.color_depth = "PNG", "RGB", "16"
+    bpy.data.images["Render Result"].save_render(str(tmp_path / "seen.png"))
+    seen = units(read_png(tmp_path / "seen.png"))
+    assert torch.allclose(seen[cover], linear_to_srgb(pixels[cover].clamp(0, 1)), atol=1e-3)
+
+
+def test_no_fireflies_under_a_sun(tmp_path: Path) -> None:
+    """Nowhere brighter than what Cycles shows about that pixel; the sun's mirror image is there."""
+    empty_scene(blender_light("city"), 64, 96)
+    add_ball(0.1, 1.0)
+    theirs, cover = cycles_pixels(tmp_path / "cycles.exr")
+    seen, points = ball(0.1, 1.0, 64)
+    environment = Environment.of(load_light("blender:city"))
+    ours = torch.zeros(64, 64, 3)
+    ours[seen] = shade(*points, environment)
+    result = psnr(ours[seen & cover], theirs[seen & cover])
+    near = torch.nn.functional.max_pool2d(theirs.permute(2, 0, 1)[None], 3, 1, 1)[0]
+    print(f"under the sun {result:.1f} dB, brightest {float(ours.max()):.0f}")
+    assert bool((ours.permute(2, 0, 1) <= 1.5 * near + 0.1)[:, seen & cover].all())
+    assert float(ours.max()) > 20
+    assert result > LEAST
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LIGHTS)
+def test_every_material_looks_as_in_cycles(name: str, tmp_path: Path) -> None:
+    """The core's shading, and the exact integral, whose rest to Cycles is mostly Cycles' noise."""
+    image = load_light(f"blender:{name}")
+    environment, exact, found = Environment.of(image), Exact(image), {}
+    for roughness in ROUGHNESS:
+        for metallic in (0.0, 1.0):
+            empty_scene(blender_light(name), 96, 384)
+            add_ball(roughness, metallic)
+            theirs = cycles_pixels(tmp_path / "cycles.exr")
+            seen, points = ball(roughness, metallic, 96)
+            found[roughness, metallic] = [
+                psnr(*both(*theirs, seen, ours))
+                for ours in (shade(*points, environment), exact.shade(*points))
+            ]
+    for key, value in found.items():
+        print(name, *key, *(f"{dB:.1f}" for dB in value))
+    core, truth = np.array(list(found.values())).T
+    assert core.min() > LEAST
+    assert truth.min() > LEAST_EXACT
+
+
+def test_exact_integral_is_cycles(tmp_path: Path) -> None:
+    """The tests' reference, in one cell."""
+    empty_scene(blender_light("courtyard"), 48, 256)
+    add_ball(0.5, 1.0)
+    theirs = cycles_pixels(tmp_path / "cycles.exr")
+    seen, points = ball(0.5, 1.0, 48)
+    result = psnr(*both(*theirs, seen, Exact(load_light("blender:courtyard")).shade(*points)))
+    print(f"exact {result:.1f} dB")
+    assert result > LEAST_EXACT

@@ -1,6 +1,11 @@
-"""Simplification, unwrap and bake of a marching-tets sphere."""
+"""Simplification, unwrap and bake of what generation makes, and of a large mesh."""
+
+import tempfile
+import time
+from pathlib import Path
 
 import torch
+from torch import Tensor
 
 from core.appearance.material import MaterialNet
 from core.benchmarks import least_ms, row
@@ -8,33 +13,76 @@ from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
 from core.texture.bake import bake
+from core.texture.images import srgb_bytes, write_png
 from core.texture.simplify import simplify
-from core.texture.unwrap import unwrap
+from core.texture.stretch import uv_health
+from core.texture.unwrap import Unwrapped, unwrap
+
+BUDGET = 20_000
 
 
 def rows() -> list[dict]:
-    """The unwrap runs in a process of its own, so its row is in wall seconds."""
-    import time
-
-    grid = tet_grid(64)
-    verts, faces = marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - 0.8, grid)
-    lines = [
-        row(
-            f"simplify {len(faces):,} faces to 20,000",
-            least_ms(lambda: simplify(verts, faces, 20_000), 1) / 1e3,
-            "s",
+    """The unwrap runs in a process of its own, so its rows are in wall seconds."""
+    lines = []
+    shapes = {name: shape(name) for name in ("chair", "blob")}
+    for name, (verts, faces) in shapes.items():
+        text = f"simplify a {name} of {len(faces):,} faces to {BUDGET:,}"
+        lines.append(
+            row(text, least_ms(lambda m=(verts, faces): simplify(*m, BUDGET), 1) / 1e3, "s")
         )
-    ]
-    verts, faces = simplify(verts, faces, 20_000)
-    start = time.perf_counter()
-    atlas = unwrap(verts, faces, 1024)
-    lines.append(row(f"unwrap {len(faces):,} faces (wall)", time.perf_counter() - start, "s", 10.0))
-    p, q, r = atlas.uv[atlas.face_uvs].unbind(1)
-    e, f = q - p, r - p
-    filled = float((e[:, 0] * f[:, 1] - e[:, 1] * f[:, 0]).abs().sum() / 2)
-    lines.append(row("share of the atlas filled (0.5 or more is wanted)", filled, ""))
+        verts, faces = simplify(verts, faces, BUDGET)
+        atlas, unwrapped = unwrap_rows(name, verts, faces, 10.0)
+        lines += unwrapped
+    large = simplify(*shapes["blob"], 100_000)
+    lines += unwrap_rows("blob", *large, 60.0)[1]
     net = MaterialNet(DRAFT.appearance, torch.Generator().manual_seed(0))
     for size, target in ((1024, None), (2048, 15.0)):
         seconds = least_ms(lambda s=size: bake(verts, faces, *atlas, net, s), 1) / 1e3
         lines.append(row(f"bake {size}² with padding", seconds, "s", target))
+    maps = bake(verts, faces, *atlas, net, 1024)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "map.png"
+        seconds = least_ms(lambda: write_png(path, srgb_bytes(maps.base_color)), 1) / 1e3
+    lines.append(row("write a map of 1024² as PNG", seconds, "s"))
     return lines
+
+
+def shape(name: str) -> tuple[Tensor, Tensor]:
+    """Marching tets of a chair with thin legs, or of a bumpy ball; 100,000 faces and more."""
+    grid = tet_grid(96)
+    points = grid.tet_verts
+    sdf = chair(points) if name == "chair" else blob(points)
+    return marching_tets(points, torch.where(grid.boundary, torch.ones_like(sdf), sdf), grid)
+
+
+def chair(points: Tensor) -> Tensor:
+    """Boxes: a seat, a back, four legs, their stretchers; a little wavy, as what is learnt."""
+    parts = [((0, 0, 0), (0.5, 0.5, 0.06)), ((0, 0.42, 0.75), (0.5, 0.05, 0.1))]
+    for x in (-0.42, 0.42):
+        parts += [((x, y, -0.4), (0.07, 0.07, 0.42)) for y in (-0.42, 0.42)]
+        parts += [((x, 0.42, 0.4), (0.07, 0.07, 0.42)), ((x, 0, -0.6), (0.06, 0.42, 0.06))]
+    boxes = [((points - torch.tensor(c)).abs() - torch.tensor(h)).amax(1) for c, h in parts]
+    return torch.stack(boxes).amin(0) + 0.004 * torch.sin(21 * points).prod(1)
+
+
+def blob(points: Tensor) -> Tensor:
+    """A ball with large and small bumps."""
+    radius = points.norm(dim=1)
+    d = points / radius.clamp(min=1e-6)[:, None]
+    bumps = 0.08 * torch.sin(7 * d).prod(1) + 0.02 * torch.sin(25 * d[:, :2]).prod(1)
+    return radius - 0.75 * (1 + bumps)
+
+
+def unwrap_rows(
+    name: str, verts: Tensor, faces: Tensor, target: float
+) -> tuple[Unwrapped, list[dict]]:
+    """The atlas; and its time, what it fills and how it stretches."""
+    start = time.perf_counter()
+    atlas = unwrap(verts, faces, 1024)
+    seconds = time.perf_counter() - start
+    told, mesh = uv_health(verts, faces, *atlas), f"{name} of {len(faces):,} faces"
+    return atlas, [
+        row(f"unwrap a {mesh} (wall)", seconds, "s", target),
+        row(f"share of the atlas that the {mesh} fills", told["uv_fill"], "", 0.5, at_least=True),
+        row(f"stretch of the {mesh} (1 is none)", told["uv_stretch"], ""),
+    ]

@@ -95,7 +95,7 @@ def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
     front = normalize(torch.linalg.cross(b - a, c - a), 1e-30)
     side = torch.ones_like(to_eye[:, :1])
     if not mesh.closed:
-        side[dot(front, to_eye) < 0] = -1
+        side = torch.where(dot(front, to_eye) < 0, -side, side)
     return Surface(points, uv, normal, tangent, to_eye, side, front)
 
 
