@@ -94,10 +94,8 @@ def _look(text: str) -> Look:
 
 
 def finishes_of(noun: str, material: str) -> list[Finish]:
-    """The finish of every part of ``noun``, where the word ``material`` ("" for none) is said."""
-    said = FINISHES[material]
-    parts = looks(noun).values()
-    return [said if material and look.role != "-" else look.finish for look in parts]
+    """How the noun's parts shine: by nature, or as the word ``material`` says ("" for none)."""
+    return [FINISHES[material]] if material else [look.finish for look in looks(noun).values()]
 
 
 class Coat(NamedTuple):

@@ -75,9 +75,14 @@ def test_a_metal_is_a_metal_and_a_wood_has_grain():
 
 
 def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
-    finishes = dict(zip(looks("car"), finishes_of("car", "golden"), strict=True))
-    assert finishes["body"].metallic == finishes["lamps"].metallic == 1
-    assert finishes["wheels"] == FINISHES["rubber"]
+    golden = coat("car", Said("", "golden"), _draw())
+    metallic = dict(zip(looks("car"), golden.metallic[:, 0].tolist(), strict=True))
+    assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1}
+
+
+def test_a_material_word_bounds_the_whole_thing_and_nature_each_part():
+    assert finishes_of("car", "golden") == [FINISHES["golden"]]
+    assert FINISHES["rubber"] in finishes_of("car", "")
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
