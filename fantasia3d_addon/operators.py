@@ -96,6 +96,8 @@ class FANTASIA3D_OT_dismiss(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.error, session.last, session.asset = None, None, ""
+        for entry in session.missed:
+            mark_taken(entry.folder)  # it is not told again at the next start
         session.missed.clear()
         return {"FINISHED"}
 

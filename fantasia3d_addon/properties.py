@@ -48,7 +48,7 @@ UV_MODES = (
 )
 ASSIGN = (
     ("slot", "New Slot", "The slots that are there stay as they are; assign the new one yourself"),
-    ("object", "Whole Object", "Every slot shows it; the mesh keeps its own materials underneath"),
+    ("object", "All Slots", "Every slot shows it; the mesh keeps its own materials underneath"),
 )
 FILE = "FILE"
 _light_items: list[tuple[str, str, str, int, int]] = []  # Blender keeps no reference to its texts
@@ -133,7 +133,7 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         description="The material begins with the base colour that the mesh has now",
     )
     color_strength: FloatProperty(
-        name="Keep",
+        name="Strength",
         description="0: the colour is a start only; 1: it is kept",
         default=0.5,
         min=0.0,
