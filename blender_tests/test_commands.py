@@ -12,7 +12,12 @@ from blender_tests.processes import ROOT  # noqa: E402
 from fantasia3d_addon import commands, compat, headless, scene  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 
-pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+pytestmark = [
+    pytest.mark.blender,
+    pytest.mark.usefixtures("empty"),
+    # Blender 5.2's own FBX exporter under NumPy 2.5
+    pytest.mark.filterwarnings("ignore:Setting the shape:DeprecationWarning"),
+]
 
 
 @pytest.fixture

@@ -25,7 +25,12 @@ from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
 from fantasia3d_addon.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.mesh_data import corner_uv, triangles  # noqa: E402
 
-pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+pytestmark = [
+    pytest.mark.blender,
+    pytest.mark.usefixtures("empty"),
+    # Blender 5.2's own FBX exporter under NumPy 2.5
+    pytest.mark.filterwarnings("ignore:Setting the shape:DeprecationWarning"),
+]
 FORMATS = ("glb", "usdc", "usdz", "fbx", "obj")
 
 
