@@ -12,7 +12,7 @@ from core.geometry.tet_grid import tet_grid
 def rows() -> list[dict]:
     """The draft's lattice and the paper's 128-class one."""
     lines = []
-    for n, target in ((40, None), (64, 20.0), (128, None)):  # 65³ nodes: the "128" of other lattices
+    for n, target in ((40, None), (64, 20.0), (128, None)):  # 65³ nodes: elsewhere's "128"
         grid = tet_grid(n)
         sdf = (grid.tet_verts.norm(dim=1) - 0.6).requires_grad_()
         positions = grid.tet_verts.clone().requires_grad_()
