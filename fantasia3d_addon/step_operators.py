@@ -40,9 +40,7 @@ class FANTASIA3D_OT_simulate(bpy.types.Operator):
         )  # fmt: skip
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(
-            self, lambda: physics.simulate(context.active_object, self.kind, self.chosen())
-        )
+        return told(self, lambda: physics.simulate(context.active_object, self.kind, self.chosen()))
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         self._steps: Iterator[float] = physics.steps(
