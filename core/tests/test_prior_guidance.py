@@ -31,9 +31,8 @@ def guidance() -> BuiltinGuidance:
     return load_builtin("cpu")
 
 
-def _picture(noun: str, cameras: Cameras, said: str = "", adjective: str = "") -> torch.Tensor:
-    draw = Draw(torch.Generator().manual_seed(0), said)
-    seen = render(build(noun, adjective, draw), cameras, 64)
+def _picture(noun: str, cameras: Cameras) -> torch.Tensor:
+    seen = render(build(noun, "", Draw(torch.Generator().manual_seed(0))), cameras, 64)
     return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
 
 
@@ -58,7 +57,7 @@ def test_the_weights_fit_their_slots_and_the_budget(guidance):
     assert guidance.geometry.config.hint == 0
     assert guidance.appearance.config.hint == 4
     total = sum(path.stat().st_size for path in WEIGHTS.glob("*.safetensors"))
-    assert total < 60 * 2**20
+    assert total < 40 * 2**20
     assert isinstance(make_guidance("builtin", "cpu"), BuiltinGuidance)
 
 
@@ -68,29 +67,6 @@ def test_a_picture_is_denoised_best_under_its_own_word(guidance, noun, other):
     x = _picture(noun, cameras)
     right = _error(guidance, x, f"a {noun}", cameras)
     assert right < 0.8 * _error(guidance, x, f"a {other}", cameras)
-
-
-@pytest.mark.parametrize(
-    ("noun", "said", "right", "wrong"),
-    [
-        ("mug", "no handle", "a mug without a handle", "a mug with a handle"),
-        ("bench", "no backrest", "a bench without a backrest", "a bench with a backrest"),
-        ("stool", "one leg", "a stool with one leg", "a stool with four legs"),
-    ],
-)
-def test_a_picture_is_denoised_best_with_its_parts_told(guidance, noun, said, right, wrong):
-    cameras = Cameras.orbit([20.0, 70.0, 140.0], [15.0, 30.0, 5.0])
-    x = _picture(noun, cameras, said)
-    assert _error(guidance, x, right, cameras) < 0.9 * _error(guidance, x, wrong, cameras)
-
-
-@pytest.mark.parametrize("adjective", ["tall", "flat", "thin"])
-def test_a_picture_is_denoised_best_under_its_adjective(guidance, adjective):
-    cameras = Cameras.orbit([20.0, 70.0, 140.0], [15.0, 30.0, 5.0])
-    x = _picture("house", cameras, adjective=adjective)
-    right = _error(guidance, x, f"a {adjective} house", cameras)
-    others = {"tall", "flat", "thin"} - {adjective}
-    assert all(right < _error(guidance, x, f"a {word} house", cameras) for word in others)
 
 
 @pytest.mark.parametrize("noun", ["chair", "mug"])
