@@ -12,13 +12,21 @@ from core.hash_grid import HashGrid
 from core.ops import normalize
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
-from core.render.rasterizer import rasterize
+from core.render.rasterizer import rasterize, to_clip
 from core.render.visibility import visibility
 from core.tests.meshes import sphere, torus
 
 CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
-INSIDE = Cameras.orbit([10.0, 130.0], [20.0, -50.0], distance=0.75)
+INSIDE = Cameras.orbit([10.0, 130.0], [20.0, -50.0], distance=0.3)
 SHAPES = {"ball": sphere(5, bump=0.12, noise=0.0015), "ring": torus(96, 48)}
+
+
+def soup(count: int) -> tuple[Tensor, Tensor]:
+    """Large faces anywhere, to be looked at from among them."""
+    generator = torch.Generator().manual_seed(1)
+    middle = torch.rand(count, 1, 3, generator=generator) * 2 - 1
+    verts = middle + 0.5 * torch.randn(count, 3, 3, generator=generator)
+    return verts.view(-1, 3), torch.arange(3 * count).view(-1, 3)
 
 
 @pytest.fixture
@@ -35,16 +43,22 @@ def both(monkeypatch: pytest.MonkeyPatch) -> Callable:
 
 
 @pytest.mark.parametrize("cull", [True, False])
-@pytest.mark.parametrize("cameras", [CAMERAS, INSIDE], ids=["whole", "clipped"])
-@pytest.mark.parametrize("name", SHAPES)
-def test_the_same_faces_are_seen(both: Callable, name: str, cameras: Cameras, cull: bool) -> None:
-    verts, faces = SHAPES[name]
+@pytest.mark.parametrize("name", [*SHAPES, "soup"])
+def test_the_same_faces_are_seen(both: Callable, name: str, cull: bool) -> None:
+    verts, faces = SHAPES[name] if name in SHAPES else soup(60)
+    cameras = CAMERAS if name in SHAPES else INSIDE
 
     def fragments() -> list[Tensor]:
         found = rasterize(verts, faces, cameras.mvp, 61, 83, cull)
         return [found.face_id, found.pixel, found.view, found.corners, found.bary, found.depth]
 
     compiled, plain = both(fragments)
+    if name == "soup":
+        clip = to_clip(verts, cameras.mvp)
+        behind = (clip[..., 2] < -clip[..., 3])[:, faces].sum(-1)
+        seen = compiled[0].unique()
+        cut = ((behind > 0) & (behind < 3)).any(0).nonzero()
+        assert set(seen.tolist()) & set(cut.flatten().tolist())  # the near plane cuts what is seen
     for ours, theirs in zip(compiled[:4], plain[:4], strict=True):
         assert torch.equal(ours, theirs)
     for ours, theirs in zip(compiled[4:], plain[4:], strict=True):
@@ -92,12 +106,14 @@ def test_edges_with_many_faces_agree(both: Callable) -> None:
     faces = torch.tensor([[0, 1, 2], [0, 1, 3], [1, 0, 4]])
     table = edge_table(faces)
 
-    def drawn() -> Tensor:
-        return torch.cat(render_normals(verts, faces, CAMERAS, 24, edges=table, cull=False), -1)
+    for cull in (False, True):
 
-    compiled, plain = both(drawn)
-    assert torch.allclose(compiled, plain, atol=1e-5)
-    assert float(compiled.abs().sum()) > 10
+        def drawn(cull: bool = cull) -> Tensor:
+            return torch.cat(render_normals(verts, faces, CAMERAS, 24, edges=table, cull=cull), -1)
+
+        compiled, plain = both(drawn)
+        assert torch.allclose(compiled, plain, atol=1e-5)
+        assert float(compiled.abs().sum()) > 10
 
 
 def test_double_precision_goes_the_plain_way() -> None:
