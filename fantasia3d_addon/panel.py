@@ -141,7 +141,7 @@ def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
 def _draw_run(layout: bpy.types.UILayout, context: bpy.types.Context, follow: Follow) -> None:
     """The picture, the bar, the time, and Cancel."""
     box, progress = layout.box().column(), follow.progress
-    picture = thumbnails.icon(follow.picture)
+    picture = thumbnails.icon(follow.picture, at_once=True)
     if picture:
         box.template_icon(picture, scale=PICTURE)
     sentence(box, context, follow.prompt, "OUTLINER_OB_MESH")
