@@ -14,6 +14,7 @@ from blender_tests.pictures import read, render, set_light  # noqa: E402
 from fantasia3d_addon import (  # noqa: E402
     asset_browser,
     compat,
+    errand,
     exports,
     health,
     maps,
@@ -23,7 +24,7 @@ from fantasia3d_addon import (  # noqa: E402
 )
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
 from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.mesh_data import corner_uv, triangles  # noqa: E402
+from fantasia3d_addon.mesh_data import corner_uv, triangles, verts_of  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -186,6 +187,42 @@ def test_an_open_mesh_is_not_remeshed(tmp_path):
     with pytest.raises(AddonError, match=r"is not closed and manifold.*Press Repair All"):
         remesh.quad_remesh(obj)
     assert list(bpy.data.objects) == [obj]
+
+
+def test_a_blender_without_a_window_makes_the_same_quads(obj):
+    here = remesh.quad_remesh(obj, faces=300, size=32)
+    obj.hide_render = False
+    work = errand.send(obj, "quads", faces=300, size=32)
+    work.join(120)
+    assert work.error is None
+    (there,) = errand.objects(work.result)
+    assert not work.result.exists()
+    assert np.allclose(verts_of(there.data), verts_of(here.data), atol=1e-5)
+    assert len(there.data.polygons) == len(here.data.polygons)
+    (slot,) = there.material_slots
+    images = [n.image for n in slot.material.node_tree.nodes if n.type == "TEX_IMAGE"]
+    assert [(tuple(i.size), bool(i.packed_file)) for i in images] == 3 * [((32, 32), True)]
+    assert not bpy.data.libraries
+
+
+def test_what_a_blender_without_a_window_refuses_is_a_sentence(tmp_path):
+    from blender_tests.asset_fixture import block
+
+    verts, faces, uv, face_uvs = block()
+    folder = write_asset(tmp_path / "open", (verts, faces[3:], uv, face_uvs[3:]))
+    work = errand.send(import_asset(bpy.context, folder), "quads", faces=300)
+    work.join(120)
+    assert "is not closed and manifold" in work.error[0]
+    assert work.error[1] == "Press Repair All under Mesh Health first."
+
+
+def test_given_up_it_ends_and_leaves_nothing(obj, monkeypatch, tmp_path):
+    monkeypatch.setattr(errand.tempfile, "tempdir", str(tmp_path))
+    work = errand.send(obj, "quads", faces=300)
+    work.cancel()
+    work.join(20)
+    assert work.error == ("It was stopped.", "")
+    assert list(tmp_path.glob("fantasia3d-*")) == []
 
 
 def test_an_asset_browser_entry_has_a_thumbnail_and_tags(obj, tmp_path, monkeypatch):

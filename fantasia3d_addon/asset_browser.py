@@ -41,7 +41,7 @@ def mark_asset(
         if tag.strip():
             data.tags.new(tag.strip(), skip_if_exists=True)
     if thumbnail:
-        _set_preview(obj, _thumbnail(obj))
+        set_preview(obj, render_thumbnail(obj))
 
 
 def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
@@ -70,7 +70,7 @@ def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     return path
 
 
-def _thumbnail(obj: bpy.types.Object) -> np.ndarray:
+def render_thumbnail(obj: bpy.types.Object) -> np.ndarray:
     """(H,W,4) sRGB with a transparent ground, row 0 at the bottom."""
     scene = bpy.data.scenes.new(TABLE)
     hidden, obj.hide_render = obj.hide_render, False
@@ -102,7 +102,8 @@ def _thumbnail(obj: bpy.types.Object) -> np.ndarray:
                 bpy.data.images.remove(unused)
 
 
-def _set_preview(obj: bpy.types.Object, pixels: np.ndarray) -> None:
+def set_preview(obj: bpy.types.Object, pixels: np.ndarray) -> None:
+    """Give ``obj`` the thumbnail ``pixels``, as :func:`render_thumbnail` makes them."""
     preview = obj.preview_ensure()
     preview.image_size = (SIZE, SIZE)
     preview.image_pixels_float.foreach_set(np.ascontiguousarray(pixels).ravel())

@@ -15,6 +15,7 @@ from .errors import AddonError
 from .material_edit import edit_nodes, factor, image_of, principled
 from .mesh_data import acting
 from .png import to_bytes, write_png
+from .work import Say, silent
 
 SOCKETS = {"base_color": "Base Color", "roughness": "Roughness", "metallic": "Metallic"}
 EXTRUSION = 0.002  # of the object's size, for a bake of an object onto itself
@@ -61,13 +62,22 @@ def maps_of(obj: bpy.types.Object, size: int = 0) -> Maps:
 
 
 def bake_maps(
-    source: bpy.types.Object, target: bpy.types.Object, size: int, extrusion: float
+    source: bpy.types.Object,
+    target: bpy.types.Object,
+    size: int,
+    extrusion: float,
+    say: Say = silent,
 ) -> Maps:
     """How ``source`` looks, over the UVs of ``target``, which may be the same object.
 
-    ``extrusion``: how far the two surfaces may lie apart, as a share of the object's size.
+    ``extrusion``: how far the two surfaces may lie apart, as a share of the object's size. ``say``
+    hears of each map before it is baked.
     """
-    return Maps(**bake_channels(source, target, size, extrusion, [*SOCKETS, "normal"]))
+    found, channels = {}, [*SOCKETS, "normal"]
+    for number, channel in enumerate(channels):
+        say(channel, number / len(channels))
+        found |= bake_channels(source, target, size, extrusion, [channel])
+    return Maps(**found)
 
 
 def bake_channels(

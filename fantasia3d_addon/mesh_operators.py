@@ -7,7 +7,7 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from . import asset_browser, exports, health, placement, remesh
+from . import exports, health, placement, remesh
 from .tool_operators import UNDO, allowed, told
 from .tool_properties import FORMATS
 
@@ -119,36 +119,6 @@ class FANTASIA3D_OT_check_mesh(bpy.types.Operator):
         return told(self, lambda: health.remember(context.active_object))
 
 
-class FANTASIA3D_OT_mark_asset(bpy.types.Operator):
-    """Make the active asset an entry of the Asset Browser, with a thumbnail and tags"""
-
-    bl_idname = "fantasia3d.mark_asset"
-    bl_label = "To Asset Browser"
-    bl_options = UNDO
-
-    tags: StringProperty(name="Tags", description="With commas between", default="generated")
-    library: StringProperty(
-        name="Library", description="A library's folder to save it into; empty for this file alone",
-        subtype="DIR_PATH",
-    )  # fmt: skip
-    thumbnail: BoolProperty(name="Render Thumbnail", default=True)
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        obj = context.active_object
-
-        def mark() -> None:
-            asset_browser.mark_asset(obj, self.tags.split(","), thumbnail=self.thumbnail)
-            if self.library:
-                asset_browser.save_to_library(obj, Path(bpy.path.abspath(self.library)))
-
-        return told(self, mark)
-
-
 class FANTASIA3D_OT_export(bpy.types.Operator):
     """Write the active asset as one file for elsewhere, with textures that open there"""
 
@@ -185,6 +155,5 @@ CLASSES = (
     FANTASIA3D_OT_make_lods,
     FANTASIA3D_OT_repair_mesh,
     FANTASIA3D_OT_check_mesh,
-    FANTASIA3D_OT_mark_asset,
     FANTASIA3D_OT_export,
 )

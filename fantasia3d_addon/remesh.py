@@ -14,7 +14,9 @@ from .import_asset import data_name
 from .material_edit import principled
 from .material_nodes import build_material
 from .mesh_data import acting, apply_modifiers, mesh_object, verts_of
+from .work import Say, silent
 
+QUADS_SHARE = 0.3  # of the time; the maps take the rest
 REACH = 0.02  # of the object's size: how far the quads may lie off the surface
 
 
@@ -54,14 +56,36 @@ def make_lods(obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5) -> lis
     return made
 
 
-def quad_remesh(obj: bpy.types.Object, faces: int = 4000, size: int = 0) -> bpy.types.Object:
+def quad_remesh(
+    obj: bpy.types.Object, faces: int = 4000, size: int = 0, say: Say = silent
+) -> bpy.types.Object:
     """A new object like ``obj`` of about ``faces`` quads, with UVs and maps of its own.
 
-    ``size``: texels along a side; 0 is that of the present maps. ``obj`` stays, hidden.
+    ``size``: texels along a side; 0 is that of the present maps. ``obj`` stays, hidden. ``say``
+    hears how far it is: the quads and each map take seconds.
 
     Raises:
         AddonError: the mesh is not closed and manifold, or the remesher found no quads.
     """
+    _check(obj)
+    quads = bpy.data.objects.new(data_name(obj.name, " quads"), obj.data.copy())
+    quads.data.name = quads.name
+    put_beside(quads, obj)
+    try:
+        say("Quads", 0.0)
+        _to_quads(quads, faces)
+        health.unwrap(quads)
+        _bake_material(obj, quads, size, say)
+    except BaseException:
+        mesh = quads.data
+        bpy.data.objects.remove(quads)
+        bpy.data.meshes.remove(mesh)
+        raise
+    hide(obj)
+    return quads
+
+
+def _check(obj: bpy.types.Object) -> None:
     mesh_object(obj)
     report = health.examine(obj)
     if not (report.closed and report.manifold):
@@ -70,24 +94,20 @@ def quad_remesh(obj: bpy.types.Object, faces: int = 4000, size: int = 0) -> bpy.
             f"and {report.nonmanifold} non-manifold places.",
             "Press Repair All under Mesh Health first.",
         )
-    quads = bpy.data.objects.new(data_name(obj.name, " quads"), obj.data.copy())
-    quads.data.name = quads.name
-    quads.matrix_world = obj.matrix_world
+
+
+def put_beside(quads: bpy.types.Object, obj: bpy.types.Object) -> None:
+    """Have ``quads`` stand where ``obj`` stands."""
     for collection in obj.users_collection:
         collection.objects.link(quads)
+    quads.matrix_world = obj.matrix_world
     bpy.context.view_layer.update()
-    try:
-        _to_quads(quads, faces)
-        health.unwrap(quads)
-        _bake_material(obj, quads, size)
-    except BaseException:
-        mesh = quads.data
-        bpy.data.objects.remove(quads)
-        bpy.data.meshes.remove(mesh)
-        raise
+
+
+def hide(obj: bpy.types.Object) -> None:
+    """Out of the viewport and of renders."""
     obj.hide_set(True)
     obj.hide_render = True
-    return quads
 
 
 def _to_quads(quads: bpy.types.Object, faces: int) -> None:
@@ -102,7 +122,7 @@ def _to_quads(quads: bpy.types.Object, faces: int) -> None:
         mesh.uv_layers.remove(mesh.uv_layers[0])
 
 
-def _bake_material(source: bpy.types.Object, target: bpy.types.Object, size: int) -> None:
+def _bake_material(source: bpy.types.Object, target: bpy.types.Object, size: int, say: Say) -> None:
     """The look of ``source`` as a material of ``target``, packed."""
     own = [principled(slot.material) for slot in source.material_slots]
     if not own or None in own:
@@ -111,7 +131,9 @@ def _bake_material(source: bpy.types.Object, target: bpy.types.Object, size: int
         )
     if not size:
         size = max((max(w, h) for _, w, h in health.textures_of(source)), default=1024)
-    found = maps.bake_maps(source, target, size, REACH)
+    found = maps.bake_maps(source, target, size, REACH, lambda channel, share: say(
+        channel.replace("_", " ").capitalize(), QUADS_SHARE + (1 - QUADS_SHARE) * share
+    ))  # fmt: skip
     material = bpy.data.materials.new(target.name)
     with tempfile.TemporaryDirectory() as folder:
         paths = maps.save_images(found, Path(folder), "quads")

@@ -11,6 +11,10 @@ from .errors import AddonError
 Say = Callable[[str, float], None]  # a line for the user, and the share that is done
 
 
+def silent(_text: str, _share: float) -> None:
+    """Nobody listens."""
+
+
 class Work:
     """A function in a thread: how far it is, what came of it, or the sentence of its error."""
 
