@@ -31,6 +31,21 @@ class PhaseConfig:
 
 
 @dataclass(frozen=True, kw_only=True)
+class RefineConfig:
+    """The last phase, which the paper does not have: regression to denoised pictures."""
+
+    rounds: int = 0  # 0 leaves it out
+    steps: int = 40  # of the optimiser, in one round
+    views: int = 20  # pictures of one round
+    batch: int = 10  # of them in one step
+    size: int = 128  # side of the rendered picture, pixels
+    t: tuple[float, float] = (0.5, 0.25)  # noise given to the pictures, first and last round
+    denoise_steps: int = 5
+    guidance_scale: float = 3.0
+    learning_rate: float = 2e-3
+
+
+@dataclass(frozen=True, kw_only=True)
 class GeometryConfig:
     """Ψ and its training (§4.1, §4.2)."""
 
@@ -41,6 +56,7 @@ class GeometryConfig:
     fit_steps: int = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
+    refine: RefineConfig = RefineConfig()
     views: int = 24  # cameras of one step
     views_at_once: int = 24  # cameras rendered together; the rest is accumulated
     cameras: CameraConfig = SPHERE
@@ -65,6 +81,7 @@ class AppearanceConfig:
     finest: int = 4096
     early: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="sigma2_sqrt")
     late: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="inv_sigma2")
+    refine: RefineConfig = RefineConfig()
     views: int = 24
     views_at_once: int = 24
     cameras: CameraConfig = SPHERE
@@ -129,13 +146,14 @@ DRAFT = Config(
             steps=160, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),
         fine=PhaseConfig(
-            steps=60,
+            steps=20,
             size=128,
             weighting="sigma2_sqrt",
             t_low=0.1,
             t_high=(0.6, 0.4),
             guidance_scale=4.0,
         ),
+        refine=RefineConfig(rounds=3, steps=60, learning_rate=3e-3),
         views=6,
         views_at_once=6,
         learning_rate=4e-3,
@@ -145,18 +163,26 @@ DRAFT = Config(
         ray_mask_share=0.4,
         eikonal=0.05,
         smooth_normals=0.003,
-        polish=12,
+        polish=8,
     ),
     appearance=AppearanceConfig(
         log2_hash_size=15,
         finest=128,
-        # The prior saw colours over this very shape and light: it needs little guidance, and more
-        # of it saturates kd.
         early=PhaseConfig(
-            steps=80, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=2.5
+            steps=20, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=1.5
         ),
         late=PhaseConfig(
-            steps=40, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.5
+            steps=10, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.5
+        ),
+        # The prior saw colours over this very shape and light: one step from much noise is the
+        # mean of its pictures under all turns of the light, and more guidance would saturate kd.
+        refine=RefineConfig(
+            rounds=3,
+            t=(0.95, 0.8),
+            batch=6,
+            denoise_steps=1,
+            guidance_scale=1.0,
+            learning_rate=1e-2,
         ),
         metallic_start=0.08,
         views=6,

@@ -151,14 +151,16 @@ def shortened(config: Config, strength: float) -> Config:
     t_high = tuple(t * (1 - strength / 2) for t in g.coarse.t_high)
     coarse = replace(g.coarse, steps=round(g.coarse.steps * keep), t_high=t_high)
     fine = replace(g.fine, steps=max(1, round(g.fine.steps * (0.2 + 0.8 * keep))))
+    refine = replace(g.refine, t=tuple(t * (1 - strength / 2) for t in g.refine.t))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
-    return replace(config, geometry=replace(g, coarse=coarse, fine=fine, learning_rate=rate))
+    shorter = replace(g, coarse=coarse, fine=fine, refine=refine, learning_rate=rate)
+    return replace(config, geometry=shorter)
 
 
 def retouching(config: Config, strength: float) -> Config:
     """``config`` for a base colour to start from: less of what paints over it.
 
-    ``strength`` 0 leaves all as it is; at 1 there is no early phase, and the late one touches up.
+    ``strength`` 0 leaves all as it is; at 1 the late phase alone touches up.
     """
     a, keep = config.appearance, 1 - strength
     early = replace(a.early, steps=round(a.early.steps * keep))
@@ -167,8 +169,14 @@ def retouching(config: Config, strength: float) -> Config:
         steps=max(1, round(a.late.steps * (0.2 + 0.8 * keep))),
         t_high=tuple(t * (1 - strength / 2) for t in a.late.t_high),
     )
+    refine = replace(
+        a.refine,
+        rounds=round(a.refine.rounds * keep),
+        t=tuple(t * (1 - strength / 2) for t in a.refine.t),
+    )
     rate = a.learning_rate * (0.02 + 0.98 * keep)
-    return replace(config, appearance=replace(a, early=early, late=late, learning_rate=rate))
+    less = replace(a, early=early, late=late, refine=refine, learning_rate=rate)
+    return replace(config, appearance=less)
 
 
 def device_of(name: str) -> torch.device:

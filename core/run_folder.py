@@ -210,6 +210,7 @@ class Training:
         self.module, self.optimizer, self.generator = module, optimizer, generator
         self.step = 0  # the next one
         self.extra: dict[str, Any] = {}  # small JSON values of the stage
+        self.kept: dict[str, Tensor] = {}  # tensors of the stage
         self._saved = time.perf_counter()
 
     def state(self) -> dict[str, Tensor]:
@@ -218,17 +219,20 @@ class Training:
         for i, p in enumerate(p for g in self.optimizer.param_groups for p in g["params"]):
             for key, value in self.optimizer.state.get(p, {}).items():
                 tensors[f"optimizer.{i}.{key}"] = torch.as_tensor(value)
+        tensors |= {f"kept.{key}": value for key, value in self.kept.items()}
         tensors["generator"] = self.generator.get_state()
         return {key: value.detach().clone() for key, value in tensors.items()}
 
     def set_state(self, tensors: dict[str, Tensor]) -> None:
         """Put a :meth:`state` back."""
-        split: dict[str, dict[str, Tensor]] = {"module": {}, "optimizer": {}}
+        split: dict[str, dict[str, Tensor]] = {"module": {}, "optimizer": {}, "kept": {}}
         for key, value in tensors.items():
             if key != "generator":
                 kind, name = key.split(".", 1)
                 split[kind][name] = value
         self.module.load_state_dict(split["module"])
+        device = next(self.module.parameters()).device
+        self.kept = {key: value.to(device) for key, value in split["kept"].items()}
         self.optimizer.state.clear()
         parameters = [p for g in self.optimizer.param_groups for p in g["params"]]
         for key, value in split["optimizer"].items():

@@ -136,17 +136,43 @@ def surface(sdf: Float[Tensor, " nt"], positions: Float[Tensor, "nt 3"], grid: T
     return Surface(*marching_tets(positions, sdf, grid), sdf, positions)
 
 
-def extract(net: SdfNet, grid: TetGrid, chunk: int = 1 << 17) -> Surface:
+class Band(NamedTuple):
+    """A lattice's values, and the nodes about the surface that are worth evaluating anew."""
+
+    sdf: Float[Tensor, " nt"]
+    positions: Float[Tensor, "nt 3"]
+    near: Int[Tensor, " near"]
+
+
+@torch.no_grad()
+def band_about(net: SdfNet, grid: TetGrid, reach: int) -> Band:
+    """The nodes within ``reach`` cells of the surface, along each axis."""
+    drawn = extract(net, grid)
+    mask = torch.zeros(len(drawn.sdf), device=drawn.sdf.device)
+    mask[grid.edges[crossing_edges(drawn.sdf, grid)].view(-1)] = 1
+    volume = mask.view(1, 1, *grid.shape)
+    for axis in range(3):  # a box is a line after a line after a line
+        kernel = [2 * reach + 1 if k == axis else 1 for k in range(3)]
+        volume = torch.nn.functional.max_pool3d(volume, kernel, 1, [k // 2 for k in kernel])
+    return Band(drawn.sdf, drawn.positions, volume.view(-1).nonzero().squeeze(1))
+
+
+def extract(net: SdfNet, grid: TetGrid, band: Band | None = None, chunk: int = 1 << 17) -> Surface:
     """The surface with its gradient, at the price of few nodes: a mesh depends on the ends of the
     crossing edges alone (about 4 % of the nodes), so the others are evaluated without gradient.
 
     Exact for a loss on ``verts``; ``sdf`` and ``positions`` carry gradient at those ends only.
-    ``chunk``: nodes at a time in the first pass.
+    ``band``: only its nodes are evaluated, the others keep its values; for a surface that has
+    not left it. ``chunk``: nodes at a time in the first pass.
     """
     with torch.no_grad():
-        parts = [net(points) for points in grid.tet_verts.split(chunk)]
-        sdf = torch.cat([part[0] for part in parts])
-        positions = grid.tet_verts + torch.cat([part[1] for part in parts])
+        if band is None:
+            sdf, positions = _values(net, grid.tet_verts, chunk)
+        else:
+            points = grid.tet_verts.index_select(0, band.near)
+            sdf, positions = _values(net, points, chunk)
+            sdf = band.sdf.index_copy(0, band.near, sdf)
+            positions = band.positions.index_copy(0, band.near, positions)
         touched = torch.zeros(len(sdf), dtype=torch.bool, device=sdf.device)
         touched[grid.edges[crossing_edges(sdf, grid)].view(-1)] = True
         near = touched.nonzero().squeeze(1)
@@ -156,3 +182,11 @@ def extract(net: SdfNet, grid: TetGrid, chunk: int = 1 << 17) -> Surface:
         sdf = sdf.index_copy(0, near, near_sdf)
         positions = positions.index_copy(0, near, points + near_offset)
     return surface(sdf, positions, grid)
+
+
+def _values(
+    net: SdfNet, points: Float[Tensor, "n 3"], chunk: int
+) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
+    """SDF and moved positions of nodes."""
+    parts = [net(part) for part in points.split(chunk)]
+    return torch.cat([part[0] for part in parts]), points + torch.cat([part[1] for part in parts])

@@ -111,13 +111,13 @@ class BuiltinGuidance(Guidance):
         views: Views,
         guidance_scale: float,
     ) -> Float[Tensor, "b 4 s s"]:
-        """Both branches in one batch; with ``views.normals`` the appearance network answers."""
+        """Both branches in one batch; with ``views.surface`` the appearance network answers."""
         if not isinstance(embedding, BuiltinEmbedding):
             raise TypeError("the embedding comes from another guidance")
         net, slots, hint = self.geometry, GEOMETRY_SLOTS, None
-        if views.normals is not None:
+        if views.surface is not None:
             net, slots = self.appearance, APPEARANCE_SLOTS
-            hint = torch.nn.functional.adaptive_avg_pool2d(views.normals, SIZE).repeat(2, 1, 1, 1)
+            hint = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE).repeat(2, 1, 1, 1)
         count = len(z_t)
         said = torch.tensor([embedding.words.indices(slots), embedding.negative.indices(slots)])
         words = said.to(self.device).repeat_interleave(count, 0)

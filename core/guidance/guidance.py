@@ -34,14 +34,14 @@ class Views:
     """What a guidance may know about the batch of pictures."""
 
     cameras: Cameras
-    # The object-frame coarse latent [n, 2o - 1] of the same views: the geometry, which the
-    # appearance training gives to a guidance that can use it. None: not given.
-    normals: Float[Tensor, "b 4 h w"] | None = None
+    # [n, 2o - 1, p]: object-frame normals, coverage, and points weighted by coverage, of the same
+    # views. The appearance training gives it to a guidance that can use it. None: not given.
+    surface: Float[Tensor, "b 7 h w"] | None = None
 
     def __getitem__(self, index: "slice | Tensor") -> "Views":
         """The views of a part of the batch."""
-        normals = None if self.normals is None else self.normals[index]
-        return Views(self.cameras[index], normals)
+        surface = None if self.surface is None else self.surface[index]
+        return Views(self.cameras[index], surface)
 
     def __len__(self) -> int:
         return len(self.cameras)

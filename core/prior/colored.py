@@ -5,8 +5,9 @@ finds under them is the one that the words mean.
 """
 
 import torch
+from jaxtyping import Float
 from torch import Tensor
-from torch.nn.functional import normalize
+from torch.nn.functional import interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
 from core.ops import linear_to_srgb
@@ -20,6 +21,7 @@ UNSAID_COLOR = 0.35  # share of captions without a colour
 UNSAID_MATERIAL = 0.55
 UNSAID_PATTERN = 0.7
 UNSAID_SECOND = 0.35  # of those with a pattern
+DENTS = 0.35  # the deepest, as the normal's way
 SAID = ("color", "material", "pattern", "second")
 
 
@@ -40,11 +42,21 @@ class Painter:
         with_second = patterned & (said[3] >= UNSAID_SECOND) & (second != color)
         return torch.stack(rows, 1) * torch.stack([*chosen, with_second], 1)
 
-    def pictures(self, samples: Samples, index: Tensor, words: Tensor, draw: Draw) -> Tensor:
-        """[(2 srgb - 1) * o, 2o - 1] (N, 4, s, s) of the samples ``index`` in these words."""
+    def pictures(
+        self,
+        samples: Samples,
+        index: Tensor,
+        words: Tensor,
+        draw: Draw,
+        normals: Tensor | None = None,
+    ) -> Tensor:
+        """[(2 srgb - 1) * o, 2o - 1] (N, 4, s, s) of the samples ``index`` in these words.
+
+        ``normals`` (N, 3, s, s) are lit in place of the samples' own.
+        """
         coverage = samples.coverage[index].float() / 255
         seen = (coverage[:, 0] > 0).flatten().nonzero().squeeze(1)
-        normal = _pixels(samples.normal[index].float(), seen)
+        normal = _pixels(samples.normal[index].float() if normals is None else normals, seen)
         point = _pixels(samples.point[index].float() / 120, seen)
         part = samples.part[index].flatten()[seen].long().clamp_min(0)
         which = seen // coverage[0].numel()
@@ -69,6 +81,22 @@ class Painter:
         rgb[seen] = 2 * linear_to_srgb(light.clamp(0, 1)) - 1
         rgb = rgb.view(len(index), *coverage.shape[2:], 3).permute(0, 3, 1, 2)
         return torch.cat([rgb * coverage, 2 * coverage - 1], 1)
+
+
+def lumpy(
+    normals: Float[Tensor, "n 3 s s"], generator: torch.Generator
+) -> Float[Tensor, "n 3 s s"]:
+    """Normals weighted by coverage, half of the pictures with soft dents.
+
+    Distilled meshes have them, and the colours must not depend on them.
+    """
+    count, _, size, _ = normals.shape
+    depth = DENTS * torch.rand(count, 1, 1, 1, generator=generator)
+    depth = depth * (torch.rand(count, 1, 1, 1, generator=generator) < 0.5)
+    dents = torch.randn(count, 3, size // 8, size // 8, generator=generator)
+    dents = interpolate(dents, (size, size), mode="bicubic", align_corners=False)
+    weight = normals.norm(dim=1, keepdim=True)
+    return normalize(normals + depth * dents * weight, dim=1) * weight
 
 
 def _pixels(pictures: Tensor, seen: Tensor) -> Tensor:

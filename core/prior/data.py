@@ -59,6 +59,10 @@ class Samples:
         normal = self.normal[index].float() / 127
         return torch.cat([normal, self.coverage[index].float() * (2 / 255) - 1], 1)
 
+    def points(self, index: "Tensor | slice" = slice(None)) -> Tensor:
+        """What is seen, in object space, weighted by coverage (N, 3, s, s)."""
+        return self.point[index].float() / 120 * (self.coverage[index].float() / 255)
+
 
 def make(seed: int, objects: int = OBJECTS) -> Samples:
     """``objects`` random objects, ``VIEWS`` views of each."""

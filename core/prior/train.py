@@ -19,7 +19,7 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
-from core.prior.colored import SAID, Painter
+from core.prior.colored import SAID, Painter, lumpy
 from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
@@ -55,7 +55,7 @@ GEOMETRY = UNetConfig(
     words=(len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1), widths=(48, 96, 128, 192)
 )
 APPEARANCE = UNetConfig(
-    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)), widths=(32, 64, 96, 128), hint=4
+    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)), widths=(32, 64, 96, 128), hint=7
 )
 
 
@@ -125,7 +125,8 @@ class Geometry(Source):
 
 
 class Appearance(Source):
-    """Batches of painted pictures with the noun and ``SAID``, and the geometry as the hint."""
+    """Batches of painted pictures with the noun and ``SAID``, and the surface as the hint:
+    normals and coverage as in ``Samples.pictures``, and points weighted by coverage."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
@@ -135,7 +136,11 @@ class Appearance(Source):
         """Pictures, words, camera maps and geometry pictures."""
         index, hint, camera = self.draw(count, generator)
         said = self.painter.words(count, generator)
-        pictures = self.painter.pictures(self.samples, index, said, Draw(generator))
+        hint = torch.cat([lumpy(hint[:, :3], generator), hint[:, 3:]], 1)
+        hint = torch.cat([hint, self.samples.points(index)], 1)
+        pictures = self.painter.pictures(
+            self.samples, index, said, Draw(generator), normals=hint[:, :3]
+        )
         words = torch.cat([self.samples.noun[index][:, None] + 1, said], 1)
         return pictures, words, camera, hint
 

@@ -60,6 +60,7 @@ class Shaded(NamedTuple):
     srgb: Float[Tensor, "b h w 3"]  # over black, weighted by coverage
     o: Float[Tensor, "b h w 1"]  # coverage
     n: Float[Tensor, "b h w 3"]  # the shape's own normals, object frame, weighted by coverage
+    p: Float[Tensor, "b h w 3"]  # what is seen, training units, weighted by coverage
     points: Float[Tensor, "p 3"]  # of the covered pixels
     material: Material  # there
 
@@ -116,10 +117,10 @@ def render_shaded(
     )
     srgb = linear_to_srgb(saturate(color))
     smooth = surface.side * normalize(surface.normal)
-    values = torch.cat([srgb, smooth, torch.ones_like(srgb[:, :1])], -1)
+    values = torch.cat([srgb, smooth, surface.points, torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
-    srgb, n, o = picture.split([3, 3, 1], -1)
-    return Shaded(srgb, o, n, surface.points, material)
+    srgb, n, p, o = picture.split([3, 3, 3, 1], -1)
+    return Shaded(srgb, o, n, p, surface.points, material)
 
 
 def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:

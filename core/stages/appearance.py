@@ -1,23 +1,25 @@
 """The paper's second training: Γ learns the material from shaded pictures (§4.3, Eqs. 6 to 9)."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 import torch
-from jaxtyping import UInt8
+from jaxtyping import Float, UInt8
 from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material, MaterialNet
-from core.camera import Cameras
-from core.config import AppearanceConfig, PhaseConfig
+from core.camera import Cameras, sample_cameras
+from core.config import AppearanceConfig
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError
-from core.render.shaded import UvMesh, render_shaded
+from core.render.shaded import Shaded, UvMesh, render_shaded
 from core.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill, phase_of
 from core.stages.guard import Guard, healthy_gradients
 from core.stages.preview import SIZE, VIEW, ColorPreview, over_grey
+from core.stages.refine import Targets, denoised, fit_loss, refine_steps
 
 SMOOTH_REACH = 0.01  # training units: how far apart "neighbouring points" are
 
@@ -37,21 +39,27 @@ def learn_appearance(
     training = Training(run, "appearance", net, optimizer, generator)
     training.resume()
     guard, preview = Guard(training), ColorPreview(run)
-    steps = config.early.steps + config.late.steps
+    distilling = config.early.steps + config.late.steps
 
-    for step in run.steps("appearance", training.step, steps):
-        phase, share = phase_of(step.index, config.early, config.late)
-        rate = decayed(config.learning_rate, config.learning_rate_end, step.share) * guard.rate
+    for step in run.steps("appearance", training.step, distilling + refine_steps(config.refine)):
+        refining = step.index >= distilling
+        share = min(step.index / max(distilling - 1, 1), 1.0)
+        rate = decayed(config.learning_rate, config.learning_rate_end, share)
         for group in optimizer.param_groups:
-            group["lr"] = rate
+            group["lr"] = guard.rate * (config.refine.learning_rate if refining else rate)
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
-        draw = Draw.of(config.views, config.cameras, guidance, phase, share, generator)
+        scene = Scene(net, mesh, lit, guidance, embedding, generator)
         step.loss, trouble = 0.0, ""
         try:
-            for part in draw.split(config.views_at_once, mesh.verts.device):
-                loss = _view_loss(net, mesh, lit, guidance, embedding, part, phase, generator)
-                loss = loss / config.views
+            if refining:
+                round, begun = divmod(step.index - distilling, config.refine.steps)
+                if not begun or not training.kept:
+                    training.kept = scene.targets(round).tensors()
+                losses = scene.fitted(Targets.of(training.kept))
+            else:
+                losses = scene.distilled(step.index)
+            for loss in losses:
                 loss.backward()
                 step.loss += loss.item()
         except NotFiniteError as error:
@@ -73,27 +81,72 @@ def _turn(config: AppearanceConfig, generator: torch.Generator) -> float:
     return 2 * math.pi * share if config.rotate_light else 0.0
 
 
-def _view_loss(
-    net: MaterialNet,
-    mesh: UvMesh,
-    lit: Environment,
-    guidance: Guidance,
-    embedding: Embedding,
-    draw: Draw,
-    phase: PhaseConfig,
-    generator: torch.Generator,
-) -> Tensor:
-    cameras = draw.cameras
-    shaded = render_shaded(mesh, net, cameras, phase.size, lit)
-    z = guidance.encode_color(shaded.srgb, shaded.o)
-    normals = coarse_latent(shaded.n, shaded.o, guidance.latent_size)
-    views, cap = Views(cameras, normals), net.config.gradient_cap
-    loss, _ = distill(guidance, z, embedding, views, draw, phase, cap)
-    if net.config.smooth > 0:
-        loss = loss + net.config.smooth * len(cameras) * _roughening(
-            net, shaded.points, shaded.material, generator
-        )
-    return loss
+class Scene:
+    """The object under the light of one step, and who judges its pictures."""
+
+    def __init__(
+        self,
+        net: MaterialNet,
+        mesh: UvMesh,
+        lit: Environment,
+        guidance: Guidance,
+        embedding: Embedding,
+        generator: torch.Generator,
+    ) -> None:
+        self.net, self.mesh, self.lit = net, mesh, lit
+        self.guidance, self.embedding, self.generator = guidance, embedding, generator
+        self.config = net.config
+
+    def distilled(self, index: int) -> Iterator[Tensor]:
+        """Score distillation (Eq. 9) at step ``index``: the losses of its views, part by part."""
+        config = self.config
+        phase, share = phase_of(index, config.early, config.late)
+        draw = Draw.of(config.views, config.cameras, self.guidance, phase, share, self.generator)
+        for part in draw.split(config.views_at_once, self.mesh.verts.device):
+            z, views, rough = self._latent(part.cameras, phase.size)
+            loss, _ = distill(
+                self.guidance, z, self.embedding, views, part, phase, config.gradient_cap
+            )
+            yield (loss + rough) / config.views
+
+    def targets(self, round: int) -> Targets:
+        """The pictures of a round of refining."""
+        config, at_once = self.config.refine, self.config.views_at_once
+        cameras = sample_cameras(config.views, self.config.cameras, self.generator)
+        cameras = cameras.to(self.mesh.verts.device)
+        with torch.no_grad():
+            parts = [slice(k, k + at_once) for k in range(0, config.views, at_once)]
+            seen = [self._latent(cameras[part], config.size) for part in parts]
+        z = torch.cat([z for z, _, _ in seen])
+        surface = torch.cat([views.surface for _, views, _ in seen])
+        share = round / max(config.rounds - 1, 1)
+        views = Views(cameras, surface)
+        return denoised(z, self.guidance, self.embedding, views, config, share, self.generator)
+
+    def fitted(self, targets: Targets) -> Iterator[Tensor]:
+        """Regression to some of the round's pictures: the losses of these, part by part."""
+        some = targets.some(self.config.refine.batch, self.generator)
+        for part in some.split(self.config.views_at_once):
+            z, _, rough = self._latent(part.cameras, self.config.refine.size)
+            yield (fit_loss(z, part.z) + rough) / len(some.z)
+
+    def _latent(self, cameras: Cameras, size: int) -> tuple[Tensor, Views, Tensor | float]:
+        """The views' colours as latents, what the guidance may know of them, the regulariser."""
+        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit)
+        z = self.guidance.encode_color(shaded.srgb, shaded.o)
+        surface = surface_picture(shaded, self.guidance.latent_size)
+        rough = 0.0
+        if self.config.smooth > 0:
+            change = _roughening(self.net, shaded.points, shaded.material, self.generator)
+            rough = self.config.smooth * len(cameras) * change
+        return z, Views(cameras, surface), rough
+
+
+def surface_picture(shaded: Shaded, size: int) -> Float[Tensor, "b 7 {size} {size}"]:
+    """[n, 2o - 1, p], area-downsampled: the geometry, for a guidance that can use it."""
+    normals = coarse_latent(shaded.n, shaded.o, size)
+    points = torch.nn.functional.adaptive_avg_pool2d(shaded.p.permute(0, 3, 1, 2), size)
+    return torch.cat([normals, points], 1)
 
 
 def _roughening(

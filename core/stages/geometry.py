@@ -1,17 +1,18 @@
 """The paper's first training: Ψ learns the shape from normals (§4.2, Eqs. 4, 5)."""
 
 import math
+from collections.abc import Iterator
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.camera import Cameras
+from core.camera import Cameras, sample_cameras
 from core.config import GeometryConfig, PhaseConfig
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
-from core.geometry.sdf_net import SdfNet, extract, sdf_on_grid
+from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError
@@ -21,9 +22,11 @@ from core.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill, phase_of
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.preview import ShapePreview
+from core.stages.refine import Targets, denoised, fit_loss, refine_steps
 
 RAY_PICTURE = 32  # side of the picture whose rays are followed through the lattice
 RAY_SAMPLES = 40
+BAND = 4  # cells to either side that a surface may move in one round of refining
 FLOATER_SHARE = 0.02  # a piece smaller than this share of the largest is dropped
 
 
@@ -45,20 +48,27 @@ def learn_geometry(
     training = Training(run, "geometry", net, optimizer, generator)
     training.resume()
     guard, preview = Guard(training), ShapePreview(run)
-    steps = config.coarse.steps + config.fine.steps
+    distilling = config.coarse.steps + config.fine.steps
 
-    for step in run.steps("geometry", training.step, steps):
+    for step in run.steps("geometry", training.step, distilling + refine_steps(config.refine)):
         phase, share = phase_of(step.index, config.coarse, config.fine)
-        coarse = phase is config.coarse
-        rate = decayed(config.learning_rate, config.learning_rate_end, step.share) * guard.rate
+        coarse, refining = phase is config.coarse, step.index >= distilling
+        whole = min(step.index / max(distilling - 1, 1), 1.0)
+        rate = decayed(config.learning_rate, config.learning_rate_end, whole)
         for group in optimizer.param_groups:
-            group["lr"] = rate
+            group["lr"] = guard.rate * (config.refine.learning_rate if refining else rate)
         optimizer.zero_grad()
         try:
             grid = grids[0 if coarse else 1]
             net.cell = grid.cell
-            batch = Batch(net, grid, config, step.share, generator)
-            step.loss = batch.backward(guidance, embedding, phase, share, coarse)
+            if refining:
+                index = step.index - distilling
+                batch = refining_batch(training, grid, guidance, embedding, config, index)
+                losses = batch.fitted(guidance, Targets.of(training.kept))
+            else:
+                batch = Batch(net, grid, config, whole, generator)
+                losses = batch.distilled(guidance, embedding, phase, share, coarse)
+            step.loss = batch.backward(losses)
             trouble = batch.trouble(net)
         except NotFiniteError as error:
             trouble = error.text
@@ -75,6 +85,31 @@ def learn_geometry(
     return final_mesh(net, grids[1], config.polish)
 
 
+def refining_batch(
+    training: Training,
+    grid: TetGrid,
+    guidance: Guidance,
+    embedding: Embedding,
+    config: GeometryConfig,
+    index: int,
+) -> "Batch":
+    """The batch of a refining step, ``index`` among those of all rounds.
+
+    At a round's first step ``training.kept`` gets its pictures and the band of the lattice.
+    """
+    net, generator = training.module, training.generator
+    assert isinstance(net, SdfNet)
+    round, begun = divmod(index, config.refine.steps)
+    if not begun or not training.kept:
+        band = band_about(net, grid, BAND)
+        batch = Batch(net, grid, config, None, generator, band)
+        targets = batch.targets(guidance, embedding, round)
+        training.kept = targets.tensors() | {f"band_{k}": v for k, v in band._asdict().items()}
+        return batch
+    band = Band(*(training.kept[f"band_{name}"] for name in Band._fields))
+    return Batch(net, grid, config, None, generator, band)
+
+
 class Batch:
     """The views of one step. The net is left alone until all views have had their say.
 
@@ -87,38 +122,64 @@ class Batch:
         net: SdfNet,
         grid: TetGrid,
         config: GeometryConfig,
-        share: float,
+        share: float | None,
         generator: torch.Generator,
+        band: Band | None = None,
     ) -> None:
+        """``share``: of the distillation's steps; None in the refining, which has no regularisers
+        (there the pictures say all) and keeps to the ``band``."""
         self.config, self.grid, self.generator = config, grid, generator
-        self.follow_rays = share < config.ray_mask_share
-        self.sharpness = 10 + 50 * share  # of the mask along the rays, 1 / training unit
-        if self.follow_rays or config.eikonal > 0:
+        self.regular = share is not None
+        self.follow_rays = share is not None and share < config.ray_mask_share
+        self.sharpness = 10 + 50 * (share or 0)  # of the mask along the rays, 1 / training unit
+        if self.follow_rays or (self.regular and config.eikonal > 0):
             self._sdf, positions = sdf_on_grid(net, grid)
             self._verts, self.faces = marching_tets(positions, self._sdf, grid)
             self.sdf = self._sdf.detach().requires_grad_()
         else:
-            surface = extract(net, grid)
+            surface = extract(net, grid, band)
             self._verts, self.faces = surface.verts, surface.faces
             self._sdf = self.sdf = None
         self.verts = self._verts.detach().requires_grad_()
         self.coverage = 0.0
 
-    def backward(
+    def distilled(
         self,
         guidance: Guidance,
         embedding: Embedding,
         phase: PhaseConfig,
         share: float,
         coarse: bool,
-    ) -> float:
-        """Gather the gradient of all views and of the regularisers into Ψ; the mean loss."""
-        config, total = self.config, 0.0
+    ) -> Iterator[Tensor]:
+        """Score distillation (Eq. 5): the losses of the step's views, part by part."""
+        config = self.config
         draw = Draw.of(config.views, config.cameras, guidance, phase, share, self.generator)
+        for part in draw.split(config.views_at_once, self.verts.device):
+            yield self._view_loss(part, guidance, embedding, phase, coarse) / config.views
+
+    def targets(self, guidance: Guidance, embedding: Embedding, round: int) -> Targets:
+        """The pictures of a round of refining."""
+        config, at_once = self.config.refine, self.config.views_at_once
+        cameras = sample_cameras(config.views, self.config.cameras, self.generator)
+        cameras = cameras.to(self.verts.device)
+        with torch.no_grad():
+            parts = [slice(k, k + at_once) for k in range(0, config.views, at_once)]
+            z = torch.cat([self._latent(guidance, cameras[part]) for part in parts])
+        share = round / max(config.rounds - 1, 1)
+        return denoised(z, guidance, embedding, Views(cameras), config, share, self.generator)
+
+    def fitted(self, guidance: Guidance, targets: Targets) -> Iterator[Tensor]:
+        """Regression to some of the round's pictures: the losses of these, part by part."""
+        some = targets.some(self.config.refine.batch, self.generator)
+        for part in some.split(self.config.views_at_once):
+            yield fit_loss(self._latent(guidance, part.cameras), part.z) / len(some.z)
+
+    def backward(self, losses: Iterator[Tensor]) -> float:
+        """Gather the gradient of all views and of the regularisers into Ψ; the views' loss."""
         if len(self.faces) == 0:
             return math.nan
-        for part in draw.split(config.views_at_once, self.verts.device):
-            loss = self._view_loss(part, guidance, embedding, phase, coarse) / config.views
+        total = 0.0
+        for loss in losses:
             loss.backward()
             total += loss.item()
         regular = self._regularisers()
@@ -148,8 +209,7 @@ class Batch:
         coarse: bool,
     ) -> Tensor:
         cameras, cap = draw.cameras, self.config.gradient_cap
-        n, o = render_normals(self.verts, self.faces, cameras, phase.size, guidance.normal_frame)
-        self.coverage += float(o.detach().mean()) * len(cameras) / self.config.views
+        n, o = self._render(guidance, cameras, phase.size)
         if not coarse:
             z = guidance.encode_normals(n, o)
             return distill(guidance, z, embedding, Views(cameras), draw, phase, cap)[0]
@@ -160,6 +220,15 @@ class Batch:
         if self.follow_rays:
             loss = loss + self._ray_mask_loss(grad[:, 3], cameras)
         return loss
+
+    def _render(self, guidance: Guidance, cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
+        """n and o of the views; the largest coverage of any part is remembered."""
+        n, o = render_normals(self.verts, self.faces, cameras, size, guidance.normal_frame)
+        self.coverage = max(self.coverage, float(o.detach().mean()))
+        return n, o
+
+    def _latent(self, guidance: Guidance, cameras: Cameras) -> Tensor:
+        return guidance.encode_normals(*self._render(guidance, cameras, self.config.refine.size))
 
     def _ray_mask_loss(self, mask_grad: Float[Tensor, "b s s"], cameras: Cameras) -> Tensor:
         """Send the mask's score through the nearest miss of each ray too.
@@ -176,6 +245,8 @@ class Batch:
 
     def _regularisers(self) -> Tensor:
         loss = torch.zeros((), device=self.verts.device)
+        if not self.regular:
+            return loss
         if self.config.eikonal > 0:
             loss = loss + self.config.eikonal * eikonal(self.sdf, self.grid)
         if self.config.smooth_normals > 0:

@@ -1,5 +1,6 @@
 """Small pictures and a light mesh of what a training has so far, for whoever watches the run."""
 
+import io
 import time
 from pathlib import Path
 
@@ -69,8 +70,10 @@ def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3
     """A light mesh as numpy's npz, without pickle: ``verts`` float32 in the world's axes (+Z up),
     ``faces`` int32."""
     v, f = lighter(verts.detach().cpu(), faces.cpu())
-    with whole_file(path) as aside, aside.open("wb") as file:
-        np.savez(file, verts=v.numpy(), faces=f.numpy().astype(np.int32))
+    packed = io.BytesIO()  # on a full disk, a zip file that is not closed complains
+    np.savez(packed, verts=v.numpy(), faces=f.numpy().astype(np.int32))
+    with whole_file(path) as aside:
+        aside.write_bytes(packed.getvalue())
 
 
 def lighter(

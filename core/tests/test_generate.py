@@ -27,12 +27,19 @@ ROOT = Path(__file__).parents[2]
 SHORT = {
     "geometry.coarse.steps": 8,
     "geometry.fine.steps": 2,
+    "geometry.refine.rounds": 2,
+    "geometry.refine.steps": 4,
+    "geometry.refine.views": 4,
     "geometry.resolution": "24,28",
     "geometry.fit_steps": 100,
     "geometry.views": 3,
     "geometry.views_at_once": 3,
     "appearance.early.steps": 30,
     "appearance.late.steps": 2,
+    "appearance.refine.rounds": 1,
+    "appearance.refine.steps": 10,
+    "appearance.refine.views": 4,
+    "appearance.refine.size": 64,
     "appearance.learning_rate": 0.03,
     "appearance.early.size": 64,
     "appearance.late.size": 64,
@@ -251,3 +258,4 @@ def test_a_guide_shortens_the_phase_that_decides_the_shape():
     assert 0 < keeps.fine.steps < fine
     assert shortened(draft, 0.0) == draft
     assert shortened(draft, 0.5).geometry.coarse.steps == coarse // 2
+    assert keeps.refine.t[0] == draft.geometry.refine.t[0] / 2

@@ -5,7 +5,7 @@ import dataclasses
 import pytest
 import torch
 
-from core.geometry.sdf_net import FOURIER, HASH, SdfNet, extract, sdf_on_grid, surface
+from core.geometry.sdf_net import FOURIER, HASH, SdfNet, band_about, extract, sdf_on_grid, surface
 from core.geometry.tet_grid import tet_grid
 
 GRID = tet_grid(8)
@@ -93,3 +93,28 @@ def test_fourier_features_of_a_point():
     phases = [1.5 * 0.3, 1.5 * -0.2, 1.5, 3 * 0.3, 3 * -0.2, 3.0]
     expected = torch.cat([p[0], torch.tensor(phases).sin(), torch.tensor(phases).cos()])
     torch.testing.assert_close(features, expected)
+
+
+def test_within_the_band_the_surface_is_that_of_the_whole_lattice():
+    net = ball_net(FOURIER)
+    band = band_about(net, GRID, 1)
+    assert 0 < len(band.near) < 0.8 * len(GRID.tet_verts)
+    with torch.no_grad():
+        net.mlp[-1].bias[0] += 0.5 * GRID.cell  # the ball shrinks, and stays within the band
+    whole, near = extract(net, GRID), extract(net, GRID, band)
+    assert torch.equal(near.faces, whole.faces)
+    torch.testing.assert_close(near.verts, whole.verts)
+    assert not torch.equal(near.sdf, whole.sdf)  # far away the old values stand
+
+
+def test_the_band_reaches_as_far_as_it_is_told():
+    """About a single inner node: it and its neighbours, one cell away, and two cells more."""
+
+    class Point(SdfNet):
+        def forward(self, points):
+            return points.norm(dim=1) - 0.5 * GRID.cell, torch.zeros_like(points)
+
+    steps = (GRID.tet_verts / GRID.cell).abs().amax(1).round()
+    near = steps[band_about(Point(GRID.cell, FOURIER), GRID, 2).near]
+    assert int(near.max()) == 3
+    assert int((near <= 2).sum()) == int((steps <= 2).sum()) == 5**3

@@ -8,7 +8,7 @@ import torch
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
-from core.config import DRAFT
+from core.config import DRAFT, RefineConfig
 from core.errors import Cancelled, NoSurfaceError
 from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
@@ -36,6 +36,7 @@ SHORT = replace(
     resolution=(12, 16),
     coarse=replace(DRAFT.geometry.coarse, steps=4, size=32),
     fine=replace(DRAFT.geometry.fine, steps=3, size=32),
+    refine=RefineConfig(rounds=2, steps=3, views=5, batch=3, size=32),
     views=4,
     views_at_once=4,
     cameras=replace(DRAFT.geometry.cameras),
@@ -121,12 +122,39 @@ def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(fra
         grid = tet_grid(config.resolution[0])
         batch = Batch(net, grid, config, 0.0, torch.Generator().manual_seed(5))
         phase = config.coarse if coarse else config.fine
-        batch.backward(guidance(frame), Embedding(), phase, 0.5, coarse)
+        batch.backward(batch.distilled(guidance(frame), Embedding(), phase, 0.5, coarse))
         assert not batch.trouble(net)
         grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
+
+
+def test_the_refining_gradient_does_not_depend_on_how_many_views_are_rendered_at_once():
+    grads = []
+    for at_once in (5, 2):
+        config = replace(SHORT, views_at_once=at_once)
+        net, grid = start_net(config), tet_grid(12)
+        batch = Batch(net, grid, config, None, torch.Generator().manual_seed(5))
+        batch.backward(batch.fitted(guidance(), batch.targets(guidance(), Embedding(), 0)))
+        assert not batch.trouble(net)
+        grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
+    assert float(grads[0].norm()) > 0
+    torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
+
+
+def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
+    """A sphere of 0.6 under a guidance that knows one of 0.8, by refining alone."""
+    none = replace(SHORT.coarse, steps=0)
+    refine = RefineConfig(rounds=3, steps=25, views=6, batch=4, size=32, t=(0.7, 0.5))
+    config = replace(SHORT, coarse=none, fine=none, refine=replace(refine, learning_rate=1e-2))
+    net, g, run = start_net(config, 0.6), guidance(), run_in(tmp_path)
+    verts, _ = learn_geometry(
+        net, g, g.embed("", ""), config, run, torch.Generator().manual_seed(1)
+    )
+    radius = verts.norm(dim=1)
+    assert float(radius.mean()) == pytest.approx(0.8, abs=0.04)
+    assert float(radius.std()) < 0.04
 
 
 def test_the_mask_along_empty_rays_reaches_the_lattice():
@@ -135,14 +163,15 @@ def test_the_mask_along_empty_rays_reaches_the_lattice():
     for share in (0.0, 1.0):  # with and without
         net = start_net(config)
         batch = Batch(net, tet_grid(12), config, share, torch.Generator().manual_seed(5))
-        batch.backward(guidance(), Embedding(), config.coarse, 0.5, True)
+        batch.backward(batch.distilled(guidance(), Embedding(), config.coarse, 0.5, True))
         grads.append(None if batch.sdf is None else batch.sdf.grad)
     assert grads[0] is not None
     assert float(grads[0].abs().sum()) > 0
     assert grads[1] is None
 
 
-def test_geometry_resumes_to_the_same_mesh(tmp_path):
+@pytest.mark.parametrize("stop", [3, 8])  # in the distillation; within a round of refining
+def test_geometry_resumes_to_the_same_mesh(tmp_path, stop):
     def learn(run):
         g = guidance()
         return learn_geometry(
@@ -155,7 +184,7 @@ def test_geometry_resumes_to_the_same_mesh(tmp_path):
 
     def broken(self, stage, first, count):
         for step in steps(self, stage, first, count):
-            if step.index == 3:
+            if step.index == stop:
                 self.interrupt()
             yield step
 
@@ -188,6 +217,7 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
         draft,
         early=replace(draft.early, steps=16, size=32),
         late=replace(draft.late, steps=4, size=32),
+        refine=RefineConfig(rounds=1, steps=4, views=3, batch=2, size=32, learning_rate=1e-2),
         views=2,
         views_at_once=1,
         log2_hash_size=12,

@@ -1,0 +1,40 @@
+"""From a noisy latent back to a clean one, in a few steps."""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.guidance import Embedding, Guidance, Views
+
+
+@torch.no_grad()
+def denoise(
+    guidance: Guidance,
+    z_t: Float[Tensor, "b 4 s s"],
+    t: int,
+    embedding: Embedding,
+    views: Views,
+    guidance_scale: float,
+    steps: int,
+) -> Float[Tensor, "b 4 s s"]:
+    """The clean latents that ``z_t`` comes from, by ``steps`` evenly spaced steps of DDIM.
+
+    Song, Meng and Ermon 2021, "Denoising diffusion implicit models", Eq. 12 with sigma_t = 0.
+    One step gives the mean of all pictures that ``z_t`` may come from; more of them, one picture.
+
+    Args:
+        t: index into ``guidance.alpha_bar``, of all views.
+    """
+    alpha_bar = guidance.alpha_bar.to(z_t)
+    times = [round(t * (1 - k / steps)) for k in range(steps)]
+    z = z_t
+    for now, after in zip(times, [*times[1:], None], strict=True):
+        index = torch.full((len(z),), now, device=z.device)
+        eps = guidance.eps_hat(z, index, embedding, views, guidance_scale)
+        a = alpha_bar[now]
+        clean = (z - (1 - a).sqrt() * eps) / a.sqrt()
+        if after is None:
+            return clean
+        b = alpha_bar[after]
+        z = b.sqrt() * clean + (1 - b).sqrt() * eps
+    return z
