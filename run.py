@@ -251,10 +251,11 @@ def fill_package(folder: Path) -> None:
     """What the zip holds: the add-on, with the manifest's name for Blender, and the core inside."""
     junk = shutil.ignore_patterns("__pycache__", "*.pyc", "tests")
     shutil.copytree(ROOT / "fantasia3d_addon", folder, ignore=junk)
-    shutil.copytree(ROOT / "core", folder / "core", ignore=junk)
-    shutil.copy(ROOT / "manifest.toml", folder / "blender_manifest.toml")
-    for name in ("pyproject.toml", "LICENSE"):
-        shutil.copy(ROOT / name, folder)
+    # In a folder of its own: Python would take a module beside the core for a library of its name.
+    shutil.copytree(ROOT / "core", folder / "method" / "core", ignore=junk)
+    shutil.copy(ROOT / "pyproject.toml", folder / "method")
+    for name, to in (("manifest.toml", "blender_manifest.toml"), ("LICENSE", "LICENSE")):
+        shutil.copy(ROOT / name, folder / to)
 
 
 def python(arguments: list[str]) -> int:

@@ -52,12 +52,19 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
         names = set(archive.namelist())
         manifest = tomllib.loads(archive.read("blender_manifest.toml").decode())
     assert manifest == tomllib.loads((ROOT / "manifest.toml").read_text("utf-8"))
-    assert {"__init__.py", "studio.exr", "LICENSE", "pyproject.toml"} <= names
-    assert {"core/__main__.py", "core/guidance/weights/geometry.safetensors"} <= names
-    mine = {p.relative_to(ROOT).as_posix() for p in (ROOT / "core").rglob("*.py")}
+    assert {"__init__.py", "studio.exr", "LICENSE", "method/pyproject.toml"} <= names
+    assert "method/core/guidance/weights/geometry.safetensors" in names
+    mine = {f"method/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "core").rglob("*.py")}
     assert {n for n in mine if "/tests/" not in n} <= names
     assert not [n for n in names if "tests/" in n or "__pycache__" in n or n.endswith(".pyc")]
     assert package.stat().st_size < 60e6
+
+
+def test_nothing_lies_beside_the_core_that_could_hide_a_library(package):
+    """It runs from its own folder, where the add-on's png.py was once taken for the package."""
+    with zipfile.ZipFile(package) as archive:
+        names = [name.split("/") for name in archive.namelist()]
+    assert {name[1] for name in names if name[0] == "method"} - {""} == {"core", "pyproject.toml"}
 
 
 def test_package_takes_no_other_words():

@@ -17,9 +17,9 @@ BUILDING = "fantasia3d.building"  # in one that is being made: it may be removed
 
 
 def project_root() -> Path:
-    """The folder that holds ``pyproject.toml`` and ``core``: this tree, or the packaged add-on."""
+    """The folder with ``pyproject.toml`` and ``core``: in the packaged add-on, or this tree."""
     addon = Path(__file__).resolve().parent.parent
-    for root in (addon, addon.parent):
+    for root in (addon / "method", addon.parent):
         if (root / "pyproject.toml").is_file() and (root / "core").is_dir():
             return root
     raise SetupError(f"{addon} has no core beside it.", "Install the whole package again.")
