@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from fantasia3d_addon import jobs
 from fantasia3d_addon.errors import JobError
 from fantasia3d_addon.jobs import Event, Run, is_core
 
@@ -106,6 +108,25 @@ def test_a_death_without_a_word_names_the_log(tmp_path):
     assert run.last.type == "error"
     assert str(run.log) in run.last.fix
     assert f"signal {signal.SIGABRT.value}" in run.last.text
+
+
+def test_a_death_on_a_full_disk_says_so(tmp_path, monkeypatch):
+    run = start(tmp_path / "run", "die")
+    monkeypatch.setattr(jobs.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
+    follow(run)
+    assert run.last is not None
+    assert run.last.text == f"The disk of {run.folder} is full."
+    assert run.last.fix == "Free some space, then resume the run."
+
+
+def test_a_death_after_its_folder_says_so(tmp_path):
+    run = start(tmp_path / "run", "long")
+    follow(run, until=lambda events: len(events) > 2)
+    shutil.rmtree(run.folder)
+    run.kill()
+    follow(run)
+    assert run.last is not None
+    assert run.last.text == f"The run's folder {run.folder} has gone."
 
 
 def test_kill_9_is_noticed_by_who_started_it_and_by_who_found_it(tmp_path):

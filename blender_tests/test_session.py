@@ -1,5 +1,6 @@
 """Jobs in Blender, with a stand-in for the core: queue, end, crash, several Blenders at once."""
 
+import shutil
 import subprocess
 import sys
 import time
@@ -145,6 +146,31 @@ def test_half_an_asset_is_an_error_in_the_panel(ready, wait):
     wait()
     assert session.error[0].endswith("orm.png is missing.")
     assert not bpy.data.objects
+
+
+def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
+    run = ask.generate(bpy.context)
+    wait()
+    shutil.rmtree(run / "asset")
+    with pytest.raises(RuntimeError) as refused:
+        bpy.ops.fantasia3d.job_import(folder=str(run))
+    sentence = "Its asset has gone from the disk. Press Repeat to make it again."
+    assert str(refused.value).strip() == f"Error: {sentence}"
+    shutil.rmtree(run)
+    session.history = history.scan(run.parent, {e.folder: e for e in session.history})
+    for press in (bpy.ops.fantasia3d.job_import, bpy.ops.fantasia3d.job_repeat):
+        with pytest.raises(RuntimeError) as refused:
+            press(folder=str(run))
+        assert "Traceback" not in str(refused.value)
+
+
+def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
+    run = ask.generate(bpy.context)
+    wait()
+    assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
+    names = sorted(o.name for o in bpy.data.objects)
+    assert names == ["a red wooden chair", "a red wooden chair.001"]
+    assert bpy.context.active_object.name == names[1]
 
 
 def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait):

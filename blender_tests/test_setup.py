@@ -116,7 +116,7 @@ def test_set_up_repair_and_remove(box):
     assert len(box.installs) == 2
     assert bpy.ops.fantasia3d.remove_environment("EXEC_DEFAULT") == {"FINISHED"}
     assert done().error is None
-    assert not box.env.exists()
+    assert list(box.folder.glob("an environment*")) == []  # neither its log nor its lock
     assert not bpy.ops.fantasia3d.remove_environment.poll()
 
 

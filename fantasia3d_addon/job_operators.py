@@ -8,9 +8,9 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from . import ask, history
-from .arrival import mark_taken, take_in
+from .arrival import take_in
 from .history import Entry
-from .operators import MENDABLE, refuse, submit
+from .operators import MENDABLE, bring_in, refuse, submit, taken
 from .properties import take_job
 from .session import session
 from .target import Target
@@ -98,19 +98,21 @@ class FANTASIA3D_OT_job_import(_OnRun, bpy.types.Operator):
     def reason(entry: Entry) -> str:
         if bpy.context.mode != "OBJECT":
             return "Leave the edit mode first."
-        return "" if entry.state == history.DONE else "It has no asset yet."
+        if entry.state != history.DONE:
+            return _OnRun.reason(entry) or "It has no asset yet."
+        there = (entry.folder / "asset" / "asset.json").is_file()
+        return "" if there else "Its asset has gone from the disk. Press Repeat to make it again."
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         target = Target.read(entry.folder)
-        known = target.object in bpy.data.objects
-        if not known:
-            return bpy.ops.fantasia3d.import_asset(directory=str(entry.folder))
         try:
-            take_in(entry.folder, target, context.scene, push_undo=False)
+            if target.object in bpy.data.objects:
+                take_in(entry.folder, target, context.scene, push_undo=False)
+                taken(entry.folder)
+            else:
+                bring_in(context, entry.folder)
         except MENDABLE as error:
             return refuse(self, error)
-        mark_taken(entry.folder)
-        session.missed = [e for e in session.missed if e.folder != entry.folder]
         return {"FINISHED"}
 
 

@@ -11,6 +11,7 @@ import ctypes
 import dataclasses
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -24,6 +25,7 @@ from .environment import clean_environ
 from .errors import JobError
 
 LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
+FULL = 1e5  # bytes: less is no room for a picture or a checkpoint
 START_SECONDS = 90.0  # a process that loads torch from a cold disk may be silent for this long
 
 
@@ -167,14 +169,21 @@ class Run:
         return self.log.stat().st_mtime if self.log.exists() else self._since - START_SECONDS
 
     def _died(self) -> Event:
+        text, fix = self._reason()
+        return Event(type="error", time=time.time(), text=text, fix=fix)
+
+    def _reason(self) -> tuple[str, str]:
+        """Why a process may have died without a word, and what to do."""
+        if not self.folder.is_dir():
+            return f"The run's folder {self.folder} has gone.", "Ask for the asset again."
+        if shutil.disk_usage(self.folder).free < FULL:
+            return f"The disk of {self.folder} is full.", "Free some space, then resume the run."
         code = self._process.returncode if self._process else None
         how = f" (signal {-code})" if code is not None and code < 0 else ""
         more = " The system may have run short of memory." if code == -9 else ""
-        return Event(
-            type="error",
-            time=time.time(),
-            text=f"The generator stopped without a word{how}.",
-            fix=f"Read {self.log}.{more} The run can be resumed.",
+        return (
+            f"The generator stopped without a word{how}.",
+            f"Read {self.log}.{more} The run can be resumed.",
         )
 
     def _read(self) -> list[Event]:

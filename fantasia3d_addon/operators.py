@@ -122,17 +122,10 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        folder = Path(bpy.path.abspath(self.directory))
         try:
-            obj = import_asset(context, folder, context.scene.cursor.location)
+            bring_in(context, Path(bpy.path.abspath(self.directory)))
         except MENDABLE as error:
             return refuse(self, error)
-        mark_taken(folder)
-        session.missed = [entry for entry in session.missed if entry.folder != folder]
-        for other in context.selected_objects:
-            other.select_set(False)
-        obj.select_set(True)
-        context.view_layer.objects.active = obj
         return {"FINISHED"}
 
 
@@ -178,6 +171,27 @@ class FANTASIA3D_OT_open_log(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return bpy.ops.wm.path_open(filepath=str(session.log))
+
+
+def bring_in(context: bpy.types.Context, folder: Path) -> bpy.types.Object:
+    """The asset in ``folder`` as an object at the 3D cursor, selected.
+
+    Raises:
+        AddonError: the folder is no asset.
+    """
+    obj = import_asset(context, folder, context.scene.cursor.location)
+    taken(folder)
+    for other in context.selected_objects:
+        other.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+    return obj
+
+
+def taken(folder: Path) -> None:
+    """The asset in ``folder`` is in a scene now: it is told no more."""
+    mark_taken(folder)
+    session.missed = [entry for entry in session.missed if entry.folder != folder]
 
 
 def submit(operator: bpy.types.Operator, function: Callable[[], Path]) -> set[str]:

@@ -51,6 +51,7 @@ def remove(context: bpy.types.Context) -> Work:
 
     def clear(say: Say) -> object:
         environment.remove(folder)
+        environment.tidy(folder)
         say("The environment is gone. Runs and assets are still there.", 1.0)
         return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bpy
 
+from . import setup_operators
 from .environment import Line
 from .layout import TAB, message, sentence
 from .session import session
@@ -42,6 +43,9 @@ def draw_set_up(
     row = layout.row(align=True)
     row.operator("fantasia3d.set_up", icon="IMPORT")
     row.operator("fantasia3d.check", icon="VIEWZOOM")
+    reason = setup_operators.reason_against()
+    if reason and not repair:  # the panel's box says it while there is none
+        sentence(layout, context, reason, "INFO", quiet=True)
     if repair:
         row = layout.row(align=True)
         row.operator("fantasia3d.repair", icon="FILE_REFRESH")

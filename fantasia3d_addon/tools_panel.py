@@ -66,7 +66,7 @@ class FANTASIA3D_PT_material(ToolPanel, bpy.types.Panel):
         layout.prop(tools, "own_material")
         layout.prop(tools, "keep_normals")
         row = layout.row(align=True)
-        press = row.operator("fantasia3d.replace_material", icon="MATERIAL")
+        press = row.operator("fantasia3d.replace_material", text="Replace", icon="MATERIAL")
         press.material = tools.own_material.name if tools.own_material else tools.material
         press.keep_normals = tools.keep_normals
         row.operator("fantasia3d.restore_material", text="Go Back", icon="LOOP_BACK")
@@ -142,7 +142,8 @@ class FANTASIA3D_PT_health(ToolPanel, bpy.types.Panel):
         for text, good in lines(report):
             column.label(text=text, icon="CHECKMARK" if good else "ERROR")
         for name, width, height in report.textures:
-            column.label(text=f"{name}: {width} × {height}", icon="TEXTURE")
+            role = name.removeprefix(plain_name(obj)).strip() or name
+            column.label(text=f"{role}: {width} × {height}", icon="TEXTURE")
         column = layout.column(align=True)
         for fault in report.faults:
             press = column.operator(
@@ -195,18 +196,32 @@ class FANTASIA3D_PT_export(ToolPanel, bpy.types.Panel):
         layout.operator("fantasia3d.mark_asset", icon="ASSET_MANAGER").tags = tools.tags
 
 
+def many(number: int, one: str, more: str = "") -> str:
+    """1 face, 20,000 faces."""
+    return f"{number:,} {one if number == 1 else more or one + 's'}"
+
+
+def plain_name(obj: bpy.types.Object) -> str:
+    """Without Blender's ".001": the pictures of an asset begin with it."""
+    return obj.name.rpartition(".")[0] if obj.name[-4:-3] == "." else obj.name
+
+
 def lines(report: health.Report) -> list[tuple[str, bool]]:
     """What the report says, a line at a time, and whether it is as it should be."""
     told = [
-        (f"{report.faces:,} faces, {report.verts:,} vertices", True),
-        (f"{report.pieces} piece{'s' if report.pieces != 1 else ''}", report.specks == 0),
-        ("Closed" if report.closed else f"{report.open_edges} open edges", report.closed),
+        (f"{many(report.faces, 'face')}, {many(report.verts, 'vertex', 'vertices')}", True),
+        (many(report.pieces, "piece"), report.specks == 0),
+        ("Closed" if report.closed else many(report.open_edges, "open edge"), report.closed),
         (
-            "Manifold" if not report.nonmanifold else f"{report.nonmanifold} non-manifold places",
+            many(report.nonmanifold, "non-manifold place") if report.nonmanifold else "Manifold",
             not report.nonmanifold,
         ),
-        ("Welded" if not report.doubled else f"{report.doubled} doubled vertices",
-         not report.doubled),
+        (
+            many(report.doubled, "doubled vertex", "doubled vertices")
+            if report.doubled
+            else "Welded",
+            not report.doubled,
+        ),
         ("Faces outward" if not report.inverted else "Faces turned inward", not report.inverted),
     ]  # fmt: skip
     if report.uv_fill is None:

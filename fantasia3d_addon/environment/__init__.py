@@ -12,7 +12,7 @@ FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 """
 
 from .doctor import Line, examine
-from .install import Progress, ensure, remove
+from .install import Progress, ensure, remove, tidy
 from .layout import (
     Place,
     data_folder,
@@ -44,5 +44,6 @@ __all__ = [
     "project_root",
     "remove",
     "requirements",
+    "tidy",
     "try_lock",
 ]

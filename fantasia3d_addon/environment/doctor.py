@@ -96,6 +96,8 @@ def _environment(root: Path, folder: Path, given: str) -> list[Line]:
 def _packages(python: str, pins: Sequence[str]) -> list[Line]:
     """What the environment's own Python says of its packages and of the GPU."""
     mend = "mend it with: python3 run.py setup --renew blender"
+    if "bpy" in sys.modules:
+        mend = 'press "Repair" under Set-Up'
     try:
         done = subprocess.run(
             [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
@@ -130,7 +132,7 @@ def _data(root: Path) -> list[Line]:
     return [
         Line("built-in weights", OK, f"{names} ({size:.1f} MB)")
         if weights
-        else Line("built-in weights", MISSING, "core/guidance/weights is empty; clone it again"),
+        else Line("built-in weights", MISSING, "core/guidance/weights is empty; install again"),
         Line("Stable Diffusion", NOTE, _hub_models() or "none in the hub's cache; optional: "
              "--guidance FOLDER takes any diffusers folder"),
         Line("disk", NOTE, f"{free:.0f} GB free at {place}"),

@@ -132,6 +132,20 @@ def remove(folder: Path) -> None:
     shutil.rmtree(folder)
 
 
+def tidy(folder: Path) -> None:
+    """Remove the log and the lock of a removed environment too, and the data folder if it is empty.
+
+    Not while another set-up of it is waiting: its lock lies there.
+    """
+    if folder.exists():
+        return
+    for path in (layout.log_file(folder), folder.with_name(folder.name + ".lock")):
+        path.unlink(missing_ok=True)
+    if folder.parent == layout.data_folder():
+        with contextlib.suppress(OSError):  # something else lies there
+            folder.parent.rmdir()
+
+
 class _SetUp:
     """One set-up of ``folder``; ``lock`` is held, and handed on to the children that write."""
 
