@@ -47,12 +47,13 @@ def send(obj: bpy.types.Object, task: str, **options: object) -> Work:
 
 def objects(folder: Path) -> list[bpy.types.Object]:
     """The objects of the answer in ``folder``, linked nowhere yet; the folder is gone then."""
+    path = folder / "out.blend"
     try:
-        with bpy.data.libraries.load(str(folder / "out.blend")) as (source, wanted):
+        with bpy.data.libraries.load(str(path)) as (source, wanted):
             wanted.objects = source.objects
-        library = bpy.data.libraries.get("out.blend")
-        if library:  # an appended file leaves its name behind
-            bpy.data.libraries.remove(library)
+        for library in list(bpy.data.libraries):  # an appended file leaves its name behind
+            if Path(library.filepath) == path:
+                bpy.data.libraries.remove(library)
         return list(wanted.objects)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
