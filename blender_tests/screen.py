@@ -154,14 +154,15 @@ def timed_draw(name: str, draw: Callable) -> Callable:
 
 
 def beat() -> None:
-    """See how long Blender's main loop is held up by anything at all, its own drawing too."""
-    last = time.perf_counter()
+    """See how long the main loop's thread works from one beat to the next, its drawing included."""
+    wall, cpu = time.perf_counter(), time.thread_time()
 
     def pulse() -> float:
-        nonlocal last
-        now = time.perf_counter()
-        report["gaps"].append([bool(session.running), now - last - BEAT])
-        last = now
+        nonlocal wall, cpu
+        now = time.perf_counter(), time.thread_time()
+        state = bool(session.running), bool(session.arriving)
+        report["gaps"].append([*state, now[0] - wall, now[1] - cpu])
+        wall, cpu = now
         return BEAT
 
     bpy.app.timers.register(pulse, persistent=True)

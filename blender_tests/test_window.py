@@ -19,8 +19,9 @@ from blender_tests.asset_fixture import write_asset
 pytestmark = pytest.mark.window
 HERE = Path(__file__).parent
 SHORT = (  # of the draft: what an artist sees is the same, in a fifth of the time
-    "geometry.fit_steps=60 geometry.coarse.steps=16 geometry.fine.steps=6 appearance.early.steps=8 "
-    "appearance.late.steps=4 texture.size=256 texture.max_faces=4000"
+    "geometry.fit_steps=60 geometry.coarse.steps=16 geometry.fine.steps=6 geometry.refine.rounds=1 "
+    "geometry.refine.steps=4 appearance.early.steps=8 appearance.late.steps=4 "
+    "appearance.refine.rounds=1 appearance.refine.steps=4 texture.size=256 texture.max_faces=4000"
 )
 
 
@@ -91,6 +92,12 @@ def test_the_asset_stands_in_the_scene_and_is_one_undo_step(report):
 def test_blender_is_never_held_up_while_a_job_runs(report):
     """By the thread's own clock: another process's turn is not ours."""
     assert_never_held_up(report)
+
+
+def test_quads_and_a_thumbnail_come_from_another_blender_while_this_one_goes_on(report):
+    assert report["quads_at_once"] == ["a red wooden chair"]
+    assert report["quads"] == {"name": "a red wooden chair quads", "sides": [4], "tags": 1}
+    assert report["quads_hold_up"] < 0.3  # its own drawing in software is in it
 
 
 def test_the_panel_is_drawn(report):

@@ -3,6 +3,7 @@
 ``blender --enable-event-simulate --python window_script.py -- OUT ASSET`` with the fake core.
 """
 
+import itertools
 import os
 import sys
 import time
@@ -55,6 +56,7 @@ def steps(screen: Screen) -> Iterator[float]:
     report["after_undo"] = meshes()
     bpy.ops.ed.redo()
     report["after_redo"] = meshes()
+    yield from quads(screen)
 
 
 def watch() -> Iterator[float]:
@@ -78,6 +80,29 @@ def cancel() -> Iterator[float]:
     report["cancel_seconds"] = session.last.end.time - asked
     report["last"] = session.last.end.type
     report["left"] = [o.name for o in bpy.data.objects if live_preview.RUN in o]
+
+
+def quads(screen: Screen) -> Iterator[float]:
+    """Quads and a thumbnail, each by another Blender, while this one goes on."""
+    beats: list[float] = []
+    bpy.app.timers.register(lambda: beats.append(time.thread_time()) or 0.01)
+    place = {"window": screen.window, "area": screen.area, "region": screen.region("WINDOW")}
+    with bpy.context.temp_override(**place):
+        bpy.ops.fantasia3d.quad_remesh("INVOKE_DEFAULT", faces=300, texture_size=64)
+    report["quads_at_once"] = meshes()
+    while len(meshes()) < 2:
+        yield 0.1
+    yield 0.5
+    screenshot("quads")
+    with bpy.context.temp_override(**place):
+        made = bpy.context.view_layer.objects.active.name
+        bpy.ops.fantasia3d.mark_asset("INVOKE_DEFAULT", tags="chair")
+    while not (bpy.data.objects[made].preview and bpy.data.objects[made].preview.image_size[0]):
+        yield 0.1
+    obj = bpy.data.objects[made]
+    sides = sorted({len(polygon.vertices) for polygon in obj.data.polygons})
+    report["quads"] = {"name": made, "sides": sides, "tags": len(obj.asset_data.tags)}
+    report["quads_hold_up"] = max(b - a for a, b in itertools.pairwise(beats))
 
 
 def meshes() -> list[str]:
