@@ -73,10 +73,10 @@ def degrees(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("mirrored", [False, True])
-@pytest.mark.parametrize("by", ["island", "xatlas", "folded"])
+@pytest.mark.parametrize("by", ["island", "unwrap", "folded"])
 def test_tangents_are_blenders(by: str, mirrored: bool) -> None:
     verts, faces = standing()
-    uv, face_uvs = torus_uv(N, M) if by != "xatlas" else unwrap(verts, faces, 512)
+    uv, face_uvs = torus_uv(N, M) if by != "unwrap" else unwrap(verts, faces, 512)
     if by == "folded":  # one half mirrored onto the other without a cut
         uv = torch.stack([(uv[:, 0] - 0.5).abs(), uv[:, 1]], -1)
     if mirrored:

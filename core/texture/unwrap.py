@@ -1,26 +1,30 @@
-"""UVs for a mesh that has none (§4.3, "Texturing": "we use xatlas")."""
+"""UVs for a mesh that has none (§4.3, "Texturing", where the paper takes xatlas).
 
-import subprocess
-import sys
-import tempfile
-import time
+Charts by the shape, not by its faces (:mod:`core.texture.charts`), flattened without cutting them
+up further (:mod:`core.texture.flatten`), and packed (:mod:`core.texture.packing`): few islands, so
+that little of the atlas goes into the gaps between them.
+"""
+
 from collections.abc import Callable
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.errors import UserError
-from core.texture.files import told_errors
+from core.kernels.packing import mark
+from core.texture.charts import charts, halved, neighbours, pieces
+from core.texture.flatten import at_rest, flatten
+from core.texture.packing import charts_of, pack, triangle_areas
 
-MAX_FACES = 100_000  # xatlas takes half a minute here, and beyond this sometimes hours
-TIME_LIMIT = 900.0  # seconds; thirty times what MAX_FACES needs
-PATIENCE = 8.0  # times the expected seconds: xatlas's thorough packing of some meshes never ends
+MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
-WORKER = Path(__file__).with_name("unwrap_worker.py")
+MENDINGS = 4  # rounds of cutting out what would not lie flat
+SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
+OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
+OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two
 
 
 class Unwrapped(NamedTuple):
@@ -34,22 +38,19 @@ def unwrap(
     verts: Float[Tensor, "v 3"],
     faces: Int[Tensor, "f 3"],
     size: int,
-    progress: Callable[[float], None] | None = None,
-    time_limit: float = TIME_LIMIT,
+    progress: Callable[[float], None] = lambda _: None,
 ) -> Unwrapped:
     """Cut the surface into islands and lay them out for a texture of ``size`` texels a side.
 
-    The same mesh gives the same atlas, unless the machine is so busy that the thorough packing
-    is given up for the quick one. ``progress`` is called some times a second with the estimated
-    part done, in [0, 1); what it raises stops the work.
+    The same mesh gives the same atlas. ``progress`` is called with the part done, in [0, 1); what
+    it raises stops the work.
 
-    Raises UserError: more than MAX_FACES faces, numbers that are not finite, a mesh that xatlas
-    cannot open out, or longer than ``time_limit`` seconds.
+    Raises UserError: more than MAX_FACES faces, numbers that are not finite, a mesh of so many
+    pieces that the gaps between them fill the texture.
     """
     if len(faces) > MAX_FACES:
         raise UserError(
-            f"The mesh has {len(faces):,} faces; the unwrap takes {MAX_FACES:,} at most, "
-            "above that it can run for hours.",
+            f"The mesh has {len(faces):,} faces; the unwrap takes {MAX_FACES:,} at most.",
             "Take a smaller --max-faces, or give the mesh a UV map of its own.",
         )
     if not len(faces) or not bool(torch.isfinite(verts).all()):
@@ -57,73 +58,69 @@ def unwrap(
             "The mesh has no faces, or vertices that are not finite numbers.",
             "Give a mesh that Blender can show.",
         )
-    with (
-        told_errors(Path(tempfile.gettempdir())),
-        tempfile.TemporaryDirectory(prefix="fantasia3d-unwrap-") as name,
-    ):
-        folder = Path(name)
-        np.save(folder / "verts.npy", verts.detach().cpu().float().numpy())
-        np.save(folder / "faces.npy", faces.cpu().numpy().astype(np.uint32))
-        expected = expected_seconds(len(faces))
-        patience = min(PATIENCE * (expected + 1), time_limit / 2)
-        if not _run(folder, (size, "thorough"), expected, progress, patience) and not _run(
-            folder, (size, "quick"), expected, progress, time_limit - patience
-        ):
-            raise UserError(
-                f"The unwrap was not done after {time_limit:.0f} seconds.",
-                "Take a smaller --max-faces, or give the mesh a UV map of its own.",
-            )
-        uv = torch.from_numpy(np.load(folder / "uv.npy")).to(verts)
-        face_uvs = torch.from_numpy(np.load(folder / "face_uvs.npy").astype(np.int64))
-    return Unwrapped(uv, face_uvs.to(faces))
+    p, f = at_unit_size(verts.detach().cpu().double().numpy()), faces.cpu().long().numpy()
+    progress(0.0)
+    chart = charts(p, f)
+    progress(0.2)
+    uv, face_uvs, chart = flat_charts(p, f, chart, lambda x: progress(0.2 + 0.4 * x))
+    out = pack(uv, face_uvs, chart, PADDING / size, lambda x: progress(0.6 + 0.39 * x))
+    if out is None:
+        raise UserError(
+            f"The mesh comes apart into {int(chart.max()) + 1:,} pieces, and a texture of "
+            f"{size} texels has no room for so many.",
+            "Join its faces (Blender: Mesh > Merge > By Distance), or take a larger texture.",
+        )
+    return Unwrapped(torch.from_numpy(out).to(verts), torch.from_numpy(face_uvs).to(faces))
 
 
-def expected_seconds(face_count: int) -> float:
-    """Measured on one idle core: 4 s at 20k faces, 12 s at 46k, 29 s at 99k."""
-    return 0.5 + 3.5 * (face_count / 20_000) ** 1.3
+def at_unit_size(verts: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:
+    """The mesh as it is, but one unit across: all bounds here are for that."""
+    middle = (verts.max(0) + verts.min(0)) / 2
+    return (verts - middle) / max(float(np.ptp(verts, axis=0).max()), 1e-30)
 
 
-def _run(
-    folder: Path,
-    options: tuple[int, str],
-    expected: float,
-    progress: Callable[[float], None] | None,
-    time_limit: float,
-) -> bool:
-    """Whether the worker ended in time."""
-    size, manner = options
-    command = [sys.executable, str(WORKER), str(folder), str(size), str(PADDING), manner]
-    begin = time.monotonic()
-    with (folder / "log.txt").open("wb") as log:
-        worker = subprocess.Popen(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
-        try:
-            while _running(worker):
-                seconds = time.monotonic() - begin
-                if seconds > time_limit:
-                    return False
-                if progress:
-                    progress(min(seconds / expected, 0.99))
-        finally:
-            worker.kill()
-            worker.wait()
-    if worker.returncode:
-        _explain(worker.returncode, (folder / "log.txt").read_text(errors="replace"))
-    return True
+def flat_charts(
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    chart: Int[np.ndarray, " f"],
+    progress: Callable[[float], None],
+) -> tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"], Int[np.ndarray, " f"]]:
+    """uv, uv indices and charts; charts that would not lie flat are cut until they do."""
+    beside, centre = neighbours(faces), verts[faces].mean(1)
+    area = triangle_areas(at_rest(verts[faces]))
+    for round_ in range(MENDINGS):
+        progress(round_ / MENDINGS)
+        uv, face_uvs = flatten(verts, faces, chart)
+        bad, folded = squashed(uv[face_uvs], area), overlapping(uv, face_uvs, chart)
+        if round_ == MENDINGS - 1 or not (bad.any() or folded.any()):
+            break
+        chart = halved(chart, folded, beside, centre)
+        chart = pieces(np.where(bad, chart + chart.max() + 1, chart), beside)
+    return uv, face_uvs, chart
 
 
-def _running(worker: "subprocess.Popen[bytes]") -> bool:
-    try:
-        worker.wait(timeout=0.25)
-    except subprocess.TimeoutExpired:
-        return True
-    return False
+def squashed(
+    corners: Float[np.ndarray, "f 3 2"], area: Float[np.ndarray, " f"]
+) -> Bool[np.ndarray, " f"]:
+    """Faces that lie face down, or that lost most of their size."""
+    p, q = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    signed = (p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) / 2
+    return (signed * SQUASHED < area) & (area > 1e-4 * area.mean())
 
 
-def _explain(code: int, log: str) -> None:
-    """Raise what ended the worker: a fault of ours with its traceback, else the mesh's."""
-    if "ImportError" in log or "ModuleNotFoundError" in log or "RuntimeError" in log:
-        raise RuntimeError(f"the unwrap's process failed with status {code}:\n{log}")
-    raise UserError(
-        f"xatlas could not unwrap the mesh (status {code}).",
-        "Repair the mesh in Blender (Mesh > Clean Up), or give it a UV map of its own.",
-    )
+def overlapping(
+    uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"], chart: Int[np.ndarray, " f"]
+) -> Bool[np.ndarray, " c"]:
+    """Charts that lie over themselves."""
+    found = charts_of(uv, face_uvs, chart)
+    total = sum(float(triangle_areas(one.at[one.corners]).sum()) for one in found)
+    largest = max(float(one.at.max()) for one in found)
+    scale = OVERLAP_CELLS / max(np.sqrt(total), largest / 8, 1e-30)  # a wire is all length
+    folded = np.zeros(len(found), np.bool_)
+    for i, one in enumerate(found):
+        at = one.at * scale
+        width, height = (int(x) + 1 for x in at.max(0))
+        mask = np.zeros((height, width), np.bool_)
+        twice = mark(at[one.corners], mask)
+        folded[i] = twice > max(2.0, OVERLAP * mask.sum())
+    return folded

@@ -1,0 +1,39 @@
+"""The loops of :mod:`core.texture.charts`."""
+
+import heapq
+
+import numpy as np
+
+from core.kernels.compiled import compiled
+
+BEND = 8.0  # how much longer a way is that leaves its chart's plane by 60 degrees
+
+
+@compiled
+def grow(beside, centre, normal, seeds, axis, least):
+    """The chart of each face, the one whose seed is nearest: (F,) int64, -1 where none may reach.
+
+    Ways go from face to face over ``beside`` (F,3), -1 at a border, between the ``centre`` (F,3)
+    of each; one is the longer the more ``normal`` (F,3) leaves ``axis`` (C,3) of the chart, and
+    none enters a face whose cosine to it is below ``least``.
+    """
+    chart = np.full(len(beside), -1, np.int64)
+    heap = [(0.0, np.int64(seeds[c]), np.int64(c)) for c in range(len(seeds))]
+    heapq.heapify(heap)
+    while len(heap) > 0:
+        way, face, c = heapq.heappop(heap)
+        if chart[face] >= 0:
+            continue
+        chart[face] = c
+        for side in range(3):
+            other = beside[face, side]
+            if other < 0 or chart[other] >= 0:
+                continue
+            cosine, length = 0.0, 0.0
+            for k in range(3):
+                cosine += normal[other, k] * axis[c, k]
+                length += (centre[other, k] - centre[face, k]) ** 2
+            if cosine >= least:
+                step = np.sqrt(length) * (1 + BEND * 2 * (1 - cosine))
+                heapq.heappush(heap, (way + step, other, c))
+    return chart

@@ -1,0 +1,206 @@
+"""The surface cut into charts: connected pieces that each look one way, as few as may be.
+
+Regions grow from seeds, the seeds move to their regions' middles, and so on ("Variational Shape
+Approximation", Cohen-Steiner et al. 2004), with ways along the surface for the distance, so that
+charts are compact; then neighbours are joined where both still look one way. The directions are
+those of the surface without its finest ripples: how many charts there are depends on the shape,
+not on how finely it is cut up.
+"""
+
+import heapq
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array, csr_array
+from scipy.sparse.csgraph import connected_components
+
+from core.kernels.charts import grow
+
+SMOOTHING = 12  # rounds, each over the faces next to a face
+WIDEST = 0.34  # least cosine between a face and its chart: 70 degrees
+ONE_WAY = 0.5  # least length of the mean of a chart's normals, for it to be the chart's axis
+ROUNDS = 8  # of growing from better seeds
+STRAIGHTENING = 4  # rounds
+LARGEST = 0.2  # of the surface: larger ones sprawl and leave room between them
+LARGEST_JOINED = 0.12
+
+
+def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, " f"]:
+    """The chart of each face, 0 and up without gaps. The same mesh gives the same charts."""
+    beside = neighbours(faces)
+    area, normal = facing(verts, faces)
+    area = np.maximum(area, 1e-6 * area.mean() + 1e-30)
+    normal = smooth(normal, area, beside)
+    chart = grown(beside, verts[faces].mean(1), normal, area)
+    chart = pieces(straightened(chart, beside, normal), beside)
+    return joined(chart, beside, normal, area)
+
+
+def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
+    """The face across the edge from corner i to i + 1.
+
+    -1 unless exactly two faces share it, and both look to the same side of the surface.
+    """
+    ends = np.stack([faces, np.roll(faces, -1, 1)], -1).reshape(-1, 2)
+    key = ends.min(1) * (int(faces.max()) + 1) + ends.max(1)
+    order = np.argsort(key, kind="stable")
+    starts = np.flatnonzero(np.r_[True, np.diff(key[order]) != 0])
+    two = starts[np.diff(np.r_[starts, len(key)]) == 2]
+    a, b = order[two], order[two + 1]
+    alike = ends[a, 0] != ends[b, 0]
+    a, b = a[alike], b[alike]
+    beside = np.full(len(key), -1, np.int64)
+    beside[a], beside[b] = b // 3, a // 3
+    return beside.reshape(-1, 3)
+
+
+def facing(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
+) -> tuple[Float[np.ndarray, " f"], Float[np.ndarray, "f 3"]]:
+    """Area and unit normal of each face; the normal of one without area is zero."""
+    a, b, c = (verts[faces[:, i]] for i in range(3))
+    cross = np.cross(b - a, c - a)
+    return np.linalg.norm(cross, axis=1) / 2, unit(cross)
+
+
+def unit(x: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+    """At length one; a zero stays."""
+    return x / np.maximum(np.linalg.norm(x, axis=1, keepdims=True), 1e-30)
+
+
+def smooth(
+    normal: Float[np.ndarray, "f 3"], area: Float[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+) -> Float[np.ndarray, "f 3"]:
+    """Normals averaged over the faces around, by area, SMOOTHING times."""
+    count = len(beside)
+    face, side = np.nonzero(beside >= 0)
+    rows, columns = np.r_[face, np.arange(count)], np.r_[beside[face, side], np.arange(count)]
+    mean = csr_array((area[columns], (rows, columns)), shape=(count, count))
+    for _ in range(SMOOTHING):
+        normal = unit(mean @ normal)
+    return normal
+
+
+def grown(
+    beside: Int[np.ndarray, "f 3"],
+    centre: Float[np.ndarray, "f 3"],
+    normal: Float[np.ndarray, "f 3"],
+    area: Float[np.ndarray, " f"],
+) -> Int[np.ndarray, " f"]:
+    """Charts grown from seeds in their middles; what no seed may reach gets seeds of its own."""
+    chart = with_rest(np.full(len(beside), -1, np.int64), beside)
+    for _ in range(ROUNDS):
+        chart = halved(chart, np.bincount(chart, area) > LARGEST * area.sum(), beside, centre)
+        weight = np.bincount(chart, area)[:, None]
+        middle, axis = sums(chart, centre, area) / weight, sums(chart, normal, area) / weight
+        away = np.square(centre - middle[chart]).sum(1) * (2.1 - (normal * axis[chart]).sum(1))
+        order = np.lexsort((away, chart))
+        seeds = order[np.flatnonzero(np.r_[True, np.diff(chart[order]) != 0])]
+        one_way = np.linalg.norm(axis, axis=1, keepdims=True) > ONE_WAY
+        axis = np.where(one_way, unit(axis), normal[seeds])
+        chart = with_rest(grow(beside, centre, normal, seeds, axis, WIDEST), beside)
+    return chart
+
+
+def sums(
+    chart: Int[np.ndarray, " f"], values: Float[np.ndarray, "f 3"], area: Float[np.ndarray, " f"]
+) -> Float[np.ndarray, "c 3"]:
+    """Of each chart, weighted."""
+    return np.stack([np.bincount(chart, area * x) for x in values.T], 1)
+
+
+def with_rest(
+    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+) -> Int[np.ndarray, " f"]:
+    """Faces without a chart get new ones, one for each piece that hangs together."""
+    rest = chart < 0
+    new = chart.copy()
+    new[rest] = chart.max() + 1 + pieces(chart, beside)[rest]
+    return np.unique(new, return_inverse=True)[1].reshape(-1)
+
+
+def pieces(chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, " f"]:
+    """A number for each part of a chart that hangs together."""
+    face, side = np.nonzero(beside >= 0)
+    other = beside[face, side]
+    same = chart[face] == chart[other]
+    ends = face[same], other[same]
+    graph = coo_array((np.ones(len(ends[0]), np.int8), ends), shape=(len(chart),) * 2)
+    return connected_components(graph, directed=False)[1].astype(np.int64)
+
+
+def straightened(
+    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"], normal: Float[np.ndarray, "f 3"]
+) -> Int[np.ndarray, " f"]:
+    """Borders without teeth: a face goes over to the chart of two of its neighbours."""
+    for _ in range(STRAIGHTENING):
+        around = np.where(beside >= 0, chart[beside], -1 - np.arange(3))
+        a, b, c = around.T
+        two = np.where(a == b, a, np.where(b == c, b, np.where(a == c, c, chart)))
+        near = beside[np.arange(len(chart)), (around == two[:, None]).argmax(1)]
+        alike = (normal * normal[near]).sum(1) > WIDEST
+        chart = np.where((two >= 0) & alike, two, chart)
+    return chart
+
+
+def joined(
+    chart: Int[np.ndarray, " f"],
+    beside: Int[np.ndarray, "f 3"],
+    normal: Float[np.ndarray, "f 3"],
+    area: Float[np.ndarray, " f"],
+) -> Int[np.ndarray, " f"]:
+    """Neighbours made one where both keep within WIDEST of one axis, the longest border first."""
+    order = np.argsort(chart, kind="stable")
+    faces_of = dict(enumerate(np.split(order, np.flatnonzero(np.diff(chart[order])) + 1)))
+    border, largest = borders(chart, beside), LARGEST_JOINED * area.sum()
+    heap = [(-n, a, b) for a in border for b, n in border[a].items() if a < b]
+    heapq.heapify(heap)
+    while heap:
+        count, a, b = heapq.heappop(heap)
+        if border.get(a, {}).get(b) != -count:
+            continue  # of charts that are joined already
+        both = np.concatenate([faces_of[a], faces_of[b]])
+        axis = area[both] @ normal[both]
+        turned_away = (normal[both] @ axis).min() < WIDEST * np.linalg.norm(axis)
+        if turned_away or area[both].sum() > largest:
+            continue
+        faces_of[a] = both
+        del faces_of[b]
+        for c, n in border.pop(b).items():
+            del border[c][b]
+            if c != a:
+                border[a][c] = border[c][a] = border[a].get(c, 0) + n
+        for c, n in border[a].items():
+            heapq.heappush(heap, (-n, min(a, c), max(a, c)))
+    for label, found in enumerate(faces_of.values()):
+        chart[found] = label
+    return chart
+
+
+def borders(
+    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+) -> dict[int, dict[int, int]]:
+    """For each chart, the edges that it shares with each other."""
+    face, side = np.nonzero(beside >= 0)
+    pair = np.stack([chart[face], chart[beside[face, side]]], 1)
+    unique, count = np.unique(pair[pair[:, 0] != pair[:, 1]], axis=0, return_counts=True)
+    border: dict[int, dict[int, int]] = {int(c): {} for c in np.unique(chart)}
+    for (a, b), n in zip(unique.tolist(), count.tolist(), strict=True):
+        border[a][b] = n
+    return border
+
+
+def halved(
+    chart: Int[np.ndarray, " f"],
+    these: Bool[np.ndarray, " c"],
+    beside: Int[np.ndarray, "f 3"],
+    centre: Float[np.ndarray, "f 3"],
+) -> Int[np.ndarray, " f"]:
+    """The charts ``these`` cut across their longest sides; what falls apart is a chart each."""
+    chart = chart.copy()
+    for one in np.flatnonzero(these):
+        faces = np.flatnonzero(chart == one)
+        away = centre[faces] - centre[faces].mean(0)
+        along = away @ np.linalg.eigh(away.T @ away)[1][:, -1]
+        chart[faces[along > np.median(along)]] = chart.max() + 1
+    return pieces(chart, beside)

@@ -1,0 +1,157 @@
+"""Charts laid into the plane as rigidly as may be: every triangle keeps its shape and its size.
+
+"A Local/Global Approach to Mesh Parameterization" (Liu et al. 2008, ARAP), all charts at once, from
+each chart's view along its axis.
+"""
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array, csc_array, csr_array, eye_array
+from scipy.sparse.linalg import splu
+
+ITERATIONS = 10
+COTANGENTS = (0.05, 20.0)  # kept within: a sliver would pull with all its weight, or push
+HOLD = 1e-6  # of the mean weight, to the place at the start: a chart alone may lie anywhere
+UNFOLDING = 40  # rounds
+
+
+def flatten(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], chart: Int[np.ndarray, " f"]
+) -> tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"]]:
+    """uv in the surface's own unit, and a uv index by corner; the charts lie over one another.
+
+    A vertex has one uv for each chart that meets there.
+    """
+    key = chart[:, None] * (int(faces.max()) + 1) + faces
+    _, first, face_uvs = np.unique(key, return_index=True, return_inverse=True)
+    face_uvs = face_uvs.reshape(-1, 3)
+    uv = seen_along_axis(without_ripples(verts, faces), faces, chart, first)
+    rest = at_rest(verts[faces])
+    uv = unfolded(as_rigid(uv, face_uvs, rest), face_uvs)
+    return uv, face_uvs
+
+
+def without_ripples(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], rounds: int = 10
+) -> Float[np.ndarray, "v 3"]:
+    """The mesh smoothed and swollen again ("A Signal Processing Approach...", Taubin 1995)."""
+    mean = mean_around(faces, len(verts))
+    for _ in range(rounds):
+        for step in (0.5, -0.53):
+            verts = verts + step * (mean @ verts - verts)
+    return verts
+
+
+def mean_around(faces: Int[np.ndarray, "f 3"], count: int) -> csr_array:
+    """The mean over the vertices that share an edge with each."""
+    a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
+    graph = coo_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
+    graph = csr_array(graph)
+    graph.data[:] = 1
+    total = np.maximum(graph.sum(1), 1)
+    return csr_array(graph / total[:, None])
+
+
+def seen_along_axis(
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    chart: Int[np.ndarray, " f"],
+    first: Int[np.ndarray, " u"],
+) -> Float[np.ndarray, "u 2"]:
+    """Each chart as it looks from where its normals point to; ``first``: a corner for each uv."""
+    p = verts[faces]
+    cross = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    axis = np.stack([np.bincount(chart, x) for x in cross.T], 1)
+    axis /= np.maximum(np.linalg.norm(axis, axis=1, keepdims=True), 1e-30)
+    least = np.eye(3)[np.abs(axis).argmin(1)]
+    right = np.cross(least, axis)
+    right /= np.maximum(np.linalg.norm(right, axis=1, keepdims=True), 1e-30)
+    up = np.cross(axis, right)
+    at, of = p.reshape(-1, 3)[first], chart[first // 3]
+    return np.stack([(at * right[of]).sum(1), (at * up[of]).sum(1)], 1)
+
+
+def at_rest(p: Float[np.ndarray, "f 3 3"]) -> Float[np.ndarray, "f 3 2"]:
+    """Each triangle in a plane of its own, counter-clockwise."""
+    along, across = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+    length = np.linalg.norm(along, axis=1)
+    x = (along * across).sum(1) / np.maximum(length, 1e-30)
+    y = np.linalg.norm(np.cross(along, across), axis=1) / np.maximum(length, 1e-30)
+    rest = np.zeros((len(p), 3, 2))
+    rest[:, 1, 0], rest[:, 2, 0], rest[:, 2, 1] = length, x, y
+    return rest
+
+
+def as_rigid(
+    uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"], rest: Float[np.ndarray, "f 3 2"]
+) -> Float[np.ndarray, "u 2"]:
+    """The least of Liu's Eq. 2, the triangles as at ``rest`` but turned, from ``uv``."""
+    side = np.roll(rest, -1, 1) - np.roll(rest, 1, 1)  # opposite of each corner, from next to last
+    weight = cotangents(rest)
+    a, b = np.roll(face_uvs, 1, 1).reshape(-1), np.roll(face_uvs, -1, 1).reshape(-1)
+    laplacian = coo_array(
+        (
+            np.r_[weight, weight, -weight, -weight].reshape(4, -1).reshape(-1),
+            (np.r_[a, b, a, b], np.r_[a, b, b, a]),
+        ),
+        shape=(len(uv),) * 2,
+    )
+    hold = HOLD * weight.mean()
+    solver = splu(
+        csc_array(laplacian + hold * eye_array(len(uv))),
+        permc_spec="MMD_AT_PLUS_A",
+        options={"SymmetricMode": True},
+        diag_pivot_thresh=0.0,
+    )
+    start = uv
+    for _ in range(ITERATIONS):
+        pull = weight.reshape(-1, 1) * turned(uv, face_uvs, side, weight).reshape(-1, 2)
+        total = [np.bincount(b, x, len(uv)) - np.bincount(a, x, len(uv)) for x in pull.T]
+        uv = solver.solve(np.stack(total, 1) + hold * start)
+    return uv
+
+
+def cotangents(rest: Float[np.ndarray, "f 3 2"]) -> Float[np.ndarray, "f 3"]:
+    """Of the angle in each corner, kept within COTANGENTS."""
+    p, q = np.roll(rest, -1, 1) - rest, np.roll(rest, 1, 1) - rest
+    cross = p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0]
+    return ((p * q).sum(-1) / np.maximum(cross, 1e-30)).clip(*COTANGENTS)
+
+
+def turned(
+    uv: Float[np.ndarray, "u 2"],
+    face_uvs: Int[np.ndarray, "f 3"],
+    side: Float[np.ndarray, "f 3 2"],
+    weight: Float[np.ndarray, "f 3"],
+) -> Float[np.ndarray, "f 3 2"]:
+    """The sides at rest, each triangle turned to lie as near to its uv as it can (Liu, §3.2)."""
+    now = uv[np.roll(face_uvs, -1, 1)] - uv[np.roll(face_uvs, 1, 1)]
+    x, y = side[..., 0], side[..., 1]
+    cosine = (weight * (now * side).sum(-1)).sum(1)
+    sine = (weight * (now[..., 1] * x - now[..., 0] * y)).sum(1)
+    length = np.maximum(np.hypot(cosine, sine), 1e-30)
+    c, s = (cosine / length)[:, None], (sine / length)[:, None]
+    return np.stack([c * x - s * y, s * x + c * y], -1)
+
+
+def unfolded(
+    uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"]
+) -> Float[np.ndarray, "u 2"]:
+    """What lies face down is drawn smooth by its neighbours until it does not."""
+    mean = mean_around(face_uvs, len(uv))
+    for _ in range(UNFOLDING):
+        wrong = np.unique(face_uvs[face_down(uv, face_uvs)])
+        if not len(wrong):
+            break
+        uv = uv.copy()
+        uv[wrong] = (mean[wrong] @ uv + uv[wrong]) / 2
+    return uv
+
+
+def face_down(
+    uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"]
+) -> Bool[np.ndarray, " f"]:
+    """Triangles that do not run counter-clockwise."""
+    a, b, c = (uv[face_uvs[:, i]] for i in range(3))
+    p, q = b - a, c - a
+    return p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] <= 0
