@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import ask, compat, thumbnails
+from . import ask, compat, memory, thumbnails
 from .arrival import obstacle
 from .environment import SetupError
 from .follow import Follow
@@ -46,7 +46,7 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         _draw_settings(layout, settings)
         if settings.task == "texture":
             _draw_mesh(layout, context)
-        _draw_folds(layout, settings)
+        _draw_folds(layout, context)
         _draw_button(layout, context)
         for follow in session.running:
             _draw_run(layout, context, follow)
@@ -91,8 +91,9 @@ def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
         column.prop(settings, "color_strength")
 
 
-def _draw_folds(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+def _draw_folds(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     """What the quality decides unless it is said here."""
+    settings = context.scene.fantasia3d
     body = fold(layout, "guide", "Start from a Mesh") if settings.task == "generate" else None
     if body:
         row = body.row(align=True)
@@ -112,10 +113,16 @@ def _draw_folds(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -
         body.prop(settings, "texture_size")
         if settings.task == "generate":
             body.prop(settings, "max_faces")
+        sentence(body, context, _memory_line(settings)[0], quiet=True)
     body = fold(layout, "advanced", "Advanced")
     if body:
         body.prop(settings, "device")
         body.prop(settings, "overrides", placeholder="stage.field=value")
+
+
+def _memory_line(settings: bpy.types.PropertyGroup) -> tuple[str, bool]:
+    """What the job will take, and whether this machine has it."""
+    return memory.line(settings.preset, int(settings.texture_size), session.free_memory())
 
 
 def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -136,6 +143,9 @@ def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
         row.operator(name, text=word, icon="SHADERFX")
     if reason:
         sentence(column, context, reason, "INFO", quiet=True)
+    said, enough = _memory_line(context.scene.fantasia3d)
+    if not enough and not session.running:
+        sentence(column, context, said, "ERROR")
 
 
 def _draw_run(layout: bpy.types.UILayout, context: bpy.types.Context, follow: Follow) -> None:

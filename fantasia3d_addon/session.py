@@ -24,6 +24,7 @@ from .follow import Follow
 from .history import Entry
 from .import_asset import data_name
 from .jobs import Run, prepare
+from .memory import Free
 from .preferences import Machine
 from .target import Target
 from .work import Work
@@ -46,6 +47,7 @@ class Session:
         self.asset = ""  # the name of the last object that was made
         self.work: Work | None = None  # a set-up or a check
         self.history: list[Entry] = []
+        self.free_memory = Free()
         self._scan: Work | None = None
         self._file_number = 0
         self._timer = self.tick  # one object: Blender knows a timer by its identity
