@@ -97,13 +97,12 @@ def test_this_machine_has_some_memory():
 
 
 def test_the_panel_says_what_a_job_takes_and_when_that_is_too_much():
+    need = f"{memory.TRAINING['draft'] / 1e9:.1f}"
     text, enough = memory.line("draft", 0, 16e9)
-    assert (
-        enough
-        and text == f"About {memory.TRAINING['draft'] / 1e9:.1f} GB of memory; 16 GB are free."
-    )
+    assert enough
+    assert text == f"It takes about {need} GB of memory; 16 GB are free."
     text, enough = memory.line("draft", 8192, 2e9)
-    assert not enough and "2.0 GB are free. Take a smaller texture" in text
+    assert not enough and "2.0 GB are free. Take a smaller texture, or close" in text
     assert memory.line("draft", 0, None)[1]
 
 

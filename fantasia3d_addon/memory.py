@@ -56,14 +56,15 @@ class Free:
 def line(preset: str, texture_size: int, free: float | None) -> tuple[str, bool]:
     """What the panel says, and whether there is enough."""
     need = needed(preset, texture_size)
-    said = f"About {need / 1e9:.1f} GB of memory"
+    said = f"It takes about {need / 1e9:.1f} GB of memory"
     if free is None:
         return f"{said}.", True
     if need + SPARE <= free:
         return f"{said}; {free / 1e9:.0f} GB are free.", True
+    smaller = "" if preset == "draft" else " or the quality Draft"
     return (
-        f"{said}, and {free / 1e9:.1f} GB are free. Take a smaller texture or the quality Draft, "
-        "or close other programs.",
+        f"{said}; {free / 1e9:.1f} GB are free. Take a smaller texture{smaller}, or close other "
+        "programs.",
         False,
     )
 
