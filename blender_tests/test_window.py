@@ -97,7 +97,7 @@ def test_blender_is_never_held_up_while_a_job_runs(report):
 def test_quads_and_a_thumbnail_come_from_another_blender_while_this_one_goes_on(report):
     assert report["quads_at_once"] == ["a red wooden chair"]
     assert report["quads"] == {"name": "a red wooden chair quads", "sides": [4], "tags": 1}
-    assert report["quads_hold_up"] < 0.3  # its own drawing in software is in it
+    assert report["quads_hold_up"] < 0.1  # its own drawing in software is in it
 
 
 def test_the_panel_is_drawn(report):
