@@ -35,7 +35,10 @@ GUIDANCE = (
     ("folder", "Stable Diffusion Folder", "A Stable Diffusion model in a folder of yours"),
     ("hub", "Hub Model", "A Stable Diffusion model by its id on the Hugging Face hub"),
 )
-SIZES = (("0", "Of the quality", ""), *((str(2**n), f"{2**n}", "") for n in range(9, 14)))
+SIZES = (
+    ("0", "Automatic", "1024 for a draft, else 2048"),
+    *((str(2**n), f"{2**n}", "") for n in range(9, 14)),
+)
 DEVICES = (
     ("auto", "Automatic", "The GPU where there is one"),
     ("cpu", "CPU", ""),
