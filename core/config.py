@@ -89,6 +89,9 @@ class AppearanceConfig:
     learning_rate_end: float = 1.0
     gradient_cap: float = 0.0
     shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
+    # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
+    # know no such shadows.
+    self_shadow: bool = False
     rotate_light: bool = True  # a fixed light bakes into kd
     kd_range: tuple[float, float] = (0.03, 0.97)
     roughness_range: tuple[float, float] = (0.08, 0.9)

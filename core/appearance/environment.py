@@ -86,6 +86,10 @@ class Environment:
         """L_i: what is seen looking along ``direction``."""
         return self.mirror.read(direction)
 
+    def around(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
+        """L_i of what is no lamp's, blurred by about 0.1 radians."""
+        return self.specular.blurred(direction)
+
     def irradiance(self, normal: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
         """∫ L_i (ω_i·n) dω_i / π (Eq. 8): what a white diffuse surface sends out."""
         return self.irradiance_map.read(normal) + self.lamps.irradiance(normal)

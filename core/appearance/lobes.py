@@ -89,6 +89,11 @@ class FittedLobes:
         """Turned about the vertical, radians."""
         return FittedLobes(self.maps.rotated(azimuth), self.table)
 
+    def blurred(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
+        """The light around a direction, by a lobe of alpha 1/16."""
+        level = torch.full_like(direction[:, 0], -math.log2(16 * FINEST))
+        return self.maps.read(direction, level)
+
     def average(
         self,
         normal: Float[Tensor, "p 3"],

@@ -43,6 +43,10 @@ class SplitSum:
         """Turned about the vertical, radians."""
         return SplitSum(self.maps.rotated(azimuth))
 
+    def blurred(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
+        """The light around a direction, by the lobe of alpha 1/16."""
+        return self.maps.read(direction, torch.full_like(direction[:, 0], 0.25 / STEP))
+
     def average(
         self,
         normal: Float[Tensor, "p 3"],

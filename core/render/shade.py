@@ -12,7 +12,8 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.brdf import lookup_albedo
-from core.appearance.environment import Environment
+from core.appearance.environment import Environment, Incoming
+from core.appearance.openness import hidden
 from core.ops import dot, normalize
 
 # Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
@@ -27,37 +28,47 @@ def shade(
     roughness: Float[Tensor, "p 1"],
     metallic: Float[Tensor, "p 1"],
     environment: Environment,
+    shares: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
     """Linear radiance towards the eye at P points.
 
     ``normal`` and ``view`` (from the surface to the eye) are unit vectors in the world; ``kd`` is
-    linear. Gradients to everything but the light.
+    linear. ``shares``: what the object hides (:mod:`core.appearance.openness`); None: nothing.
+    Gradients to everything but the light.
     """
-    parts = [x.split(CHUNK) for x in (normal, view, kd, roughness, metallic)]
-    colors = [shade_chunk(n, v, c, r, m, environment) for n, v, c, r, m in zip(*parts, strict=True)]
-    return torch.cat(colors)
+    given = [normal, view, kd, roughness, metallic]
+    given += [] if shares is None else [shares]
+    parts = zip(*(x.split(CHUNK) for x in given), strict=True)
+    return torch.cat([shade_chunk(environment, *part) for part in parts])
 
 
 def shade_chunk(
+    environment: Environment,
     normal: Float[Tensor, "p 3"],
     view: Float[Tensor, "p 3"],
     kd: Float[Tensor, "p 3"],
     roughness: Float[Tensor, "p 1"],
     metallic: Float[Tensor, "p 1"],
-    environment: Environment,
+    shares: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
     """:func:`shade` in one piece."""
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
     albedo = lookup_albedo(roughness, cos_v)
     light = environment.incoming(normal, view, roughness)
     lamp = environment.lamps.reflected(normal, view, cos_v, roughness)
+    arriving = light.diffuse + environment.lamps.irradiance(normal)
+    if shares is not None:
+        change, open_ = hidden(shares, normal, view, kd, roughness)
+        arriving, lamp = arriving * change, lamp * open_
+        own = (1 - open_) * kd * arriving  # the object, where the mirror shows it
+        light = Incoming(light.diffuse, *(open_ * x + own for x in light[1:]))
     # Eq. 8 with Schlick's F = F0 + (1 - F0)(1 - cos)^5 and F0 = kd.
     base = (albedo.total - albedo.schlick) * light.base + lamp[0]
     metal = kd * base + albedo.schlick * light.schlick + lamp[1]
     coat = albedo.dielectric * light.dielectric + lamp[2]
     # Eq. 7. The light that the dielectric layer reflects does not reach the base below it.
     passed = 1 - albedo.dielectric / albedo.total.clamp(min=1e-3)
-    diffuse = kd * passed * (light.diffuse + environment.lamps.irradiance(normal))
+    diffuse = kd * passed * arriving
     return metallic * metal + (1 - metallic) * (diffuse + coat)
 
 

@@ -106,14 +106,22 @@ def render_shaded(
     cameras: Cameras,
     size: int,
     environment: Environment,
+    shares: Float[Tensor, "v s"] | None = None,
 ) -> Shaded:
-    """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material."""
+    """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material.
+
+    ``shares``: what it hides from itself, by vertex (:class:`core.appearance.openness.Openness`).
+    """
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
     material = source(surface.points, surface.uv)
     normal = surface.shading_normal(material.kn)
     color = shade(
-        normal, surface.to_eye, material.kd, material.roughness, material.metallic, environment
+        normal,
+        surface.to_eye,
+        *material[:3],
+        environment,
+        None if shares is None else interpolate(shares, fragments),
     )
     srgb = linear_to_srgb(saturate(color))
     smooth = surface.side * normalize(surface.normal)

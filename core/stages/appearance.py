@@ -10,6 +10,7 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material, MaterialNet
+from core.appearance.openness import Openness
 from core.camera import Cameras, sample_cameras
 from core.config import AppearanceConfig
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
@@ -39,6 +40,7 @@ def learn_appearance(
     training = Training(run, "appearance", net, optimizer, generator)
     training.resume()
     guard, preview = Guard(training), ColorPreview(run)
+    openness = Openness.of(mesh.verts, mesh.faces) if config.self_shadow else None
     distilling = config.early.steps + config.late.steps
 
     for step in run.steps("appearance", training.step, distilling + refine_steps(config.refine)):
@@ -49,7 +51,8 @@ def learn_appearance(
             group["lr"] = guard.rate * (config.refine.learning_rate if refining else rate)
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
-        scene = Scene(net, mesh, lit, guidance, embedding, generator)
+        shares = openness.shares(lit) if openness else None
+        scene = Scene(net, mesh, lit, guidance, embedding, generator, shares)
         step.loss, trouble = 0.0, ""
         try:
             if refining:
@@ -92,7 +95,9 @@ class Scene:
         guidance: Guidance,
         embedding: Embedding,
         generator: torch.Generator,
+        shares: Tensor | None = None,
     ) -> None:
+        self.shares = shares  # of the light, that the object does not hide from itself
         self.net, self.mesh, self.lit = net, mesh, lit
         self.guidance, self.embedding, self.generator = guidance, embedding, generator
         self.config = net.config
@@ -132,7 +137,7 @@ class Scene:
 
     def _latent(self, cameras: Cameras, size: int) -> tuple[Tensor, Views, Tensor | float]:
         """The views' colours as latents, what the guidance may know of them, the regulariser."""
-        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit)
+        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.shares)
         z = self.guidance.encode_color(shaded.srgb, shaded.o)
         surface = surface_picture(shaded, self.guidance.latent_size)
         rough = 0.0
