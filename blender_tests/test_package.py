@@ -15,6 +15,9 @@ from blender_tests.asset_fixture import write_asset
 from blender_tests.processes import ROOT
 
 bpy = pytest.importorskip("bpy")
+
+from fantasia3d_addon.asset_folder import read_asset  # noqa: E402
+
 pytestmark = pytest.mark.blender
 MODULE = "bl_ext.user_default.fantasia3d"
 USE = """
@@ -65,6 +68,26 @@ def test_nothing_lies_beside_the_core_that_could_hide_a_library(package):
     with zipfile.ZipFile(package) as archive:
         names = [name.split("/") for name in archive.namelist()]
     assert {name[1] for name in names if name[0] == "method"} - {""} == {"core", "pyproject.toml"}
+
+
+@pytest.mark.slow
+def test_the_core_of_the_zip_makes_an_asset(package, tmp_path):
+    """The real one, from a folder where nothing of this tree is; a minute."""
+    pytest.importorskip("torch")
+    with zipfile.ZipFile(package) as archive:
+        archive.extractall(tmp_path / "add-on")
+    settings = (
+        "geometry.fit_steps=40 geometry.coarse.steps=2 geometry.fine.steps=1 "
+        "geometry.refine.rounds=0 appearance.early.steps=1 appearance.late.steps=1 "
+        "appearance.refine.rounds=0 texture.size=64 texture.max_faces=500"
+    )
+    command = [sys.executable, "-m", "core", "generate", "a ball", "--out", str(tmp_path / "run")]
+    command += [word for pair in settings.split() for word in ("--set", pair)]
+    done = subprocess.run(
+        command, cwd=tmp_path / "add-on" / "method", capture_output=True, text=True, timeout=900
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert read_asset(tmp_path / "run").pictures["normal"].path.is_file()
 
 
 def test_package_takes_no_other_words():
