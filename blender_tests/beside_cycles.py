@@ -25,12 +25,13 @@ from core.appearance.brdf import (
 from core.appearance.environment import Environment
 from core.appearance.lamps import split_lamps
 from core.appearance.latlong import Levels, convolve, resample
+from core.appearance.openness import Openness
 from core.asset import read_asset
 from core.camera import Cameras
 from core.exr import read_exr
 from core.ops import dot, linear_to_srgb, normalize
 from core.picture import maps_source
-from core.render.rasterizer import rasterize
+from core.render.rasterizer import interpolate, rasterize
 from core.render.shade import shade
 from core.render.shaded import UvMesh, surface_at
 from fantasia3d_addon import light, scene
@@ -122,7 +123,7 @@ def ball_points(
 
 
 def asset_pixels(
-    folder: Path, size: int, environment: Environment
+    folder: Path, size: int, environment: Environment, self_shadow: bool = False
 ) -> tuple[Float[Tensor, "h w 3"], Bool[Tensor, "h w"]]:
     """The core's picture of an asset, and where it is."""
     asset = read_asset(folder)
@@ -130,9 +131,10 @@ def asset_pixels(
     fragments = rasterize(mesh.verts, mesh.faces, CAMERA.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, CAMERA)
     m = maps_source(asset)(surface.points, surface.uv)
-    color = shade(
-        surface.shading_normal(m.kn), surface.to_eye, m.kd, m.roughness, m.metallic, environment
-    )
+    shares = None
+    if self_shadow:
+        shares = interpolate(Openness.of(mesh.verts, mesh.faces).shares(environment), fragments)
+    color = shade(surface.shading_normal(m.kn), surface.to_eye, *m[:3], environment, shares)
     picture = torch.zeros(size * size, 3).index_copy(0, fragments.pixel, color)
     return picture.view(size, size, 3), fragments.face_id[0] >= 0
 
