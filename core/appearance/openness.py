@@ -41,7 +41,7 @@ class Openness:
     def of(
         cls, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], count: int = DIRECTIONS
     ) -> "Openness":
-        """Look around from each vertex; on the CPU, 3 s for 20,000 faces."""
+        """Look around from each vertex; on the CPU, 1.2 s for 20,000 faces."""
         directions = spread(count)
         normals = vertex_normals(verts, faces)
         cosine = (normals.cpu() @ directions.t()).clamp(min=0)

@@ -47,7 +47,7 @@ def iteration_ms(
     edges = edge_table(triangles)
     azimuth = torch.arange(views) * (360 / views)
     cameras = Cameras.orbit(azimuth, torch.full((views,), 20.0)).to(device)
-    latent_size, width = unet.config.sample_size, unet.config.cross_attention_dim
+    latent_size, width = unet.config["sample_size"], unet.config["cross_attention_dim"]
     words = torch.zeros(2 * views, TOKENS, width, device=device, dtype=unet.dtype)
 
     def latent() -> Tensor:

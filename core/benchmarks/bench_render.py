@@ -3,6 +3,7 @@
 import torch
 
 from core.appearance.environment import Environment, load_light
+from core.appearance.openness import Openness
 from core.benchmarks import ball, least_ms, row
 from core.camera import Cameras
 from core.ops import normalize
@@ -66,4 +67,16 @@ def shade_rows() -> list[dict]:
 
         name = f"shade 100,000 points with gradient, {model}"
         lines.append(row(name, least_ms(points), "ms", target))
-    return lines
+    return [*lines, *openness_rows(environment)]
+
+
+def openness_rows(environment: Environment) -> list[dict]:
+    """Self-shadowing: once for a shape, and once for each turn of the light."""
+    mesh = ball(20_000)
+    seconds = least_ms(lambda: Openness.of(*mesh), 1) / 1e3
+    openness = Openness.of(*mesh)
+    name = f"what a ball of {len(mesh[1]):,} faces hides from itself"
+    table = row(
+        f"{name}, under a turned light", least_ms(lambda: openness.shares(environment)), "ms"
+    )
+    return [row(name, seconds, "s"), table]

@@ -150,3 +150,9 @@ def test_table_has_the_gradient_of_what_it_says() -> None:
         return torch.cat(albedo, 1)
 
     assert torch.autograd.gradcheck(total, (roughness, cos))
+
+
+def test_schlicks_weight_is_a_fifth_power() -> None:
+    """0 head on, 1 at the horizon, 1/32 halfway; no more behind it."""
+    found = schlick_weight(torch.tensor([1.0, 0.5, 0.0, -0.5]))
+    assert torch.allclose(found, torch.tensor([0.0, 1 / 32, 1, 1]))
