@@ -145,11 +145,12 @@ DRAFT = Config(
     geometry=GeometryConfig(
         net=FOURIER,
         resolution=(40, 64),
+        fit_steps=200,
         coarse=PhaseConfig(
-            steps=160, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
+            steps=150, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),
         fine=PhaseConfig(
-            steps=20,
+            steps=10,
             size=128,
             weighting="sigma2_sqrt",
             t_low=0.1,
@@ -181,12 +182,13 @@ DRAFT = Config(
         # mean of its pictures under all turns of the light, and more guidance would saturate kd.
         refine=RefineConfig(
             rounds=3,
-            t=(0.95, 0.8),
+            t=(0.95, 0.7),
             batch=6,
             denoise_steps=1,
             guidance_scale=1.0,
             learning_rate=1e-2,
         ),
+        kd_range=(0.003, 0.97),  # the paper's 0.03 would make a red of sRGB 0.2 in green and blue
         metallic_start=0.08,
         views=6,
         views_at_once=6,

@@ -29,3 +29,12 @@ def srgb_to_linear(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
     """Inverse of :func:`linear_to_srgb`."""
     curved = ((x.clamp(min=0.04045) + 0.055) / 1.055) ** 2.4
     return torch.where(x <= 0.04045, x / 12.92, curved)
+
+
+def lab(linear: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
+    """CIE L*a*b* of linear Rec. 709, under D65."""
+    to_xyz = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    xyz = linear @ linear.new_tensor(to_xyz).T / linear.new_tensor([0.9505, 1.0, 1.089])
+    f = torch.where(xyz > 0.008856, xyz.clamp_min(0.008856) ** (1 / 3), 7.787 * xyz + 16 / 116)
+    x, y, z = f.unbind(-1)
+    return torch.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], -1)

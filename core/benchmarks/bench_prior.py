@@ -20,7 +20,7 @@ from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import Mesh, health
 from core.guidance.builtin import WEIGHTS
-from core.ops import srgb_to_linear
+from core.ops import lab, srgb_to_linear
 from core.prior.palette import COLOR_VALUES, FINISHES, looks
 from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
 from core.prior.weights import load_words
@@ -147,15 +147,6 @@ def main_delta_e(kd: Tensor, noun: str, color: str) -> float:
     target = lab(srgb_to_linear(torch.tensor([COLOR_VALUES[color]])))
     away = (lab(kd) - target).norm(dim=1).sort().values
     return away[int(len(away) * sum(roles) / len(roles) / 2)].item()
-
-
-def lab(linear: Tensor) -> Tensor:
-    """CIE L*a*b* (P, 3) of linear Rec. 709, under D65."""
-    to_xyz = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
-    xyz = linear @ linear.new_tensor(to_xyz).T / linear.new_tensor([0.9505, 1.0, 1.089])
-    f = torch.where(xyz > 0.008856, xyz.clamp_min(0.008856) ** (1 / 3), 7.787 * xyz + 16 / 116)
-    x, y, z = f.unbind(1)
-    return torch.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], 1)
 
 
 def line(score: dict[str, Any]) -> str:

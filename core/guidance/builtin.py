@@ -26,7 +26,7 @@ from core.guidance.guidance import (
 )
 from core.guidance.sds import eps_from_v, guide
 from core.prior.diffusion import alpha_bar_schedule
-from core.prior.palette import finishes_of
+from core.prior.palette import finishes_of, swatches
 from core.prior.unet import BLOCK, UNet, camera_map
 from core.prior.vocabulary import SLOTS, Known, Words, parse
 from core.prior.weights import load_weights, load_words
@@ -114,13 +114,16 @@ class BuiltinGuidance(Guidance):
         """Both branches in one batch; with ``views.surface`` the appearance network answers."""
         if not isinstance(embedding, BuiltinEmbedding):
             raise TypeError("the embedding comes from another guidance")
-        net, slots, hint = self.geometry, GEOMETRY_SLOTS, None
-        if views.surface is not None:
-            net, slots = self.appearance, APPEARANCE_SLOTS
-            hint = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE).repeat(2, 1, 1, 1)
+        paints = views.surface is not None
+        net = self.appearance if paints else self.geometry
+        slots = APPEARANCE_SLOTS if paints else GEOMETRY_SLOTS
         count = len(z_t)
         said = torch.tensor([embedding.words.indices(slots), embedding.negative.indices(slots)])
         words = said.to(self.device).repeat_interleave(count, 0)
+        hint = None
+        if views.surface is not None:
+            surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
+            hint = torch.cat([surface.repeat(2, 1, 1, 1), swatches(words, SIZE)], 1)
         camera = self._camera_map(views.cameras).repeat(2, 1, 1, 1)
         pair = z_t.repeat(2, 1, 1, 1)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.half):

@@ -15,7 +15,7 @@ import torch
 from core.errors import UserError
 from core.guidance.builtin import WEIGHTS
 from core.prior.data import NOUNS, write_shards
-from core.prior.evaluate import CHANCE, score_noun
+from core.prior.evaluate import CHANCE, PaintScore, Score, score_noun, score_paint
 from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import load_weights, save_weights
@@ -43,8 +43,9 @@ def parser() -> argparse.ArgumentParser:
     train.add_argument("--seed", type=int, default=0)
     train.add_argument("--device", default="cpu", help="cpu or cuda")
 
-    evaluate = commands.add_parser("evaluate", help="nouns and azimuths, on fresh renders")
-    evaluate.add_argument("--weights", type=Path, default=WEIGHTS / "geometry.safetensors")
+    evaluate = commands.add_parser("evaluate", help="nouns, azimuths, colours, on fresh renders")
+    evaluate.add_argument("network", choices=("geometry", "appearance"))
+    evaluate.add_argument("--weights", type=Path, help="others than the shipped ones")
     evaluate.add_argument("--views", type=int, default=16, help="of each noun")
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
     evaluate.add_argument("--seed", type=int, default=1_000_000, help="the data's end at 100,000")
@@ -104,13 +105,19 @@ def ship(options: argparse.Namespace) -> None:
 
 
 def evaluate(options: argparse.Namespace) -> None:
-    """Print each noun's accuracies and their means."""
-    net = load_weights(options.weights)
+    """Print each noun's scores and their means."""
+    net = load_weights(options.weights or WEIGHTS / f"{options.network}.safetensors")
     generator = torch.Generator().manual_seed(options.seed)
+    score = score_noun if options.network == "geometry" else score_paint
     scores = []
     for noun in options.nouns:
-        scores.append(score := score_noun(net, noun, options.views, generator))
-        print(score, flush=True)
+        scores.append(score(net, noun, options.views, generator))
+        print(scores[-1], flush=True)
+    summary(scores) if options.network == "geometry" else paint_summary(scores)
+
+
+def summary(scores: list[Score]) -> None:
+    """Print the means over the nouns."""
     views = sum(score.views for score in scores)
     right = sum(score.noun_right for score in scores) / views
     print(f"nouns {right:.3f} of {views} views (chance {CHANCE:.3f})")
@@ -119,6 +126,13 @@ def evaluate(options: argparse.Namespace) -> None:
         exact = sum(s.azimuth_right for s in front) / sum(s.views for s in front)
         near = sum(s.azimuth_near for s in front) / sum(s.views for s in front)
         print(f"azimuth of those with a front: {exact:.3f} exact, {near:.3f} within a sector")
+
+
+def paint_summary(scores: list[PaintScore]) -> None:
+    """Print the median and the share of near colours over all views."""
+    away = sorted(value for score in scores for value in score.delta_e)
+    near = sum(value <= 20 for value in away) / len(away)
+    print(f"dE median {away[len(away) // 2]:.1f}, within 20 in {near:.3f} of {len(away)} views")
 
 
 if __name__ == "__main__":

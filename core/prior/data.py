@@ -64,20 +64,21 @@ class Samples:
         return self.point[index].float() / 120 * (self.coverage[index].float() / 255)
 
 
-def make(seed: int, objects: int = OBJECTS) -> Samples:
-    """``objects`` random objects, ``VIEWS`` views of each."""
+def make(seed: int, objects: int = OBJECTS, noun: str = "") -> Samples:
+    """``objects`` random objects, ``VIEWS`` views of each; all of one ``noun`` if it is said."""
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
     shares = torch.tensor([SHARES.get(noun, 1.0) for noun in NOUNS])
     rows = []
     for _ in range(objects):
-        noun = int(torch.multinomial(shares, 1, generator=generator))
+        kind = int(torch.multinomial(shares, 1, generator=generator))
+        kind = NOUNS.index(noun) if noun else kind
         plain = draw.chance(PLAIN)
         adjective = 0 if plain else 1 + int(draw(0, len(ADJECTIVES) - 1))
-        options = OPTIONS.get(NOUNS[noun], ())
+        options = OPTIONS.get(NOUNS[kind], ())
         untold = draw.chance(UNTOLD) or not options
         told = 0 if untold else TOLD.index(options[int(draw(0, len(options)))])
-        rows.append(_views(noun, adjective, told, draw))
+        rows.append(_views(kind, adjective, told, draw))
     return Samples(*(torch.cat(column).contiguous() for column in zip(*rows, strict=True)))
 
 

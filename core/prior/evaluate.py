@@ -1,10 +1,12 @@
-"""What the geometry network knows, measured as a classifier on fresh renders.
+"""What the networks know, measured on fresh renders.
 
-A diffusion classifier (Li et al., 2023) asks under which condition the network removes the noise
-best. Nouns are told apart at the true camera. Azimuths are told apart by a paired test: for each
-hypothesis the picture's normals, and the noise with them, are turned about the vertical so that
-they belong to the hypothesised camera. Without that turn the colours alone would tell the camera
-and even a ball would score full marks; with it a ball must score chance.
+Of the geometry: a diffusion classifier (Li et al., 2023) asks under which condition the network
+removes the noise best. Nouns are told apart at the true camera. Azimuths are told apart by a paired
+test: for each hypothesis the picture's normals, and the noise with them, are turned about the
+vertical so that they belong to the hypothesised camera. Without that turn the colours alone would
+tell the camera and even a ball would score full marks; with it a ball must score chance.
+
+Of the appearance: how far the mean picture that it sees in much noise is from the painted one.
 """
 
 from dataclasses import dataclass
@@ -15,10 +17,13 @@ from torch import Tensor
 from core.camera import Cameras
 from core.guidance.builtin import has_fast_bfloat16
 from core.guidance.sds import add_noise, eps_from_v
-from core.prior.data import NOUNS, SIZE
-from core.prior.diffusion import alpha_bar_schedule
+from core.ops import lab, srgb_to_linear
+from core.prior.colored import Painter
+from core.prior.data import NOUNS, SIZE, VIEWS, make
+from core.prior.diffusion import alpha_bar_schedule, x_from_v
 from core.prior.draw import Draw
 from core.prior.families import build
+from core.prior.palette import COLOR_VALUES, looks, swatches
 from core.prior.tracer import render
 from core.prior.unet import BLOCK, UNet, camera_map
 
@@ -120,3 +125,55 @@ def _best_turn(
         eps = turn_normals(torch.randn(x.shape, generator=generator)[zero], turns)
         total += error(net, turn_normals(x[zero], turns), words, turned, eps, t)
     return int(total.argmin())
+
+
+@dataclass(frozen=True)
+class PaintScore:
+    """Of one noun: CIE76 differences of the mean colour of the parts that a colour is about."""
+
+    noun: str
+    delta_e: list[float]  # by view
+
+    def __str__(self) -> str:
+        values = sorted(self.delta_e)
+        return f"{self.noun:12} dE median {values[len(values) // 2]:.1f}, worst {values[-1]:.1f}"
+
+
+PAINT_TIME = 900
+
+
+def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) -> PaintScore:
+    """``views`` fresh objects of the noun, each with a colour said, from a random side.
+
+    The network is shown nearly nothing but noise, and says in one step what may be behind it.
+    """
+    samples = make(int(torch.randint(2**40, (1,), generator=generator)), views, noun)
+    index = torch.arange(0, len(samples), VIEWS)  # one of each object's
+    painter = Painter()
+    said = painter.words(len(index), generator)
+    said[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
+    said[:, 2:] = 0  # no pattern
+    true = painter.pictures(samples, index, said, Draw(generator))
+    words = torch.cat([samples.noun[index][:, None] + 1, said], 1)
+    surface = torch.cat([samples.pictures(index), samples.points(index)], 1)
+    hint = torch.cat([surface, swatches(words, SIZE)], 1)
+    alpha_bar = alpha_bar_schedule()[torch.full((len(index),), PAINT_TIME)]
+    z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)
+    t = torch.full((len(index),), PAINT_TIME)
+    with torch.no_grad():
+        v = net(z_t, t, words, camera_map(samples.cameras(index), SIZE // BLOCK), hint)
+    main = torch.tensor([look.role in "*&" for look in looks(noun).values()])
+    painted = (samples.coverage[index, 0] == 255) & main[samples.part[index].long().clamp_min(0)]
+    guess = x_from_v(v, z_t, alpha_bar)
+    away = [
+        (lab_of(guess[k], painted[k]) - lab_of(true[k], painted[k])).norm().item()
+        for k in range(len(index))
+        if painted[k].any()
+    ]
+    return PaintScore(noun, away)
+
+
+def lab_of(picture: Tensor, mask: Tensor) -> Tensor:
+    """CIE L*a*b* of the mean colour of a painted picture (4, s, s) under the mask."""
+    srgb = (picture[:3, mask].mean(1) + 1) / 2
+    return lab(srgb_to_linear(srgb.clamp(0, 1))[None])[0]

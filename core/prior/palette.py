@@ -16,6 +16,7 @@ from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.nature import LOOKS
 from core.prior.patterns import PATTERNS, Place
+from core.prior.vocabulary import SLOTS
 
 Color = tuple[float, float, float]
 
@@ -39,6 +40,7 @@ COLOR_VALUES: dict[str, Color] = {
     "lime": (0.55, 0.82, 0.15),
     "beige": (0.85, 0.76, 0.60),
 }
+SWATCHES = 8  # channels of ``swatches``
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 
 
@@ -69,6 +71,32 @@ FINISHES: dict[str, Finish] = {
 }
 PAINT = Finish(None, 0.2, 0.0)  # of a car: no word, only by nature
 JITTER = 0.06  # spread of a colour's channels between objects, and of its brightness
+
+
+def swatches(words: Int[Tensor, "b 5"], size: int) -> Float[Tensor, "b 8 {size} {size}"]:
+    """The colours that the words say, as even pictures: the first (or the material's own, where no
+    colour is said), then the second; each [2 srgb - 1, 1], or zeros where there is none.
+
+    So the network need not learn what each colour word looks like on each thing.
+
+    Args:
+        words: rows of noun, color, material, pattern, second; 0 is not said.
+    """
+    colors, materials = (table.to(words.device) for table in _tables())
+    first = colors[words[:, 1]]
+    first = torch.where(words[:, 1:2] > 0, first, materials[words[:, 2]])
+    both = torch.cat([first, colors[words[:, 4]]], 1)
+    return both[:, :, None, None].expand(-1, -1, size, size)
+
+
+@cache
+def _tables() -> tuple[Float[Tensor, "c 4"], Float[Tensor, "m 4"]]:
+    def row(color: Color | None) -> list[float]:
+        return [2 * c - 1 for c in color] + [1.0] if color else [0.0] * 4
+
+    colors = [None, *(COLOR_VALUES[word] for word in SLOTS["color"])]
+    materials = [None, *(FINISHES[word].color for word in SLOTS["material"])]
+    return torch.tensor([*map(row, colors)]), torch.tensor([*map(row, materials)])
 
 
 class Look(NamedTuple):

@@ -23,6 +23,7 @@ from core.prior.colored import SAID, Painter, lumpy
 from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
+from core.prior.palette import SWATCHES, swatches
 from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import save_weights, write_tensors
@@ -55,7 +56,9 @@ GEOMETRY = UNetConfig(
     words=(len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1), widths=(48, 96, 128, 192)
 )
 APPEARANCE = UNetConfig(
-    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)), widths=(32, 64, 96, 128), hint=7
+    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)),
+    widths=(32, 64, 96, 128),
+    hint=7 + SWATCHES,
 )
 
 
@@ -177,7 +180,8 @@ class Training:
         t = draw_times(config.batch, config, g).to(self.device)
         eps = torch.randn(x.shape, generator=g).to(self.device)
         x, words, camera = (tensor.to(self.device) for tensor in (x, words, camera))
-        hint = None if hint is None else hint.to(self.device)
+        if hint is not None:  # of what the caption says after some of it was dropped
+            hint = torch.cat([hint.to(self.device), swatches(words, hint.shape[-1])], 1)
         alpha_bar = self.alpha_bar[t]
         z_t = add_noise(x, eps, alpha_bar)
         with torch.autocast(self.device.type, torch.bfloat16):

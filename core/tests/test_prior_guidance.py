@@ -19,8 +19,11 @@ from core.guidance.guidance import Views, make_guidance
 from core.guidance.sds import add_noise
 from core.prior.diffusion import x_from_v
 from core.prior.draw import Draw
+from core.prior.evaluate import score_paint
 from core.prior.families import build
+from core.prior.palette import SWATCHES
 from core.prior.tracer import render
+from core.prior.unet import UNet
 from core.prior.vocabulary import SLOTS
 from core.protocol import Job
 
@@ -60,7 +63,7 @@ def test_the_weights_fit_their_slots_and_the_budget(guidance):
         assert net.config.words == tuple(len(SLOTS[slot]) for slot in slots)
         assert all(p.isfinite().all() for p in net.parameters())
     assert guidance.geometry.config.hint == 0
-    assert guidance.appearance.config.hint == 7
+    assert guidance.appearance.config.hint == 7 + SWATCHES
     total = sum(path.stat().st_size for path in WEIGHTS.glob("*.safetensors"))
     assert total < 60 * 2**20
     assert isinstance(make_guidance("builtin", "cpu"), BuiltinGuidance)
@@ -197,3 +200,13 @@ def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
     (tmp_path / "geometry.safetensors").write_bytes(b"nothing")
     with pytest.raises(MissingError, match="broken"):
         load_builtin("cpu")
+
+
+@pytest.mark.parametrize("noun", ["chair", "hamburger", "car"])
+def test_the_said_colour_is_seen_in_much_noise(guidance, noun):
+    score = score_paint(guidance.appearance, noun, 4, torch.Generator().manual_seed(3))
+    assert len(score.delta_e) == 4
+    assert max(score.delta_e) < 25
+    blind = UNet(guidance.appearance.config).eval()  # untrained: it says nothing of colours
+    unseen = score_paint(blind, noun, 4, torch.Generator().manual_seed(3))
+    assert sum(unseen.delta_e) > 2 * sum(score.delta_e)

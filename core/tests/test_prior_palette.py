@@ -6,22 +6,24 @@ import pytest
 import torch
 
 from core.ops import linear_to_srgb
-from core.prior.colored import Painter
+from core.prior.colored import Painter, lumpy
 from core.prior.data import NOUNS, make
 from core.prior.draw import Draw
 from core.prior.palette import (
     COLOR_VALUES,
     FINISHES,
+    SWATCHES,
     Said,
     coat,
     companion,
     finishes_of,
     looks,
     paint,
+    swatches,
 )
 from core.prior.patterns import PATTERNS as PAINTED
 from core.prior.patterns import Place
-from core.prior.vocabulary import SLOTS
+from core.prior.vocabulary import SLOTS, parse
 from core.prior.words import COLORS, MATERIALS, PATTERNS
 
 
@@ -157,3 +159,34 @@ def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_pattern()
         assert words[:, slot].unique().tolist() == list(range(len(SLOTS[name]) + 1))
     assert (words[words[:, 3] > 0, 2] > 0).all()
     assert (words[words[:, 3] > 0, 3] != words[words[:, 3] > 0, 0]).all()
+
+
+def test_swatches_are_the_colours_that_are_said():
+    slots = ("noun", "color", "material", "pattern", "second")
+    prompts = ("a blue golden mug", "a golden mug", "a mug", "a red mug with a blue handle")
+    words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
+    seen = swatches(words, 4)
+    assert seen.shape == (4, SWATCHES, 4, 4)
+    assert (seen == seen[:, :, :1, :1]).all()
+    blue, gold, none, two = seen[:, :, 0, 0]
+    color = lambda rgb: torch.tensor([2 * c - 1 for c in rgb] + [1.0])  # noqa: E731
+    torch.testing.assert_close(blue[:4], color(COLOR_VALUES["blue"]))
+    torch.testing.assert_close(gold[:4], color(FINISHES["golden"].color))
+    torch.testing.assert_close(two[:4], color(COLOR_VALUES["red"]))
+    torch.testing.assert_close(two[4:], color(COLOR_VALUES["blue"]))
+    assert (none == 0).all()
+    assert (blue[4:] == 0).all()
+
+
+def test_dents_are_soft_and_leave_the_weight_of_the_normals():
+    weight = torch.rand(64, 1, 32, 32, generator=torch.Generator().manual_seed(0))
+    flat = torch.tensor([0.0, 0.6, 0.8])[:, None, None] * weight
+    dented = lumpy(flat, torch.Generator().manual_seed(1))
+    torch.testing.assert_close(dented.norm(dim=1, keepdim=True), weight, atol=1e-5, rtol=1e-4)
+    cos = (dented * flat).sum(1) / weight[:, 0].square()
+    touched = (cos < 1 - 1e-4).flatten(1).any(1)
+    assert 0.3 < touched.float().mean() < 0.7  # half of the pictures
+    assert cos[touched].mean() > 0.9
+    unit = dented / weight
+    step = (unit[..., 1:] - unit[..., :-1]).norm(dim=1)
+    assert step[touched].mean() < 0.1  # of neighbouring pixels

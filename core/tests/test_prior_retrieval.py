@@ -3,10 +3,10 @@
 import pytest
 import torch
 
-from core.benchmarks.bench_prior import GENUS, lab, line, main_delta_e, summary, words_for
+from core.benchmarks.bench_prior import GENUS, line, main_delta_e, summary, words_for
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
-from core.ops import srgb_to_linear
+from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import build

@@ -1,11 +1,15 @@
 """The prior's pictures are the renderer's: same pixels, same cameras, same normals."""
 
 import math
+from dataclasses import replace
 
 import pytest
 import torch
 
+from core.appearance.environment import Environment
+from core.appearance.material import MaterialNet
 from core.camera import Cameras
+from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
 from core.prior.draw import Draw
@@ -13,6 +17,8 @@ from core.prior.families import Shape, build, normalised
 from core.prior.solids import ball
 from core.prior.tracer import render
 from core.render.normals import render_normals
+from core.render.shaded import UvMesh, render_shaded
+from core.stages.appearance import surface_picture
 
 
 def _mesh(shape: Shape, resolution: int = 48):
@@ -35,6 +41,27 @@ def test_traced_and_rasterised_pictures_agree(noun):
     mirrored = Cameras.orbit([-25.0, -130.0, -260.0], [20.0, -15.0, 60.0], 2.95)
     other = render(shape, mirrored, 64).coverage
     assert torch.minimum(o, other).sum() / torch.maximum(o, other).sum() < both - 0.05
+
+
+def test_the_trained_hint_is_the_surface_that_the_appearance_training_tells():
+    """Normals, coverage and points of the mesh as ``surface_picture`` tells them to a guidance,
+    against those that the network saw."""
+    shape = build("mug", "", Draw(torch.Generator().manual_seed(0)))
+    cameras = Cameras.orbit([25.0, 130.0], [20.0, 50.0], 2.95)
+    seen = render(shape, cameras, 64)
+    trained = torch.cat([seen.normal, 2 * seen.coverage - 1, seen.point * seen.coverage], 1)
+    verts, faces = _mesh(shape)
+    uv, corners = torch.rand(3, 2), torch.arange(3).expand(len(faces), 3)
+    grey = Environment.of(torch.full((8, 16, 3), 0.5))
+    config = replace(DRAFT.appearance, log2_hash_size=8, finest=16)
+    source = MaterialNet(config, torch.Generator().manual_seed(0))
+    with torch.no_grad():
+        shaded = render_shaded(UvMesh.of(verts, faces, uv, corners), source, cameras, 128, grey)
+    told = surface_picture(shaded, 64)
+    away = (told - trained).abs().mean((0, 2, 3))
+    assert away[:4].max() < 0.03
+    assert away[4:].max() < 0.01
+    assert (told[:, 4:] - trained[:, [5, 4, 6]]).abs().mean() > 0.05  # x and y are not swapped
 
 
 def test_a_ball_is_a_disc_of_the_right_size():
