@@ -1,11 +1,11 @@
-"""Charts keep their distance and their common scale; the loops do what slow twins do."""
+"""Charts keep their distance and their common scale; the loop does what a slow twin does."""
 
 import numpy as np
 import pytest
-from scipy.ndimage import binary_dilation, distance_transform_edt
+from scipy.ndimage import distance_transform_edt
 
-from core.kernels.packing import lowest_place, mark, spans, take, widened
-from core.texture.packing import Place, cells_under, in_least_box, pack, turned
+from core.kernels.cells import mark
+from core.texture.packing import in_least_box, pack
 
 RANDOM = np.random.default_rng(0)
 
@@ -48,7 +48,7 @@ def test_one_scale_for_all_and_no_mirror() -> None:
     area = lambda t: np.linalg.det(t[:, 1:] - t[:, :1])  # noqa: E731
     ratio = area(out[faces]) / area(uv[faces])
     assert ratio.min() > 0
-    assert np.allclose(ratio, ratio[0])
+    assert np.allclose(ratio, ratio[0], rtol=0.02)
 
 
 def test_they_fill_most_of_the_square() -> None:
@@ -95,54 +95,6 @@ def test_marked_cells_are_those_with_a_point_of_the_triangle() -> None:
     assert mark(square, np.zeros((5, 5), np.bool_)) == 0  # a shared edge counts once
     again = np.concatenate([square, [[[1, 1], [3, 1], [3, 3]]], [[[1, 1], [3, 3], [1, 3]]]])
     assert mark(again, np.zeros((5, 5), np.bool_)) == 4
-
-
-def test_widened_is_a_dilation_by_a_square() -> None:
-    for by in (1, 3):
-        mask = RANDOM.uniform(size=(17, 23)) < 0.05
-        right = binary_dilation(np.pad(mask, by), np.ones((2 * by + 1,) * 2))
-        assert np.array_equal(widened(mask, by), right)
-
-
-def test_spans_are_the_mask() -> None:
-    mask = RANDOM.uniform(size=(9, 14)) < 0.5
-    again = np.zeros_like(mask)
-    rows = spans(mask)
-    for row, first, after in rows:
-        assert not again[row, first:after].any()
-        again[row, first:after] = True
-    assert np.array_equal(again, mask)
-    assert (np.diff(rows[:, 2] - rows[:, 1]) <= 0).all()
-
-
-def test_the_lowest_place_is_that_of_a_search_of_all() -> None:
-    side = 24
-    for _ in range(30):
-        taken, run_end = np.zeros((side, side), np.bool_), np.full((side, side), side, np.int64)
-        for _ in range(4):
-            y, x = RANDOM.integers(-3, side, 2)
-            take(taken, run_end, RANDOM.uniform(size=(6, 7)) < 0.6, y, x)
-        mask = RANDOM.uniform(size=(5, 4)) < 0.4
-        mask[0, 0] = True
-        places = [
-            (y, x)
-            for y in range(side - 4)
-            for x in range(side - 3)
-            if not (taken[y : y + 5, x : x + 4] & mask).any()
-        ]
-        right = places[0] if places else (-1, -1)
-        assert lowest_place(taken, run_end, spans(mask), *mask.shape) == right
-
-
-@pytest.mark.parametrize("turns", [0, 1, 2, 3])
-def test_a_chart_turns_with_its_cells(turns: int) -> None:
-    corners = RANDOM.uniform(0, 9, (4, 3, 2))
-    corners -= corners.min((0, 1))
-    mask = cells_under(corners)
-    at = turned(corners.reshape(-1, 2), Place(turns, 0, 0, mask.shape)).reshape(-1, 3, 2)
-    again = np.zeros_like(np.rot90(mask, turns))
-    mark(at, again)
-    assert np.array_equal(again, np.rot90(mask, turns))
 
 
 def test_the_least_box_of_a_turned_rectangle_is_its_own() -> None:

@@ -239,7 +239,7 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
     first = MaterialNet(config, torch.Generator().manual_seed(0))(verts).kd.mean(0)
     run = run_in(tmp_path)
     last = learn(run)
-    torch.testing.assert_close(first, torch.full((3,), 0.5), atol=1e-3, rtol=0)
+    torch.testing.assert_close(first, torch.full((3,), sum(config.kd_range) / 2), atol=1e-3, rtol=0)
     assert last.mean(0)[0] - last.mean(0)[1] > 0.05
     assert torch.equal(learn(RunFolder.open(run.path)), last)  # no step is left to take
     assert (run.path / "preview" / "color.png").exists()

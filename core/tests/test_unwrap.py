@@ -98,7 +98,7 @@ def test_progress_grows_and_can_stop_it() -> None:
     unwrap(*torus(), SIZE, seen.append)
     assert seen == sorted(seen)
     assert 0 <= seen[0] <= seen[-1] < 1
-    assert len(seen) > 10
+    assert len(seen) > 4
 
     def cancel(part: float) -> None:
         if part > 0.1:

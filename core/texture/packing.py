@@ -1,25 +1,21 @@
-"""Charts laid side by side in the unit square, at one scale and as large as they go.
+"""Charts laid side by side in the unit square, at one scale and as large as they go: by xatlas.
 
-On a square of cells, each chart at the lowest place where it fits, in the quarter turn that lies
-lowest, the largest first.
+xatlas takes the scale and makes the atlas as large as it must be, so the scale is sought at which
+that is the square. It turns a chart by transposing it, which mirrors it: charts are turned here.
 """
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+import xatlas
+from jaxtyping import Float, Int
 
-from core.kernels.packing import lowest_place, mark, spans, take, widened
-
-CELLS = 512  # along the square, at most
-SHRINK = 0.85  # of the scale, until all charts find a place
-SMALLEST = 1e-3  # of the scale that would be the best of all
-HALVINGS = 6  # of what lies between a scale that fits and one that does not
-SHUFFLES = 40  # orders tried for a larger scale, of MANY charts; of more, fewer
-MANY = 200
-STEP = 1.01  # to the next scale tried
-DISORDER = 0.25  # of a shuffle: standard deviation of the logarithm of a chart's size
+CELLS = 512  # along the square: the steps in which xatlas looks for places
+HOPED = 0.7  # share of the square that charts fill at the first scale
+PASSES = 14  # at other scales
+GROWTH = 0.012  # of the scale, from one that fits to the next tried
+MANY = 500  # charts: of more, xatlas tries some places for each and not all
 
 
 class Chart(NamedTuple):
@@ -30,15 +26,6 @@ class Chart(NamedTuple):
     corners: Int[np.ndarray, "f 3"]  # of its faces, into ``at``
 
 
-class Place(NamedTuple):
-    """Where a chart lies: quarter turns, then its box's corner, in cells."""
-
-    turns: int
-    row: int
-    column: int
-    shape: tuple[int, int]  # rows and columns of its cells before the turn
-
-
 def pack(
     uv: Float[np.ndarray, "u 2"],
     face_uvs: Int[np.ndarray, "f 3"],
@@ -46,41 +33,60 @@ def pack(
     gap: float,
     progress: Callable[[float], None] = lambda _: None,
 ) -> Float[np.ndarray, "u 2"] | None:
-    """``uv``, each chart moved and turned, all scaled alike; ``gap`` lies round every chart.
+    """``uv``, each chart moved and turned, all scaled alike but for xatlas's rounding to cells;
+    ``gap`` lies round every chart.
 
     ``gap`` is in parts of the square's side. None where so many charts and gaps find no room.
     """
     found = charts_of(uv, face_uvs, chart)
-    space, edge = (max(1, int(np.ceil(n * gap * CELLS - 1e-6))) for n in (2, 1))
-    side = CELLS - 2 * edge
-    area = sum(float(triangle_areas(c.at[c.corners]).sum()) for c in found)
-    size = np.array([c.at.max() for c in found])
-    random = np.random.default_rng(0)
+    apart = in_a_row(found, len(uv))
+    padding = max(1, int(np.ceil(gap * CELLS - 1e-6)))
+    room = CELLS - 2 * padding
+    area = float(triangle_areas(apart[face_uvs]).sum())
+    scale = room * np.sqrt(HOPED / max(area, 1e-30))
+    best, step = None, GROWTH
+    for round_ in range(PASSES):
+        progress(round_ / PASSES)
+        at, side = laid_out(apart, face_uvs, scale, padding, thorough=len(found) <= MANY)
+        if side <= room:
+            best, step = (at, scale), GROWTH
+        elif best:  # a larger scale may fit where a smaller one did not
+            step += GROWTH
+        scale = best[1] * (1 + step) if best else scale * min(room / side, 1 - GROWTH)
+    return (best[0] + padding) / CELLS if best else None
 
-    def tried(scale: float, order: Int[np.ndarray, " c"]) -> list[tuple[Chart, Place]] | None:
-        return placed([found[i] for i in order], scale, side, space)
 
-    order = np.argsort(-size, kind="stable")
-    scale = high = largest = side * min(0.9 / np.sqrt(max(area, 1e-30)), 1 / max(size.max(), 1e-15))
-    while not (best := tried(scale, order)):
-        high, scale = scale, SHRINK * scale
-        if scale < SMALLEST * largest:
-            return None
-    for _ in range(HALVINGS if high > scale else 0):
-        middle = (scale + high) / 2
-        found_there = tried(middle, order)
-        best, scale, high = (found_there, middle, high) if found_there else (best, scale, middle)
-    tries = int(SHUFFLES * min(1, MANY / len(found)))
-    for i in range(tries):
-        progress(i / tries)
-        order = np.argsort(-size * np.exp(DISORDER * random.standard_normal(len(size))))
-        if better := tried(STEP * scale, order):
-            best, scale = better, STEP * scale
-    out = np.empty_like(uv)
-    for one, place in best:
-        corner = np.array([place.column, place.row]) + edge
-        out[one.uvs] = (turned(one.at * scale, place) + corner) / CELLS
-    return out
+def in_a_row(found: list[Chart], count: int) -> Float[np.ndarray, "{count} 2"]:
+    """All charts beside one another; what belongs to none lies at the origin."""
+    at, x = np.zeros((count, 2)), 0.0
+    for one in found:
+        at[one.uvs] = one.at + np.array([x, 0.0])
+        x += 1.05 * float(one.at[:, 0].max())
+    return at
+
+
+def laid_out(
+    uv: Float[np.ndarray, "u 2"],
+    face_uvs: Int[np.ndarray, "f 3"],
+    scale: float,
+    padding: int,
+    *,
+    thorough: bool,
+) -> tuple[Float[np.ndarray, "u 2"], int]:
+    """xatlas's places at ``scale`` cells a unit, ``padding`` cells round each chart; the side of
+    the square that they take."""
+    atlas, options = xatlas.Atlas(), xatlas.PackOptions()
+    atlas.add_uv_mesh(uv.astype(np.float32), face_uvs.astype(np.uint32))
+    options.texels_per_unit, options.padding, options.bruteForce = scale, padding, thorough
+    options.rotate_charts = options.rotate_charts_to_axis = options.create_image = False
+    options.bilinear = False
+    atlas.generate(xatlas.ChartOptions(), options)
+    if not atlas.width:  # nothing has an area
+        return np.zeros_like(uv), 1
+    source, _, at = atlas.get_mesh(0)
+    out = np.zeros_like(uv)
+    out[source] = at * np.array([atlas.width, atlas.height])
+    return out, max(atlas.width, atlas.height)
 
 
 def charts_of(
@@ -97,11 +103,14 @@ def charts_of(
 
 
 def in_least_box(at: Float[np.ndarray, "n 2"], steps: int = 45) -> Float[np.ndarray, "n 2"]:
-    """Turned so that the box along the axes is least, and moved to the origin."""
+    """Turned so that the box along the axes is least and upright, and moved to the origin."""
     angles = np.arange(steps) * (np.pi / 2 / steps)
     turns = np.stack([np.cos(angles), -np.sin(angles), np.sin(angles), np.cos(angles)], 1)
     boxes = np.stack([np.ptp(at @ t.reshape(2, 2).T, axis=0).prod() for t in turns])
     at = at @ turns[boxes.argmin()].reshape(2, 2).T
+    width, height = np.ptp(at, axis=0)
+    if width > height:
+        at = np.stack([-at[:, 1], at[:, 0]], 1)
     return at - at.min(0)
 
 
@@ -109,43 +118,3 @@ def triangle_areas(corners: Float[np.ndarray, "f 3 2"]) -> Float[np.ndarray, " f
     """Without sign."""
     p, q = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     return np.abs(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) / 2
-
-
-def placed(
-    charts: list[Chart], scale: float, side: int, space: int
-) -> list[tuple[Chart, Place]] | None:
-    """A place for each chart on ``side`` cells, ``space`` cells apart; None where one has none."""
-    taken = np.zeros((side, side), np.bool_)
-    run_end = np.full((side, side), side, np.int64)
-    places = []
-    for one in charts:
-        mask = cells_under(one.at[one.corners] * scale)
-        if min(mask.shape) > side:
-            return None
-        lying = [np.ascontiguousarray(np.rot90(mask, turns)) for turns in range(4)]
-        found = [lowest_place(taken, run_end, spans(m), *m.shape) for m in lying]
-        fits = [i for i in range(4) if found[i][0] >= 0]
-        if not fits:
-            return None
-        turns = min(fits, key=lambda i: found[i][0] + lying[i].shape[0])
-        row, column = found[turns]
-        take(taken, run_end, widened(lying[turns], space), row - space, column - space)
-        places.append((one, Place(turns, row, column, mask.shape)))
-    return places
-
-
-def cells_under(corners: Float[np.ndarray, "f 3 2"]) -> Bool[np.ndarray, "h w"]:
-    """The cells that a chart touches, its box's corner at the origin."""
-    width, height = (int(x) + 1 for x in corners.max((0, 1)))
-    mask = np.zeros((height, width), np.bool_)
-    mark(corners, mask)
-    return mask
-
-
-def turned(at: Float[np.ndarray, "n 2"], place: Place) -> Float[np.ndarray, "n 2"]:
-    """As ``np.rot90`` turns the chart's cells."""
-    height, width = place.shape
-    for _ in range(place.turns):
-        at = np.stack([at[:, 1], width - at[:, 0]], 1)
-        height, width = width, height
-    return at
