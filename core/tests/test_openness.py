@@ -79,6 +79,15 @@ def test_a_mirror_under_a_plate_shows_the_plate(even: Environment) -> None:
     assert float(aside) > 0.45  # soft, as sixteen harmonics are
 
 
+def test_a_mirror_shows_the_object_in_the_objects_colour(even: Environment) -> None:
+    """A metal that sees nothing but the object: kd of the light that arrives, times its own kd."""
+    shares = torch.zeros(1, CHANNELS)
+    shares[:, :3] = 0.4
+    kd, one = torch.tensor([[0.9, 0.5, 0.2]]), torch.ones(1, 1)
+    color = shade(UP, UP, kd, 0.2 * one, one, even, shares)
+    assert torch.allclose(color, kd * 0.4 * kd, atol=0.01)
+
+
 def test_a_suns_light_is_all_there_or_not(even: Environment) -> None:
     """A sun above the plate is hidden, one from the side is not."""
     mesh = plate_under_a_disk(0.5, 0.5)
