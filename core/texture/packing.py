@@ -1,7 +1,8 @@
 """Charts laid side by side in the unit square, at one scale and as large as they go: by xatlas.
 
 xatlas takes the scale and makes the atlas as large as it must be, so the scale is sought at which
-that is the square. It turns a chart by transposing it, which mirrors it: charts are turned here.
+that is the square. It turns a chart by transposing it, which mirrors it: charts are turned here, by
+chance, until one order of turns lets a larger scale fit.
 """
 
 from collections.abc import Callable
@@ -13,8 +14,8 @@ from jaxtyping import Float, Int
 
 CELLS = 512  # along the square: the steps in which xatlas looks for places
 HOPED = 0.7  # share of the square that charts fill at the first scale
-PASSES = 14  # at other scales
-GROWTH = 0.012  # of the scale, from one that fits to the next tried
+PASSES = 24  # at other scales and in other turns
+GROWTH = 0.01  # of the scale, from one that fits to the next tried
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
 
 
@@ -39,30 +40,39 @@ def pack(
     ``gap`` is in parts of the square's side. None where so many charts and gaps find no room.
     """
     found = charts_of(uv, face_uvs, chart)
-    apart = in_a_row(found, len(uv))
     padding = max(1, int(np.ceil(gap * CELLS - 1e-6)))
     room = CELLS - 2 * padding
-    area = float(triangle_areas(apart[face_uvs]).sum())
+    area = float(triangle_areas(uv[face_uvs]).sum())
     scale = room * np.sqrt(HOPED / max(area, 1e-30))
-    best, step = None, GROWTH
+    random, best, step = np.random.default_rng(0), None, GROWTH
     for round_ in range(PASSES):
         progress(round_ / PASSES)
+        turns = random.integers(0, 4, len(found)) * (round_ % 2)
+        apart = in_a_row(found, turns, len(uv))
         at, side = laid_out(apart, face_uvs, scale, padding, thorough=len(found) <= MANY)
         if side <= room:
             best, step = (at, scale), GROWTH
-        elif best:  # a larger scale may fit where a smaller one did not
-            step += GROWTH
-        scale = best[1] * (1 + step) if best else scale * min(room / side, 1 - GROWTH)
+        elif not round_ % 2:  # upright again, it had to be another scale
+            step += GROWTH / 2
+        if best:
+            scale = best[1] * (1 + step)
+        else:
+            scale *= min(room / side, 1 - GROWTH)
     return (best[0] + padding) / CELLS if best else None
 
 
-def in_a_row(found: list[Chart], count: int) -> Float[np.ndarray, "{count} 2"]:
-    """All charts beside one another; what belongs to none lies at the origin."""
-    at, x = np.zeros((count, 2)), 0.0
-    for one in found:
-        at[one.uvs] = one.at + np.array([x, 0.0])
-        x += 1.05 * float(one.at[:, 0].max())
-    return at
+def in_a_row(
+    found: list[Chart], turns: Int[np.ndarray, " c"], count: int
+) -> Float[np.ndarray, "{count} 2"]:
+    """All charts beside one another, each in so many quarter ``turns``."""
+    out, x = np.zeros((count, 2)), 0.0
+    for one, turn in zip(found, turns, strict=True):
+        at = one.at
+        for _ in range(turn):
+            at = np.stack([at[:, 1].max() - at[:, 1], at[:, 0]], 1)
+        out[one.uvs] = at + np.array([x, 0.0])
+        x += 1.05 * float(at[:, 0].max())
+    return out
 
 
 def laid_out(
