@@ -76,5 +76,5 @@ def denoised(
 
 
 def fit_loss(z: Float[Tensor, "b 4 s s"], target: Float[Tensor, "b 4 s s"]) -> Float[Tensor, ""]:
-    """The squared difference of each picture's mean pixel, summed over the pictures."""
+    """The mean squared difference of each picture, summed over the pictures."""
     return (z - target).square().mean((1, 2, 3)).sum()

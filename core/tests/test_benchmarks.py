@@ -6,7 +6,16 @@ import torch
 from diffusers import UNet2DConditionModel
 
 from core import benchmarks
-from core.benchmarks import ball, bench, bench_gpu, least_ms, machine, row, table_line
+from core.benchmarks import (
+    ball,
+    bench,
+    bench_gpu,
+    bench_guidance,
+    least_ms,
+    machine,
+    row,
+    table_line,
+)
 from core.errors import UserError
 
 
@@ -62,3 +71,10 @@ def test_a_step_beside_a_network_runs_on_any_device() -> None:
     )
     render, step = bench_gpu.iteration_ms(unet, torch.device("cpu"), 200, views=2, size=32)
     assert 0 < render < step
+
+
+def test_the_guidance_is_timed_for_both_networks() -> None:
+    """The shipped networks take what is made for them here."""
+    rows = bench_guidance.rows()
+    assert ["geometry" in rows[0]["name"], "appearance" in rows[1]["name"]] == [True, True]
+    assert all(found["value"] > 0 for found in rows)

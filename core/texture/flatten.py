@@ -9,6 +9,8 @@ from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array, csc_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
+from core.texture.charts import unit
+
 ITERATIONS = 10
 COTANGENTS = (0.05, 20.0)  # kept within: a sliver would pull with all its weight, or push
 HOLD = 1e-6  # of the mean weight, to the place at the start: a chart alone may lie anywhere
@@ -61,11 +63,9 @@ def seen_along_axis(
     """Each chart as it looks from where its normals point to; ``first``: a corner for each uv."""
     p = verts[faces]
     cross = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-    axis = np.stack([np.bincount(chart, x) for x in cross.T], 1)
-    axis /= np.maximum(np.linalg.norm(axis, axis=1, keepdims=True), 1e-30)
+    axis = unit(np.stack([np.bincount(chart, x) for x in cross.T], 1))
     least = np.eye(3)[np.abs(axis).argmin(1)]
-    right = np.cross(least, axis)
-    right /= np.maximum(np.linalg.norm(right, axis=1, keepdims=True), 1e-30)
+    right = unit(np.cross(least, axis))
     up = np.cross(axis, right)
     at, of = p.reshape(-1, 3)[first], chart[first // 3]
     return np.stack([(at * right[of]).sum(1), (at * up[of]).sum(1)], 1)
