@@ -5,8 +5,10 @@ that is the square. It turns a chart by transposing it, which mirrors it: charts
 chance, until one order of turns lets a larger scale fit.
 """
 
-from collections.abc import Callable
-from typing import NamedTuple
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NamedTuple, Self
 
 import numpy as np
 import xatlas
@@ -17,6 +19,7 @@ HOPED = 0.7  # share of the square that charts fill at the first scale
 PASSES = 24  # at other scales and in other turns
 GROWTH = 0.01  # of the scale, from one that fits to the next tried
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
+REST = 0.25  # s from an atlas's last work to its end
 
 
 class Chart(NamedTuple):
@@ -25,6 +28,35 @@ class Chart(NamedTuple):
     uvs: Int[np.ndarray, " n"]  # which rows of uv
     at: Float[np.ndarray, "n 2"]
     corners: Int[np.ndarray, "f 3"]  # of its faces, into ``at``
+
+
+class Atlases:
+    """xatlas's atlases, each ended only when its threads have long been asleep.
+
+    An atlas that ends wakes its threads without their mutex (0.0.11, ``~TaskScheduler``): one that
+    is just falling asleep misses that, and the end waits for it for ever.
+    """
+
+    def __init__(self) -> None:
+        self.resting: list[tuple[float, xatlas.Atlas]] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        time.sleep(REST)
+        self.resting.clear()
+
+    @contextmanager
+    def new(self) -> Iterator[xatlas.Atlas]:
+        """One to work with."""
+        rested = time.monotonic() - REST
+        self.resting = [(since, atlas) for since, atlas in self.resting if since > rested]
+        atlas = xatlas.Atlas()
+        try:
+            yield atlas
+        finally:
+            self.resting.append((time.monotonic(), atlas))
 
 
 def pack(
@@ -45,19 +77,21 @@ def pack(
     area = float(triangle_areas(uv[face_uvs]).sum())
     scale = room * np.sqrt(HOPED / max(area, 1e-30))
     random, best, step = np.random.default_rng(0), None, GROWTH
-    for round_ in range(PASSES):
-        progress(round_ / PASSES)
-        turns = random.integers(0, 4, len(found)) * (round_ % 2)
-        apart = in_a_row(found, turns, len(uv))
-        at, side = laid_out(apart, face_uvs, scale, padding, thorough=len(found) <= MANY)
-        if side <= room:
-            best, step = (at, scale), GROWTH
-        elif not round_ % 2:  # upright again, it had to be another scale
-            step += GROWTH / 2
-        if best:
-            scale = best[1] * (1 + step)
-        else:
-            scale *= min(room / side, 1 - GROWTH)
+    with Atlases() as atlases:
+        for round_ in range(PASSES):
+            progress(round_ / PASSES)
+            turns = random.integers(0, 4, len(found)) * (round_ % 2)
+            apart = in_a_row(found, turns, len(uv))
+            with atlases.new() as atlas:
+                at, side = laid_out(atlas, apart, face_uvs, scale, padding, len(found) <= MANY)
+            if side <= room:
+                best, step = (at, scale), GROWTH
+            elif not round_ % 2:  # upright again, it had to be another scale
+                step += GROWTH / 2
+            if best:
+                scale = best[1] * (1 + step)
+            else:
+                scale *= min(room / side, 1 - GROWTH)
     return (best[0] + padding) / CELLS if best else None
 
 
@@ -76,16 +110,16 @@ def in_a_row(
 
 
 def laid_out(
+    atlas: xatlas.Atlas,
     uv: Float[np.ndarray, "u 2"],
     face_uvs: Int[np.ndarray, "f 3"],
     scale: float,
     padding: int,
-    *,
     thorough: bool,
 ) -> tuple[Float[np.ndarray, "u 2"], int]:
-    """xatlas's places at ``scale`` cells a unit, ``padding`` cells round each chart; the side of
-    the square that they take."""
-    atlas, options = xatlas.Atlas(), xatlas.PackOptions()
+    """xatlas's places in a new ``atlas`` at ``scale`` cells a unit, ``padding`` cells round each
+    chart; the side of the square that they take."""
+    options = xatlas.PackOptions()
     atlas.add_uv_mesh(uv.astype(np.float32), face_uvs.astype(np.uint32))
     options.texels_per_unit, options.padding, options.bruteForce = scale, padding, thorough
     options.rotate_charts = options.rotate_charts_to_axis = options.create_image = False
