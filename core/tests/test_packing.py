@@ -1,11 +1,15 @@
 """Charts keep their distance and their common scale; the loop does what a slow twin does."""
 
+import time
+from typing import Any
+
 import numpy as np
 import pytest
 from scipy.ndimage import distance_transform_edt
 
 from core.kernels.cells import mark
-from core.texture.packing import in_least_box, pack
+from core.texture import packing
+from core.texture.packing import PASSES, REST, in_least_box, pack
 
 RANDOM = np.random.default_rng(0)
 
@@ -76,6 +80,34 @@ def test_progress_grows_and_may_stop_it() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         pack(*blobs(9), 1 / 256, stop)
+
+
+def test_no_atlas_ends_before_its_threads_sleep(monkeypatch) -> None:
+    """xatlas waits for ever at the end of one that has just worked, once in thousands of times."""
+    atlas_type, rests = packing.xatlas.Atlas, []
+
+    class Watched:
+        def __init__(self) -> None:
+            self.atlas = atlas_type()
+
+        def __getattr__(self, name: str) -> Any:
+            self.since = time.monotonic()
+            return getattr(self.atlas, name)
+
+        def __del__(self) -> None:
+            rests.append(time.monotonic() - self.since)
+
+    def stop(part: float) -> None:
+        if part > 0.5:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(packing.xatlas, "Atlas", Watched)
+    pack(*blobs(9), 1 / 256)
+    assert len(rests) == PASSES
+    with pytest.raises(KeyboardInterrupt):
+        pack(*blobs(9), 1 / 256, stop)
+    assert PASSES < len(rests) < 2 * PASSES
+    assert min(rests) >= REST
 
 
 def test_marked_cells_are_those_with_a_point_of_the_triangle() -> None:
