@@ -8,7 +8,7 @@ chance, until one order of turns lets a larger scale fit.
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 import xatlas
@@ -40,7 +40,7 @@ class Atlases:
     def __init__(self) -> None:
         self.resting: list[tuple[float, xatlas.Atlas]] = []
 
-    def __enter__(self) -> Self:
+    def __enter__(self) -> "Atlases":
         return self
 
     def __exit__(self, *_: object) -> None:
