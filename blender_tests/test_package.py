@@ -78,7 +78,8 @@ def test_the_core_of_the_zip_makes_an_asset(package, tmp_path):
         archive.extractall(tmp_path / "add-on")
     settings = (
         "geometry.fit_steps=40 geometry.coarse.steps=2 geometry.fine.steps=1 "
-        "geometry.refine.rounds=0 appearance.early.steps=1 appearance.late.steps=1 "
+        "geometry.grow.rounds=0 geometry.refine.rounds=0 "
+        "appearance.early.steps=1 appearance.late.steps=1 "
         "appearance.refine.rounds=0 texture.size=64 texture.max_faces=500"
     )
     command = [sys.executable, "-m", "core", "generate", "a ball", "--out", str(tmp_path / "run")]

@@ -19,9 +19,10 @@ from blender_tests.asset_fixture import write_asset
 pytestmark = pytest.mark.window
 HERE = Path(__file__).parent
 SHORT = (  # of the draft: what an artist sees is the same, in a fifth of the time
-    "geometry.fit_steps=60 geometry.coarse.steps=16 geometry.fine.steps=6 geometry.refine.rounds=1 "
-    "geometry.refine.steps=4 appearance.early.steps=8 appearance.late.steps=4 "
-    "appearance.refine.rounds=1 appearance.refine.steps=4 texture.size=256 texture.max_faces=4000"
+    "geometry.fit_steps=60 geometry.coarse.steps=16 geometry.grow.rounds=1 geometry.grow.steps=4 "
+    "geometry.fine.steps=6 geometry.refine.rounds=1 geometry.refine.steps=4 "
+    "appearance.early.steps=8 appearance.late.steps=4 appearance.refine.rounds=1 "
+    "appearance.refine.steps=4 texture.size=256 texture.max_faces=4000"
 )
 
 

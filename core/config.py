@@ -32,7 +32,7 @@ class PhaseConfig:
 
 @dataclass(frozen=True, kw_only=True)
 class RefineConfig:
-    """The last phase, which the paper does not have: regression to denoised pictures."""
+    """A phase that the paper does not have: rounds of regression to denoised pictures."""
 
     rounds: int = 0  # 0 leaves it out
     steps: int = 40  # of the optimiser, in one round
@@ -40,6 +40,7 @@ class RefineConfig:
     batch: int = 10  # of them in one step
     size: int = 128  # side of the rendered picture, pixels
     t: tuple[float, float] = (0.5, 0.25)  # noise given to the pictures, first and last round
+    ray_mask: float = 0.0  # weight of the mask along empty rays; the whole lattice then moves
     denoise_steps: int = 5
     guidance_scale: float = 3.0
     learning_rate: float = 2e-3
@@ -55,6 +56,7 @@ class GeometryConfig:
     radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
     fit_steps: int = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
+    grow: RefineConfig = RefineConfig()  # on the coarse lattice
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
     refine: RefineConfig = RefineConfig()
     views: int = 24  # cameras of one step
@@ -147,17 +149,29 @@ DRAFT = Config(
         resolution=(40, 64),
         fit_steps=200,
         coarse=PhaseConfig(
-            steps=150, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
+            steps=30, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),
+        # From much noise, so that each picture has what the shape lacks yet, such as its legs.
+        grow=RefineConfig(
+            rounds=8,
+            steps=25,
+            batch=6,
+            size=64,
+            t=(0.96, 0.6),
+            ray_mask=1.0,
+            denoise_steps=4,
+            learning_rate=4e-3,
+        ),
+        # None: it cut the nose off a rocket, and refining starts where growing ends.
         fine=PhaseConfig(
-            steps=10,
+            steps=0,
             size=128,
             weighting="sigma2_sqrt",
             t_low=0.1,
             t_high=(0.6, 0.4),
             guidance_scale=4.0,
         ),
-        refine=RefineConfig(rounds=3, steps=60, learning_rate=3e-3),
+        refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3),
         views=6,
         views_at_once=6,
         learning_rate=4e-3,

@@ -4,6 +4,7 @@ Every stage leaves its result in the run folder's checkpoint, so a resumed run g
 middle of the stage where it stopped.
 """
 
+import math
 import warnings
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -148,12 +149,17 @@ def shortened(config: Config, strength: float) -> Config:
     ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the fine one touches up.
     """
     g, keep = config.geometry, 1 - strength
-    t_high = tuple(t * (1 - strength / 2) for t in g.coarse.t_high)
-    coarse = replace(g.coarse, steps=round(g.coarse.steps * keep), t_high=t_high)
-    fine = replace(g.fine, steps=max(1, round(g.fine.steps * (0.2 + 0.8 * keep))))
-    refine = replace(g.refine, t=tuple(t * (1 - strength / 2) for t in g.refine.t))
+
+    def calmer(t: tuple[float, float]) -> tuple[float, float]:
+        return t[0] * (1 - strength / 2), t[1] * (1 - strength / 2)
+
+    steps, rounds = round(g.coarse.steps * keep), round(g.grow.rounds * keep)
+    coarse = replace(g.coarse, steps=steps, t_high=calmer(g.coarse.t_high))
+    grow = replace(g.grow, rounds=rounds, t=calmer(g.grow.t))
+    fine = replace(g.fine, steps=math.ceil(g.fine.steps * (0.2 + 0.8 * keep)))
+    refine = replace(g.refine, t=calmer(g.refine.t))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
-    shorter = replace(g, coarse=coarse, fine=fine, refine=refine, learning_rate=rate)
+    shorter = replace(g, coarse=coarse, grow=grow, fine=fine, refine=refine, learning_rate=rate)
     return replace(config, geometry=shorter)
 
 

@@ -26,7 +26,8 @@ from core.guidance.guidance import (
 )
 from core.guidance.sds import eps_from_v, guide
 from core.prior.diffusion import alpha_bar_schedule
-from core.prior.palette import finishes_of, swatches
+from core.prior.hint import hint
+from core.prior.palette import finishes_of
 from core.prior.unet import BLOCK, UNet, camera_map
 from core.prior.vocabulary import SLOTS, Known, Words, parse
 from core.prior.weights import load_weights, load_words
@@ -120,14 +121,14 @@ class BuiltinGuidance(Guidance):
         count = len(z_t)
         said = torch.tensor([embedding.words.indices(slots), embedding.negative.indices(slots)])
         words = said.to(self.device).repeat_interleave(count, 0)
-        hint = None
+        told = None
         if views.surface is not None:
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
-            hint = torch.cat([surface.repeat(2, 1, 1, 1), swatches(words, SIZE)], 1)
+            told = hint(surface.repeat(2, 1, 1, 1), words)
         camera = self._camera_map(views.cameras).repeat(2, 1, 1, 1)
         pair = z_t.repeat(2, 1, 1, 1)
         with torch.autocast(self.device.type, torch.bfloat16, enabled=self.half):
-            v = net(pair, t.repeat(2), words, camera, hint).float()
+            v = net(pair, t.repeat(2), words, camera, told).float()
         eps_cond, eps_uncond = eps_from_v(v, pair, self.alpha_bar[t].repeat(2)).chunk(2)
         return guide(eps_cond, eps_uncond, guidance_scale)
 

@@ -15,12 +15,20 @@ import torch
 from core.errors import UserError
 from core.guidance.builtin import WEIGHTS
 from core.prior.data import NOUNS, write_shards
-from core.prior.evaluate import CHANCE, PaintScore, Score, score_noun, score_paint
+from core.prior.evaluate import (
+    CHANCE,
+    PaintScore,
+    Score,
+    score_noun,
+    score_paint,
+    score_pattern,
+)
 from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import load_weights, save_weights
 
 DEFAULT_FOLDER = Path("out/prior")
+PATTERNED = 32  # objects, of each pattern
 
 
 def parser() -> argparse.ArgumentParser:
@@ -113,7 +121,13 @@ def evaluate(options: argparse.Namespace) -> None:
     for noun in options.nouns:
         scores.append(score(net, noun, options.views, generator))
         print(scores[-1], flush=True)
-    summary(scores) if options.network == "geometry" else paint_summary(scores)
+    if options.network == "geometry":
+        summary(scores)
+        return
+    paint_summary(scores)
+    for pattern in SLOTS["pattern"]:
+        share = score_pattern(net, pattern, PATTERNED, generator)
+        print(f"{pattern}: {share:.2f} of the colours' variance explained, {PATTERNED} objects")
 
 
 def summary(scores: list[Score]) -> None:

@@ -19,7 +19,7 @@ from core.render.shade import shade
 
 UNSAID_COLOR = 0.35  # share of captions without a colour
 UNSAID_MATERIAL = 0.55
-UNSAID_PATTERN = 0.7
+UNSAID_PATTERN = 0.55
 UNSAID_SECOND = 0.35  # of those with a pattern
 DENTS = 0.35  # the deepest, as the normal's way
 SAID = ("color", "material", "pattern", "second")

@@ -6,7 +6,8 @@ test: for each hypothesis the picture's normals, and the noise with them, are tu
 vertical so that they belong to the hypothesised camera. Without that turn the colours alone would
 tell the camera and even a ball would score full marks; with it a ball must score chance.
 
-Of the appearance: how far the mean picture that it sees in much noise is from the painted one.
+Of the appearance: how far the mean picture that it sees in much noise is from the painted one, in
+the mean colour of a plain thing, and pixel by pixel on a patterned one.
 """
 
 from dataclasses import dataclass
@@ -19,13 +20,15 @@ from core.guidance.builtin import has_fast_bfloat16
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter
-from core.prior.data import NOUNS, SIZE, VIEWS, make
+from core.prior.data import NOUNS, SIZE, VIEWS, Samples, make
 from core.prior.diffusion import alpha_bar_schedule, x_from_v
 from core.prior.draw import Draw
 from core.prior.families import build
-from core.prior.palette import COLOR_VALUES, looks, swatches
+from core.prior.hint import hint
+from core.prior.palette import COLOR_VALUES, looks
 from core.prior.tracer import render
 from core.prior.unet import BLOCK, UNet, camera_map
+from core.prior.vocabulary import SLOTS as WORDS
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8
@@ -147,30 +150,59 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
 
     The network is shown nearly nothing but noise, and says in one step what may be behind it.
     """
-    samples = make(int(torch.randint(2**40, (1,), generator=generator)), views, noun)
+    samples = fresh(views, generator, noun)
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
-    painter = Painter()
-    said = painter.words(len(index), generator)
+    said = Painter().words(len(index), generator)
     said[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
     said[:, 2:] = 0  # no pattern
-    true = painter.pictures(samples, index, said, Draw(generator))
-    words = torch.cat([samples.noun[index][:, None] + 1, said], 1)
-    surface = torch.cat([samples.pictures(index), samples.points(index)], 1)
-    hint = torch.cat([surface, swatches(words, SIZE)], 1)
-    alpha_bar = alpha_bar_schedule()[torch.full((len(index),), PAINT_TIME)]
-    z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)
-    t = torch.full((len(index),), PAINT_TIME)
-    with torch.no_grad():
-        v = net(z_t, t, words, camera_map(samples.cameras(index), SIZE // BLOCK), hint)
+    true, guess = guessed(net, samples, index, said, generator)
     main = torch.tensor([look.role in "*&" for look in looks(noun).values()])
     painted = (samples.coverage[index, 0] == 255) & main[samples.part[index].long().clamp_min(0)]
-    guess = x_from_v(v, z_t, alpha_bar)
     away = [
         (lab_of(guess[k], painted[k]) - lab_of(true[k], painted[k])).norm().item()
         for k in range(len(index))
         if painted[k].any()
     ]
     return PaintScore(noun, away)
+
+
+def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generator) -> float:
+    """The median, over ``views`` fresh objects in two far colours, of the share of the painted
+    colours' variance that the mean picture explains; 1 is all, 0 an even colour."""
+    samples = fresh(views, generator)
+    index = torch.arange(0, len(samples), VIEWS)
+    row = lambda slot, word: 1 + list(WORDS[slot]).index(word)  # noqa: E731
+    words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"))
+    said = torch.tensor([words]).expand(len(index), -1)
+    true, guess = guessed(net, samples, index, said, generator)
+    shares = []
+    for k, sure in enumerate(samples.coverage[index, 0] == 255):
+        x = true[k, :3, sure]
+        rest = (guess[k, :3, sure] - x).square().sum()
+        shares.append(1 - (rest / (x - x.mean(1, keepdim=True)).square().sum()).item())
+    return sorted(shares)[len(shares) // 2]
+
+
+def fresh(objects: int, generator: torch.Generator, noun: str = "") -> Samples:
+    """New objects, of a seed that ``generator`` draws."""
+    return make(int(torch.randint(2**40, (1,), generator=generator)), objects, noun)
+
+
+def guessed(
+    net: UNet, samples: Samples, index: Tensor, said: Tensor, generator: torch.Generator
+) -> tuple[Tensor, Tensor]:
+    """The painted pictures (N, 4, s, s) and what one step makes of nearly nothing but noise."""
+    true = Painter().pictures(samples, index, said, Draw(generator))
+    words = torch.cat([samples.noun[index][:, None] + 1, said], 1)
+    surface = torch.cat([samples.pictures(index), samples.points(index)], 1)
+    alpha_bar = alpha_bar_schedule()[torch.full((len(index),), PAINT_TIME)]
+    z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)
+    t = torch.full((len(index),), PAINT_TIME)
+    with torch.no_grad():
+        v = net(
+            z_t, t, words, camera_map(samples.cameras(index), SIZE // BLOCK), hint(surface, words)
+        )
+    return true, x_from_v(v, z_t, alpha_bar)
 
 
 def lab_of(picture: Tensor, mask: Tensor) -> Tensor:

@@ -73,9 +73,10 @@ PAINT = Finish(None, 0.2, 0.0)  # of a car: no word, only by nature
 JITTER = 0.06  # spread of a colour's channels between objects, and of its brightness
 
 
-def swatches(words: Int[Tensor, "b 5"], size: int) -> Float[Tensor, "b 8 {size} {size}"]:
-    """The colours that the words say, as even pictures: the first (or the material's own, where no
-    colour is said), then the second; each [2 srgb - 1, 1], or zeros where there is none.
+def swatches(words: Int[Tensor, "b 5"]) -> Float[Tensor, "b 8"]:
+    """The colours that the words say: the first (or the material's own, where no colour is said),
+    then the second (or what goes with the first, where only a pattern is said); each
+    [2 srgb - 1, 1], or zeros where there is none.
 
     So the network need not learn what each colour word looks like on each thing.
 
@@ -83,16 +84,21 @@ def swatches(words: Int[Tensor, "b 5"], size: int) -> Float[Tensor, "b 8 {size} 
         words: rows of noun, color, material, pattern, second; 0 is not said.
     """
     colors, materials = (table.to(words.device) for table in _tables())
-    first = colors[words[:, 1]]
-    first = torch.where(words[:, 1:2] > 0, first, materials[words[:, 2]])
-    both = torch.cat([first, colors[words[:, 4]]], 1)
-    return both[:, :, None, None].expand(-1, -1, size, size)
+    said = words > 0
+    both = torch.where(said[:, 1:2], colors[words[:, 1]], materials[words[:, 2]])
+    first, goes_with = both.split(4, 1)
+    goes_with = goes_with * said[:, 3:4]
+    second = torch.where(said[:, 4:5], colors[words[:, 4], :4], goes_with)
+    return torch.cat([first, second], 1)
 
 
 @cache
-def _tables() -> tuple[Float[Tensor, "c 4"], Float[Tensor, "m 4"]]:
+def _tables() -> tuple[Float[Tensor, "c 8"], Float[Tensor, "m 8"]]:
+    """Of the colours and of the materials: a row's own swatch, and that of its companion."""
+
     def row(color: Color | None) -> list[float]:
-        return [2 * c - 1 for c in color] + [1.0] if color else [0.0] * 4
+        pair = (color, companion(color)) if color else ()
+        return [x for rgb in pair for x in [*(2 * c - 1 for c in rgb), 1.0]] or [0.0] * 8
 
     colors = [None, *(COLOR_VALUES[word] for word in SLOTS["color"])]
     materials = [None, *(FINISHES[word].color for word in SLOTS["material"])]
@@ -163,9 +169,8 @@ def coat(noun: str, said: Said, draw: Draw) -> Coat:
 
 def _rows(noun: str, said: Said) -> Iterator[tuple[Color, Color, float, float, str]]:
     """Colour, second colour, roughness, metallic and pattern of each part."""
-    parts = looks(noun)
-    two_tone = said.pattern == "two-tone" and any(look.role in "+&" for look in parts.values())
-    for look in parts.values():
+    two_tone = said.pattern == "two-tone" and has_accents(noun)
+    for look in looks(noun).values():
         finish, color, pattern = look.finish, look.color, look.pattern
         if said.material and look.role != "-":
             finish = FINISHES[said.material]
@@ -180,6 +185,11 @@ def _rows(noun: str, said: Said) -> Iterator[tuple[Color, Color, float, float, s
         elif said.pattern and look.role in "*&" and not two_tone:
             pattern = said.pattern
         yield color, second, finish.roughness, finish.metallic, pattern
+
+
+def has_accents(noun: str) -> bool:
+    """Whether some of the noun's parts take the second colour of "two-tone"."""
+    return any(look.role in "+&" for look in looks(noun).values())
 
 
 def companion(color: Color) -> Color:

@@ -29,8 +29,8 @@ def _where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, flo
 
 
 def striped(color: Tensor, second: Tensor, place: Place) -> Tensor:
-    """Level stripes of five pixels."""
-    return _where((place.point[:, 2] * (torch.pi / 0.17)).sin() < 0, color, second)
+    """Level stripes of six pixels."""
+    return _where((place.point[:, 2] * (torch.pi / 0.21)).sin() < 0, color, second)
 
 
 def spotted(color: Tensor, second: Tensor, place: Place) -> Tensor:

@@ -23,12 +23,12 @@ from core.prior.colored import SAID, Painter, lumpy
 from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
-from core.prior.palette import SWATCHES, swatches
-from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
+from core.prior.hint import CHANNELS, hint
+from core.prior.unet import BLOCK, MAP_CHANNELS, UNet, UNetConfig, camera_map
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import save_weights, write_tensors
 
-# Pictures, words, camera maps, and the hint or None.
+# Pictures, words, camera maps, and the surface or None.
 Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
 
 
@@ -58,7 +58,7 @@ GEOMETRY = UNetConfig(
 APPEARANCE = UNetConfig(
     words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)),
     widths=(32, 64, 96, 128),
-    hint=7 + SWATCHES,
+    hint=CHANNELS,
 )
 
 
@@ -113,14 +113,14 @@ class Source(ABC):
 
     @abstractmethod
     def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps, and the hint or None."""
+        """Pictures, words, camera maps, and the surface or None."""
 
 
 class Geometry(Source):
     """Batches of geometry pictures with the noun, the shape adjective and what is told of parts."""
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps and no hint."""
+        """Pictures, words, camera maps and no surface."""
         index, pictures, camera = self.draw(count, generator)
         s = self.samples
         words = torch.stack([s.noun[index] + 1, s.adjective[index], s.told[index]], 1)
@@ -128,24 +128,22 @@ class Geometry(Source):
 
 
 class Appearance(Source):
-    """Batches of painted pictures with the noun and ``SAID``, and the surface as the hint:
-    normals and coverage as in ``Samples.pictures``, and points weighted by coverage."""
+    """Batches of painted pictures with the noun and ``SAID``, and the surface: normals and coverage
+    as in ``Samples.pictures``, and points weighted by coverage."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
         self.painter = Painter()
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps and geometry pictures."""
-        index, hint, camera = self.draw(count, generator)
+        """Pictures, words, camera maps and surfaces."""
+        index, shape, camera = self.draw(count, generator)
         said = self.painter.words(count, generator)
-        hint = torch.cat([lumpy(hint[:, :3], generator), hint[:, 3:]], 1)
-        hint = torch.cat([hint, self.samples.points(index)], 1)
-        pictures = self.painter.pictures(
-            self.samples, index, said, Draw(generator), normals=hint[:, :3]
-        )
+        normals = lumpy(shape[:, :3], generator)
+        surface = torch.cat([normals, shape[:, 3:], self.samples.points(index)], 1)
+        pictures = self.painter.pictures(self.samples, index, said, Draw(generator), normals)
         words = torch.cat([self.samples.noun[index][:, None] + 1, said], 1)
-        return pictures, words, camera, hint
+        return pictures, words, camera, surface
 
 
 class Training:
@@ -175,17 +173,18 @@ class Training:
         """One step of the optimiser."""
         start = time.monotonic()
         config, g = self.config, self.generator
-        x, words, camera, hint = source.batch(config.batch, g)
+        x, words, camera, surface = source.batch(config.batch, g)
         words, camera = drop_conditions(words, camera, config, g)
         t = draw_times(config.batch, config, g).to(self.device)
         eps = torch.randn(x.shape, generator=g).to(self.device)
         x, words, camera = (tensor.to(self.device) for tensor in (x, words, camera))
-        if hint is not None:  # of what the caption says after some of it was dropped
-            hint = torch.cat([hint.to(self.device), swatches(words, hint.shape[-1])], 1)
+        told = None
+        if surface is not None:  # of what the caption says after some of it was dropped
+            told = hint(surface.to(self.device), words)
         alpha_bar = self.alpha_bar[t]
         z_t = add_noise(x, eps, alpha_bar)
         with torch.autocast(self.device.type, torch.bfloat16):
-            v = self.net(z_t, t, words, camera, hint)
+            v = self.net(z_t, t, words, camera, told)
         loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
         self.optimizer.zero_grad()
         loss.backward()
@@ -203,7 +202,8 @@ class Training:
     def start_from(self, path: Path) -> None:
         """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
 
-        A new word starts as the mean of its slot's words, a new slot as silent.
+        A new word starts as the mean of its slot's words, a new slot or channel of the hint as
+        silent; the hint's old channels come first.
         """
         old = load_file(path)
         with torch.no_grad():
@@ -214,6 +214,11 @@ class Training:
                     rows = old[name].float()
                     p[: len(rows)] = rows
                     p[len(rows) :] = rows[1:].mean(0)
+                elif name == "entry.weight":  # pictures, then the camera map
+                    pictures, camera = old[name].float().tensor_split([-MAP_CHANNELS], 1)
+                    p.zero_()
+                    p[:, : pictures.shape[1]] = pictures
+                    p[:, -MAP_CHANNELS:] = camera
                 else:
                     p.copy_(old[name])
                 mean.copy_(p)

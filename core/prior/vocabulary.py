@@ -1,8 +1,9 @@
 """The parser of the built-in prior's prompts, which refuses by name what it does not know.
 
 A prompt is read into slots (``Words``). Order is free; articles, plurals, case and filler are
-passed over. A close misspelling is read as what it is close to, and a note says so. Any other word
-that is not known is an error that names it, or, where the user asks for that, is left out.
+passed over. A close misspelling is read as what it is close to, and a note says so; so does one
+where an adjective is left out that is no thing's name. Any other word that is not known is an error
+that names it, or, where the user asks for that, is left out too.
 """
 
 import difflib
@@ -25,6 +26,7 @@ from core.prior.words import (
     REAL,
     SHAPES,
     TONES,
+    UNHEARD,
     WITHOUT,
 )
 
@@ -101,8 +103,9 @@ def parse(
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
     reading = _Reading(re.findall(r"[^\W_]+", prompt.lower().replace("'s", " ")), known)
-    if reading.unknown and not ignore_unknown:
-        raise _unknown_error(reading.unknown, known)
+    refused = [token for token in reading.unknown if token not in UNHEARD]
+    if refused and not ignore_unknown:
+        raise _unknown_error(refused, known)
     if reading.unknown:
         left_out = ", ".join(repr(token) for token in dict.fromkeys(reading.unknown))
         reading.notes.append(f"The built-in prior does not know {left_out}: left out.")
@@ -142,6 +145,8 @@ class _Reading:
             self._without = True
         elif token in TONES and len(tokens) > 1 and LEXICON.get(tokens[1], ("",))[0] == "color":
             self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
+        elif token in UNHEARD:
+            self.unknown.append(token)
         elif token not in FILLER:
             self._mend(token)
         return 1

@@ -21,7 +21,7 @@ NOUNS = {
     "mushroom": "toadstool",
     "house": "home",
     "dumbbell": "barbell",
-    "rocket": "spaceship",
+    "rocket": "spaceship, rocket ship, space rocket",
     "tree": "fir, pine, conifer, fir tree, pine tree, christmas tree",
     # Household
     "sofa": "couch, settee, loveseat",
@@ -31,7 +31,7 @@ NOUNS = {
     "bookshelf": "bookcase, bookshelves, book shelf",
     "teapot": "tea pot",
     "bowl": "",
-    "pan": "frying pan, skillet",
+    "pan": "frying pan, skillet, saucepan, wok",
     "goblet": "chalice, wine glass, wineglass",
     "bucket": "pail",
     "candle": "candlestick",
@@ -52,18 +52,18 @@ NOUNS = {
     "cactus": "cacti",
     "flower": "daisy, potted flower",
     "palm": "palm tree",
-    "pig": "piglet",
-    "fish": "goldfish",
+    "pig": "piglet, piggy, piggy bank",
+    "fish": "goldfish, clownfish",
     "rabbit": "bunny, bunnies",
     "turtle": "tortoise",
     "duck": "rubber duck, bath duck",
     "teddy bear": "teddy, bear",
     # Vehicles, buildings, tools, instruments, toys
-    "car": "automobile",
+    "car": "automobile, sports car, race car",
     "bus": "coach, school bus",
     "truck": "lorry, lorries",
     "airplane": "plane, aeroplane, aircraft",
-    "boat": "sailboat, sailing boat, ship, yacht",
+    "boat": "sailboat, sailing boat, ship, yacht, rowboat, rowing boat, fishing boat",
     "train": "locomotive, steam engine, steam train",
     "cottage": "hut, cabin",
     "tower": "castle tower, castle",
@@ -94,7 +94,7 @@ COLORS = {
     "blue": "royal blue, cobalt blue, bright blue",
     "purple": "violet",
     "pink": "rose pink, light red",
-    "brown": "chocolate brown, light brown",
+    "brown": "chocolate brown, light brown, chestnut, cognac",
     "black": "jet black, coal black",
     "white": "snow white",
     "grey": "gray",
@@ -108,7 +108,7 @@ COLORS = {
 MATERIALS = {
     "wooden": "wood, timber, oak, walnut",
     "metal": "polished metal, shiny metal, metallic, steel, iron, silver, silvery, "
-    "chrome, aluminium, aluminum, polished steel, polished",
+    "cast iron, chrome, aluminium, aluminum, polished steel, polished",
     "golden": "gold, brass, polished gold, polished brass",
     "plastic": "",
     "rubber": "",
@@ -162,6 +162,15 @@ FILLER = frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     old new classic modern traditional elegant lovely pretty""".split()
+)
+# Said of a thing's age, finish or mood: no thing, so a prompt need not be refused for them.
+UNHEARD = frozenset(
+    """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate
+    cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining dirty clean dusty
+    fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
+    fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
+    carved handmade hand crafted painted decorated tiny huge giant miniature empty full racing
+    electric acoustic""".split()
 )
 TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
 WITHOUT = ("without", "no", "lacking")

@@ -1,30 +1,33 @@
 """The paper's first training: Ψ learns the shape from normals (§4.2, Eqs. 4, 5)."""
 
 import math
+from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import accumulate
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.camera import Cameras, sample_cameras
-from core.config import GeometryConfig, PhaseConfig
+from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
-from core.guidance.sds import NotFiniteError
+from core.guidance.sds import NotFiniteError, anneal
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.run_folder import RunFolder, Training
-from core.stages.distill import Draw, decayed, distill, phase_of
+from core.stages.distill import Draw, decayed, distill
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.preview import ShapePreview
-from core.stages.refine import Targets, denoised, fit_loss, refine_steps
+from core.stages.refine import Targets, denoised, fit_loss
 
-RAY_PICTURE = 32  # side of the picture whose rays are followed through the lattice
+RAY_PICTURE = 32  # side of the picture whose rays distilling follows through the lattice
+SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40
 BAND = 4  # cells to either side that a surface may move in one round of refining
 FLOATER_SHARE = 0.02  # a piece smaller than this share of the largest is dropped
@@ -40,7 +43,8 @@ def learn_geometry(
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """Train Ψ by score distillation; the mesh that its surface has in the end.
 
-    Coarse phase: [n, o] itself is the latent. Fine phase: the normals are encoded.
+    Coarse phase: [n, o] itself is the latent. Fine phase: the normals are encoded. Where the
+    config has them, rounds of fitting follow each: the first grows what is missing.
     """
     device = next(net.parameters()).device
     grids = [tet_grid(n, device=device) for n in config.resolution]
@@ -48,26 +52,30 @@ def learn_geometry(
     training = Training(run, "geometry", net, optimizer, generator)
     training.resume()
     guard, preview = Guard(training), ShapePreview(run)
+    parts = (config.coarse, config.grow, config.fine, config.refine)
+    ends = list(accumulate(part.steps * getattr(part, "rounds", 1) for part in parts))
     distilling = config.coarse.steps + config.fine.steps
 
-    for step in run.steps("geometry", training.step, distilling + refine_steps(config.refine)):
-        phase, share = phase_of(step.index, config.coarse, config.fine)
-        coarse, refining = phase is config.coarse, step.index >= distilling
-        whole = min(step.index / max(distilling - 1, 1), 1.0)
-        rate = decayed(config.learning_rate, config.learning_rate_end, whole)
-        for group in optimizer.param_groups:
-            group["lr"] = guard.rate * (config.refine.learning_rate if refining else rate)
+    for step in run.steps("geometry", training.step, ends[-1]):
+        at = bisect_right(ends, step.index)
+        part, index = parts[at], step.index - ends[at - 1] * (at > 0)
+        grid = grids[at // 2]
+        net.cell = grid.cell
         optimizer.zero_grad()
         try:
-            grid = grids[0 if coarse else 1]
-            net.cell = grid.cell
-            if refining:
-                index = step.index - distilling
-                batch = refining_batch(training, grid, guidance, embedding, config, index)
-                losses = batch.fitted(guidance, Targets.of(training.kept))
+            if isinstance(part, RefineConfig):
+                rate = part.learning_rate
+                batch = fitting_batch(training, grid, guidance, embedding, config, part, index)
+                losses = batch.fitted(guidance, Targets.of(training.kept), part)
             else:
-                batch = Batch(net, grid, config, whole, generator)
-                losses = batch.distilled(guidance, embedding, phase, share, coarse)
+                share = (index + (at > 0) * config.coarse.steps) / max(distilling - 1, 1)
+                rate = decayed(config.learning_rate, config.learning_rate_end, share)
+                sharpness = anneal(*SHARPNESS, share) if share < config.ray_mask_share else 0.0
+                batch = Batch(net, grid, config, generator, sharpness)
+                share = index / max(part.steps - 1, 1)
+                losses = batch.distilled(guidance, embedding, part, share, coarse=at == 0)
+            for group in optimizer.param_groups:
+                group["lr"] = guard.rate * rate
             step.loss = batch.backward(losses)
             trouble = batch.trouble(net)
         except NotFiniteError as error:
@@ -85,29 +93,34 @@ def learn_geometry(
     return final_mesh(net, grids[1], config.polish)
 
 
-def refining_batch(
+def fitting_batch(
     training: Training,
     grid: TetGrid,
     guidance: Guidance,
     embedding: Embedding,
     config: GeometryConfig,
+    rounds: RefineConfig,
     index: int,
 ) -> "Batch":
-    """The batch of a refining step, ``index`` among those of all rounds.
+    """The batch of a step of fitting, ``index`` among those of all ``rounds``.
 
-    At a round's first step ``training.kept`` gets its pictures and the band of the lattice.
+    At a round's first step ``training.kept`` gets its pictures and, unless empty rays are followed,
+    the band of the lattice.
     """
     net, generator = training.module, training.generator
     assert isinstance(net, SdfNet)
-    round, begun = divmod(index, config.refine.steps)
-    if not begun or not training.kept:
-        band = band_about(net, grid, BAND)
-        batch = Batch(net, grid, config, None, generator, band)
-        targets = batch.targets(guidance, embedding, round)
-        training.kept = targets.tensors() | {f"band_{k}": v for k, v in band._asdict().items()}
-        return batch
-    band = Band(*(training.kept[f"band_{name}"] for name in Band._fields))
-    return Batch(net, grid, config, None, generator, band)
+    round, begun = divmod(index, rounds.steps)
+    fresh = not begun or not training.kept
+    if rounds.ray_mask > 0:
+        band, batch = None, Batch(net, grid, config, generator, SHARPNESS[1])
+    else:
+        names = Band._fields
+        band = band_about(net, grid, BAND) if fresh else Band(*(training.kept[n] for n in names))
+        batch = Batch(net, grid, config, generator, band=band)
+    if fresh:
+        targets = batch.targets(guidance, embedding, rounds, round)
+        training.kept = targets.tensors() | (band._asdict() if band else {})
+    return batch
 
 
 class Batch:
@@ -122,17 +135,19 @@ class Batch:
         net: SdfNet,
         grid: TetGrid,
         config: GeometryConfig,
-        share: float | None,
         generator: torch.Generator,
+        sharpness: float = 0.0,
         band: Band | None = None,
     ) -> None:
-        """``share``: of the distillation's steps; None in the refining, which has no regularisers
-        (there the pictures say all) and keeps to the ``band``."""
+        """
+        Args:
+            sharpness: of the mask along the rays, 1 / training unit; 0 follows none.
+            band: of the lattice, to keep to; with it there are no regularisers, since the shape is
+                nearly there and the pictures say all.
+        """
         self.config, self.grid, self.generator = config, grid, generator
-        self.regular = share is not None
-        self.follow_rays = share is not None and share < config.ray_mask_share
-        self.sharpness = 10 + 50 * (share or 0)  # of the mask along the rays, 1 / training unit
-        if self.follow_rays or (self.regular and config.eikonal > 0):
+        self.sharpness, self.regular = sharpness, band is None
+        if sharpness > 0 or (self.regular and config.eikonal > 0):
             self._sdf, positions = sdf_on_grid(net, grid)
             self._verts, self.faces = marching_tets(positions, self._sdf, grid)
             self.sdf = self._sdf.detach().requires_grad_()
@@ -157,22 +172,29 @@ class Batch:
         for part in draw.split(config.views_at_once, self.verts.device):
             yield self._view_loss(part, guidance, embedding, phase, coarse) / config.views
 
-    def targets(self, guidance: Guidance, embedding: Embedding, round: int) -> Targets:
-        """The pictures of a round of refining."""
-        config, at_once = self.config.refine, self.config.views_at_once
-        cameras = sample_cameras(config.views, self.config.cameras, self.generator)
+    def targets(
+        self, guidance: Guidance, embedding: Embedding, rounds: RefineConfig, round: int
+    ) -> Targets:
+        """The pictures of a round of fitting."""
+        at_once = self.config.views_at_once
+        cameras = sample_cameras(rounds.views, self.config.cameras, self.generator)
         cameras = cameras.to(self.verts.device)
         with torch.no_grad():
-            parts = [slice(k, k + at_once) for k in range(0, config.views, at_once)]
-            z = torch.cat([self._latent(guidance, cameras[part]) for part in parts])
-        share = round / max(config.rounds - 1, 1)
-        return denoised(z, guidance, embedding, Views(cameras), config, share, self.generator)
+            parts = [slice(k, k + at_once) for k in range(0, rounds.views, at_once)]
+            z = torch.cat([self._latent(guidance, cameras[part], rounds.size) for part in parts])
+        share = round / max(rounds.rounds - 1, 1)
+        return denoised(z, guidance, embedding, Views(cameras), rounds, share, self.generator)
 
-    def fitted(self, guidance: Guidance, targets: Targets) -> Iterator[Tensor]:
+    def fitted(
+        self, guidance: Guidance, targets: Targets, rounds: RefineConfig
+    ) -> Iterator[Tensor]:
         """Regression to some of the round's pictures: the losses of these, part by part."""
-        some = targets.some(self.config.refine.batch, self.generator)
+        some = targets.some(rounds.batch, self.generator)
         for part in some.split(self.config.views_at_once):
-            yield fit_loss(self._latent(guidance, part.cameras), part.z) / len(some.z)
+            loss = fit_loss(self._latent(guidance, part.cameras, rounds.size), part.z)
+            if self.sharpness > 0:
+                loss = loss + rounds.ray_mask * self._ray_fit(part)
+            yield loss / len(some.z)
 
     def backward(self, losses: Iterator[Tensor]) -> float:
         """Gather the gradient of all views and of the regularisers into Ψ; the views' loss."""
@@ -217,7 +239,7 @@ class Batch:
             n = n @ random_rotations(len(n), self.generator).to(n)[:, None]
         z = coarse_latent(n, o, guidance.latent_size)
         loss, grad = distill(guidance, z, embedding, Views(cameras), draw, phase, cap)
-        if self.follow_rays:
+        if self.sharpness > 0:
             loss = loss + self._ray_mask_loss(grad[:, 3], cameras)
         return loss
 
@@ -227,8 +249,21 @@ class Batch:
         self.coverage = max(self.coverage, float(o.detach().mean()))
         return n, o
 
-    def _latent(self, guidance: Guidance, cameras: Cameras) -> Tensor:
-        return guidance.encode_normals(*self._render(guidance, cameras, self.config.refine.size))
+    def _latent(self, guidance: Guidance, cameras: Cameras, size: int) -> Tensor:
+        return guidance.encode_normals(*self._render(guidance, cameras, size))
+
+    def _ray_fit(self, targets: Targets) -> Tensor:
+        """How far the mask along the rays is from the pictures', summed over these.
+
+        By cross entropy, whose slope does not fade inside of what has to go: so holes open.
+        """
+        wanted = ((targets.z[:, 3] + 1) / 2).clamp(0, 1)
+        size = wanted.shape[-1]
+        nearest = ray_min_sdf(
+            self.sdf, self.grid, targets.cameras, size, RAY_SAMPLES, self.generator
+        )
+        differ = torch.nn.functional.binary_cross_entropy_with_logits
+        return differ(-self.sharpness * nearest, wanted, reduction="none").mean((1, 2)).sum()
 
     def _ray_mask_loss(self, mask_grad: Float[Tensor, "b s s"], cameras: Cameras) -> Tensor:
         """Send the mask's score through the nearest miss of each ray too.

@@ -1,9 +1,9 @@
-"""The last phase of a training, beyond the paper: fitting to denoised pictures of what is there.
+"""Rounds of fitting, beyond the paper: to denoised pictures of what there is.
 
-Score distillation finds the shape, but its noisy gradient leaves planes dented and edges round. A
-round of refining draws pictures of what there is, makes them noisy and clean again (SDEdit: Meng et
-al. 2022), and fits to all of them at once by plain regression, over and over (the dataset update of
-Instruct-NeRF2NeRF: Haque et al. 2023, §4.2).
+Score distillation seeks one shape that pleases every noise at once: thin parts, of which each noise
+means another, fade, planes stay dented and edges round. A round draws pictures of what there is,
+makes them noisy and clean again (SDEdit: Meng et al. 2022), and fits to all of them at once by
+plain regression, over and over (the dataset update of Instruct-NeRF2NeRF: Haque et al. 2023, §4.2).
 """
 
 from dataclasses import dataclass, fields

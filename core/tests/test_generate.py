@@ -26,6 +26,9 @@ from core.texture.obj import obj_text
 ROOT = Path(__file__).parents[2]
 SHORT = {
     "geometry.coarse.steps": 8,
+    "geometry.grow.rounds": 1,
+    "geometry.grow.steps": 4,
+    "geometry.grow.views": 4,
     "geometry.fine.steps": 2,
     "geometry.refine.rounds": 2,
     "geometry.refine.steps": 4,
@@ -251,11 +254,11 @@ def test_a_simplified_mesh_goes_back_to_where_it_stood():
 
 
 def test_a_guide_shortens_the_phase_that_decides_the_shape():
-    draft = preset("draft")
-    coarse, fine = draft.geometry.coarse.steps, draft.geometry.fine.steps
+    draft, standard = preset("draft"), preset("standard")
     keeps = shortened(draft, 1.0).geometry
-    assert keeps.coarse.steps == 0
-    assert 0 < keeps.fine.steps < fine
+    assert keeps.coarse.steps == keeps.grow.rounds == 0
     assert shortened(draft, 0.0) == draft
-    assert shortened(draft, 0.5).geometry.coarse.steps == coarse // 2
+    assert shortened(draft, 0.5).geometry.coarse.steps == draft.geometry.coarse.steps // 2
+    fine = standard.geometry.fine.steps
+    assert 0 < shortened(standard, 1.0).geometry.fine.steps < fine
     assert keeps.refine.t[0] == draft.geometry.refine.t[0] / 2

@@ -21,7 +21,7 @@ from core.prior.diffusion import x_from_v
 from core.prior.draw import Draw
 from core.prior.evaluate import score_paint
 from core.prior.families import build
-from core.prior.palette import SWATCHES
+from core.prior.hint import CHANNELS
 from core.prior.tracer import render
 from core.prior.unet import UNet
 from core.prior.vocabulary import SLOTS
@@ -63,7 +63,7 @@ def test_the_weights_fit_their_slots_and_the_budget(guidance):
         assert net.config.words == tuple(len(SLOTS[slot]) for slot in slots)
         assert all(p.isfinite().all() for p in net.parameters())
     assert guidance.geometry.config.hint == 0
-    assert guidance.appearance.config.hint == 7 + SWATCHES
+    assert guidance.appearance.config.hint == CHANNELS
     total = sum(path.stat().st_size for path in WEIGHTS.glob("*.safetensors"))
     assert total < 60 * 2**20
     assert isinstance(make_guidance("builtin", "cpu"), BuiltinGuidance)

@@ -165,10 +165,9 @@ def test_swatches_are_the_colours_that_are_said():
     slots = ("noun", "color", "material", "pattern", "second")
     prompts = ("a blue golden mug", "a golden mug", "a mug", "a red mug with a blue handle")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
-    seen = swatches(words, 4)
-    assert seen.shape == (4, SWATCHES, 4, 4)
-    assert (seen == seen[:, :, :1, :1]).all()
-    blue, gold, none, two = seen[:, :, 0, 0]
+    seen = swatches(words)
+    assert seen.shape == (4, SWATCHES)
+    blue, gold, none, two = seen
     color = lambda rgb: torch.tensor([2 * c - 1 for c in rgb] + [1.0])  # noqa: E731
     torch.testing.assert_close(blue[:4], color(COLOR_VALUES["blue"]))
     torch.testing.assert_close(gold[:4], color(FINISHES["golden"].color))
@@ -176,6 +175,18 @@ def test_swatches_are_the_colours_that_are_said():
     torch.testing.assert_close(two[4:], color(COLOR_VALUES["blue"]))
     assert (none == 0).all()
     assert (blue[4:] == 0).all()
+
+
+def test_where_only_a_pattern_is_said_the_second_swatch_goes_with_the_first():
+    slots = ("noun", "color", "material", "pattern", "second")
+    prompts = ("a striped red mug", "a striped stone mug", "a striped mug", "a striped white ball")
+    words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
+    red, stone, none, white = swatches(words)[:, 4:]
+    color = lambda rgb: torch.tensor([2 * c - 1 for c in rgb] + [1.0])  # noqa: E731
+    torch.testing.assert_close(red, color(companion(COLOR_VALUES["red"])))
+    torch.testing.assert_close(stone, color(companion(FINISHES["stone"].color)))
+    torch.testing.assert_close(white, color(companion(COLOR_VALUES["white"])))
+    assert (none == 0).all()
 
 
 def test_dents_are_soft_and_leave_the_weight_of_the_normals():

@@ -21,6 +21,7 @@ from core.prior.words import (
     PATTERNS,
     REAL,
     SHAPES,
+    UNHEARD,
 )
 
 
@@ -130,6 +131,8 @@ def test_every_synonym_means_its_word(table):
 
 def test_the_tables_hide_nothing_from_each_other():
     assert FILLER.isdisjoint(LEXICON)
+    assert UNHEARD.isdisjoint(LEXICON)
+    assert UNHEARD.isdisjoint(FILLER)
     assert REAL - {"plane", "pine"} == REAL.difference(LEXICON)
     for word, forms in NEAREST.items():
         assert word in LEXICON
@@ -164,6 +167,15 @@ def test_what_was_mended_is_in_the_notes():
 @pytest.mark.parametrize("word", ["horse", "crow", "three", "kettle", "goat", "boot", "shark"])
 def test_a_word_of_another_thing_is_no_slip(word):
     assert corrected(word) == ""
+
+
+def test_an_adjective_that_changes_nothing_is_left_out_and_said():
+    words = parse("a worn leather armchair")
+    assert (words.noun, words.material) == ("armchair", "leather")
+    assert words.notes == ("The built-in prior does not know 'worn': left out.",)
+    with pytest.raises(UserError, match="'zebra'") as caught:
+        parse("a worn zebra")
+    assert "worn" not in caught.value.text
 
 
 def test_an_unknown_word_is_refused_with_the_nearest_known_one():

@@ -13,7 +13,7 @@ from core.errors import Cancelled, NoSurfaceError
 from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
-from core.geometry.mesh import polished, signed_volume
+from core.geometry.mesh import health, polished, signed_volume
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
@@ -35,6 +35,7 @@ SHORT = replace(
     DRAFT.geometry,
     resolution=(12, 16),
     coarse=replace(DRAFT.geometry.coarse, steps=4, size=32),
+    grow=RefineConfig(rounds=2, steps=3, views=5, batch=3, size=32, ray_mask=1.0),
     fine=replace(DRAFT.geometry.fine, steps=3, size=32),
     refine=RefineConfig(rounds=2, steps=3, views=5, batch=3, size=32),
     views=4,
@@ -112,6 +113,28 @@ def test_polish_takes_off_the_bumps_and_keeps_the_volume():
     assert signed_volume(smooth, faces) == pytest.approx(signed_volume(rough, faces), rel=0.01)
 
 
+def torus(resolution=24, ring=0.5, tube=0.22):
+    grid = tet_grid(resolution)
+    x, y, z = grid.tet_verts.unbind(1)
+    return marching_tets(grid.tet_verts, ((x.hypot(y) - ring).hypot(z) - tube), grid)
+
+
+@pytest.mark.parametrize("ray_mask", [1.0, 0.0])
+def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
+    """A ball under a guidance that knows a torus: no outline of the ball is where its hole is."""
+    none = replace(SHORT.coarse, steps=0)
+    grow = RefineConfig(rounds=3, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
+    grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
+    config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
+    g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32)
+    run, noise = run_in(tmp_path), torch.Generator().manual_seed(1)
+    verts, faces = learn_geometry(
+        start_net(replace(config, resolution=(24, 24))), g, g.embed("", ""),
+        replace(config, resolution=(24, 24)), run, noise,
+    )  # fmt: skip
+    assert health(verts, faces)["genus"] == (1 if ray_mask else 0)
+
+
 @pytest.mark.parametrize("frame", ["object", "camera"])
 @pytest.mark.parametrize("coarse", [True, False])
 def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(frame, coarse):
@@ -120,7 +143,7 @@ def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(fra
         config = replace(SHORT, views_at_once=at_once, ray_mask_share=0.0, rotate_normals=False)
         net = start_net(config)
         grid = tet_grid(config.resolution[0])
-        batch = Batch(net, grid, config, 0.0, torch.Generator().manual_seed(5))
+        batch = Batch(net, grid, config, torch.Generator().manual_seed(5))
         phase = config.coarse if coarse else config.fine
         batch.backward(batch.distilled(guidance(frame), Embedding(), phase, 0.5, coarse))
         assert not batch.trouble(net)
@@ -130,13 +153,16 @@ def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(fra
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
 
 
-def test_the_refining_gradient_does_not_depend_on_how_many_views_are_rendered_at_once():
+@pytest.mark.parametrize("rounds", [SHORT.refine, SHORT.grow], ids=["refine", "grow"])
+def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(rounds):
     grads = []
     for at_once in (5, 2):
         config = replace(SHORT, views_at_once=at_once)
         net, grid = start_net(config), tet_grid(12)
-        batch = Batch(net, grid, config, None, torch.Generator().manual_seed(5))
-        batch.backward(batch.fitted(guidance(), batch.targets(guidance(), Embedding(), 0)))
+        sharpness = 60.0 * (rounds.ray_mask > 0)
+        batch = Batch(net, grid, config, torch.Generator().manual_seed(5), sharpness)
+        targets = batch.targets(guidance(), Embedding(), rounds, 0)
+        batch.backward(batch.fitted(guidance(), targets, rounds))
         assert not batch.trouble(net)
         grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
     assert float(grads[0].norm()) > 0
@@ -147,7 +173,13 @@ def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
     """A sphere of 0.6 under a guidance that knows one of 0.8, by refining alone."""
     none = replace(SHORT.coarse, steps=0)
     refine = RefineConfig(rounds=3, steps=25, views=6, batch=4, size=32, t=(0.7, 0.5))
-    config = replace(SHORT, coarse=none, fine=none, refine=replace(refine, learning_rate=1e-2))
+    config = replace(
+        SHORT,
+        coarse=none,
+        grow=RefineConfig(),
+        fine=none,
+        refine=replace(refine, learning_rate=1e-2),
+    )
     net, g, run = start_net(config, 0.6), guidance(), run_in(tmp_path)
     verts, _ = learn_geometry(
         net, g, g.embed("", ""), config, run, torch.Generator().manual_seed(1)
@@ -160,9 +192,9 @@ def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
 def test_the_mask_along_empty_rays_reaches_the_lattice():
     config = replace(SHORT, eikonal=0.0)
     grads = []
-    for share in (0.0, 1.0):  # with and without
+    for sharpness in (10.0, 0.0):  # with and without
         net = start_net(config)
-        batch = Batch(net, tet_grid(12), config, share, torch.Generator().manual_seed(5))
+        batch = Batch(net, tet_grid(12), config, torch.Generator().manual_seed(5), sharpness)
         batch.backward(batch.distilled(guidance(), Embedding(), config.coarse, 0.5, True))
         grads.append(None if batch.sdf is None else batch.sdf.grad)
     assert grads[0] is not None
@@ -170,7 +202,7 @@ def test_the_mask_along_empty_rays_reaches_the_lattice():
     assert grads[1] is None
 
 
-@pytest.mark.parametrize("stop", [3, 8])  # in the distillation; within a round of refining
+@pytest.mark.parametrize("stop", [3, 8, 14])  # distilling; within a round of growing; of refining
 def test_geometry_resumes_to_the_same_mesh(tmp_path, stop):
     def learn(run):
         g = guidance()

@@ -44,7 +44,20 @@ PROMPTS = (
     "a lighthouse",
     "a thick glass bottle without a cap",
     "a silver rocket",
+    # No training caption says any of these: the shape's network is told no colour and the colours'
+    # network no shape; and no caption has a synonym, a slip or a word that is left out.
+    "a worn leather armchair",
+    "a tall ceramic vase with green and white stripes",
+    "the yelow rubber ducky",
+    "a lime couch, checkered with purple",
+    "flat tortoise, carved from pink marble",
+    "an oak bookcase in navy",
+    "a violet teacup without a handle, spotted white",
+    "a long bus with orange and cyan stripes",
+    "a plump copper piggy bank",
+    "a chunky red rocket ship, dotted yellow",
 )
+UNSEEN = 25  # the number of the first of these
 
 
 def run(*arguments: "str | Path") -> None:
@@ -98,6 +111,8 @@ def main(numbers: list[str]) -> None:
         make(prompt)
     lines = ["# Gallery", "", "Normals, base colour, Cycles; made by `make.py`, seed 0.", ""]
     for number, prompt in enumerate(PROMPTS, 1):
+        if number == UNSEEN:
+            lines += ["## Never said in the training", ""]
         if all((folder_of(prompt) / f"{name}.png").exists() for name in SHOWN):
             name = f"{number:02d}.jpg"
             strip(folder_of(prompt), HERE / name)
