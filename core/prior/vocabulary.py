@@ -200,8 +200,10 @@ class _Reading:
         noun = self.found["noun"][0] if self.found["noun"] else ""
         color, second = (*said, "", "")[:2]
         for part, _, painted in self.parts:
-            if painted and _role(noun, part) == "*":
-                color, said = painted, [*said, painted] if color else said
+            if painted and _role(noun, part) == "*":  # painted as the rest is
+                if color and color != painted:
+                    raise _two_error("color", [color, painted])
+                color = painted
             elif painted and second and second != painted:
                 raise _two_error("second", [second, painted])
             elif painted:
@@ -236,7 +238,7 @@ def _is_part(word: str, noun: str) -> bool:
 def _role(noun: str, part: str) -> str:
     """The role of a noun's part, see ``nature``; "" where it has none of that name."""
     looks = LOOKS.get(noun, {})
-    name = next((n for n in (part, f"{part}s", PART_FORMS.get(part, part)) if n in looks), "")
+    name = next((name for name in _names(part) if name in looks), "")
     return looks[name][0] if name else ""
 
 
@@ -246,9 +248,13 @@ def _always_has(noun: str, part: str) -> bool:
     legs = {"bench", "chair", "pig", "turtle"}
     if part in LEGS:
         return part == "four legs" and noun in legs
-    names = {part, f"{part}s", PART_FORMS.get(part, part), *(["back"] * (part == "backrest"))}
-    names |= {"arms"} if part == "armrests" else set()
-    return bool(names & set(LOOKS[noun]))
+    return any(name in LOOKS[noun] for name in _names(part))
+
+
+def _names(part: str) -> list[str]:
+    """What a noun may call the part."""
+    own = {"backrest": "back", "armrests": "arms", "cap": "lid"}.get(part, part)
+    return [part, f"{part}s", PART_FORMS.get(part, part), own]
 
 
 def singulars(phrase: str) -> list[str]:

@@ -118,6 +118,19 @@ def test_a_part_that_a_thing_never_has_is_refused_with_what_it_may_have():
     assert "handle, no handle" in caught.value.fix
 
 
+def test_a_part_may_go_by_the_name_that_the_thing_has_for_it():
+    words = parse("a teapot with a navy lid")
+    assert (words.second, words.pattern, words.part) == ("navy", "two-tone", "")
+    assert parse("a white teapot with a lid").color == "white"
+    assert parse("a bottle without a lid").part == "no cap"
+
+
+def test_a_main_part_is_painted_as_the_rest_is():
+    assert parse("a chair with red legs").color == "red"
+    with pytest.raises(UserError, match="one colour in a prompt and got 'red' and 'blue'"):
+        parse("a red chair with blue legs")
+
+
 def test_the_order_of_words_does_not_matter():
     assert parse("wooden tall blue lamp") == parse("lamp, blue, tall, wooden")
 
