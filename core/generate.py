@@ -146,7 +146,7 @@ def config_of(job: Job) -> Config:
 def shortened(config: Config, strength: float) -> Config:
     """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
 
-    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the fine one touches up.
+    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up.
     """
     g, keep = config.geometry, 1 - strength
 

@@ -24,7 +24,7 @@ from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
 from core.prior.hint import CHANNELS, hint
-from core.prior.unet import BLOCK, MAP_CHANNELS, UNet, UNetConfig, camera_map
+from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import save_weights, write_tensors
 
@@ -202,8 +202,7 @@ class Training:
     def start_from(self, path: Path) -> None:
         """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
 
-        A new word starts as the mean of its slot's words, a new slot or channel of the hint as
-        silent; the hint's old channels come first.
+        A new word starts as the mean of its slot's words, a new slot as silent.
         """
         old = load_file(path)
         with torch.no_grad():
@@ -214,11 +213,6 @@ class Training:
                     rows = old[name].float()
                     p[: len(rows)] = rows
                     p[len(rows) :] = rows[1:].mean(0)
-                elif name == "entry.weight":  # pictures, then the camera map
-                    pictures, camera = old[name].float().tensor_split([-MAP_CHANNELS], 1)
-                    p.zero_()
-                    p[:, : pictures.shape[1]] = pictures
-                    p[:, -MAP_CHANNELS:] = camera
                 else:
                     p.copy_(old[name])
                 mean.copy_(p)

@@ -24,7 +24,7 @@ from core.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.preview import ShapePreview
-from core.stages.refine import Targets, denoised, fit_loss
+from core.stages.refine import Targets, denoised, fit_loss, refine_steps
 
 RAY_PICTURE = 32  # side of the picture whose rays distilling follows through the lattice
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
@@ -53,7 +53,9 @@ def learn_geometry(
     training.resume()
     guard, preview = Guard(training), ShapePreview(run)
     parts = (config.coarse, config.grow, config.fine, config.refine)
-    ends = list(accumulate(part.steps * getattr(part, "rounds", 1) for part in parts))
+    ends = list(
+        accumulate(refine_steps(p) if isinstance(p, RefineConfig) else p.steps for p in parts)
+    )
     distilling = config.coarse.steps + config.fine.steps
 
     for step in run.steps("geometry", training.step, ends[-1]):

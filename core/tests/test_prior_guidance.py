@@ -17,9 +17,10 @@ from core.guidance.builtin import (
 )
 from core.guidance.guidance import Views, make_guidance
 from core.guidance.sds import add_noise
+from core.prior import hint as hint_module
 from core.prior.diffusion import x_from_v
 from core.prior.draw import Draw
-from core.prior.evaluate import score_paint
+from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
 from core.prior.hint import CHANNELS
 from core.prior.tracer import render
@@ -210,3 +211,12 @@ def test_the_said_colour_is_seen_in_much_noise(guidance, noun):
     blind = UNet(guidance.appearance.config).eval()  # untrained: it says nothing of colours
     unseen = score_paint(blind, noun, 4, torch.Generator().manual_seed(3))
     assert sum(unseen.delta_e) > 2 * sum(score.delta_e)
+
+
+@pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
+def test_a_said_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
+    score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
+    assert score > 0.35
+    monkeypatch.setattr(hint_module, "stencil", lambda s, _: torch.zeros_like(s[:, :1]) > 0)
+    even = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
+    assert even < 0.5 * score
