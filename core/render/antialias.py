@@ -53,7 +53,8 @@ def edge_table(faces: Int[Tensor, "f 3"]) -> EdgeTable:
     verts = torch.stack([faces, faces.roll(-1, 1)], -1).view(-1, 2)
     opposite = faces.roll(-2, 1).reshape(-1)
     count = int(faces.max()) + 1 if len(faces) else 0
-    key, order = (verts.amin(1) * count + verts.amax(1)).sort(stable=True)
+    low, high = torch.minimum(*verts.unbind(1)), torch.maximum(*verts.unbind(1))
+    key, order = (low * count + high).sort(stable=True)
     starts = torch.ones_like(key, dtype=torch.bool)
     starts[1:] = key[1:] != key[:-1]
     index = torch.arange(len(key), device=key.device)

@@ -18,7 +18,7 @@ from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError, anneal
-from core.render.antialias import edge_table
+from core.render.antialias import EdgeTable, edge_table
 from core.render.normals import render_normals
 from core.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill
@@ -158,6 +158,7 @@ class Batch:
             self._verts, self.faces = surface.verts, surface.faces
             self._sdf = self.sdf = None
         self.verts = self._verts.detach().requires_grad_()
+        self.edges = edge_table(self.faces)
         self.coverage = 0.0
 
     def distilled(
@@ -247,7 +248,9 @@ class Batch:
 
     def _render(self, guidance: Guidance, cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
         """n and o of the views; the largest coverage of any part is remembered."""
-        n, o = render_normals(self.verts, self.faces, cameras, size, guidance.normal_frame)
+        n, o = render_normals(
+            self.verts, self.faces, cameras, size, guidance.normal_frame, self.edges
+        )
         self.coverage = max(self.coverage, float(o.detach().mean()))
         return n, o
 
@@ -287,7 +290,7 @@ class Batch:
         if self.config.eikonal > 0:
             loss = loss + self.config.eikonal * eikonal(self.sdf, self.grid)
         if self.config.smooth_normals > 0:
-            loss = loss + self.config.smooth_normals * bending(self.verts, self.faces)
+            loss = loss + self.config.smooth_normals * bending(self.verts, self.faces, self.edges)
         return loss
 
 
@@ -331,11 +334,13 @@ def eikonal(sdf: Float[Tensor, " nt"], grid: TetGrid) -> Float[Tensor, ""]:
     return (length - 1).square().mean()
 
 
-def bending(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, ""]:
+def bending(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], edges: EdgeTable
+) -> Float[Tensor, ""]:
     """Mean of 1 - cos of the angle between neighbouring faces."""
     a, b, c = (verts.index_select(0, faces[:, k]) for k in range(3))
     n = torch.nn.functional.normalize(torch.linalg.cross(b - a, c - a), dim=-1, eps=1e-12)
-    pairs = edge_table(faces).faces
+    pairs = edges.faces
     pairs = pairs[(pairs >= 0).all(1)]
     n0, n1 = n.index_select(0, pairs[:, 0]), n.index_select(0, pairs[:, 1])
     return (1 - (n0 * n1).sum(-1)).mean()

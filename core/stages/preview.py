@@ -97,12 +97,18 @@ def _clustered(
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """All vertices of a cube of side ``size`` in their mean; faces that this closes are gone, and
     so are those that come to lie on one another."""
-    cells, cell = torch.unique((verts / size).floor().long(), dim=0, return_inverse=True)
+    cubes = ((verts - verts.amin(0)) / size).long()
+    cells, cell = torch.unique(_one_number(cubes), return_inverse=True)
     count = torch.bincount(cell, minlength=len(cells))[:, None]
     mean = verts.new_zeros(len(cells), 3).index_add_(0, cell, verts) / count
     corners = cell[faces]
     corners = corners[(corners != corners.roll(1, 1)).all(1)]
     _, same, times = torch.unique(
-        corners.sort(1).values, dim=0, return_inverse=True, return_counts=True
+        _one_number(corners.sort(1).values), return_inverse=True, return_counts=True
     )
     return mean, corners[times[same] == 1]
+
+
+def _one_number(rows: Int[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+    """Rows of three numbers below 2^21, none negative, as one number each: quick to sort."""
+    return (rows[:, 0] << 42) | (rows[:, 1] << 21) | rows[:, 2]

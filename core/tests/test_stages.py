@@ -18,6 +18,7 @@ from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
 from core.protocol import Job, read_events
+from core.render.antialias import edge_table
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
 from core.stages.appearance import learn_appearance
@@ -99,7 +100,7 @@ def test_bending_of_a_regular_tetrahedron_is_four_thirds():
     """Its outward normals meet at arccos(-1/3)."""
     verts = torch.tensor([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
     faces = torch.tensor([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    assert float(bending(verts, faces)) == pytest.approx(4 / 3, rel=1e-5)
+    assert float(bending(verts, faces, edge_table(faces))) == pytest.approx(4 / 3, rel=1e-5)
 
 
 def test_polish_takes_off_the_bumps_and_keeps_the_volume():
