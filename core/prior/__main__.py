@@ -14,7 +14,7 @@ import torch
 
 from core.errors import UserError
 from core.guidance.builtin import WEIGHTS
-from core.prior.data import NOUNS, write_shards
+from core.prior.data import MODELS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
     CHANCE,
     PaintScore,
@@ -23,6 +23,7 @@ from core.prior.evaluate import (
     score_paint,
     score_pattern,
 )
+from core.prior.models import CATALOGUE, INSTALL, make_models
 from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import load_weights, save_weights
@@ -39,6 +40,9 @@ def parser() -> argparse.ArgumentParser:
     data = commands.add_parser("data", help="render shards of the families")
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
     data.add_argument("--workers", type=int, default=2)
+    data.add_argument(
+        "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
+    )
 
     train = commands.add_parser(
         "train", help="train one network; goes on from the checkpoint in --out if there is one"
@@ -74,14 +78,22 @@ def main(arguments: list[str]) -> None:
 
 
 def data(options: argparse.Namespace) -> None:
-    """Make the shards that the folder lacks."""
+    """Make what the folder lacks: the shards, and the real models' views if they are installed."""
+    options.out.mkdir(parents=True, exist_ok=True)
+    models = options.out / MODELS
+    if not models.exists() and options.catalogue.exists():
+        write_samples(models, make_models(options.catalogue))
+    if models.exists():
+        print(models, flush=True)
+    else:
+        print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
     for path in write_shards(options.out, range(options.shards), options.workers):
         print(path, flush=True)
 
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
-    if not any(options.out.glob("shard_*.safetensors")):
+    if not any(options.out.glob(SHARDS)):
         raise UserError(
             f"There are no shards in {options.out}.",
             f"Make them first: python -m core.prior data --out {options.out}",

@@ -17,12 +17,14 @@ from torch import Tensor
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.prior.draw import OPTIONS, PARTS, Draw
 from core.prior.families import FAMILIES, STRETCH, build
-from core.prior.tracer import render
+from core.prior.tracer import Pictures, render
 
+SHARDS = "shard_*.safetensors"
+MODELS = "models.safetensors"  # views of the real models, see ``core.prior.models``
 SIZE = 64
 VIEWS = 4  # of one object
 OBJECTS = 256  # of one shard
-CAMERAS = CameraConfig(distance=(2.9, 3.1))
+CAMERAS = CameraConfig(distance=(2.9, 3.1), elevation_deg=(-60.0, 78.0))  # bottoms too
 
 NOUNS = list(FAMILIES)
 ADJECTIVES = ["", *STRETCH]
@@ -46,6 +48,24 @@ class Samples:
     adjective: Tensor  # (N,) index into ADJECTIVES
     told: Tensor  # (N,) index into TOLD
     camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy
+
+    @classmethod
+    def of(
+        cls, seen: Pictures, cameras: Cameras, noun: int, adjective: int = 0, told: int = 0
+    ) -> "Samples":
+        """One object's pictures; ``noun``, ``adjective`` and ``told`` are indices."""
+        count = len(cameras)
+        facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
+        return cls(
+            normal=(seen.normal * 127).round().to(torch.int8),
+            coverage=(seen.coverage * 255).round().to(torch.uint8),
+            part=seen.part.to(torch.int8),
+            point=(seen.point * 120).round().clamp(-127, 127).to(torch.int8),
+            noun=torch.full((count,), noun),
+            adjective=torch.full((count,), adjective),
+            told=torch.full((count,), told),
+            camera=torch.stack(facts, 1),
+        )
 
     def __len__(self) -> int:
         return len(self.noun)
@@ -79,34 +99,28 @@ def make(seed: int, objects: int = OBJECTS, noun: str = "") -> Samples:
         untold = draw.chance(UNTOLD) or not options
         told = 0 if untold else TOLD.index(options[int(draw(0, len(options)))])
         rows.append(_views(kind, adjective, told, draw))
-    return Samples(*(torch.cat(column).contiguous() for column in zip(*rows, strict=True)))
+    return joined(rows)
 
 
-def _views(noun: int, adjective: int, told: int, draw: Draw) -> tuple[Tensor, ...]:
+def _views(noun: int, adjective: int, told: int, draw: Draw) -> Samples:
     shape = build(NOUNS[noun], ADJECTIVES[adjective], Draw(draw.generator, TOLD[told]))
     cameras = sample_cameras(VIEWS, CAMERAS, draw.generator)
-    seen = render(shape, cameras, SIZE)
-    facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
-    return (
-        (seen.normal * 127).round().to(torch.int8),
-        (seen.coverage * 255).round().to(torch.uint8),
-        seen.part.to(torch.int8),
-        (seen.point * 120).round().clamp(-127, 127).to(torch.int8),
-        torch.full((VIEWS,), noun),
-        torch.full((VIEWS,), adjective),
-        torch.full((VIEWS,), told),
-        torch.stack(facts, 1),
-    )
+    return Samples.of(render(shape, cameras, SIZE), cameras, noun, adjective, told)
 
 
 def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
     """Make shard ``number`` (it is also the seed) unless the folder has it."""
     path = folder / f"shard_{number:05d}.safetensors"
     if not path.exists():
-        aside = path.with_suffix(".part")
-        save_file(dict(vars(make(number, objects))), aside)
-        aside.rename(path)
+        write_samples(path, make(number, objects))
     return path
+
+
+def write_samples(path: Path, samples: Samples) -> None:
+    """One file of samples, written aside."""
+    aside = path.with_suffix(".part")
+    save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, aside)
+    aside.rename(path)
 
 
 def _work(job: tuple[Path, int]) -> Path:

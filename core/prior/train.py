@@ -20,7 +20,7 @@ from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
 from core.prior.colored import SAID, Painter, lumpy
-from core.prior.data import ADJECTIVES, NOUNS, TOLD, joined, read_shards
+from core.prior.data import ADJECTIVES, MODELS, NOUNS, SHARDS, TOLD, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
 from core.prior.hint import CHANNELS, hint
@@ -90,13 +90,15 @@ def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> T
 class Source(ABC):
     """The data folder's samples; more shards are read as they come."""
 
+    names = (SHARDS,)
+
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.paths = self._shards()
         self.samples = read_shards(self.paths)
 
     def _shards(self) -> list[Path]:
-        return sorted(self.folder.glob("shard_*.safetensors"))
+        return [path for name in self.names for path in sorted(self.folder.glob(name))]
 
     def rescan(self) -> None:
         """Read the shards that have come."""
@@ -118,6 +120,8 @@ class Source(ABC):
 
 class Geometry(Source):
     """Batches of geometry pictures with the noun, the shape adjective and what is told of parts."""
+
+    names = (SHARDS, MODELS)  # the models' parts are not known, so they have no painter
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and no surface."""
