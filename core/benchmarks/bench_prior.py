@@ -29,8 +29,12 @@ from core.run_folder import RunFolder
 from core.stages.start_color import surface_colors
 
 FOLDER = Path("out/bench_prior")
-# Holes that make a thing what it is. Others may have any number.
-GENUS = {"torus": 1, "mug": 1, "teapot": 1, "bucket": 1, "trophy": 2, "crown": 1, "chair": 0}
+# Holes that make a thing what it is, and what must not have any: what stands on legs that are
+# apart, and what something is poured into.
+GENUS = {"torus": 1, "mug": 1, "teapot": 1, "bucket": 1, "trophy": 2, "crown": 1}
+GENUS |= dict.fromkeys(("chair", "table", "stool", "armchair", "sofa", "bed"), 0)
+GENUS |= dict.fromkeys(("vase", "bottle", "bowl", "pan", "goblet"), 0)
+ADDED = dict.fromkeys(("mug", "bucket"), " with a handle")  # which they have not always
 MAX_DELTA_E = 20.0
 ROUGHNESS_REACH = 0.2  # around the word's own
 POINTS = 4000
@@ -73,7 +77,7 @@ def _scored(
         return json.loads(told.read_text(encoding="utf-8"))
     color, material = words_for(noun, seed, known)
     start = time.monotonic()
-    failure = _make(run, f"{color} {material} {noun}", seed)
+    failure = _make(run, f"{color} {material} {noun}{ADDED.get(noun, '')}", seed)
     facts = {"noun": noun, "seed": seed, "color": color, "material": material}
     facts |= {"seconds": round(time.monotonic() - start, 1), "failure": failure}
     facts |= {} if failure else score(run, facts, references)

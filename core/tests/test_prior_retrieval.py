@@ -3,7 +3,7 @@
 import pytest
 import torch
 
-from core.benchmarks.bench_prior import GENUS, line, main_delta_e, summary, words_for
+from core.benchmarks.bench_prior import ADDED, GENUS, line, main_delta_e, summary, words_for
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
 from core.ops import lab, srgb_to_linear
@@ -70,7 +70,8 @@ def test_words_of_the_runs_can_be_read_and_go_round():
     assert {color for color, _ in said} == set(known["color"])
     assert {material for _, material in said} == set(known["material"])
     for noun, (color, material) in zip(NOUNS, said[::2], strict=True):
-        words = parse(f"{color} {material} {noun}")
+        words = parse(f"{color} {material} {noun}{ADDED.get(noun, '')}")
+        assert words.part == ADDED.get(noun, "").removeprefix(" with a ")
         assert (words.noun, words.color, words.material) == (noun, color, material)
 
 

@@ -16,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 RUNS = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
+RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (1, 5, 3, 6)  # those that the project's README shows
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
@@ -73,10 +74,12 @@ def folder_of(prompt: str) -> Path:
 def make(prompt: str) -> None:
     """The asset and its pictures, where they are not there yet."""
     folder = folder_of(prompt)
-    cycles = folder / "cycles.png"
+    asset, cycles = folder / "asset", folder / "cycles.png"
+    if not asset.exists():
+        begun = (folder / "job.json").exists()
+        run(*(["resume", folder] if begun else ["generate", prompt, "--out", folder]))
     if not cycles.exists():
-        start = ["resume", folder] if (folder / "job.json").exists() else ["generate", prompt]
-        run(*start, *([] if start[0] == "resume" else ["--out", folder]), "--render", cycles)
+        run("relight", asset, "--render", cycles, "--size", str(RENDERED))
     for map in ("normal", "base_color"):
         if not (picture := folder / f"{map}.png").exists():
             run("render", folder, "--map", map, *VIEW, "--size", str(2 * SIDE), "--out", picture)
@@ -94,7 +97,7 @@ def strip(folder: Path, out: Path) -> None:
     row.save(out, quality=88, optimize=True)
 
 
-def first_picture(out: Path, side: int = 400) -> None:
+def first_picture(out: Path, side: int = RENDERED) -> None:
     """The Cycles renders of ``FIRST`` side by side, once all are there."""
     paths = [folder_of(PROMPTS[number - 1]) / "cycles.png" for number in FIRST]
     if not all(path.exists() for path in paths):
