@@ -143,6 +143,9 @@ STANDARD = replace(
     appearance=replace(PAPER.appearance, views=8, views_at_once=4, cameras=RELEASED_CAMERAS),
 )
 
+# The built-in prior knows views from below; without them a mug has no bottom.
+BELOW_TOO = CameraConfig(elevation_deg=(-50.0, 78.0))
+
 DRAFT = Config(
     geometry=GeometryConfig(
         net=FOURIER,
@@ -174,6 +177,7 @@ DRAFT = Config(
         refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3),
         views=6,
         views_at_once=6,
+        cameras=BELOW_TOO,
         learning_rate=4e-3,
         learning_rate_end=0.3,
         gradient_cap=0.1,
@@ -206,6 +210,7 @@ DRAFT = Config(
         metallic_start=0.08,
         views=6,
         views_at_once=6,
+        cameras=BELOW_TOO,
         learning_rate_end=0.1,
         gradient_cap=0.1,
         bump=0.0,

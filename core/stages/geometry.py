@@ -30,7 +30,7 @@ RAY_PICTURE = 32  # side of the picture whose rays distilling follows through th
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40
 BAND = 4  # cells to either side that a surface may move in one round of refining
-FLOATER_SHARE = 0.02  # a piece smaller than this share of the largest is dropped
+FLOATER_SHARE = 0.08  # a piece smaller than this share of the largest is dropped
 
 
 def learn_geometry(

@@ -5,6 +5,7 @@ import torch
 
 from core.__main__ import job_of, parse
 from core.camera import Cameras
+from core.config import DRAFT
 from core.errors import MissingError, UserError
 from core.generate import prepare
 from core.guidance import builtin
@@ -18,6 +19,7 @@ from core.guidance.builtin import (
 from core.guidance.guidance import Views, make_guidance
 from core.guidance.sds import add_noise
 from core.prior import hint as hint_module
+from core.prior.data import CAMERAS
 from core.prior.diffusion import x_from_v
 from core.prior.draw import Draw
 from core.prior.evaluate import score_paint, score_pattern
@@ -101,12 +103,21 @@ def test_a_picture_is_denoised_best_under_its_adjective(guidance, adjective):
     assert all(right < _error(guidance, x, f"a {word} house", cameras) for word in others)
 
 
-@pytest.mark.parametrize("noun", ["chair", "mug"])
-def test_a_picture_is_denoised_best_at_its_own_camera(guidance, noun):
-    x = _picture(noun, Cameras.orbit([0.0, 90.0], [15.0, 15.0]))
-    right = _error(guidance, x, noun, Cameras.orbit([0.0, 90.0], [15.0, 15.0]))
-    wrong = _error(guidance, x, noun, Cameras.orbit([180.0, 270.0], [15.0, 15.0]))
+@pytest.mark.parametrize(("noun", "elevation"), [("chair", 15.0), ("mug", 15.0), ("mug", -45.0)])
+def test_a_picture_is_denoised_best_at_its_own_camera(guidance, noun, elevation):
+    x = _picture(noun, Cameras.orbit([0.0, 90.0], [elevation] * 2))
+    right = _error(guidance, x, noun, Cameras.orbit([0.0, 90.0], [elevation] * 2))
+    wrong = _error(guidance, x, noun, Cameras.orbit([180.0, 270.0], [elevation] * 2))
     assert right < 0.8 * wrong
+
+
+@pytest.mark.parametrize("stage", ["geometry", "appearance"])
+def test_the_draft_looks_from_where_the_prior_has_seen_things_from_below_too(stage):
+    asked = getattr(DRAFT, stage).cameras
+    for name in ("elevation_deg", "fovy_deg", "distance"):
+        (low, high), (least, most) = getattr(asked, name), getattr(CAMERAS, name)
+        assert least <= low <= high <= most
+    assert asked.elevation_deg[0] < -40  # a mug has a bottom
 
 
 def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
