@@ -12,6 +12,7 @@ import time
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 import torch
 from safetensors import safe_open
@@ -20,13 +21,17 @@ from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
 from core.prior.colored import SAID, Painter, lumpy
-from core.prior.data import ADJECTIVES, MODELS, NOUNS, SHARDS, TOLD, joined, read_shards
+from core.prior.data import ADJECTIVES, MODELS, NOUNS, SHARDS, TOLD, Samples, joined, read_shards
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
 from core.prior.hint import CHANNELS, hint
 from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
 from core.prior.vocabulary import SLOTS
 from core.prior.weights import save_weights, write_tensors
+
+# Things whose parts are many or alike, so that their colours are mixed up most.
+MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")
+MIXED += ("boat", "rocket", "cottage", "church", "lighthouse", "hammer", "axe", "drum")
 
 # Pictures, words, camera maps, and the surface or None.
 Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
@@ -91,11 +96,12 @@ class Source(ABC):
     """The data folder's samples; more shards are read as they come."""
 
     names = (SHARDS,)
+    shares: ClassVar[dict[str, float]] = {}  # of nouns, where not 1
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.paths = self._shards()
-        self.samples = read_shards(self.paths)
+        self._take(read_shards(self.paths))
 
     def _shards(self) -> list[Path]:
         return [path for name in self.names for path in sorted(self.folder.glob(name))]
@@ -105,11 +111,15 @@ class Source(ABC):
         new = [path for path in self._shards() if path not in self.paths]
         if new:
             self.paths += new
-            self.samples = joined([self.samples, read_shards(new)])
+            self._take(joined([self.samples, read_shards(new)]))
+
+    def _take(self, samples: Samples) -> None:
+        self.samples = samples
+        self._weights = torch.tensor([self.shares.get(n, 1.0) for n in NOUNS])[samples.noun]
 
     def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
         """Rows of random samples, their geometry pictures, their camera maps."""
-        index = torch.randint(len(self.samples), (count,), generator=generator)
+        index = torch.multinomial(self._weights, count, replacement=True, generator=generator)
         pictures = self.samples.pictures(index)
         return index, pictures, camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
 
@@ -134,6 +144,8 @@ class Geometry(Source):
 class Appearance(Source):
     """Batches of painted pictures with the noun and ``SAID``, and the surface: normals and coverage
     as in ``Samples.pictures``, and points weighted by coverage."""
+
+    shares: ClassVar = dict.fromkeys(MIXED, 2.5)
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)

@@ -30,6 +30,7 @@ RAY_PICTURE = 32  # side of the picture whose rays distilling follows through th
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40
 BAND = 4  # cells to either side that a surface may move in one round of refining
+FAR_NODES = 4096  # outside of the band, looked at in one step
 FLOATER_SHARE = 0.08  # a piece smaller than this share of the largest is dropped
 
 
@@ -144,12 +145,12 @@ class Batch:
         """
         Args:
             sharpness: of the mask along the rays, 1 / training unit; 0 follows none.
-            band: of the lattice, to keep to; with it there are no regularisers, since the shape is
-                nearly there and the pictures say all.
+            band: of the lattice, to keep to; with it the only regulariser is that nothing comes up
+                outside, since the shape is nearly there and the pictures say all.
         """
         self.config, self.grid, self.generator = config, grid, generator
-        self.sharpness, self.regular = sharpness, band is None
-        if sharpness > 0 or (self.regular and config.eikonal > 0):
+        self.net, self.band, self.sharpness = net, band, sharpness
+        if sharpness > 0 or (band is None and config.eikonal > 0):
             self._sdf, positions = sdf_on_grid(net, grid)
             self._verts, self.faces = marching_tets(positions, self._sdf, grid)
             self.sdf = self._sdf.detach().requires_grad_()
@@ -284,9 +285,9 @@ class Batch:
         return (grad * mask).sum()
 
     def _regularisers(self) -> Tensor:
+        if self.band is not None:
+            return strays(self.net, self.grid, self.band, self.generator)
         loss = torch.zeros((), device=self.verts.device)
-        if not self.regular:
-            return loss
         if self.config.eikonal > 0:
             loss = loss + self.config.eikonal * eikonal(self.sdf, self.grid)
         if self.config.smooth_normals > 0:
@@ -332,6 +333,23 @@ def eikonal(sdf: Float[Tensor, " nt"], grid: TetGrid) -> Float[Tensor, ""]:
     ) / (2 * grid.cell)
     length = (gradient.square().sum(-1) + 1e-12).sqrt()  # the root has no slope at 0
     return (length - 1).square().mean()
+
+
+def strays(net: SdfNet, grid: TetGrid, band: Band, generator: torch.Generator) -> Float[Tensor, ""]:
+    """How far Ψ falls short, in cells, of the side that nodes outside of the band were on.
+
+    Of ``FAR_NODES`` nodes, drawn at random. The pictures say nothing of them, so that a network
+    which is fitted to the band alone may put walls where nothing was.
+    """
+    outside = torch.ones(len(grid.tet_verts), dtype=torch.bool, device=grid.tet_verts.device)
+    outside[band.near] = False
+    nodes = outside.nonzero().squeeze(1)
+    if not len(nodes):
+        return band.sdf.new_zeros(())
+    nodes = nodes[torch.randint(len(nodes), (FAR_NODES,), generator=generator).to(nodes.device)]
+    kept = band.sdf.index_select(0, nodes)
+    sdf, _ = net(grid.tet_verts.index_select(0, nodes))
+    return (kept.abs().clamp_max(grid.cell) - sdf * kept.sign()).clamp_min(0).mean() / grid.cell
 
 
 def bending(

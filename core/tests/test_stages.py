@@ -14,6 +14,7 @@ from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health, polished, signed_volume
+from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
@@ -29,6 +30,7 @@ from core.stages.geometry import (
     eikonal,
     learn_geometry,
     random_rotations,
+    strays,
 )
 from core.texture.unwrap import unwrap
 
@@ -122,9 +124,10 @@ def torus(resolution=24, ring=0.5, tube=0.22):
 
 @pytest.mark.parametrize("ray_mask", [1.0, 0.0])
 def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
-    """A ball under a guidance that knows a torus: no outline of the ball is where its hole is."""
+    """A ball under a guidance that knows a torus: no outline of the ball is where its hole is, and
+    normals alone dent it slowly."""
     none = replace(SHORT.coarse, steps=0)
-    grow = RefineConfig(rounds=3, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
+    grow = RefineConfig(rounds=2, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
     grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
     config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
     g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32)
@@ -188,6 +191,48 @@ def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
     radius = verts.norm(dim=1)
     assert float(radius.mean()) == pytest.approx(0.8, abs=0.04)
     assert float(radius.std()) < 0.04
+
+
+class Ball(SdfNet):
+    """A ball's distance, ``side`` times as long outside of 0.8."""
+
+    side = 1.0
+
+    def forward(self, points):
+        away = points.norm(dim=1)
+        return (away - 0.5) * torch.where(away > 0.8, self.side, 1.0), torch.zeros_like(points)
+
+
+def test_what_is_outside_of_the_band_stays_on_its_side():
+    grid = tet_grid(16)
+    net = Ball(grid.cell, FOURIER)
+    band = band_about(net, grid, 1)
+    generator = torch.Generator().manual_seed(0)
+    assert float(strays(net, grid, band, generator)) == 0
+    net.side = 0.6  # farther or nearer is free
+    assert float(strays(net, grid, band, generator)) == 0
+    net.side = -1.0
+    assert float(strays(net, grid, band, generator)) > 1
+
+
+def test_walls_that_came_up_far_away_go_again():
+    grid, net = tet_grid(16), start_net()
+    band = band_about(net, grid, 1)
+    far = torch.ones(len(band.sdf), dtype=torch.bool)
+    far[band.near] = False
+    with torch.no_grad():
+        net.mlp[-1].bias[0] -= 1.0
+        assert (net(grid.tet_verts)[0].sign() != band.sdf.sign())[far].float().mean() > 0.5
+    optimizer, generator = (
+        torch.optim.Adam(net.parameters(), 1e-2),
+        torch.Generator().manual_seed(0),
+    )
+    for _ in range(30):
+        optimizer.zero_grad()
+        strays(net, grid, band, generator).backward()
+        optimizer.step()
+    with torch.no_grad():
+        assert (net(grid.tet_verts)[0].sign() != band.sdf.sign())[far].float().mean() < 0.01
 
 
 def test_the_mask_along_empty_rays_reaches_the_lattice():
