@@ -14,7 +14,7 @@ import torch
 
 from core.errors import UserError
 from core.guidance.builtin import WEIGHTS
-from core.prior.data import MODELS, NOUNS, SHARDS, write_samples, write_shards
+from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
     CHANCE,
     PaintScore,
@@ -80,7 +80,7 @@ def main(arguments: list[str]) -> None:
 def data(options: argparse.Namespace) -> None:
     """Make what the folder lacks: the shards, and the real models' views if they are installed."""
     options.out.mkdir(parents=True, exist_ok=True)
-    models = options.out / MODELS
+    models = options.out / MODEL_VIEWS
     if not models.exists() and options.catalogue.exists():
         write_samples(models, make_models(options.catalogue))
     if models.exists():

@@ -1,4 +1,5 @@
-"""The training set: shards of rendered families, written once, read as 8-bit tensors.
+"""The training set: shards of rendered families (and of real models, see ``core.prior.models``),
+written once, read as 8-bit tensors.
 
 One shard is a safetensors file of ``VIEWS`` views each of random objects. Files are written aside
 and renamed, so that a training may read the folder while more shards are being made.
@@ -20,7 +21,7 @@ from core.prior.families import FAMILIES, STRETCH, build
 from core.prior.tracer import Pictures, render
 
 SHARDS = "shard_*.safetensors"
-MODELS = "models.safetensors"  # views of the real models, see ``core.prior.models``
+MODEL_VIEWS = "models.safetensors"  # views of the real models, see ``core.prior.models``
 SIZE = 64
 VIEWS = 4  # of one object
 OBJECTS = 256  # of one shard

@@ -21,7 +21,16 @@ from torch import Tensor, nn
 
 from core.guidance.sds import add_noise
 from core.prior.colored import SAID, Painter, lumpy
-from core.prior.data import ADJECTIVES, MODELS, NOUNS, SHARDS, TOLD, Samples, joined, read_shards
+from core.prior.data import (
+    ADJECTIVES,
+    MODEL_VIEWS,
+    NOUNS,
+    SHARDS,
+    TOLD,
+    Samples,
+    joined,
+    read_shards,
+)
 from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
 from core.prior.hint import CHANNELS, hint
@@ -131,7 +140,7 @@ class Source(ABC):
 class Geometry(Source):
     """Batches of geometry pictures with the noun, the shape adjective and what is told of parts."""
 
-    names = (SHARDS, MODELS)  # the models' parts are not known, so they have no painter
+    names = (SHARDS, MODEL_VIEWS)  # the models' parts are not known, so they have no painter
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and no surface."""

@@ -11,8 +11,7 @@ from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.tet_grid import tet_grid
 from core.prior.__main__ import main
-from core.prior.data import MODELS as MODELS_FILE
-from core.prior.data import NOUNS, SIZE, read_shards, write_shard
+from core.prior.data import MODEL_VIEWS, NOUNS, SIZE, read_shards, write_shard
 from core.prior.draw import Draw
 from core.prior.families import build
 from core.prior.models import CATALOGUE, FACTS, MODELS, VIEWS, catalogue_models, render_mesh
@@ -116,7 +115,7 @@ def test_an_open_face_is_seen_from_both_sides():
 def test_the_data_command_draws_the_models_for_the_geometry_alone(catalogue, tmp_path, capsys):
     folder = tmp_path / "data"
     main(["data", "--shards", "0", "--out", str(folder), "--catalogue", str(catalogue)])
-    samples = read_shards([folder / MODELS_FILE])
+    samples = read_shards([folder / MODEL_VIEWS])
     assert len(samples) == 2 * VIEWS
     assert samples.noun.unique().tolist() == sorted([NOUNS.index("chair"), NOUNS.index("stool")])
     assert (samples.pictures()[:, 3].amax((1, 2)) == 1).all()
@@ -125,7 +124,7 @@ def test_the_data_command_draws_the_models_for_the_geometry_alone(catalogue, tmp
     assert len(Appearance(folder).samples) == 4
     capsys.readouterr()
     main(["data", "--shards", "0", "--out", str(folder), "--catalogue", str(tmp_path / "none")])
-    assert MODELS_FILE in capsys.readouterr().out  # made before, so it is not asked for again
+    assert MODEL_VIEWS in capsys.readouterr().out  # made before, so it is not asked for again
 
 
 def test_without_the_catalogue_the_data_command_says_how_to_get_it(tmp_path, capsys):

@@ -133,6 +133,14 @@ def test_a_shard_is_its_seed_and_reads_back(folder):
     assert pictures[:, :3].norm(dim=1).max() < 1.02
 
 
+def test_a_noun_is_drawn_by_its_share(folder, monkeypatch):
+    noun = int(read_shards(list(folder.glob("*.safetensors"))).noun[0])
+    monkeypatch.setattr(Geometry, "shares", {NOUNS[noun]: 0.0})
+    source = Geometry(folder)
+    index, _, _ = source.draw(64, _generator())
+    assert not (source.samples.noun[index] == noun).any()
+
+
 def test_a_training_goes_on_where_it_was_stopped(folder, tmp_path):
     source = Geometry(folder)
     training = Training(TINY, TrainConfig(batch=2, minutes=1))
