@@ -111,6 +111,16 @@ def test_a_picture_is_denoised_best_at_its_own_camera(guidance, noun, elevation)
     assert right < 0.8 * wrong
 
 
+@pytest.mark.parametrize("noun", ["mug", "bucket"])
+def test_a_bottom_is_known_about_as_well_as_the_rest(guidance, noun):
+    """Weights that had seen nothing from below -20° erred twice as much there."""
+    errors = []
+    for elevation in (-50.0, 30.0):
+        cameras = Cameras.orbit([0.0, 90.0, 200.0], [elevation] * 3)
+        errors.append(_error(guidance, _picture(noun, cameras), noun, cameras))
+    assert errors[0] < 1.5 * errors[1]
+
+
 @pytest.mark.parametrize("stage", ["geometry", "appearance"])
 def test_the_draft_looks_from_where_the_prior_has_seen_things_from_below_too(stage):
     asked = getattr(DRAFT, stage).cameras
