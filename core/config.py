@@ -88,7 +88,7 @@ class AppearanceConfig:
     views_at_once: int = 24
     cameras: CameraConfig = SPHERE
     learning_rate: float = 1e-2
-    learning_rate_end: float = 1.0
+    learning_rate_end: float = 1.0  # share left at the last step, of distilling and of refining
     gradient_cap: float = 0.0
     shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
@@ -200,6 +200,7 @@ DRAFT = Config(
         # mean of its pictures under all turns of the light, and more guidance would saturate kd.
         refine=RefineConfig(
             rounds=3,
+            steps=60,
             t=(0.95, 0.7),
             batch=6,
             denoise_steps=1,

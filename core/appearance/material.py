@@ -14,7 +14,7 @@ from torch import Tensor, nn
 
 from core.config import AppearanceConfig
 from core.hash_grid import HashGrid
-from core.ops import normalize
+from core.ops import linear_to_srgb, normalize, srgb_to_linear
 
 
 class Material(NamedTuple):
@@ -71,9 +71,13 @@ class MaterialNet(nn.Module):
 
 
 def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
-    """Sigmoids of ``raw`` over the ranges; kn's x and y reach ``bump``, its z is positive."""
+    """Sigmoids of ``raw`` over the ranges; kn's x and y reach ``bump``, its z is positive.
+
+    kd's runs over sRGB: in linear light the darks, which the eye tells apart, lie in its flat end.
+    """
     share = raw.sigmoid()
-    kd = _between(share[:, 0:3], config.kd_range)
+    low, high = linear_to_srgb(raw.new_tensor(config.kd_range))
+    kd = srgb_to_linear(low + (high - low) * share[:, 0:3])
     roughness = _between(share[:, 3:4], config.roughness_range)
     metallic = _between(share[:, 4:5], config.metallic_range)
     tilt = (2 * share[:, 5:7] - 1) * config.bump

@@ -45,10 +45,8 @@ def learn_appearance(
 
     for step in run.steps("appearance", training.step, distilling + refine_steps(config.refine)):
         refining = step.index >= distilling
-        share = min(step.index / max(distilling - 1, 1), 1.0)
-        rate = decayed(config.learning_rate, config.learning_rate_end, share)
         for group in optimizer.param_groups:
-            group["lr"] = guard.rate * (config.refine.learning_rate if refining else rate)
+            group["lr"] = guard.rate * _learning_rate(config, step.index)
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
         shares = openness.shares(lit) if openness else None
@@ -76,6 +74,16 @@ def learn_appearance(
             preview.show(picture_of(net, mesh, environment))
         training.checkpoint(step.index + 1, force=run.cancelled or step.last)
         run.check_cancelled()
+
+
+def _learning_rate(config: AppearanceConfig, index: int) -> float:
+    """That of step ``index``: it falls to ``learning_rate_end`` twice, distilling and refining."""
+    distilling, refining = config.early.steps + config.late.steps, refine_steps(config.refine)
+    if index < distilling:
+        share = index / max(distilling - 1, 1)
+        return decayed(config.learning_rate, config.learning_rate_end, share)
+    share = (index - distilling) / max(refining - 1, 1)
+    return decayed(config.refine.learning_rate, config.learning_rate_end, share)
 
 
 def _turn(config: AppearanceConfig, generator: torch.Generator) -> float:

@@ -9,6 +9,7 @@ from core.appearance.material import Material, MaterialNet, specular_color, to_r
 from core.config import AppearanceConfig
 from core.generate import within
 from core.guidance.guidance import make_guidance
+from core.ops import linear_to_srgb
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
 
@@ -43,7 +44,8 @@ def test_a_seed_gives_the_same_material_and_another_seed_another():
 def test_it_starts_grey_half_rough_and_as_metallic_as_asked():
     config = replace(CONFIG, metallic_start=0.1)
     m = MaterialNet(config, torch.Generator().manual_seed(0))(torch.zeros(1, 3))
-    torch.testing.assert_close(m.kd, torch.full((1, 3), 0.5), atol=0.01, rtol=0)
+    middle = linear_to_srgb(torch.tensor(CONFIG.kd_range)).mean()  # of what the eye sees
+    torch.testing.assert_close(linear_to_srgb(m.kd), middle.expand(1, 3), atol=0.01, rtol=0)
     torch.testing.assert_close(m.roughness, torch.tensor([[0.49]]), atol=0.01, rtol=0)
     torch.testing.assert_close(m.metallic, torch.tensor([[0.1]]), atol=0.01, rtol=0)
 
