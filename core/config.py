@@ -70,6 +70,7 @@ class GeometryConfig:
     ray_mask_share: float = 0.0  # share of all steps that also move the mask along empty rays
     eikonal: float = 0.0  # weight of (|∇s| - 1)²
     smooth_normals: float = 0.0  # weight of 1 - cos between neighbouring faces
+    join: bool = False  # pieces of the finished mesh that stand apart get struts between them
     polish: int = 0  # rounds of Taubin smoothing of the finished mesh
 
 
@@ -185,6 +186,7 @@ DRAFT = Config(
         ray_mask_share=0.4,
         eikonal=0.05,
         smooth_normals=0.003,
+        join=True,  # every word of the prior's means one thing in one piece
         polish=8,
     ),
     appearance=AppearanceConfig(

@@ -13,6 +13,7 @@ from core.camera import Cameras, sample_cameras
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import drop_floaters, polished
+from core.geometry.pieces import joined
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
@@ -93,7 +94,7 @@ def learn_geometry(
         preview.show(batch.verts.detach(), batch.faces)
         training.checkpoint(step.index + 1, force=run.cancelled or step.last)
         run.check_cancelled()
-    return final_mesh(net, grids[1], config.polish)
+    return final_mesh(net, grids[1], config)
 
 
 def fitting_batch(
@@ -295,14 +296,16 @@ class Batch:
         return loss
 
 
+@torch.no_grad()
 def final_mesh(
-    net: SdfNet, grid: TetGrid, polish: int = 0
+    net: SdfNet, grid: TetGrid, config: GeometryConfig
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-    """Ψ's surface without small floating pieces, smoothed by ``polish`` rounds."""
-    with torch.no_grad():
-        surface = extract(net, grid)
+    """Ψ's surface without small floating pieces, joined and smoothed as the config has it."""
+    surface = extract(net, grid)
+    if config.join:
+        surface = joined(surface, grid, FLOATER_SHARE)
     verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_SHARE)
-    return polished(verts, faces, polish), faces
+    return polished(verts, faces, config.polish), faces
 
 
 def random_rotations(n: int, generator: torch.Generator) -> Float[Tensor, "n 3 3"]:

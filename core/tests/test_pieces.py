@@ -1,0 +1,93 @@
+"""Struts between pieces that stand apart: one closed solid, the strut where a mast would be."""
+
+import math
+
+import numpy as np
+import pytest
+import torch
+
+from core.config import DRAFT, PAPER, STANDARD
+from core.geometry.mesh import health
+from core.geometry.pieces import capsule, joined, strut
+from core.geometry.sdf_net import Surface, surface
+from core.geometry.tet_grid import tet_grid
+
+GRID = tet_grid(32)
+KEEP = 0.08
+
+
+def ball(x: float, radius: float) -> torch.Tensor:
+    return (GRID.tet_verts - torch.tensor([x, 0.0, 0.0])).norm(dim=1) - radius
+
+
+def drawn(*solids: torch.Tensor) -> Surface:
+    return surface(torch.stack(solids).amin(0), GRID.tet_verts, GRID)
+
+
+def test_two_balls_apart_become_one_closed_solid_of_little_more_volume():
+    apart = drawn(ball(-0.5, 0.3), ball(0.5, 0.25))
+    one = joined(apart, GRID, KEEP)
+    before, after = health(apart.verts, apart.faces), health(one.verts, one.faces)
+    assert before["components"] == 2
+    assert (after["components"], after["closed"], after["manifold"]) == (1, True, True)
+    assert after["genus"] == 0
+    radius = 1.5 * GRID.cell
+    thickest = math.pi * radius**2 * (0.45 + 2 * radius)
+    assert 0 < after["volume"] - before["volume"] < thickest
+
+
+def test_what_is_in_one_piece_comes_back_as_it_is():
+    whole = drawn(ball(0.0, 0.5))
+    assert joined(whole, GRID, KEEP) is whole
+
+
+def test_three_in_a_row_are_all_joined():
+    one = joined(drawn(ball(-0.6, 0.2), ball(0.0, 0.2), ball(0.6, 0.2)), GRID, KEEP)
+    assert health(one.verts, one.faces)["components"] == 1
+
+
+def test_crumbs_and_voids_get_no_strut():
+    crumb = drawn(ball(-0.3, 0.5), ball(0.6, 0.1))
+    assert joined(crumb, GRID, KEEP) is crumb
+    shell = surface(torch.maximum(ball(0.0, 0.6), -ball(0.0, 0.4)), GRID.tet_verts, GRID)
+    assert health(shell.verts, shell.faces)["components"] == 2
+    assert joined(shell, GRID, KEEP) is shell
+
+
+def test_nothing_at_all_stays_nothing():
+    empty = drawn(torch.ones(len(GRID.tet_verts)))
+    assert joined(empty, GRID, KEEP) is empty
+
+
+def test_a_sail_stands_on_the_middle_of_its_deck():
+    x = np.linspace(-0.5, 0.5, 21)
+    sail = np.array([[u, 0.0, 0.3 + h * (1 - 2 * abs(u))] for u in x for h in (0.0, 0.6)])
+    deck = np.array([[u, v, 0.1] for u in x for v in (-0.2, 0.0, 0.2)])
+    p, q = strut(sail, deck)
+    np.testing.assert_allclose(p, [0, 0, 0.3], atol=0.051)
+    np.testing.assert_allclose(q, [0, 0, 0.1], atol=0.051)
+
+
+def test_a_handle_is_joined_where_it_ends():
+    turn = np.linspace(0, np.pi, 40)
+    bow = np.stack([np.cos(turn), 0 * turn, np.sin(turn)], 1)
+    rim = np.stack([np.cos(2 * turn), np.sin(2 * turn), 0 * turn - 0.05], 1)
+    p, q = strut(bow, rim)
+    assert abs(p[2]) < 0.1
+    assert np.linalg.norm(p - q) < 0.1
+
+
+def test_a_capsules_distances():
+    ends = torch.tensor([[0.0, 0, 0], [1.0, 0, 0]])
+    points = torch.tensor([[0.5, 0.3, 0.0], [2.0, 0, 0], [-0.5, 0, 0], [0.5, 0, 0]])
+    torch.testing.assert_close(
+        capsule(points, ends, 0.1), torch.tensor([0.2, 0.9, 0.4, -0.1]), atol=1e-6, rtol=0
+    )
+    same = capsule(points, ends[:1].expand(2, 3), 0.1)  # a segment of no length is a point
+    torch.testing.assert_close(same, points.norm(dim=1) - 0.1)
+
+
+@pytest.mark.parametrize(("config", "joins"), [(DRAFT, True), (STANDARD, False), (PAPER, False)])
+def test_only_the_priors_own_preset_joins(config, joins):
+    """Another guidance may be asked for a pair of shoes."""
+    assert config.geometry.join is joins
