@@ -1,14 +1,16 @@
 """Simplification keeps a closed surface closed, its topology, and its place."""
 
+import numpy as np
 import pytest
 import torch
+import trimesh
 
 from core.errors import UserError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
 from core.tests.texture_shapes import torus
-from core.texture.simplify import simplify
+from core.texture.simplify import simplify, unfolded
 
 
 def chair_sdf(points: torch.Tensor) -> torch.Tensor:
@@ -80,3 +82,28 @@ def test_three_faces_on_an_edge_are_refused() -> None:
     fin = torch.cat([faces, torch.tensor([[0, 12, 30]])])
     with pytest.raises(UserError, match="three faces share an edge"):
         simplify(verts, fin, 100)
+
+
+def test_a_fold_is_spread_out_over_the_surface() -> None:
+    ball = trimesh.creation.icosphere(4)
+    verts, faces = np.array(ball.vertices), np.array(ball.faces)
+    pushed = verts.copy()
+    ring = ball.vertex_neighbors[100]
+    pushed[100] = 3 * verts[ring[0]] - 2 * verts[100]  # across two neighbours, along the surface
+    assert looking_inward(pushed, faces) > 0
+    spread = unfolded(pushed, faces, verts, faces)
+    assert looking_inward(spread, faces) == 0
+    assert np.abs(np.linalg.norm(spread, axis=1) - 1).max() < 2e-3
+    assert (spread != pushed).any(1).sum() < 40
+
+
+def test_sharp_edges_are_no_folds() -> None:
+    blade = trimesh.creation.box((1.0, 1.0, 0.05)).subdivide().subdivide()
+    verts, faces = np.array(blade.vertices), np.array(blade.faces)
+    assert unfolded(verts, faces, verts, faces) is verts
+
+
+def looking_inward(verts: np.ndarray, faces: np.ndarray) -> int:
+    """Faces of a ball about the origin whose normals point to it."""
+    a, b, c = (verts[faces[:, k]] for k in range(3))
+    return int(((np.cross(b - a, c - a) * (a + b + c)).sum(1) < 0).sum())
