@@ -45,7 +45,7 @@ def strut(
     The shortest; where many are about as short, as between a sail and its deck, the one beside the
     line between the centroids.
     """
-    distance, nearest = KDTree(rest).query(piece)
+    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
     middle = (piece + rest[nearest]) / 2
     start, along = piece.mean(0), rest.mean(0) - piece.mean(0)
     along = along / max(float(np.linalg.norm(along)), 1e-9)

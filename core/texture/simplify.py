@@ -36,7 +36,8 @@ def simplify(
     used, compact = np.unique(faces.cpu().numpy(), return_inverse=True)
     points = verts.detach().cpu().double().numpy()[used]
     collapsed = igl.qslim(points, compact.reshape(-1, 3), max_m=max_faces, block_intersections=True)
-    new_verts, new_faces = np.ascontiguousarray(collapsed[0]), collapsed[1].astype(np.int64)
+    new_verts = np.ascontiguousarray(collapsed[0])
+    new_faces = np.asarray(collapsed[1]).astype(np.int64)
     if not len(new_faces):
         raise UserError(
             f"The mesh has {len(faces):,} faces and cannot be brought to {max_faces:,}: "
