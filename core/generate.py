@@ -146,7 +146,8 @@ def config_of(job: Job) -> Config:
 def shortened(config: Config, strength: float) -> Config:
     """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
 
-    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up.
+    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up. What
+    stands apart in the guide stays so.
     """
     g, keep = config.geometry, 1 - strength
 
@@ -160,7 +161,7 @@ def shortened(config: Config, strength: float) -> Config:
     refine = replace(g.refine, t=calmer(g.refine.t))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
     shorter = replace(g, coarse=coarse, grow=grow, fine=fine, refine=refine, learning_rate=rate)
-    return replace(config, geometry=shorter)
+    return replace(config, geometry=replace(shorter, join=g.join and strength == 0))
 
 
 def retouching(config: Config, strength: float) -> Config:

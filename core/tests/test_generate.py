@@ -262,3 +262,4 @@ def test_a_guide_shortens_the_phase_that_decides_the_shape():
     fine = standard.geometry.fine.steps
     assert 0 < shortened(standard, 1.0).geometry.fine.steps < fine
     assert keeps.refine.t[0] == draft.geometry.refine.t[0] / 2
+    assert draft.geometry.join and not keeps.join  # two shoes stay two
