@@ -15,7 +15,7 @@ from core.geometry.sdf_net import Surface, surface
 from core.geometry.tet_grid import TetGrid
 
 STRUT_CELLS = 1.5  # radius of a strut, cells of the lattice
-MOST_STRUTS = 8  # a surface in more pieces than these join is rubble, and stays so
+MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
 ASIDE = 0.25  # of the distance to the line of the centroids, what counts as length of a strut
 
 

@@ -46,7 +46,7 @@ def learn_appearance(
     for step in run.steps("appearance", training.step, distilling + refine_steps(config.refine)):
         refining = step.index >= distilling
         for group in optimizer.param_groups:
-            group["lr"] = guard.rate * _learning_rate(config, step.index)
+            group["lr"] = guard.rate * learning_rate(config, step.index)
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
         shares = openness.shares(lit) if openness else None
@@ -76,7 +76,7 @@ def learn_appearance(
         run.check_cancelled()
 
 
-def _learning_rate(config: AppearanceConfig, index: int) -> float:
+def learning_rate(config: AppearanceConfig, index: int) -> float:
     """That of step ``index``: it falls to ``learning_rate_end`` twice, distilling and refining."""
     distilling, refining = config.early.steps + config.late.steps, refine_steps(config.refine)
     if index < distilling:

@@ -1,6 +1,7 @@
 """Struts between pieces that stand apart: one closed solid, the strut where a mast would be."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,8 +10,9 @@ import torch
 from core.config import DRAFT, PAPER, STANDARD
 from core.geometry.mesh import health
 from core.geometry.pieces import capsule, joined, strut
-from core.geometry.sdf_net import Surface, surface
+from core.geometry.sdf_net import SdfNet, Surface, surface
 from core.geometry.tet_grid import tet_grid
+from core.stages.geometry import final_mesh
 
 GRID = tet_grid(32)
 KEEP = 0.08
@@ -57,6 +59,20 @@ def test_crumbs_and_voids_get_no_strut():
 def test_nothing_at_all_stays_nothing():
     empty = drawn(torch.ones(len(GRID.tet_verts)))
     assert joined(empty, GRID, KEEP) is empty
+
+
+class TwoBalls(SdfNet):
+    """Ψ that has learned two balls."""
+
+    def forward(self, points: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+        left, right = ((points - torch.tensor([x, 0.0, 0.0])).norm(dim=1) for x in (-0.5, 0.5))
+        return torch.minimum(left, right) - 0.3, torch.zeros_like(points)
+
+
+@pytest.mark.parametrize(("join", "pieces"), [(True, 1), (False, 2)])
+def test_the_finished_mesh_is_joined_where_the_config_says_so(join, pieces):
+    verts, faces = final_mesh(TwoBalls(GRID.cell), GRID, replace(DRAFT.geometry, join=join))
+    assert health(verts, faces)["components"] == pieces
 
 
 def test_a_sail_stands_on_the_middle_of_its_deck():

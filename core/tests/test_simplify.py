@@ -97,6 +97,18 @@ def test_a_fold_is_spread_out_over_the_surface() -> None:
     assert (spread != pushed).any(1).sum() < 40
 
 
+def test_a_fold_of_the_collapse_is_not_passed_on(monkeypatch) -> None:
+    fine, coarse = trimesh.creation.icosphere(5), trimesh.creation.icosphere(4)
+    verts, faces = np.array(coarse.vertices), np.array(coarse.faces)
+    ring = coarse.vertex_neighbors[100]
+    verts[100] = 3 * verts[ring[0]] - 2 * verts[100]
+    monkeypatch.setattr("igl.qslim", lambda *_, **__: (verts, faces))
+    surface = torch.tensor(fine.vertices).float(), torch.tensor(fine.faces)
+    simple = simplify(*surface, len(faces))
+    assert looking_inward(verts, faces) > 0
+    assert looking_inward(*(part.numpy() for part in simple)) == 0
+
+
 def test_sharp_edges_are_no_folds() -> None:
     blade = trimesh.creation.box((1.0, 1.0, 0.05)).subdivide().subdivide()
     verts, faces = np.array(blade.vertices), np.array(blade.faces)

@@ -23,7 +23,7 @@ from core.protocol import Job, read_events
 from core.render.antialias import edge_table
 from core.render.shaded import UvMesh
 from core.run_folder import RunFolder
-from core.stages.appearance import learn_appearance
+from core.stages.appearance import learn_appearance, learning_rate
 from core.stages.distill import decayed, phase_of
 from core.stages.geometry import (
     Batch,
@@ -321,3 +321,15 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
     assert last.mean(0)[0] - last.mean(0)[1] > 0.05
     assert torch.equal(learn(RunFolder.open(run.path)), last)  # no step is left to take
     assert (run.path / "preview" / "color.png").exists()
+
+
+def test_colours_are_refined_at_a_rate_that_falls_once_more():
+    """Or the turns of the light leave noise in kd."""
+    a = DRAFT.appearance
+    distilling = a.early.steps + a.late.steps
+    last = distilling + a.refine.rounds * a.refine.steps - 1
+    found = [learning_rate(a, index) for index in (0, distilling - 1, distilling, last)]
+    full = [a.learning_rate, a.refine.learning_rate]
+    expected = [rate * share for rate in full for share in (1.0, a.learning_rate_end)]
+    assert found == pytest.approx(expected)
+    assert a.learning_rate_end < 1
