@@ -1,7 +1,7 @@
-"""The model card's pictures, of what ``run.py bench prior`` made with seed 0.
+"""The model card's pictures, of what ``run.py bench prior`` made.
 
-``run.py python docs/gallery/sheet.py``: docs/images/bench.jpg shows every noun, failures.jpg the
-worst of them.
+``run.py python docs/gallery/sheet.py``: docs/images/bench.jpg shows every noun with both seeds,
+failures.jpg the worst of them.
 """
 
 import json
@@ -12,7 +12,7 @@ from PIL import Image, ImageDraw
 ROOT = Path(__file__).resolve().parents[2]
 RUNS = ROOT / "out" / "bench_prior"
 IMAGES = ROOT / "docs" / "images"
-FAILURES = ("truck", "vase", "snowman", "rocket", "robot", "bookshelf", "pineapple", "church")
+FAILURES = ("truck-1", "vase-0", "flower-1", "pineapple-0", "robot-0", "bookshelf-0", "tower-1", "church-1")
 SIDE = 150  # pixels, of one asset
 LINE = 14  # of the words below it
 COLUMNS = 12
@@ -34,6 +34,6 @@ def sheet(runs: list[Path], side: int, columns: int, out: Path) -> None:
 
 
 if __name__ == "__main__":
-    every = sorted(score.parent for score in RUNS.glob("*-0/score.json"))
+    every = sorted(score.parent for score in RUNS.glob("*/score.json"))
     sheet(every, SIDE, COLUMNS, IMAGES / "bench.jpg")
-    sheet([RUNS / f"{noun}-0" for noun in FAILURES], 220, 4, IMAGES / "failures.jpg")
+    sheet([RUNS / run for run in FAILURES], 220, 4, IMAGES / "failures.jpg")
