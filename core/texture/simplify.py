@@ -11,10 +11,10 @@ import igl
 import numpy as np
 import torch
 from jaxtyping import Float, Int
-from scipy.sparse import csr_array
 from torch import Tensor
 
 from core.errors import UserError
+from core.texture.flatten import mean_around
 
 FOLDED = 0.3  # cosine between a face and the surface below it, under which it is folded
 UNFOLD_ROUNDS = 10
@@ -60,14 +60,14 @@ def unfolded(
     its neighbours, over and over. The rest stays, and all of it where that does not help.
     """
     normals = igl.per_face_normals(surface_verts, surface_faces, NONE)
-    beside = csr_array(igl.adjacency_matrix(faces), dtype=float)
+    mean = mean_around(faces, len(verts))
     spread, folded = verts, _folded(verts, faces, surface_verts, surface_faces, normals)
     before = len(folded)
     for _ in range(UNFOLD_ROUNDS):
         if not len(folded):
             break
-        around = np.unique(beside[np.unique(faces[folded])].indices)
-        means = (beside[around] @ spread) / beside[around].sum(1)[:, None]
+        around = np.unique(mean[np.unique(faces[folded])].indices)
+        means = mean[around] @ spread
         _, _, nearest = igl.point_mesh_squared_distance(means, surface_verts, surface_faces)
         spread = spread.copy()
         spread[around] = nearest

@@ -119,7 +119,7 @@ def main(numbers: list[str]) -> None:
         if all((folder_of(prompt) / f"{name}.png").exists() for name in SHOWN):
             name = f"{number:02d}.jpg"
             strip(folder_of(prompt), HERE / name)
-            lines += [f"{number}. {prompt}", "", f"   ![{prompt}]({name})", ""]
+            lines += [f"{number}. {prompt}", "", f"    ![{prompt}]({name})", ""]
     first_picture(HERE.parent / "images" / "assets.jpg")
     (HERE / "README.md").write_text("\n".join(lines), encoding="utf-8")
 
