@@ -1,0 +1,123 @@
+"""A machine of its own for a test: stand-ins for Python and pip, no network, no torch."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+import run
+from run import environment
+
+machine = sys.modules[environment.find_python.__module__]
+
+# A Python that answers the probe, makes "environments" of itself, and plays pip. Each call is a
+# line in CALLS: what it was, and its last words. FAKE_SAYS is the end of an installation that
+# fails, FAKE_SECONDS is how long one takes.
+FAKE = """#!{python} -S
+import os, shutil, sys, time
+
+args = sys.argv[1:]
+
+def call(kind):
+    with open({calls!r}, "a", encoding="utf-8") as file:
+        print(kind, *args[-2:], file=file)
+
+if args[:2] == ["-m", "venv"]:
+    call("venv")
+    os.makedirs(args[2] + "/bin", exist_ok=True)
+    shutil.copy(sys.argv[0], args[2] + "/bin/python")
+elif args[:2] == ["-I", "-c"]:
+    print({probe!r} if "version_info" in args[2] else "loads")
+elif "--version" in args:
+    print("pip 26.3 from somewhere")
+elif "config" in args:
+    print("global.find-links='/wheels'")
+elif "--report" in args:
+    call("report")
+    with open(args[args.index("--report") + 1], "w") as file:
+        file.write(os.environ.get("FAKE_REPORT", {report!r}))
+elif "--target" in args:
+    call("target")
+    folder = args[args.index("--target") + 1] + "/bin"
+    os.makedirs(folder)
+    with open(folder + "/uv", "w") as file:
+        file.write("#!/bin/sh\\n" + os.environ["FAKE_UV"])
+    os.chmod(folder + "/uv", 0o755)
+elif "install" in args:
+    call("install")
+    time.sleep(float(os.environ.get("FAKE_SECONDS", 0)))
+    if os.environ.get("FAKE_SAYS"):
+        sys.exit(os.environ["FAKE_SAYS"])
+    open(os.path.join(os.path.dirname(sys.argv[0]), "installed"), "w").close()
+"""
+CPU = {"install": [{"metadata": {"version": "2.13.0", "requires_dist": ["sympy>=1.13"]}}]}
+CUDA = {
+    "install": [
+        {
+            "metadata": {
+                "version": "2.13.0",
+                "requires_dist": ["sympy", 'nvidia-cudnn-cu13==9; platform_system == "Linux"'],
+            }
+        }
+    ]
+}
+NO_NETWORK = (
+    "WARNING: NewConnectionError('getaddrinfo failed')\n"
+    "ERROR: No matching distribution found for torch"
+)
+
+
+class Machine:
+    """A machine of its own for one test: a home, a Python, and the calls that were made."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.folder, self.patch = folder / "ünï cödé", monkeypatch
+        self.calls = self.folder / "calls"
+        self.python = self.folder / "bin" / "python3.11"
+        self.python.parent.mkdir(parents=True)
+        self.python.write_text(self.source(f"3.11|True|True|{self.python}"), encoding="utf-8")
+        self.python.chmod(0o755)
+        for name in ("FANTASIA3D_ENV", "FANTASIA3D_PYTHON", "FANTASIA3D_WHEELS"):
+            monkeypatch.delenv(name, raising=False)
+        monkeypatch.setenv("XDG_DATA_HOME", str(self.folder / "data"))
+        monkeypatch.setattr(machine, "python_candidates", lambda: iter([str(self.python)]))
+        monkeypatch.setattr(machine, "has_nvidia", lambda: False)
+        monkeypatch.setattr(sys, "platform", "linux")
+        # It would put another program in pytest's place.
+        monkeypatch.setattr(run, "hand_over", lambda *_: pytest.fail("handed over"))
+        self.root = self.folder / "tree"
+        (self.root / "core").mkdir(parents=True)
+        self.pin("torch==2.13.0")
+        self.said: list[str] = []
+
+    def source(self, probe: str) -> str:
+        return FAKE.format(
+            python=sys.executable, calls=str(self.calls), probe=probe, report=json.dumps(CPU)
+        )
+
+    def pin(self, *core: str, blender: str = "bpy==4.5.15") -> None:
+        """Write a pyproject.toml with these requirements."""
+        text = f"[project]\ndependencies = {list(core)}\n[project.optional-dependencies]\n"
+        text += f"blender = ['{blender}']\ntest = ['pytest==9']\nsetup = ['uv==1', 'pip==26']\n"
+        (self.root / "pyproject.toml").write_text(text)
+
+    @property
+    def env(self) -> Path:
+        return environment.env_folder(self.root)
+
+    @property
+    def log(self) -> list[str]:
+        """The calls that changed something, so far."""
+        return self.calls.read_text(encoding="utf-8").splitlines() if self.calls.exists() else []
+
+    def count(self, kind: str) -> int:
+        """How many calls of ``kind`` there were."""
+        return sum(line.startswith(kind) for line in self.log)
+
+    def ensure(self, *groups: str, **options: bool) -> Path:
+        def hear(text: str, share: float) -> None:
+            assert 0 <= share <= 1
+            self.said.append(text)
+
+        return environment.ensure(self.root, groups, hear, **options)

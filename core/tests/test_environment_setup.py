@@ -1,0 +1,358 @@
+"""The environment that run.py makes, with stand-ins for Python and pip: no network, no torch."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+import run
+from core.tests.fake_machine import CPU, CUDA, NO_NETWORK
+from run import environment
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the stand-ins are shell programs")
+
+ROOT = Path(run.__file__).parent
+layout = sys.modules[environment.env_folder.__module__]
+machine = sys.modules[environment.find_python.__module__]
+words = sys.modules[environment.ensure.__module__.replace("install", "words")]
+
+
+# The folder
+
+
+def test_the_folder_is_named_by_the_requirements_whatever_their_order(box):
+    box.pin("torch==2.13.0", "numpy==1")
+    first = box.env
+    assert first.parent == box.folder / "data" / "fantasia3d"
+    box.pin("numpy==1", "torch==2.13.0")
+    assert box.env == first
+    box.pin("numpy==2", "torch==2.13.0")
+    assert box.env != first
+
+
+def test_the_data_folder_is_the_systems(box):
+    box.patch.setenv("LOCALAPPDATA", "/local")
+    box.patch.setattr(Path, "home", lambda: Path("/home/ü"))
+    box.patch.delenv("XDG_DATA_HOME")
+    found = {}
+    for platform in ("linux", "darwin", "win32"):
+        box.patch.setattr(sys, "platform", platform)
+        found[platform] = environment.data_folder().as_posix()
+    assert found == {
+        "linux": "/home/ü/.local/share/fantasia3d",
+        "darwin": "/home/ü/Library/Application Support/fantasia3d",
+        "win32": "/local/fantasia3d",
+    }
+
+
+def test_an_interpreter_may_be_given(box):
+    box.patch.setenv("FANTASIA3D_PYTHON", str(box.python))
+    assert box.ensure("blender") == box.python
+    assert not box.log, "it is used as it is"
+    box.patch.setenv("FANTASIA3D_PYTHON", "/no/python")
+    with pytest.raises(environment.SetupError, match=r"/no/python, which is no program"):
+        box.ensure()
+
+
+# Python
+
+
+def test_the_first_python_of_the_right_version_is_taken(box):
+    others = []
+    for name, probe in (
+        ("old", "3.10|True|True|/old"),
+        ("narrow", "3.11|False|True|/narrow"),
+        ("bare", "3.11|True|False|/bare"),
+    ):
+        path = box.folder / name
+        path.write_text(box.source(probe), encoding="utf-8")
+        path.chmod(0o755)
+        others.append(str(path))
+    candidates = ["", "/not/there", *others, str(box.python)]
+    box.patch.setattr(machine, "python_candidates", lambda: iter(candidates))
+    assert environment.find_python() == box.python
+    box.patch.setattr(machine, "python_candidates", lambda: iter(candidates[:-1]))
+    with pytest.raises(environment.SetupError, match=r"bare cannot make .*python3\.11-venv"):
+        environment.find_python()
+    box.patch.setattr(machine, "python_candidates", lambda: iter(candidates[:3]))
+    with pytest.raises(environment.SetupError, match=r"Python 3\.11 is not on this machine"):
+        environment.find_python()
+
+
+def test_pythons_are_sought_on_the_path_and_in_pyenv_and_blenders_own_comes_last(
+    tmp_path, monkeypatch
+):
+    (tmp_path / "versions" / "3.11.9").mkdir(parents=True)
+    (tmp_path / "versions" / "3.12.1").mkdir()
+    monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
+    monkeypatch.setattr(shutil, "which", lambda name: None if name == "uv" else f"/path/{name}")
+    monkeypatch.delitem(sys.modules, "bpy", raising=False)
+    found = list(machine.python_candidates())
+    assert found[:2] == [sys.executable, "/path/python3.11"]
+    assert str(tmp_path / "versions" / "3.11.9" / "bin" / "python3.11") in found
+    assert not any("3.12" in path for path in found)
+    monkeypatch.setitem(sys.modules, "bpy", None)
+    found = list(machine.python_candidates())
+    assert found[0] == "/path/python3.11"
+    assert found[-1] == sys.executable
+
+
+def test_no_python_is_status_3(box, capsys):
+    box.patch.setattr(machine, "python_candidates", lambda: iter(()))
+    assert run.main(["setup"]) == 3
+    said = capsys.readouterr().err
+    assert "Python 3.11 is not on this machine" in said
+    assert "Install it" in said
+    assert "Traceback" not in said
+
+
+# The set-up
+
+
+def test_a_set_up_is_made_once_and_marked(box):
+    python = box.ensure("blender")
+    assert python == box.env / "bin" / "python"
+    assert (python.parent / "installed").exists()
+    assert environment.lacking(box.env, box.root, ("blender",)) == []
+    assert environment.lacking(box.env, box.root, ("blender", "test")) == ["test"]
+    before = box.log
+    assert box.ensure("blender") == python
+    assert box.log == before, "a warm start asks nothing"
+
+
+def test_a_group_is_added_to_what_is_there_and_the_cores_pins_hold(box):
+    box.ensure()
+    before = box.log
+    box.ensure("blender")
+    assert box.log == [*before, "install torch==2.13.0 bpy==4.5.15"]
+
+
+def test_a_changed_group_is_installed_again_and_a_changed_core_makes_all_anew(box):
+    box.patch.setenv("FANTASIA3D_ENV", str(box.folder / "my env"))
+    box.ensure("blender")
+    box.pin("torch==2.13.0", blender="bpy==5")
+    assert environment.lacking(box.env, box.root, ("blender",)) == ["blender"]
+    box.pin("torch==3")
+    assert environment.lacking(box.env, box.root, ("blender",)) == ["core", "blender"]
+    (box.env / "old").touch()
+    box.ensure("blender")
+    assert not (box.env / "old").exists()
+
+
+def test_an_environment_whose_python_has_gone_is_made_anew(box):
+    (box.ensure("blender")).unlink()
+    assert environment.lacking(box.env, box.root, ("blender",)) == ["core", "blender"]
+    assert box.ensure("blender").exists()
+    assert box.count("venv") == 2
+
+
+def test_renew_makes_all_anew(box):
+    box.ensure()
+    (box.env / "old").touch()
+    box.ensure(renew=True)
+    assert not (box.env / "old").exists()
+    assert environment.lacking(box.env, box.root) == []
+
+
+def test_a_folder_of_the_users_is_left_alone(box):
+    mine = box.folder / "mine"
+    mine.mkdir()
+    (mine / "thesis.txt").write_text("years")
+    box.patch.setenv("FANTASIA3D_ENV", str(mine))
+    with pytest.raises(environment.SetupError, match="not this project's"):
+        box.ensure()
+    assert [path.name for path in mine.iterdir()] == ["thesis.txt"]
+
+
+@pytest.mark.parametrize(
+    ("says", "sentence"),
+    [
+        (NO_NETWORK, "registry cannot be reached"),
+        ("ERROR: No matching distribution found for bpy==4.5.15", "no package bpy==4.5.15"),
+        ("OSError: [Errno 28] No space left on device", "disk filled up"),
+        ("noise\nERROR: the moon is full\nmore noise", r"ERROR: the moon is full"),
+    ],
+)
+def test_a_failed_set_up_says_why_and_leaves_nothing(box, says, sentence):
+    box.patch.setenv("FAKE_SAYS", says)
+    with pytest.raises(environment.SetupError, match=sentence) as caught:
+        box.ensure()
+    assert caught.value.status == 3
+    log = environment.log_file(box.env)
+    assert str(log) in caught.value.fix
+    assert says.splitlines()[0] in log.read_text(encoding="utf-8")
+    assert not box.env.exists()
+    box.patch.delenv("FAKE_SAYS")
+    assert box.ensure().exists(), "and the next one mends it"
+
+
+def test_a_failed_group_leaves_the_core_whole(box):
+    box.ensure()
+    box.patch.setenv("FAKE_SAYS", NO_NETWORK)
+    with pytest.raises(environment.SetupError):
+        box.ensure("blender")
+    assert environment.lacking(box.env, box.root, ("blender",)) == ["blender"]
+
+
+def test_too_little_disk_is_said_before_anything_is_done(box):
+    usage = shutil.disk_usage(box.folder)
+    box.patch.setattr(shutil, "disk_usage", lambda _: usage._replace(free=10**9))
+    with pytest.raises(environment.SetupError, match=r"needs 1\.8 GB; .* has 1\.0 GB") as caught:
+        box.ensure()
+    assert "FANTASIA3D_ENV" in caught.value.fix
+    assert not box.log
+
+
+def test_a_place_that_cannot_be_written_is_said(box):
+    (box.folder / "file").touch()
+    box.patch.setenv("FANTASIA3D_ENV", str(box.folder / "file" / "env"))
+    with pytest.raises(environment.SetupError, match="cannot be written"):
+        box.ensure()
+
+
+def test_ctrl_c_leaves_nothing_half_made(box):
+    def stop(text: str, share: float) -> None:
+        if "virtual environment" in text:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        environment.ensure(box.root, (), stop)
+    assert not box.env.exists()
+
+
+def test_a_killed_set_up_is_repaired_and_never_met_by_its_own_ghost(box):
+    """SIGKILL ends the set-up, pip goes on: the next set-up waits for it, then begins anew."""
+    box.patch.setenv("FAKE_SECONDS", "2")
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from pathlib import Path\n"
+        "from fantasia3d_addon.environment import ensure, machine\n"
+        "machine.python_candidates = lambda: iter([sys.argv[3]])\n"
+        "ensure(Path(sys.argv[2]), (), lambda text, share: None)"
+    )
+    command = [sys.executable, "-c", code, str(ROOT), str(box.root), str(box.python)]
+    child = subprocess.Popen(command)
+    while not box.count("install"):
+        time.sleep(0.02)
+        assert child.poll() is None
+    child.kill()
+    child.wait()
+    assert (box.env / layout.BUILDING).exists()
+    assert environment.lacking(box.env, box.root) == ["core"]
+    (box.env / "half-made").touch()
+    box.patch.setenv("FAKE_SECONDS", "0")
+    box.ensure()
+    assert "Another set-up" in box.said[0], "pip still held the lock"
+    assert not (box.env / "half-made").exists()
+    assert environment.lacking(box.env, box.root) == []
+
+
+def test_of_two_at_once_one_works_and_both_are_served(box):
+    box.patch.setenv("FAKE_SECONDS", "0.5")
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(box.ensure())) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [box.env / "bin" / "python"] * 2
+    assert box.count("venv") == 1
+
+
+# torch
+
+
+def test_a_cuda_build_is_not_fetched_where_there_is_no_gpu(box):
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.patch.setenv("FAKE_UV", "echo 'error sending request: dns error'; exit 1")
+    with pytest.raises(environment.SetupError, match="3 GB to download") as caught:
+        box.ensure()
+    assert "--allow-cuda" in caught.value.fix
+    assert "registry cannot be reached" in caught.value.text
+    assert box.count("install") == 0
+    assert not box.env.exists()
+
+
+def test_the_cpu_build_comes_through_uv_with_pips_sources(box):
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.patch.setenv("FAKE_UV", f'echo "$UV_FIND_LINKS $@" > "{box.folder}/uv-call"')
+    box.ensure()
+    said = (box.folder / "uv-call").read_text(encoding="utf-8")
+    assert said.startswith("/wheels pip install --python ")
+    assert "--torch-backend cpu torch==2.13.0" in said
+
+
+def test_with_leave_the_cuda_build_is_taken_without_a_gpu(box):
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.ensure(allow_cuda=True)
+    assert [line.split()[0] for line in box.log] == ["venv", "report", "install"]
+
+
+def test_with_a_gpu_a_cpu_build_is_the_last_choice(box):
+    box.patch.setattr(machine, "has_nvidia", lambda: True)
+    box.patch.setenv("FAKE_UV", "exit 1")
+    box.ensure()
+    assert [text for text in box.said if text.startswith("taking torch's CPU build")]
+
+
+@pytest.mark.parametrize(
+    ("report", "platform", "cuda"),
+    [(CPU, "linux", False), (CUDA, "linux", True), (CUDA, "win32", False), (CUDA, "darwin", False)],
+)
+def test_a_report_tells_whether_cuda_would_come(report, platform, cuda):
+    assert words.offers_cuda(report, platform) is cuda
+
+
+def test_a_local_version_tells_it_too():
+    report = {"install": [{"metadata": {"version": "2.13.0+cu130", "requires_dist": []}}]}
+    assert words.offers_cuda(report, "win32")
+
+
+def test_a_wheel_folder_keeps_pip_off_the_network(box):
+    box.patch.setenv("FANTASIA3D_WHEELS", "/my wheels")
+    box.ensure()
+    text = environment.log_file(box.env).read_text(encoding="utf-8")
+    installs = [line for line in text.splitlines() if " install " in line]
+    assert installs
+    assert all("--no-index --find-links /my wheels" in line for line in installs)
+
+
+# pip's words
+
+
+@pytest.mark.parametrize(
+    ("line", "step"),
+    [
+        ("  Downloading bpy-4.5.15-cp311-cp311-linux.whl (372.8 MB)", "bpy 4.5.15 (372.8 MB)"),
+        ("Downloading https://x/torch-2.13.0-cp311.whl (1.2 GB)", "torch 2.13.0 (1.2 GB)"),
+        ("  Downloading tqdm-4.70-py3-none-any.whl (78 kB)", ""),
+        ("  Downloading xatlas-0.0.11-cp311.whl (0.2 MB)", ""),
+        ("Collecting torch", ""),
+    ],
+)
+def test_large_downloads_are_told(line, step):
+    assert words.step_of(line) == (f"downloading {step}" if step else "")
+
+
+def test_pips_sources_become_uvs():
+    config = (
+        ":env:.find-links='/a /b'\nglobal.index-url='file:///i'\nglobal.timeout='3'\n"
+        "global.extra-index-url='file:///x file:///y'"
+    )
+    assert words.pip_sources(config) == {
+        "UV_FIND_LINKS": "/a,/b",
+        "UV_DEFAULT_INDEX": "file:///i",
+        "UV_INDEX": "file:///x file:///y",
+    }
+
+
+@pytest.mark.parametrize(
+    ("said", "version"), [("pip 23.0.1 from /x", (23, 0)), ("pip 26.3 from", (26, 3)), ("", (0, 0))]
+)
+def test_pips_version_is_read(said, version):
+    assert words.pip_version(said) == version
