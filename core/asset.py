@@ -229,28 +229,49 @@ def _read_info(folder: Path) -> dict[str, Any]:
 
 
 def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
-    """``fill`` a new folder beside ``folder`` and give it its name; clean up after a failure."""
-    aside, old = folder.with_name(folder.name + ".tmp"), folder.with_name(folder.name + ".old")
+    """``fill`` a temporary folder next to ``folder``, then rename it; clean up after a failure.
+
+    Raises UserError where one of the folders that it would remove holds a file of somebody else's.
+    """
+    temporary, old = folder.with_name(folder.name + ".tmp"), folder.with_name(folder.name + ".old")
     with told_errors(folder):
-        _mend(folder, old)
-        shutil.rmtree(aside, ignore_errors=True)
+        for taken in (folder, temporary, old):
+            _refuse_foreign_files(taken)
+        _restore(folder, old)
+        shutil.rmtree(temporary, ignore_errors=True)
         try:
-            aside.mkdir(parents=True)
-            fill(aside)
+            temporary.mkdir(parents=True)
+            fill(temporary)
             if folder.exists():
                 folder.rename(old)
-            aside.rename(folder)
+            temporary.rename(folder)
         except BaseException:
-            shutil.rmtree(aside, ignore_errors=True)
-            _mend(folder, old)
+            shutil.rmtree(temporary, ignore_errors=True)
+            _restore(folder, old)
             raise
         shutil.rmtree(old, ignore_errors=True)
 
 
-def _mend(folder: Path, old: Path) -> None:
-    """After an end between the two renames: the older asset gets its name back."""
+def _refuse_foreign_files(folder: Path) -> None:
+    """Only what this module wrote may be replaced; anything else is somebody's work."""
+    if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
+        raise UserError(f"{folder} is not a folder of this run.", "Move it elsewhere.")
+    ours = {"asset.json", *FILES}
+    for found in folder.iterdir() if folder.exists() else ():
+        if found.name.removesuffix(".tmp") not in ours or found.is_dir():
+            raise UserError(
+                f"{found} is not a file of an asset, and would be lost.", "Move it elsewhere."
+            )
+
+
+def _restore(folder: Path, old: Path) -> None:
+    """After an end between the two renames: the older asset gets its name back.
+
+    One that ended after them left an older asset over, which would block the next rename.
+    """
     if old.exists() and not folder.exists():
         old.rename(folder)
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def _copy(source: Path, to: Path) -> None:

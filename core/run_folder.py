@@ -21,6 +21,7 @@ from core.texture.files import whole_file
 CHECKPOINT_SECONDS = 20.0  # between two checkpoints on disk
 PREVIEW_SECONDS = 2.0
 PROGRESS_SECONDS = 0.2
+FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")  # their traces leave a folder empty
 
 
 class RunFolder:
@@ -38,7 +39,7 @@ class RunFolder:
         """A new run folder with its job.json.
 
         Raises:
-            UserError: the folder holds another run, or can't be written.
+            UserError: the folder holds another run or other files, or can't be written.
         """
         if (path / "job.json").exists():
             raise UserError(
@@ -47,6 +48,13 @@ class RunFolder:
             )
         try:
             path.mkdir(parents=True, exist_ok=True)
+            found = sorted(x.name for x in path.iterdir() if x.name not in FILE_MANAGERS)
+            if found:
+                raise UserError(
+                    f"{path} is not empty: it holds {', '.join(found[:3])}"
+                    f"{' and more' if len(found) > 3 else ''}.",
+                    "A run needs a folder of its own: choose a new or an empty --out.",
+                )
             write_text(path / "job.json", job.to_json())
         except OSError as error:
             raise UserError(

@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import shutil
 import struct
 from pathlib import Path
 
@@ -196,6 +197,23 @@ def test_a_newer_asset_takes_the_place(folder: Path, parts) -> None:
     write_asset(folder, *parts, INFO | {"seed": 4})
     assert read_asset(folder).info["seed"] == 4
     assert [path.name for path in folder.parent.iterdir()] == ["asset"]
+
+
+@pytest.mark.parametrize("name", ["asset", "asset.tmp", "asset.old"])
+def test_files_of_the_user_are_never_removed(tmp_path: Path, parts, name: str) -> None:
+    precious = tmp_path / name / "precious.txt"
+    precious.parent.mkdir()
+    precious.write_text("mine")
+    with pytest.raises(UserError, match=r"precious\.txt is not a file of an asset"):
+        write_asset(tmp_path / "asset", *parts, INFO)
+    assert precious.read_text() == "mine"
+
+
+def test_an_older_asset_left_over_by_a_crash_does_not_block_the_next(folder: Path, parts) -> None:
+    shutil.copytree(folder, folder.with_name(folder.name + ".old"))
+    write_asset(folder, *parts, INFO | {"seed": 6})
+    assert read_asset(folder).info["seed"] == 6
+    assert not folder.with_name(folder.name + ".old").exists()
 
 
 def test_leftovers_of_a_crash_do_not_matter(folder: Path, parts) -> None:

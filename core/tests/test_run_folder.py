@@ -74,6 +74,19 @@ def test_a_folder_with_a_run_is_not_overwritten(tmp_path):
     assert run.job.prompt == "a chair"
 
 
+def test_a_run_starts_in_no_folder_of_the_users(tmp_path):
+    (tmp_path / "asset").mkdir()
+    (tmp_path / "asset" / "precious.txt").write_text("mine")
+    with pytest.raises(UserError, match="not empty: it holds asset"):
+        RunFolder.create(tmp_path, Job(prompt="a chair"))
+    assert [path.name for path in tmp_path.rglob("*")] == ["asset", "precious.txt"]
+
+
+def test_a_run_starts_in_an_empty_folder(tmp_path):
+    (tmp_path / ".DS_Store").touch()
+    assert RunFolder.create(tmp_path, Job(prompt="a chair")).job.prompt == "a chair"
+
+
 def test_a_folder_below_a_file_is_a_sentence(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(UserError, match="can't be written"):
