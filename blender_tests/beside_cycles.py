@@ -25,15 +25,15 @@ from core.appearance.brdf import (
 from core.appearance.environment import Environment
 from core.appearance.lamps import split_lamps
 from core.appearance.latlong import Levels, convolve, resample
-from core.appearance.openness import Openness
-from core.asset import read_asset
+from core.appearance.occlusion import Openness
+from core.appearance.shade import shade
+from core.appearance.shaded import UvMesh, surface_at
 from core.camera import Cameras
-from core.exr import read_exr
+from core.io.asset import read_asset
+from core.io.exr import read_exr
 from core.ops import dot, linear_to_srgb, normalize
 from core.picture import maps_source
 from core.render.rasterizer import interpolate, rasterize
-from core.render.shade import shade
-from core.render.shaded import UvMesh, surface_at
 from fantasia3d_addon import light, scene
 from fantasia3d_addon.import_asset import import_asset
 
@@ -182,7 +182,7 @@ class Exact:
         roughness: Float[Tensor, "p 1"],
         metallic: Float[Tensor, "p 1"],
     ) -> Float[Tensor, "p 3"]:
-        """As :func:`core.render.shade.shade`."""
+        """As :func:`core.appearance.shade.shade`."""
         parts = zip(*(x.split(256) for x in (normal, view, roughness)), strict=True)
         kinds = torch.cat([self.specular(*part) for part in parts])
         albedo, kinds = kinds[..., 3:], kinds[..., :3]

@@ -16,9 +16,9 @@ from torch import Tensor
 from blender_tests.beside_cycles import KD, add_ball, ball_points, cycles_pixels, empty_scene, psnr
 from core.appearance.environment import Environment
 from core.appearance.lights import blender_light, load_light
-from core.exr import read_exr
+from core.appearance.shade import shade
+from core.io.exr import read_exr
 from core.ops import linear_to_srgb
-from core.render.shade import shade
 
 LIGHTS = ("courtyard", "city", "forest")
 MATERIALS = ((0.1, 1.0), (0.3, 1.0), (0.5, 1.0), (0.8, 0.0))  # roughness, metallic

@@ -124,7 +124,7 @@ def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
 
 def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
     pytest.importorskip("jaxtyping")
-    from core.protocol import Job
+    from core.io.job import Job
 
     settings = bpy.context.scene.fantasia3d
     settings.prompt = "a chair"

@@ -9,8 +9,8 @@ pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 torch = pytest.importorskip("torch")
 
-from core.appearance.tangents import corner_tangents, smooth_normals  # noqa: E402
-from core.asset import export, place, write_asset  # noqa: E402
+from core.geometry.tangents import corner_tangents, smooth_normals  # noqa: E402
+from core.io.asset import export, place, write_asset  # noqa: E402
 from core.tests.texture_shapes import smooth_material, torus, torus_uv  # noqa: E402
 from core.texture.bake import bake  # noqa: E402
 from core.texture.unwrap import unwrap  # noqa: E402

@@ -19,12 +19,12 @@ from blender_tests.beside_cycles import (  # noqa: E402
 from core.appearance.environment import Environment  # noqa: E402
 from core.appearance.lights import blender_light, load_light  # noqa: E402
 from core.appearance.material import Material  # noqa: E402
-from core.asset import read_asset, write_asset  # noqa: E402
+from core.io.asset import read_asset, write_asset  # noqa: E402
+from core.io.png import normal_words, write_png  # noqa: E402
 from core.ops import normalize  # noqa: E402
 from core.tests.meshes import sphere, torus  # noqa: E402
 from core.tests.texture_shapes import one_material  # noqa: E402
 from core.texture.bake import bake  # noqa: E402
-from core.texture.images import normal_words, write_png  # noqa: E402
 from core.texture.unwrap import unwrap  # noqa: E402
 
 pytestmark = pytest.mark.blender

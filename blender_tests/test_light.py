@@ -113,8 +113,9 @@ def test_a_new_light_takes_the_place_of_the_old(tmp_path):
 
 
 def test_the_studio_is_the_cores():
-    """If it differs: run.py python -c "from core.exr import write_exr; from core.appearance.lights
-    import studio; write_exr('fantasia3d_addon/studio.exr', studio(128))".
+    """If it differs: run.py python -c "from core.io.exr import write_exr;
+    from core.appearance.lights import studio;
+    write_exr('fantasia3d_addon/studio.exr', studio(128))".
     """
     pytest.importorskip("torch")
     from core.appearance.lights import studio

@@ -56,7 +56,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
         manifest = tomllib.loads(archive.read("blender_manifest.toml").decode())
     assert manifest == tomllib.loads((ROOT / "manifest.toml").read_text("utf-8"))
     assert {"__init__.py", "studio.exr", "LICENSE", "method/pyproject.toml"} <= names
-    assert "method/core/guidance/weights/geometry.safetensors" in names
+    assert "method/core/guidance/builtin/geometry.safetensors" in names
     mine = {f"method/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "core").rglob("*.py")}
     assert {n for n in mine if "/tests/" not in n} <= names
     assert not [n for n in names if "tests/" in n or "__pycache__" in n or n.endswith(".pyc")]

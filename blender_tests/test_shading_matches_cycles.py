@@ -21,10 +21,10 @@ from blender_tests.beside_cycles import (  # noqa: E402
 from core.appearance.environment import Environment  # noqa: E402
 from core.appearance.latlong import directions  # noqa: E402
 from core.appearance.lights import blender_light, load_light  # noqa: E402
-from core.exr import write_exr  # noqa: E402
+from core.appearance.shade import shade  # noqa: E402
+from core.io.exr import write_exr  # noqa: E402
+from core.io.png import read_png, units  # noqa: E402
 from core.ops import linear_to_srgb, normalize  # noqa: E402
-from core.render.shade import shade  # noqa: E402
-from core.texture.images import read_png, units  # noqa: E402
 
 pytestmark = pytest.mark.blender
 

@@ -20,8 +20,8 @@ from core.errors import MemoryShortError, UserError
 
 if TYPE_CHECKING:  # torch takes seconds to load: a wrong option must not wait for it
     from core.generate import Inputs
-    from core.protocol import Job
-    from core.run_folder import RunFolder
+    from core.io.job import Job
+    from core.io.run_folder import RunFolder
 
 
 BEGIN = time.time()  # a wish to cancel that is older than this was meant for an earlier session
@@ -127,7 +127,7 @@ def parse(argv: list[str]) -> argparse.Namespace:
 
 def job_of(args: argparse.Namespace) -> "Job":
     """The Job that ``generate`` or ``texture`` asks for; its paths are made absolute."""
-    from core.protocol import Job
+    from core.io.job import Job
 
     given = {
         "command": args.command,
@@ -227,7 +227,7 @@ def main(argv: list[str]) -> int:
 
 def _job(args: argparse.Namespace) -> None:
     from core.generate import prepare
-    from core.run_folder import RunFolder
+    from core.io.run_folder import RunFolder
 
     job = job_of(args)
     inputs = prepare(job)  # what is wrong is said before anything is written
@@ -245,7 +245,7 @@ def _slug(prompt: str) -> str:
 
 
 def _resume(args: argparse.Namespace) -> None:
-    from core.run_folder import RunFolder
+    from core.io.run_folder import RunFolder
 
     run_job(RunFolder.open(args.run), None)
 
@@ -258,13 +258,13 @@ def _render(args: argparse.Namespace) -> None:
 
 
 def _inspect(args: argparse.Namespace) -> None:
-    from core.asset import inspect
+    from core.io.asset import inspect
 
     print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
 
 
 def _export(args: argparse.Namespace) -> None:
-    from core.asset import export
+    from core.io.asset import export
 
     export(args.asset, args.format, args.out)
 

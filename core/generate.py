@@ -15,23 +15,19 @@ from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
-from core.asset import place, write_asset
+from core.appearance.shaded import UvMesh
 from core.config import AppearanceConfig, Config, GeometryConfig, preset, with_settings
 from core.errors import MissingError, UserError
 from core.geometry.init_shape import ellipsoid, fit, mesh_shape
-from core.geometry.mesh import Mesh, load_mesh, normalise
+from core.geometry.mesh import Mesh, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
-from core.guidance.guidance import (
-    Embedding,
-    Guidance,
-    MaterialRanges,
-    PromptWarning,
-    make_guidance,
-)
-from core.protocol import Job
-from core.render.shaded import UvMesh
-from core.run_folder import RunFolder
+from core.guidance.guidance import Embedding, Guidance, MaterialRanges, PromptWarning
+from core.guidance.load import make_guidance
+from core.io.asset import place, write_asset
+from core.io.job import Job
+from core.io.mesh_file import load_mesh
+from core.io.run_folder import RunFolder
 from core.stages.appearance import learn_appearance, picture_of
 from core.stages.geometry import learn_geometry
 from core.stages.start_color import STEPS, fit_base_color, start_picture

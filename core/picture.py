@@ -9,18 +9,18 @@ from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.material import Material
-from core.asset import Asset, read_asset
+from core.appearance.shaded import MaterialSource, UvMesh, render_shaded, surface_at
 from core.camera import Cameras
 from core.errors import UserError
-from core.exr import write_exr
 from core.geometry.mesh import normalise
+from core.io.asset import Asset, read_asset
+from core.io.exr import write_exr
+from core.io.png import write_png
 from core.ops import linear_to_srgb, normalize, srgb_to_linear
 from core.render.antialias import antialias
 from core.render.normals import render_normals
 from core.render.rasterizer import rasterize, scatter
-from core.render.shaded import MaterialSource, UvMesh, render_shaded, surface_at
 from core.stages.preview import over_grey
-from core.texture.images import write_png
 
 MAPS = ("shaded", "normal", "base_color", "roughness", "metallic", "mask")
 FRAMING = 3.0  # training units: the distance that shows the whole asset

@@ -13,9 +13,9 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.latlong import convolve, directions
-from core.appearance.radiance_hdr import read_hdr
 from core.errors import MissingError, UserError
-from core.exr import read_exr
+from core.io.exr import read_exr
+from core.io.hdr import read_hdr
 from core.ops import normalize
 
 STUDIO = "studio"

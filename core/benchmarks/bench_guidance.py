@@ -4,7 +4,8 @@ import torch
 
 from core.benchmarks import least_ms, row
 from core.camera import Cameras
-from core.guidance.guidance import Views, make_guidance
+from core.guidance.guidance import Views
+from core.guidance.load import make_guidance
 
 
 def rows() -> list[dict]:

@@ -14,18 +14,18 @@ from typing import Any
 import torch
 from torch import Tensor
 
-from core.asset import read_asset
 from core.benchmarks import machine, row, table_line
 from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import Mesh, health
-from core.guidance.builtin import WEIGHTS
+from core.guidance.builtin.guidance import WEIGHTS
+from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
+from core.guidance.builtin.weights import load_words
+from core.io.asset import read_asset
+from core.io.job import Job, write_text
+from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
-from core.prior.palette import COLOR_VALUES, FINISHES, looks
 from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
-from core.prior.weights import load_words
-from core.protocol import Job, write_text
-from core.run_folder import RunFolder
 from core.stages.start_color import surface_colors
 
 FOLDER = Path("out/bench_prior")

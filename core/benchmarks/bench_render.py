@@ -3,14 +3,14 @@
 import torch
 
 from core.appearance.environment import Environment, load_light
-from core.appearance.openness import Openness
+from core.appearance.occlusion import Openness
+from core.appearance.shade import shade
 from core.benchmarks import ball, least_ms, row
 from core.camera import Cameras
 from core.ops import normalize
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.render.rasterizer import to_clip
-from core.render.shade import shade
 from core.render.visibility import visibility
 
 

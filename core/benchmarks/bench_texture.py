@@ -12,10 +12,10 @@ from core.benchmarks import ball, least_ms, row
 from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
+from core.geometry.uv_health import uv_health
+from core.io.png import srgb_bytes, write_png
 from core.texture.bake import bake
-from core.texture.images import srgb_bytes, write_png
 from core.texture.simplify import simplify
-from core.texture.stretch import uv_health
 from core.texture.unwrap import Unwrapped, unwrap
 
 BUDGET = 20_000

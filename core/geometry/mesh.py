@@ -1,30 +1,19 @@
-"""Triangle meshes as plain tensors: from a file, into the training's cube, and their health.
+"""Triangle meshes as plain tensors: into the training's cube, and their health."""
 
-The only file that imports trimesh.
-"""
-
-import warnings
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import torch
 import trimesh
 from jaxtyping import Float, Int
-from PIL.Image import Image
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
 from core.errors import UserError
-from core.ops import srgb_to_linear
 
 # Of the bounding sphere of a normalised object; the lattice's cube reaches to 1.05.
 NORMAL_RADIUS = 0.9
-# Formats whose files stand +Y up; Blender's importers turn them, and leave the others alone.
-Y_UP = {".obj", ".glb", ".gltf"}
-Z_UP = {".ply", ".stl"}
-EXPORT_AGAIN = "Open it in Blender and export it as OBJ, PLY, STL or GLB without compression."
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,41 +25,6 @@ class Mesh:
     uv: Float[Tensor, "u 2"] | None = None  # (0, 0) bottom left
     face_uvs: Int[Tensor, "f 3"] | None = None
     base_color: Float[Tensor, "h w 3"] | None = None  # the file's texture, linear, row 0 = top
-
-
-def load_mesh(path: "str | Path") -> Mesh:
-    """The mesh of an OBJ, PLY, STL, GLB or glTF file, turned as Blender's import would.
-
-    All parts of a scene are joined, and vertices in one place welded; faces that this closes to a
-    line are left out. The uv is kept if all parts have one and share at most one texture; parts
-    with textures of their own overlap in uv space. Raises UserError, its fix in words.
-    """
-    path = Path(path)
-    if path.suffix.lower() not in Y_UP | Z_UP:
-        raise UserError(
-            f"{path.name} is not an OBJ, PLY, STL, GLB or glTF file by its ending.", EXPORT_AGAIN
-        )
-    if not path.is_file():
-        raise UserError(f"There is no file {path}.", "Check the path of the mesh.")
-    parts = _read_parts(path)
-    if not parts:
-        raise UserError(
-            f"{path.name} holds no faces.", "Give a mesh with faces, not points or curves."
-        )
-    verts, faces = _join([(p.verts, p.faces) for p in parts])
-    if not np.isfinite(verts).all():
-        raise UserError(f"{path.name} has vertices that are not finite numbers.", EXPORT_AGAIN)
-    if path.suffix.lower() in Y_UP:
-        verts = np.stack([verts[:, 0], -verts[:, 2], verts[:, 1]], 1)
-    # In float32 as they will be used: what falls together then is welded.
-    verts, number = _weld(verts.astype(np.float32))
-    welded = number[faces]
-    kept = (welded != np.roll(welded, 1, axis=1)).all(1)
-    if not kept.any():
-        raise UserError(f"{path.name} holds no face with an area.", "Give a mesh with an extent.")
-    uv, face_uvs, texture = _texture(parts, kept)
-    verts, faces = compact(torch.from_numpy(verts), torch.from_numpy(welded[kept]))
-    return Mesh(verts, faces, uv, face_uvs, texture)
 
 
 def normalise(
@@ -201,88 +155,6 @@ def compact(
     used[faces.view(-1)] = True
     renumbered = used.cumsum(0) - 1
     return verts[used], renumbered[faces]
-
-
-@dataclass(frozen=True, eq=False)
-class _Part:
-    """One geometry of a file, in its place in the scene; textures as trimesh gives them."""
-
-    verts: np.ndarray
-    faces: np.ndarray
-    uv: np.ndarray | None
-    material: object
-
-
-def _read_parts(path: Path) -> list[_Part]:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # numpy's, from the depths of a parser
-            scene = trimesh.load_scene(path, process=False)
-    except Exception as error:  # whatever a broken file makes a parser raise
-        said = str(error).rstrip(".! ") or type(error).__name__
-        raise UserError(f"{path.name} cannot be read: {said}.", EXPORT_AGAIN) from error
-    parts = []
-    for node in scene.graph.nodes_geometry:
-        matrix, name = scene.graph[node]
-        part = scene.geometry[name]
-        if not isinstance(part, trimesh.Trimesh) or not len(part.faces):
-            continue
-        verts = np.asarray(part.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
-        mirrored = np.linalg.det(matrix[:3, :3]) < 0
-        faces = np.asarray(part.faces)[:, ::-1] if mirrored else np.asarray(part.faces)
-        uv, material = getattr(part.visual, "uv", None), getattr(part.visual, "material", None)
-        usable = uv is not None and len(uv) == len(verts) and np.isfinite(uv).all()
-        parts.append(_Part(verts, faces, np.asarray(uv) if usable else None, material))
-    return parts
-
-
-def _join(meshes: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
-    """Meshes as one: points (of any dimension) in a row, indices shifted."""
-    start = np.cumsum([0] + [len(points) for points, _ in meshes[:-1]])
-    indices = [index + s for (_, index), s in zip(meshes, start, strict=True)]
-    return np.concatenate([points for points, _ in meshes]), np.concatenate(indices)
-
-
-def _weld(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The distinct points, in the order of their first mention, and each point's number."""
-    _, first, number = np.unique(points, axis=0, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    rank = np.empty_like(order)
-    rank[order] = np.arange(len(order))
-    return points[first[order]], rank[number.reshape(-1)]
-
-
-def _texture(
-    parts: list[_Part], kept: np.ndarray
-) -> tuple[Tensor | None, Tensor | None, Tensor | None]:
-    """uv, face_uvs and the base colour of the parts, if they go together."""
-    images = {id(image): (image, p) for p in parts if (image := _image(p.material)) is not None}
-    if len(images) > 1 or any(part.uv is None for part in parts):
-        return None, None, None
-    uv, face_uvs = _join([(part.uv, part.faces) for part in parts])
-    uv, number = _weld(uv.astype(np.float32))
-    texture = None
-    for image, part in images.values():
-        srgb = torch.from_numpy(np.asarray(image.convert("RGB")).astype(np.float32) / 255)
-        texture = srgb_to_linear(srgb) * _factor(part.material)
-    return torch.from_numpy(uv), torch.from_numpy(number[face_uvs][kept]), texture
-
-
-def _image(material: object) -> Image | None:
-    """The base colour's picture: of a glTF material, or of an OBJ's."""
-    image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
-    # Where a file names none, trimesh makes a grey one up; only a file's has a format.
-    return image if image is not None and image.format else None
-
-
-def _factor(material: object) -> Tensor:
-    """glTF's linear factor of the texture; 1 for other formats."""
-    factor = getattr(material, "baseColorFactor", None)
-    if factor is None:
-        return torch.ones(3)
-    factor = np.asarray(factor)
-    scale = 255 if np.issubdtype(factor.dtype, np.integer) else 1  # trimesh keeps it in 8 bits
-    return torch.from_numpy((factor[:3] / scale).astype(np.float32))
 
 
 def _connected(a: np.ndarray, b: np.ndarray, count: int) -> tuple[int, np.ndarray]:

@@ -7,8 +7,6 @@ The arithmetic is float32 step by step, as torch's is (numba takes a bare 0.5 fo
 both draw the same picture.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import torch
 from torch import Tensor
@@ -17,10 +15,6 @@ from torch.autograd.function import once_differentiable
 from core.kernels import hash_grid as _hash_grid
 from core.kernels import rasterizer as _rasterizer
 from core.kernels import visibility as _visibility
-
-if TYPE_CHECKING:
-    from core.render.antialias import EdgeTable
-    from core.render.rasterizer import Fragments
 
 
 def fit(*tensors: Tensor) -> bool:
@@ -111,16 +105,14 @@ def weighted_sum_backward(
 
 
 def silhouette_edges(
-    fragments: "Fragments", faces: Tensor, edges: "EdgeTable"
+    screen: Tensor, in_front: Tensor, faces: Tensor, edges: tuple[Tensor, Tensor], cull: bool
 ) -> tuple[Tensor, Tensor, Tensor]:
-    """See :func:`core.render.antialias.silhouette_edges`."""
-    screen, before, faces, verts, owners = _arrays(
-        fragments.screen, fragments.in_front, faces, edges.verts, edges.faces
-    )
-    front = _rasterizer.facing(screen, faces)
-    found = _rasterizer.silhouette_edges(front, before, verts, owners, fragments.cull)
+    """See :func:`core.render.antialias.silhouette_edges`; ``edges``: their vertices and faces."""
+    arrays = _arrays(screen, in_front, faces, *edges)
+    front = _rasterizer.facing(arrays[0], arrays[2])
+    found = _rasterizer.silhouette_edges(front, arrays[1], *arrays[3:], cull)
     view, edge = (torch.from_numpy(x) for x in found)
-    return view, edge, torch.from_numpy(front)[view, edges.faces[edge, 0]]
+    return view, edge, torch.from_numpy(front)[view, edges[1][edge, 0]]
 
 
 class SampleHashGrid(torch.autograd.Function):

@@ -13,7 +13,9 @@ from pathlib import Path
 import torch
 
 from core.errors import UserError
-from core.guidance.builtin import WEIGHTS
+from core.guidance.builtin.guidance import WEIGHTS
+from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.weights import load_weights, save_weights
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
     CHANCE,
@@ -25,8 +27,6 @@ from core.prior.evaluate import (
 )
 from core.prior.models import CATALOGUE, INSTALL, make_models
 from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
-from core.prior.vocabulary import SLOTS
-from core.prior.weights import load_weights, save_weights
 
 DEFAULT_FOLDER = Path("out/prior")
 PATTERNED = 32  # objects, of each pattern
@@ -115,7 +115,7 @@ def ship(options: argparse.Namespace) -> None:
     """Copy both networks into the project, with the words that may be asked for."""
     missing = [word for word in options.without if all(word not in SLOTS[s] for s in SLOTS)]
     if missing:
-        raise UserError(f"There is no word {missing[0]!r}.", "See core/prior/words.py.")
+        raise UserError(f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words.py.")
     known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
     for name in ("geometry", "appearance"):
         net = load_weights(options.out / f"{name}_ema.safetensors")

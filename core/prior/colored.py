@@ -10,12 +10,12 @@ from torch import Tensor
 from torch.nn.functional import interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
+from core.appearance.shade import shade
+from core.guidance.builtin.vocabulary import SLOTS
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
 from core.prior.draw import Draw
-from core.prior.palette import Said, coat, paint
-from core.prior.vocabulary import SLOTS
-from core.render.shade import shade
+from core.prior.paint import Said, coat, paint
 
 UNSAID_COLOR = 0.35  # share of captions without a colour
 UNSAID_MATERIAL = 0.55

@@ -16,7 +16,8 @@ from safetensors.torch import load_file, save_file
 from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
-from core.prior.draw import OPTIONS, PARTS, Draw
+from core.guidance.builtin.words import OPTIONS, PARTS
+from core.prior.draw import Draw
 from core.prior.families import FAMILIES, STRETCH, build
 from core.prior.tracer import Pictures, render
 

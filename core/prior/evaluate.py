@@ -16,19 +16,19 @@ import torch
 from torch import Tensor
 
 from core.camera import Cameras
-from core.guidance.builtin import has_fast_bfloat16
+from core.guidance.builtin.diffusion import alpha_bar_schedule, x_from_v
+from core.guidance.builtin.guidance import has_fast_bfloat16
+from core.guidance.builtin.hint import hint
+from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.palette import COLOR_VALUES, looks
+from core.guidance.builtin.vocabulary import SLOTS as WORDS
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter
 from core.prior.data import NOUNS, SIZE, VIEWS, Samples, make
-from core.prior.diffusion import alpha_bar_schedule, x_from_v
 from core.prior.draw import Draw
 from core.prior.families import build
-from core.prior.hint import hint
-from core.prior.palette import COLOR_VALUES, looks
 from core.prior.tracer import render
-from core.prior.unet import BLOCK, UNet, camera_map
-from core.prior.vocabulary import SLOTS as WORDS
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8

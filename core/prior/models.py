@@ -21,7 +21,8 @@ from torch.nn.functional import avg_pool2d
 
 from core.camera import Cameras, sample_cameras
 from core.errors import UserError
-from core.geometry.mesh import load_mesh, normalise
+from core.geometry.mesh import normalise
+from core.io.mesh_file import load_mesh
 from core.ops import dot, normalize
 from core.prior.data import CAMERAS, NOUNS, SIZE, Samples, joined
 from core.prior.draw import Draw

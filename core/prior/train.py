@@ -19,6 +19,11 @@ from safetensors import safe_open
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
+from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule, v_target
+from core.guidance.builtin.hint import CHANNELS, hint
+from core.guidance.builtin.network import BLOCK, UNet, UNetConfig, camera_map
+from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
 from core.prior.colored import SAID, Painter, lumpy
 from core.prior.data import (
@@ -31,12 +36,7 @@ from core.prior.data import (
     joined,
     read_shards,
 )
-from core.prior.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.prior.draw import Draw
-from core.prior.hint import CHANNELS, hint
-from core.prior.unet import BLOCK, UNet, UNetConfig, camera_map
-from core.prior.vocabulary import SLOTS
-from core.prior.weights import save_weights, write_tensors
 
 # Things whose parts are many or alike, so that their colours are mixed up most.
 MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")

@@ -130,7 +130,9 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
     On a closed surface these are the edges with exactly one face towards the camera.
     """
     if kernels.fit(fragments.screen):
-        view, edge, first = kernels.silhouette_edges(fragments, faces, edges)
+        view, edge, first = kernels.silhouette_edges(
+            fragments.screen, fragments.in_front, faces, edges[:2], fragments.cull
+        )
     else:
         view, edge, first = silhouette_edges(fragments, faces, edges)
     offset = view * fragments.screen.shape[1]

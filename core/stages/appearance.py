@@ -10,13 +10,13 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material, MaterialNet
-from core.appearance.openness import Openness
+from core.appearance.occlusion import Openness
+from core.appearance.shaded import Shaded, UvMesh, render_shaded
 from core.camera import Cameras, sample_cameras
 from core.config import AppearanceConfig
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError
-from core.render.shaded import Shaded, UvMesh, render_shaded
-from core.run_folder import RunFolder, Training
+from core.io.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill, phase_of
 from core.stages.guard import Guard, healthy_gradients
 from core.stages.preview import SIZE, VIEW, ColorPreview, over_grey

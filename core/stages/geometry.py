@@ -19,9 +19,9 @@ from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
 from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError, anneal
+from core.io.run_folder import RunFolder, Training
 from core.render.antialias import EdgeTable, edge_table
 from core.render.normals import render_normals
-from core.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.preview import ShapePreview

@@ -7,7 +7,7 @@ released code).
 import torch
 
 from core.errors import NoSurfaceError
-from core.run_folder import Training
+from core.io.run_folder import Training
 
 SNAPSHOT_STEPS = 20
 MAX_RECOVERIES = 5

@@ -10,10 +10,10 @@ from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
 from core.camera import Cameras
+from core.io.atomic import atomic_file
+from core.io.png import unit_bytes, write_png
+from core.io.run_folder import PREVIEW_SECONDS, RunFolder
 from core.render.normals import render_normals
-from core.run_folder import PREVIEW_SECONDS, RunFolder
-from core.texture.files import whole_file
-from core.texture.images import unit_bytes, write_png
 
 SIZE = 256  # pixels
 MAX_FACES = 20_000  # of the light mesh: Blender takes it in within a frame
@@ -72,7 +72,7 @@ def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3
     v, f = lighter(verts.detach().cpu(), faces.cpu())
     packed = io.BytesIO()  # on a full disk, a zip file that is not closed complains
     np.savez(packed, verts=v.numpy(), faces=f.numpy().astype(np.int32))
-    with whole_file(path) as aside:
+    with atomic_file(path) as aside:
         aside.write_bytes(packed.getvalue())
 
 

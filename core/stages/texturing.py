@@ -7,12 +7,13 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.material import Material, MaterialNet
+from core.appearance.shaded import UvMesh
 from core.config import TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.render.shaded import UvMesh
-from core.run_folder import RunFolder
-from core.texture.bake import Maps, bake
+from core.io.asset import Maps
+from core.io.run_folder import RunFolder
+from core.texture.bake import bake
 from core.texture.simplify import simplify
 from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap

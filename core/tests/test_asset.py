@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 import torch
 
-from core import asset as module
-from core.asset import export, inspect, place, read_asset, write_asset, write_plain_obj
 from core.errors import UserError
 from core.geometry.mesh import health
+from core.geometry.uv_health import uv_health
+from core.io import asset as module
+from core.io import png as images
+from core.io.asset import Maps, export, inspect, place, read_asset, write_asset, write_plain_obj
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
-from core.texture import images
-from core.texture.bake import Maps, bake
-from core.texture.stretch import uv_health
+from core.texture.bake import bake
 
 INFO = {"prompt": "a red wooden chair", "seed": 3, "timings": {"geometry": 1.5}}
 

@@ -97,7 +97,7 @@ def test_the_launcher_needs_the_standard_library_alone(package):
 
 def test_the_protocol_and_the_command_line_load_no_library():
     code = (
-        "import sys, core.protocol, core.__main__\n"
+        "import sys, core.io.job, core.__main__\n"
         "print(sorted({'torch', 'numpy', 'bpy', 'diffusers'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)

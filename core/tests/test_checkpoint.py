@@ -10,9 +10,9 @@ from diffusers import StableDiffusionPipeline as Pipeline
 from safetensors.torch import load_file, save_file
 
 from core.errors import MissingError, UserError
-from core.guidance.checkpoint import find_checkpoint, weight_variant
-from core.guidance.guidance import make_guidance
-from core.guidance.stable_diffusion import StableDiffusion
+from core.guidance.load import make_guidance
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint, weight_variant
+from core.guidance.stable_diffusion.guidance import StableDiffusion
 
 
 @pytest.fixture

@@ -11,12 +11,12 @@ from torch import Tensor
 from core.appearance import lights
 from core.appearance.environment import Environment, load_light
 from core.appearance.latlong import Levels, convolve, directions, resample, solid_angles, to_uv
-from core.appearance.radiance_hdr import read_hdr
+from core.appearance.shade import shade
 from core.appearance.specular import STEP, ggx_kernel
 from core.errors import MissingError, UserError
-from core.exr import read_exr, write_exr
+from core.io.exr import read_exr, write_exr
+from core.io.hdr import read_hdr
 from core.ops import normalize
-from core.render.shade import shade
 
 GENERATOR = torch.Generator().manual_seed(0)
 SOME = normalize(torch.randn(500, 3, generator=GENERATOR))

@@ -13,15 +13,15 @@ import pytest
 import torch
 from PIL import Image
 
-from core.asset import inspect, read_asset
 from core.config import preset
 from core.generate import back, retouching, shortened
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
-from core.protocol import LAST, Job, read_events
-from core.run_folder import RunFolder
-from core.texture.obj import obj_text
+from core.io.asset import inspect, read_asset
+from core.io.job import LAST, Job, read_events
+from core.io.obj import obj_text
+from core.io.run_folder import RunFolder
 
 ROOT = Path(__file__).parents[2]
 SHORT = {

@@ -17,11 +17,11 @@ from core.appearance.environment import Environment
 from core.appearance.lamps import Lamps
 from core.appearance.latlong import directions, to_uv
 from core.appearance.lobes import lobe_axes
+from core.appearance.shade import lifted, perturb, shade
 from core.camera import Cameras
 from core.ops import dot, linear_to_srgb, normalize, srgb_to_linear
 from core.render.normals import face_normals, render_normals, vertex_normals
 from core.render.rasterizer import interpolate, rasterize, to_clip
-from core.render.shade import lifted, perturb, shade
 from core.tests.meshes import sphere
 
 N = 5

@@ -11,8 +11,8 @@ import torch
 from PIL import Image
 
 from core.errors import UserError
-from core.texture import images
-from core.texture.files import whole_file
+from core.io import png as images
+from core.io.atomic import atomic_file
 
 
 def test_color_gets_its_curve_before_it_loses_bits() -> None:
@@ -91,7 +91,7 @@ def test_what_the_disk_refuses_is_told(tmp_path: Path, number: int, words: str) 
     (tmp_path / "a.txt").write_text("old")
 
     def write() -> None:
-        with whole_file(tmp_path / "a.txt") as aside:
+        with atomic_file(tmp_path / "a.txt") as aside:
             aside.write_text("half")
             raise OSError(number, os.strerror(number))
 
@@ -103,7 +103,7 @@ def test_what_the_disk_refuses_is_told(tmp_path: Path, number: int, words: str) 
 
 def test_other_faults_keep_their_name(tmp_path: Path) -> None:
     def write() -> None:
-        with whole_file(tmp_path / "a.txt") as aside:
+        with atomic_file(tmp_path / "a.txt") as aside:
             aside.write_text("half")
             raise ZeroDivisionError
 

@@ -20,10 +20,11 @@ from core.geometry.init_shape import (
     sample_points,
     sample_surface,
 )
-from core.geometry.mesh import Mesh, health, load_mesh, normalise
+from core.geometry.mesh import Mesh, health, normalise
 from core.geometry.sdf_net import FOURIER, SdfNet, extract
 from core.geometry.signed_distance import SolidMesh, mesh_sdf
 from core.geometry.tet_grid import tet_grid
+from core.io.mesh_file import load_mesh
 
 BOB = Path(__file__).resolve().parents[3] / "shared" / "data" / "bob.obj"
 

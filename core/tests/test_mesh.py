@@ -14,10 +14,10 @@ from core.geometry.mesh import (
     compact,
     drop_floaters,
     health,
-    load_mesh,
     normalise,
     signed_volume,
 )
+from core.io.mesh_file import load_mesh
 
 
 def tetrahedron(size=1.0, shift=0.0):

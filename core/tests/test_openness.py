@@ -8,9 +8,9 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.latlong import directions
-from core.appearance.openness import CHANNELS, Openness, free_ways, harmonics, hidden, spread
+from core.appearance.occlusion import CHANNELS, Openness, free_ways, harmonics, hidden, spread
+from core.appearance.shade import shade
 from core.ops import dot, normalize
-from core.render.shade import shade
 from core.tests.meshes import sphere
 
 UP = torch.tensor([[0.0, 0, 1]])

@@ -8,9 +8,10 @@ import torch
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
-from core.prior.draw import OPTIONS, Draw
+from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.words import OPTIONS
+from core.prior.draw import Draw
 from core.prior.families import FAMILIES, STRETCH, build, surface_points
-from core.prior.nature import LOOKS
 from core.prior.solids import (
     around,
     ball,

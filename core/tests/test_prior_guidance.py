@@ -8,27 +8,28 @@ from core.camera import Cameras
 from core.config import DRAFT
 from core.errors import MissingError, UserError
 from core.generate import prepare
-from core.guidance import builtin
-from core.guidance.builtin import (
+from core.guidance.builtin import guidance as builtin
+from core.guidance.builtin import hint as hint_module
+from core.guidance.builtin.diffusion import x_from_v
+from core.guidance.builtin.guidance import (
     APPEARANCE_SLOTS,
     GEOMETRY_SLOTS,
     WEIGHTS,
     BuiltinGuidance,
     load_builtin,
 )
-from core.guidance.guidance import Views, make_guidance
+from core.guidance.builtin.hint import CHANNELS
+from core.guidance.builtin.network import UNet
+from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.guidance import Views
+from core.guidance.load import make_guidance
 from core.guidance.sds import add_noise
-from core.prior import hint as hint_module
+from core.io.job import Job
 from core.prior.data import CAMERAS
-from core.prior.diffusion import x_from_v
 from core.prior.draw import Draw
 from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
-from core.prior.hint import CHANNELS
 from core.prior.tracer import render
-from core.prior.unet import UNet
-from core.prior.vocabulary import SLOTS
-from core.protocol import Job
 
 
 @pytest.fixture(scope="module")

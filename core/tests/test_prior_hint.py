@@ -3,10 +3,10 @@
 import pytest
 import torch
 
-from core.prior.hint import CHANNELS, SURFACE, hint, stencil
-from core.prior.palette import swatches
-from core.prior.patterns import PATTERNS, Place
-from core.prior.vocabulary import SLOTS, parse
+from core.guidance.builtin.hint import CHANNELS, SURFACE, hint, stencil
+from core.guidance.builtin.palette import swatches
+from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.vocabulary import SLOTS, parse
 
 NAMES = list(SLOTS["pattern"])
 

@@ -5,26 +5,24 @@ import colorsys
 import pytest
 import torch
 
+from core.guidance.builtin.palette import (
+    COLOR_VALUES,
+    FINISHES,
+    SWATCHES,
+    companion,
+    finishes_of,
+    looks,
+    swatches,
+)
+from core.guidance.builtin.patterns import PATTERNS as PAINTED
+from core.guidance.builtin.patterns import Place
+from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb
 from core.prior.colored import Painter, lumpy
 from core.prior.data import NOUNS, make
 from core.prior.draw import Draw
-from core.prior.palette import (
-    COLOR_VALUES,
-    FINISHES,
-    SWATCHES,
-    Said,
-    coat,
-    companion,
-    finishes_of,
-    looks,
-    paint,
-    swatches,
-)
-from core.prior.patterns import PATTERNS as PAINTED
-from core.prior.patterns import Place
-from core.prior.vocabulary import SLOTS, parse
-from core.prior.words import COLORS, MATERIALS, PATTERNS
+from core.prior.paint import Said, coat, paint
 
 
 def _draw(seed: int = 0) -> Draw:

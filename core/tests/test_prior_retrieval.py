@@ -6,13 +6,13 @@ import torch
 from core.benchmarks.bench_prior import ADDED, GENUS, line, main_delta_e, summary, words_for
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
+from core.guidance.builtin.palette import COLOR_VALUES
+from core.guidance.builtin.vocabulary import SLOTS, parse
 from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import build
-from core.prior.palette import COLOR_VALUES
 from core.prior.retrieval import chamfer, mesh_cloud, ranking, reference_clouds, turns
-from core.prior.vocabulary import SLOTS, parse
 
 
 def _generator(seed: int = 0) -> torch.Generator:

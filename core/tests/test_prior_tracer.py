@@ -8,6 +8,7 @@ import torch
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
+from core.appearance.shaded import UvMesh, render_shaded
 from core.camera import Cameras
 from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
@@ -17,7 +18,6 @@ from core.prior.families import Shape, build, normalised
 from core.prior.solids import ball
 from core.prior.tracer import render
 from core.render.normals import render_normals
-from core.render.shaded import UvMesh, render_shaded
 from core.stages.appearance import surface_picture
 
 

@@ -6,9 +6,11 @@ import pytest
 import torch
 
 from core.camera import Cameras
+from core.guidance.builtin.diffusion import alpha_bar_schedule, v_target, x_from_v
+from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
+from core.guidance.builtin.weights import load_weights, load_words, save_weights
 from core.guidance.sds import add_noise, eps_from_v
 from core.prior.data import ADJECTIVES, NOUNS, TOLD, make, read_shards, write_shard
-from core.prior.diffusion import alpha_bar_schedule, v_target, x_from_v
 from core.prior.evaluate import turn_normals
 from core.prior.train import (
     Geometry,
@@ -18,8 +20,6 @@ from core.prior.train import (
     drop_conditions,
     learning_rate,
 )
-from core.prior.unet import MAP_CHANNELS, UNet, UNetConfig, camera_map
-from core.prior.weights import load_weights, load_words, save_weights
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1)
 TINY = UNetConfig(words=WORDS, widths=(8, 8, 16, 16), code=16)

@@ -5,24 +5,24 @@ import re
 import pytest
 
 from core.errors import UserError
-from core.prior.data import ADJECTIVES, TOLD
-from core.prior.data import NOUNS as DRAWN
-from core.prior.draw import OPTIONS
-from core.prior.families import STRETCH
-from core.prior.nature import LOOKS
-from core.prior.vocabulary import LEXICON, SLOTS, Words, corrected, parse
-from core.prior.words import (
+from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.vocabulary import LEXICON, SLOTS, Words, corrected, parse
+from core.guidance.builtin.words import (
     COLORS,
     FILLER,
     MATERIALS,
     NEAREST,
     NOUNS,
+    OPTIONS,
     PART_WORDS,
     PATTERNS,
     REAL,
     SHAPES,
     UNHEARD,
 )
+from core.prior.data import ADJECTIVES, TOLD
+from core.prior.data import NOUNS as DRAWN
+from core.prior.families import STRETCH
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@ import torch
 
 from core.camera import Cameras
 from core.errors import UserError
-from core.guidance.prompts import (
+from core.guidance.stable_diffusion.prompts import (
     MAX_CHARACTERS,
     VIEWS,
     PromptCutWarning,

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from core.errors import UserError
-from core.protocol import MAX_PROMPT, EventWriter, Job, read_events
+from core.io.job import MAX_PROMPT, EventWriter, Job, read_events
 
 
 def test_a_job_survives_its_file():

@@ -6,8 +6,8 @@ import pytest
 import torch
 
 from core.errors import Cancelled, NoSurfaceError, UserError
-from core.protocol import Job, read_events
-from core.run_folder import RunFolder, Training
+from core.io.job import Job, read_events
+from core.io.run_folder import RunFolder, Training
 from core.stages.guard import MAX_RECOVERIES, Guard, healthy_gradients
 
 

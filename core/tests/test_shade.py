@@ -2,12 +2,12 @@ import pytest
 import torch
 from torch import Tensor
 
+from core.appearance import shade as module
 from core.appearance.brdf import directional_albedo
 from core.appearance.environment import Environment
 from core.appearance.latlong import directions
+from core.appearance.shade import lifted, perturb, shade
 from core.ops import dot, normalize
-from core.render import shade as module
-from core.render.shade import lifted, perturb, shade
 
 GENERATOR = torch.Generator().manual_seed(0)
 N = 200

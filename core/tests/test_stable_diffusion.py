@@ -8,9 +8,9 @@ from core.camera import Cameras
 from core.errors import MemoryShortError, UserError
 from core.guidance import sds
 from core.guidance.guidance import Views
-from core.guidance.memory import peak_bytes
-from core.guidance.prompts import PromptCutWarning
-from core.guidance.stable_diffusion import StableDiffusion, estimate_memory
+from core.guidance.stable_diffusion.guidance import StableDiffusion, estimate_memory
+from core.guidance.stable_diffusion.memory import peak_bytes
+from core.guidance.stable_diffusion.prompts import PromptCutWarning
 
 
 @pytest.fixture(scope="session", params=["1.x", "2.x"])
@@ -279,7 +279,7 @@ def test_the_estimate_grows_with_the_chunk_and_knows_the_weights(checkpoints, on
 def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkpoints, monkeypatch):
     folder = checkpoints["1.x"]
     one_view = estimate_memory(folder, chunk=1, dtype=torch.float32)
-    name = "core.guidance.stable_diffusion.available_bytes"
+    name = "core.guidance.stable_diffusion.guidance.available_bytes"
     monkeypatch.setattr(name, lambda _: one_view)
     assert StableDiffusion.load(str(folder), "cpu")._chunk == 1
     monkeypatch.setattr(name, lambda _: one_view - 1)

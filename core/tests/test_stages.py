@@ -8,6 +8,7 @@ import torch
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
+from core.appearance.shaded import UvMesh
 from core.config import DRAFT, RefineConfig
 from core.errors import Cancelled, NoSurfaceError
 from core.generate import sdf_net
@@ -18,11 +19,10 @@ from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
+from core.io.job import Job, read_events
+from core.io.run_folder import RunFolder
 from core.ops import linear_to_srgb
-from core.protocol import Job, read_events
 from core.render.antialias import edge_table
-from core.render.shaded import UvMesh
-from core.run_folder import RunFolder
 from core.stages.appearance import learn_appearance, learning_rate
 from core.stages.distill import decayed, phase_of
 from core.stages.geometry import (

@@ -10,9 +10,9 @@ from core.appearance.material import MaterialNet
 from core.config import AppearanceConfig, TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
+from core.io.job import Job
+from core.io.run_folder import RunFolder
 from core.ops import srgb_to_linear
-from core.protocol import Job
-from core.run_folder import RunFolder
 from core.stages.start_color import fit_base_color, sample, start_picture, surface_colors
 from core.stages.texturing import unwrap_shape
 

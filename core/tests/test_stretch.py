@@ -3,8 +3,8 @@ import math
 import pytest
 import torch
 
+from core.geometry.uv_health import island_count, uv_health
 from core.tests.texture_shapes import square, torus, torus_uv
-from core.texture.stretch import island_count, uv_health
 
 
 def test_a_true_map_has_no_stretch_whatever_its_size() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from core.appearance.tangents import corner_tangents, smooth_normals
+from core.geometry.tangents import corner_tangents, smooth_normals
 from core.tests.texture_shapes import square, torus, torus_uv
 
 

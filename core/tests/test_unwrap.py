@@ -9,11 +9,11 @@ from scipy.ndimage import distance_transform_edt
 
 from core.benchmarks.bench_texture import shape
 from core.errors import Cancelled, UserError
+from core.geometry.uv_health import uv_health
 from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
 from core.texture import unwrap as module
 from core.texture.simplify import simplify
-from core.texture.stretch import uv_health
 from core.texture.texels import texel_points, uv_faults
 from core.texture.unwrap import PADDING, overlapping, squashed, unwrap
 

@@ -12,8 +12,9 @@ from trimesh.ray.ray_pyembree import RayMeshIntersector
 from core import kernels
 from core.benchmarks import ball
 from core.camera import Cameras
-from core.geometry.mesh import load_mesh, normalise
+from core.geometry.mesh import normalise
 from core.geometry.ray_sdf import pixel_rays
+from core.io.mesh_file import load_mesh
 from core.render.rasterizer import barycentrics, to_clip
 from core.render.visibility import visibility
 from core.tests.meshes import torus

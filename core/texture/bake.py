@@ -5,26 +5,18 @@ and what is empty is padded.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.appearance.material import Material
+from core.io.asset import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
 from core.texture.texels import Texels, texel_bands
 
 CHUNK = 1 << 18  # points given to the material at once
-
-
-class Maps(NamedTuple):
-    """A square texture set; row 0 is the top. All values linear."""
-
-    base_color: Float[Tensor, "s s 3"]  # linear Rec.709, in [0, 1]
-    orm: Float[Tensor, "s s 3"]  # occlusion, roughness, metallic
-    normal: Float[Tensor, "s s 3"]  # unit, tangent space, OpenGL: y along growing v
 
 
 @torch.no_grad()

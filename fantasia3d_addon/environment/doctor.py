@@ -123,7 +123,7 @@ def _packages(python: str, pins: Sequence[str]) -> list[Line]:
 
 
 def _data(root: Path) -> list[Line]:
-    weights = sorted((root / "core" / "guidance" / "weights").glob("*.safetensors"))
+    weights = sorted((root / "core" / "guidance" / "builtin").glob("*.safetensors"))
     size = sum(path.stat().st_size for path in weights) / 1e6
     names = ", ".join(path.name for path in weights)
     data = layout.data_folder()
@@ -132,7 +132,7 @@ def _data(root: Path) -> list[Line]:
     return [
         Line("built-in weights", OK, f"{names} ({size:.1f} MB)")
         if weights
-        else Line("built-in weights", MISSING, "core/guidance/weights is empty; install again"),
+        else Line("built-in weights", MISSING, "there are none; install again"),
         Line("Stable Diffusion", NOTE, _hub_models() or "none in the hub's cache; optional: "
              "--guidance FOLDER takes any diffusers folder"),
         Line("disk", NOTE, f"{free:.0f} GB free at {place}"),

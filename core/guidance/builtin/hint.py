@@ -4,14 +4,14 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
-from core.prior.families import FAMILIES
-from core.prior.palette import SWATCHES, has_accents, swatches
-from core.prior.patterns import PATTERNS, Place
-from core.prior.vocabulary import SLOTS
+from core.guidance.builtin.palette import SWATCHES, has_accents, swatches
+from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.words import NOUNS
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES
-ACCENTED = torch.tensor([False, *map(has_accents, FAMILIES)])  # by the noun's row
+ACCENTED = torch.tensor([False, *map(has_accents, NOUNS)])  # by the noun's row
 TWO_TONE = 1 + list(SLOTS["pattern"]).index("two-tone")
 
 

@@ -10,12 +10,12 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material
-from core.appearance.tangents import corner_tangents, smooth_normals
+from core.appearance.shade import lifted, perturb, shade
 from core.camera import Cameras
+from core.geometry.tangents import corner_tangents, smooth_normals
 from core.ops import dot, linear_to_srgb, normalize
 from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
-from core.render.shade import lifted, perturb, shade
 
 # The material at P points of the surface, known by position (P,3) and uv (P,2).
 MaterialSource = Callable[[Tensor, Tensor], Material]
@@ -110,7 +110,7 @@ def render_shaded(
 ) -> Shaded:
     """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material.
 
-    ``shares``: what it hides from itself, by vertex (:class:`core.appearance.openness.Openness`).
+    ``shares``: what it hides from itself, by vertex (:class:`core.appearance.occlusion.Openness`).
     """
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)

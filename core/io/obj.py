@@ -12,7 +12,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
-from core.texture.files import whole_file
+from core.io.atomic import atomic_file
 
 
 def to_y_up(world: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
@@ -67,7 +67,7 @@ def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, 
     """The shape alone, whole or not at all."""
     corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
     text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
-    with whole_file(path) as aside:
+    with atomic_file(path) as aside:
         aside.write_text(text, encoding="ascii")
 
 

@@ -9,8 +9,8 @@ from safetensors import safe_open
 from safetensors.torch import load_file, save_file
 from torch import Tensor
 
-from core.prior.unet import UNet, UNetConfig
-from core.prior.vocabulary import Known
+from core.guidance.builtin.network import UNet, UNetConfig
+from core.guidance.builtin.vocabulary import Known
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:

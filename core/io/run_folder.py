@@ -15,8 +15,8 @@ from torch import Tensor
 from tqdm import tqdm
 
 from core.errors import Cancelled, UserError
-from core.protocol import EventWriter, Job, write_text
-from core.texture.files import whole_file
+from core.io.atomic import atomic_file
+from core.io.job import EventWriter, Job, write_text
 
 CHECKPOINT_SECONDS = 20.0  # between two checkpoints on disk
 PREVIEW_SECONDS = 2.0
@@ -168,7 +168,7 @@ class RunFolder:
         meta = meta | {"timings": self.timings}
         values = {key: value.detach().cpu().contiguous() for key, value in tensors.items()}
         path = folder / f"{name}.safetensors"
-        with whole_file(path) as aside:
+        with atomic_file(path) as aside:
             try:
                 save_file(values, aside, metadata={"meta": json.dumps(meta)})
             except SafetensorError as error:  # it wraps what the disk said

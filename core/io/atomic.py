@@ -12,23 +12,23 @@ FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 
 @contextmanager
-def whole_file(path: Path) -> Iterator[Path]:
+def atomic_file(path: Path) -> Iterator[Path]:
     """Give a path to write to, beside ``path``; it takes the name at the end, or is removed.
 
     Raises UserError for a full disk, a place that may not be written, a folder that is not there.
     """
     aside = path.with_name(path.name + ".tmp")
     try:
-        with told_errors(path):
+        with disk_errors(path):
             yield aside
             aside.replace(path)
     finally:
-        with told_errors(path):
+        with disk_errors(path):
             aside.unlink(missing_ok=True)
 
 
 @contextmanager
-def told_errors(path: Path) -> Iterator[None]:
+def disk_errors(path: Path) -> Iterator[None]:
     """Turn what the file system refuses into a UserError that names ``path``."""
     try:
         yield

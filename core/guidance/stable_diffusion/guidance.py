@@ -21,10 +21,11 @@ from torch.nn.functional import interpolate
 from transformers import CLIPTextModel, CLIPTokenizer
 
 from core.errors import UserError
-from core.guidance.checkpoint import find_checkpoint, read_json, weight_variant
 from core.guidance.guidance import Embedding, Guidance, Views
-from core.guidance.memory import available_bytes, memory_short, peak_bytes
-from core.guidance.prompts import (
+from core.guidance.sds import eps_from_v, guide, perp_neg
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint, read_json, weight_variant
+from core.guidance.stable_diffusion.memory import available_bytes, memory_short, peak_bytes
+from core.guidance.stable_diffusion.prompts import (
     DEFAULT_NEGATIVE_PROMPT,
     VIEWS,
     clean_prompt,
@@ -35,7 +36,6 @@ from core.guidance.prompts import (
     view_words,
     warn_cut,
 )
-from core.guidance.sds import eps_from_v, guide, perp_neg
 
 # Grey is a normal of length 0, so an empty picture says nothing of a direction; white is what a
 # text-to-image model's object shots have behind them.

@@ -228,3 +228,23 @@ REAL = frozenset(
     stale cable able stable tale tools pools sport port card cars scar bush burn bowel flow floor
     hair stair fair pair clamp stamp whale wail snail sail rail tail""".split()
 )
+
+# Parts that a thing may have or lack, as a caption may say; "no hat" is told like "hat". Of the
+# legs a caption says how many.
+CHOICES = ("armrests", "backrest", "handle", "cap", "hat", "chimney")
+LEGS = {"one leg": 1, "three legs": 3, "four legs": 4}
+PARTS = (*(said for choice in CHOICES for said in (choice, f"no {choice}")), *LEGS)
+# What a caption may say of each noun's parts.
+OPTIONS: dict[str, tuple[str, ...]] = {
+    "chair": ("armrests", "no armrests"),
+    "table": ("one leg", "four legs"),
+    "stool": ("one leg", "three legs", "four legs"),
+    "bench": ("backrest", "no backrest"),
+    "mug": ("handle", "no handle"),
+    "bucket": ("handle", "no handle"),
+    "candle": ("handle", "no handle"),
+    "bottle": ("cap", "no cap"),
+    "snowman": ("hat", "no hat"),
+    "house": ("chimney", "no chimney"),
+    "cottage": ("chimney", "no chimney"),
+}

@@ -5,20 +5,20 @@ import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.appearance.tangents import corner_tangents, smooth_normals
 from core.errors import UserError
-from core.geometry.mesh import health, load_mesh
-from core.texture import images
-from core.texture.bake import Maps
-from core.texture.files import told_errors, whole_file
-from core.texture.glb import glb_bytes
-from core.texture.obj import mtl_text, obj_text, read_obj, write_plain_obj
-from core.texture.stretch import uv_health
+from core.geometry.mesh import health
+from core.geometry.tangents import corner_tangents, smooth_normals
+from core.geometry.uv_health import uv_health
+from core.io import png as images
+from core.io.atomic import atomic_file, disk_errors
+from core.io.glb import glb_bytes
+from core.io.mesh_file import load_mesh
+from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
 
 __all__ = [
     "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
@@ -44,6 +44,14 @@ FILES: dict[str, dict[str, Any]] = {
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
 REMAKE = "Name the folder that holds asset.json, or make the asset again."
+
+
+class Maps(NamedTuple):
+    """A square texture set; row 0 is the top. All values linear."""
+
+    base_color: Float[Tensor, "s s 3"]  # linear Rec.709, in [0, 1]
+    orm: Float[Tensor, "s s 3"]  # occlusion, roughness, metallic
+    normal: Float[Tensor, "s s 3"]  # unit, tangent space, OpenGL: y along growing v
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +104,7 @@ def write_asset(
         _write_mesh(aside, verts.float(), faces, uv.float(), face_uvs)
         told = _told(aside, (verts, faces, uv, face_uvs), info)
         text = json.dumps(told, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
-        with whole_file(aside / "asset.json") as path:
+        with atomic_file(aside / "asset.json") as path:
             path.write_text(text, encoding="utf-8")
 
     _replace_folder(folder, fill)
@@ -171,7 +179,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
     material = mtl_text(out.stem, names["base_color"], names["normal"])
     text = obj_text(asset.verts, asset.faces, asset.uv, asset.face_uvs, normals, out.stem)
     for path, content in ((out.with_suffix(".mtl"), material), (out, text)):
-        with whole_file(path) as aside:
+        with atomic_file(path) as aside:
             aside.write_text(content, encoding="utf-8")
     return out
 
@@ -190,11 +198,11 @@ def _write_mesh(folder: Path, verts: Tensor, faces: Tensor, uv: Tensor, face_uvs
     pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
     pictures["normal"] = (folder / "normal.png").read_bytes()
     glb = glb_bytes(verts, faces, uv, face_uvs, normals, tangents, pictures)
-    with whole_file(folder / "asset.glb") as path:
+    with atomic_file(folder / "asset.glb") as path:
         path.write_bytes(glb)
-    with whole_file(folder / "mesh.mtl") as path:
+    with atomic_file(folder / "mesh.mtl") as path:
         path.write_text(mtl_text("mesh", "base_color.png", "normal.png"), encoding="utf-8")
-    with whole_file(folder / "mesh.obj") as path:
+    with atomic_file(folder / "mesh.obj") as path:
         path.write_text(obj_text(verts, faces, uv, face_uvs, normals, "mesh"), encoding="ascii")
 
 
@@ -234,7 +242,7 @@ def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
     Raises UserError where one of the folders that it would remove holds a file of somebody else's.
     """
     temporary, old = folder.with_name(folder.name + ".tmp"), folder.with_name(folder.name + ".old")
-    with told_errors(folder):
+    with disk_errors(folder):
         for taken in (folder, temporary, old):
             _refuse_foreign_files(taken)
         _restore(folder, old)
@@ -275,5 +283,5 @@ def _restore(folder: Path, old: Path) -> None:
 
 
 def _copy(source: Path, to: Path) -> None:
-    with whole_file(to) as aside:
+    with atomic_file(to) as aside:
         shutil.copyfile(source, aside)

@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.texture.obj import to_y_up
+from core.io.obj import to_y_up
 
 FLOAT, UINT = 5126, 5125  # component types
 VERTICES, INDICES = 34962, 34963  # buffer targets

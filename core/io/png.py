@@ -15,8 +15,8 @@ from PIL import Image
 from torch import Tensor
 
 from core.errors import UserError
+from core.io.atomic import atomic_file
 from core.ops import linear_to_srgb, srgb_to_linear
-from core.texture.files import whole_file
 
 BAND = 1 << 24  # numbers changed at once
 
@@ -69,7 +69,7 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
     """
     if isinstance(image, Tensor):
         image = unit_bytes(image)
-    with whole_file(path) as aside, aside.open("wb") as file:
+    with atomic_file(path) as aside, aside.open("wb") as file:
         if image.dtype == np.uint8:
             Image.fromarray(image).save(file, format="png", compress_level=6)
             return

@@ -13,7 +13,7 @@ from torch import Tensor
 
 from core.appearance.brdf import lookup_albedo
 from core.appearance.environment import Environment, Incoming
-from core.appearance.openness import hidden
+from core.appearance.occlusion import hidden
 from core.ops import dot, normalize
 
 # Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
@@ -33,7 +33,7 @@ def shade(
     """Linear radiance towards the eye at P points.
 
     ``normal`` and ``view`` (from the surface to the eye) are unit vectors in the world; ``kd`` is
-    linear. ``shares``: what the object hides (:mod:`core.appearance.openness`); None: nothing.
+    linear. ``shares``: what the object hides (:mod:`core.appearance.occlusion`); None: nothing.
     Gradients to everything but the light.
     """
     given = [normal, view, kd, roughness, metallic]

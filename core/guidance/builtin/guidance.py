@@ -15,6 +15,12 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.errors import MissingError
+from core.guidance.builtin.diffusion import alpha_bar_schedule
+from core.guidance.builtin.hint import hint
+from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.palette import finishes_of
+from core.guidance.builtin.vocabulary import SLOTS, Known, Words, parse
+from core.guidance.builtin.weights import load_weights, load_words
 from core.guidance.guidance import (
     Embedding,
     Guidance,
@@ -25,14 +31,8 @@ from core.guidance.guidance import (
     coarse_latent,
 )
 from core.guidance.sds import eps_from_v, guide
-from core.prior.diffusion import alpha_bar_schedule
-from core.prior.hint import hint
-from core.prior.palette import finishes_of
-from core.prior.unet import BLOCK, UNet, camera_map
-from core.prior.vocabulary import SLOTS, Known, Words, parse
-from core.prior.weights import load_weights, load_words
 
-WEIGHTS = Path(__file__).parent / "weights"
+WEIGHTS = Path(__file__).parent  # the two networks, next to the code that asks them
 SIZE = 64
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")

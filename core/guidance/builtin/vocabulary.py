@@ -12,16 +12,18 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from core.errors import UserError
-from core.prior.draw import LEGS, OPTIONS, PARTS
-from core.prior.nature import LOOKS
-from core.prior.words import (
+from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.words import (
     COLORS,
     FILLER,
+    LEGS,
     MATERIALS,
     NEAREST,
     NOUNS,
+    OPTIONS,
     PART_SYNONYMS,
     PART_WORDS,
+    PARTS,
     PATTERNS,
     REAL,
     SHAPES,
