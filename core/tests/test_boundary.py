@@ -16,7 +16,13 @@ BANNED = {
     "core": {"bpy", "bmesh", "mathutils", "fantasia3d_addon", "run"},
     "fantasia3d_addon": {"torch", "core", "jaxtyping", "diffusers", "transformers", "run"},
 }
-ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR")  # one file of the core each
+ONE_FILE = (
+    "diffusers",
+    "transformers",
+    "xatlas",
+    "OpenEXR",
+    "OpenImageIO",
+)  # one file of the core each
 
 
 def imported(source: str) -> set[str]:
