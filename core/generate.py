@@ -117,8 +117,8 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
     verts = mesh.verts.cpu()
     verts = place(verts) if job.command == "generate" else back(verts, inputs.shape)
     picture = picture_of(material, mesh, environment, PREVIEW_SIZE)
-    parts = (verts, mesh.faces, mesh.uv, mesh.face_uvs)
-    return write_asset(run.asset, *parts, maps, info_of(job, run), picture)
+    placed = replace(mesh.mesh, verts=verts)
+    return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
 def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
@@ -215,7 +215,9 @@ def load_unwrapped(run: RunFolder) -> UvMesh | None:
     """The unwrapped mesh of an earlier session of this run."""
     found = run.load("mesh")
     return (
-        UvMesh.of(*(found[0][k] for k in ("verts", "faces", "uv", "face_uvs"))) if found else None
+        UvMesh.of(Mesh(*(found[0][k] for k in ("verts", "faces", "uv", "face_uvs"))))
+        if found
+        else None
     )
 
 

@@ -17,7 +17,7 @@ from torch import Tensor
 from core.benchmarks import machine, row, table_line
 from core.errors import UserError
 from core.generate import generate, prepare
-from core.geometry.mesh import Mesh, health
+from core.geometry.mesh import health
 from core.guidance.builtin.guidance import WEIGHTS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
 from core.guidance.builtin.weights import load_words
@@ -115,9 +115,9 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
     """The measures of a finished run (see the module's head)."""
     asset = read_asset(run)
     generator = torch.Generator().manual_seed(0)
-    ranks = ranking(mesh_cloud(asset.verts, asset.faces, generator), references)
+    ranks = ranking(mesh_cloud(asset.mesh.verts, asset.mesh.faces, generator), references)
     names = [name for name, _ in ranks]
-    noun, report = facts["noun"], health(asset.verts, asset.faces)
+    noun, report = facts["noun"], health(asset.mesh.verts, asset.mesh.faces)
     shape = {
         "rank": names.index(noun) + 1,
         "nearest": names[:5],
@@ -126,7 +126,7 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
         "components": report["components"],
         "genus": report["genus"],
     }
-    mesh = Mesh(asset.verts, asset.faces, asset.uv, asset.face_uvs)
+    mesh = asset.mesh
     _, kd = surface_colors(mesh, asset.maps.base_color, POINTS, generator)
     _, orm = surface_colors(mesh, asset.maps.orm, POINTS, generator)
     finish = FINISHES[facts["material"]]

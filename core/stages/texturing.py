@@ -31,7 +31,7 @@ def unwrap_shape(
     if shape.uv is not None and shape.face_uvs is not None:
         faults = uv_faults(shape.uv, shape.face_uvs)
         if not faults:
-            return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+            return UvMesh.of(shape)
         run.say(
             "warning",
             stage="unwrap",
@@ -42,7 +42,7 @@ def unwrap_shape(
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))
         run.tell("unwrap", 100, 100)  # a small mesh is done before it ever told its progress
-    return UvMesh.of(verts, faces, atlas.uv, atlas.face_uvs)
+    return UvMesh.of(Mesh(verts, faces, *atlas))
 
 
 def _with_own_uv(shape: Mesh, run: RunFolder) -> UvMesh:
@@ -57,7 +57,7 @@ def _with_own_uv(shape: Mesh, run: RunFolder) -> UvMesh:
             f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
             "Mend the UV map, or have a new one made.",
         )
-    return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+    return UvMesh.of(shape)
 
 
 def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFolder) -> Maps:
@@ -70,10 +70,7 @@ def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFol
 
     with run.timed("bake"):
         return bake(
-            mesh.verts.cpu(),
-            mesh.faces.cpu(),
-            mesh.uv.cpu(),
-            mesh.face_uvs.cpu(),
+            Mesh(mesh.verts.cpu(), mesh.faces.cpu(), mesh.uv.cpu(), mesh.face_uvs.cpu()),
             material,
             config.size,
             _progress("bake", run),

@@ -196,7 +196,7 @@ def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(tmp_path):
     assert status == 0, said
     assert "share their texels" in said
     asset = read_asset(run / "asset")
-    assert sorted(asset.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
+    assert sorted(asset.mesh.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
     green = torch.tensor([40, 160, 60]).div(255).pow(2.2)
     mean = asset.maps.base_color.flatten(0, 1).mean(0)
     torch.testing.assert_close(mean, green, atol=0.08, rtol=0)
@@ -208,7 +208,9 @@ def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
     verts = verts * torch.tensor([1.0, 2.0, 0.5]) + torch.tensor([5.0, -3.0, 1.0])
     mesh = tmp_path / "Köpfchen.obj"
     flat = torch.zeros(1, 2)
-    text = obj_text(verts, faces, flat, torch.zeros_like(faces), torch.zeros_like(verts), "mesh")
+    text = obj_text(
+        Mesh(verts, faces, flat, torch.zeros_like(faces)), torch.zeros_like(verts), "mesh"
+    )
     kept = [line for line in text.splitlines() if line.startswith("v ")]
     kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     mesh.write_text("\n".join(kept) + "\n")
@@ -216,8 +218,8 @@ def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
     status, said = finished(core("texture", mesh, "a blue ball", "--out", run, *OPTIONS))
     assert status == 0, said
     asset = read_asset(run)
-    torch.testing.assert_close(asset.verts, verts, atol=1e-4, rtol=0)
-    assert torch.equal(asset.faces, faces)
+    torch.testing.assert_close(asset.mesh.verts, verts, atol=1e-4, rtol=0)
+    assert torch.equal(asset.mesh.faces, faces)
     kd = asset.maps.base_color.flatten(0, 1).mean(0)
     assert float(kd[2]) > float(kd[0])
 

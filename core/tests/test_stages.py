@@ -14,7 +14,7 @@ from core.errors import Cancelled, NoSurfaceError
 from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
-from core.geometry.mesh import health, polished, signed_volume
+from core.geometry.mesh import Mesh, health, polished, signed_volume
 from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
@@ -303,7 +303,7 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
         bump=0.5,
     )
     verts, faces = sphere(8)
-    mesh = UvMesh.of(verts, faces, *unwrap(verts, faces, 64))
+    mesh = UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
     red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
     teacher = GaussianGuidance(lambda cameras: red.expand(1, len(cameras), 4, 16, 16), 16)
 

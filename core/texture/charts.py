@@ -39,7 +39,8 @@ def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> In
 def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     """The face across the edge from corner i to i + 1.
 
-    -1 unless exactly two faces share it, and both look to the same side of the surface.
+    -1 unless exactly two faces share it, and both look to the same side of the surface: libigl's
+    triangle_triangle_adjacency joins faces of opposite winding, and two of three at one edge.
     """
     ends = np.stack([faces, np.roll(faces, -1, 1)], -1).reshape(-1, 2)
     key = ends.min(1) * (int(faces.max()) + 1) + ends.max(1)

@@ -14,7 +14,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
-from core.texture.flatten import mean_around
+from core.geometry.mesh import mean_around
 
 FOLDED = 0.3  # cosine between a face and the surface below it, under which it is folded
 UNFOLD_ROUNDS = 10
