@@ -1,6 +1,7 @@
 """The core never imports Blender, the add-on never imports torch, neither imports the other."""
 
 import ast
+import graphlib
 import importlib.metadata
 import re
 import subprocess
@@ -16,13 +17,8 @@ BANNED = {
     "core": {"bpy", "bmesh", "mathutils", "fantasia3d_addon", "run"},
     "fantasia3d_addon": {"torch", "core", "jaxtyping", "diffusers", "transformers", "run"},
 }
-ONE_FILE = (
-    "diffusers",
-    "transformers",
-    "xatlas",
-    "OpenEXR",
-    "OpenImageIO",
-)  # one file of the core each
+# One file of the core each.
+ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR", "OpenImageIO")
 
 
 def imported(source: str) -> set[str]:
@@ -113,6 +109,74 @@ def test_the_protocol_and_the_command_line_load_no_library():
 def plain(name: str) -> str:
     """A distribution's name as registries compare it."""
     return re.sub(r"[-_.]+", "-", name).lower()
+
+
+# The core's folders and files, lowest first: each imports only from those before it.
+ORDER = (
+    "errors", "camera", "kernels", "ops", "hash_grid", "geometry", "config", "io", "render",
+    "appearance", "guidance", "texture", "stages", "generate", "picture", "prior", "benchmarks",
+    "__main__",
+)  # fmt: skip
+
+
+def core_imports(path: Path) -> set[str]:
+    """The core's modules that a file imports, at any depth, by their dotted names."""
+    names: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names |= {node.module} | {f"{node.module}.{alias.name}" for alias in node.names}
+    return {name for name in names if name.startswith("core.")}
+
+
+def core_graph() -> dict[str, set[str]]:
+    """Each module of the core but its tests, and the modules of the core that it imports."""
+    root = ROOT / "core"
+    found = {
+        "core." + ".".join(path.relative_to(root).with_suffix("").parts): path
+        for path in root.rglob("*.py")
+        if "tests" not in path.relative_to(root).parts
+    }
+    modules = {name.removesuffix(".__init__"): path for name, path in found.items()}
+    return {name: core_imports(path) & modules.keys() - {name} for name, path in modules.items()}
+
+
+def upward_imports() -> list[str]:
+    """Imports from a folder to one that comes later in ORDER."""
+    wrong = []
+    for module, imports in core_graph().items():
+        for name in imports:
+            here, there = module.split(".")[1], name.split(".")[1]
+            if here != there and ORDER.index(there) > ORDER.index(here):
+                wrong.append(f"{module} imports {name}")
+    return sorted(wrong)
+
+
+def test_the_cores_folders_import_only_what_is_below_them():
+    assert {name.split(".")[1] for name in core_graph() if name != "core"} == set(ORDER)
+    assert not upward_imports(), "move what both need into the lower folder"
+
+
+def test_no_module_of_the_core_imports_itself_round_a_corner():
+    graphlib.TopologicalSorter(core_graph()).prepare()  # raises CycleError, which names the circle
+
+
+@pytest.mark.parametrize(
+    "line", ["from core.stages import geometry", "def f():\n    import core.stages.geometry"]
+)
+def test_the_order_and_the_circle_are_seen_when_broken(tmp_path, monkeypatch, line):
+    for name in ("render/__init__", "render/normals", "stages/__init__", "stages/geometry"):
+        path = tmp_path / "core" / f"{name}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("from core.render import normals\n" if name == "stages/geometry" else "")
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    assert upward_imports() == []
+    test_no_module_of_the_core_imports_itself_round_a_corner()
+    (tmp_path / "core" / "render" / "normals.py").write_text(line + "\n")
+    assert "core.render.normals imports core.stages.geometry" in upward_imports()
+    with pytest.raises(graphlib.CycleError):
+        test_no_module_of_the_core_imports_itself_round_a_corner()
 
 
 def test_everything_that_is_imported_is_declared_and_pinned():
