@@ -133,5 +133,5 @@ def render_shaded(
 
 
 def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
-    """``x`` cut to [0, 1], as a screen does; the gradient passes, so that glare can be mended."""
+    """``x`` cut to [0, 1], as a screen does; the gradient passes, so that glare can be reduced."""
     return x + (x.clamp(0, 1) - x).detach()

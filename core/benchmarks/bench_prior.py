@@ -2,7 +2,7 @@
 
 Every noun is generated with each seed, in words that also name a colour and a material, and scored:
 shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``), colour, material,
-closedness, pieces and holes. A run is one folder and its score one file in it: a bench that was
+closedness, components and holes. A run is one folder and its score one file in it: a bench that was
 stopped goes on where it stood, and a run that is there is not made again.
 """
 
@@ -72,16 +72,16 @@ def _scored(
     noun: str, seed: int, known: dict[str, list[str]], folder: Path, references: dict
 ) -> dict[str, Any]:
     run = folder / f"{noun.replace(' ', '-')}-{seed}"
-    told = run / "score.json"
-    if told.exists():
-        return json.loads(told.read_text(encoding="utf-8"))
+    report = run / "score.json"
+    if report.exists():
+        return json.loads(report.read_text(encoding="utf-8"))
     color, material = words_for(noun, seed, known)
     start = time.monotonic()
     failure = _make(run, f"{color} {material} {noun}{ADDED.get(noun, '')}", seed)
     facts = {"noun": noun, "seed": seed, "color": color, "material": material}
     facts |= {"seconds": round(time.monotonic() - start, 1), "failure": failure}
     facts |= {} if failure else score(run, facts, references)
-    write_text(told, json.dumps(facts, indent=1) + "\n")
+    write_text(report, json.dumps(facts, indent=1) + "\n")
     return facts
 
 

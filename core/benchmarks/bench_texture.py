@@ -82,9 +82,15 @@ def unwrap_rows(
     start = time.process_time()
     atlas = unwrap(verts, faces, 1024)
     seconds = time.process_time() - start
-    told, mesh = uv_health(Mesh(verts, faces, *atlas)), f"{name} of {len(faces):,} faces"
+    report, mesh = uv_health(Mesh(verts, faces, *atlas)), f"{name} of {len(faces):,} faces"
     return atlas, [
         row(f"unwrap a {mesh}", seconds, "s", target),
-        row(f"share of the atlas that the {mesh} fills", told["uv_fill"], "", 0.5, at_least=True),
-        row(f"stretch of the {mesh} (1 is none)", told["uv_stretch"], ""),
+        row(
+            f"fill of the {mesh}'s atlas",
+            report["uv_fill"],
+            "",
+            0.5,
+            at_least=True,
+        ),
+        row(f"stretch of the {mesh} (1 is none)", report["uv_stretch"], ""),
     ]

@@ -56,7 +56,7 @@ def face_areas(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[
 
 
 def component_labels(faces: Int[Tensor, "f 3"], vert_count: int) -> tuple[int, np.ndarray]:
-    """How many pieces the faces make (joined by vertices), and the piece (F,) of each face."""
+    """How many components the faces connect to (by vertices), and the one (F,) of each face."""
     f = faces.cpu().numpy()
     if not len(f):
         return 0, np.zeros(0, np.int64)
@@ -120,10 +120,10 @@ def signed_volume(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> flo
 def drop_floaters(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], keep_ratio: float = 0.05
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """The mesh without its small pieces, and without the walls of voids that no one can see.
+    """The mesh without its small components, and without the walls of voids that no one can see.
 
-    A piece stays if its area is at least ``keep_ratio`` of the largest's. A piece turned inside
-    out beside an outward largest one is the wall of a void: marching tets makes no others.
+    A component stays if its area is at least ``keep_ratio`` of the largest's. One turned inside
+    out, where the largest looks outward, is the wall of a void: marching tets makes no others.
     """
     count, of_face = component_labels(faces, len(verts))
     if count < 2:

@@ -24,7 +24,7 @@ def ray_min_sdf(
     """Smallest of ``samples`` trilinear values of the lattice along each ray, rows from the top.
 
     The samples stand evenly within the lattice's cube, shifted by one draw a ray from
-    ``generator``. The gradient goes through the smallest one. A ray beside the cube takes the
+    ``generator``. The gradient goes through the smallest one. A ray that misses the cube takes the
     cube's nearest values. The nodes are taken where they were before their offsets.
     """
     with torch.no_grad():

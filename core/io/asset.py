@@ -154,7 +154,7 @@ def inspect(path: Path) -> dict[str, Any]:
 
 
 def export(folder: Path, format: str, out: Path) -> Path:
-    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures beside it.
+    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures next to it.
 
     Raises UserError for another format, no asset, or a place that cannot be written.
     """

@@ -39,7 +39,7 @@ class _Buffer:
 
     def array(self, array: np.ndarray, kind: str, target: int, bounds: bool = False) -> int:
         """Append rows of numbers; the index of their accessor."""
-        told: dict[str, Any] = {
+        entry: dict[str, Any] = {
             "bufferView": self.view(array.astype(array.dtype.newbyteorder("<")).tobytes(),
                                     target=target),
             "componentType": FLOAT if array.dtype == np.float32 else UINT,
@@ -47,8 +47,8 @@ class _Buffer:
             "type": kind,
         }  # fmt: skip
         if bounds:
-            told |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
-        self.accessors.append(told)
+            entry |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
+        self.accessors.append(entry)
         return len(self.accessors) - 1
 
 

@@ -63,8 +63,8 @@ def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, 
     """The shape alone, whole or not at all."""
     corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
     text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
-    with atomic_file(path) as aside:
-        aside.write_text(text, encoding="ascii")
+    with atomic_file(path) as temporary:
+        temporary.write_text(text, encoding="ascii")
 
 
 def read_obj(path: Path) -> Mesh:

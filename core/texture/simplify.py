@@ -1,8 +1,8 @@
 """Fewer faces before the unwrap: edge collapse by quadric error.
 
 Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997, as libigl has it.
-Every collapse is tested to leave a manifold, so a closed mesh stays closed, with the genus and
-the pieces that it had, and collapses that would push the surface through itself are refused. A few
+Every collapse is tested to leave a manifold, so a closed mesh stays closed, with its genus and
+its components, and collapses that would push the surface through itself are refused. A few
 collapses in ten thousand leave a fold nevertheless, a dark speck on a smooth ball: they are spread
 out again over the surface.
 """
