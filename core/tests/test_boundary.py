@@ -99,7 +99,7 @@ def test_the_launcher_needs_the_standard_library_alone(package):
 
 def test_the_protocol_and_the_command_line_load_no_library():
     code = (
-        "import sys, core.io.job, core.__main__\n"
+        "import sys, core.io.job, core.command_line\n"
         "print(sorted({'torch', 'numpy', 'bpy', 'diffusers'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
@@ -115,7 +115,7 @@ def plain(name: str) -> str:
 ORDER = (
     "errors", "camera", "kernels", "ops", "hash_grid", "geometry", "config", "io", "render",
     "appearance", "guidance", "texture", "stages", "generate", "picture", "prior", "benchmarks",
-    "__main__",
+    "command_line", "__main__",
 )  # fmt: skip
 
 

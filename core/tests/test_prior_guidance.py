@@ -3,7 +3,7 @@
 import pytest
 import torch
 
-from core.__main__ import job_of, parse
+from core.command_line import job_of, parse
 from core.camera import Cameras
 from core.config import DRAFT
 from core.errors import MissingError, UserError
