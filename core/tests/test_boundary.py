@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from core.tests.import_graph import PAGE, drawn, folder, folder_graph, module_graph
+
 ROOT = Path(__file__).parents[2]
 BANNED = {
     "core": {"bpy", "bmesh", "mathutils", "fantasia3d_addon", "run"},
@@ -119,64 +121,54 @@ ORDER = (
 )  # fmt: skip
 
 
-def core_imports(path: Path) -> set[str]:
-    """The core's modules that a file imports, at any depth, by their dotted names."""
-    names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names |= {node.module} | {f"{node.module}.{alias.name}" for alias in node.names}
-    return {name for name in names if name.startswith("core.")}
-
-
-def core_graph() -> dict[str, set[str]]:
-    """Each module of the core but its tests, and the modules of the core that it imports."""
-    root = ROOT / "core"
-    found = {
-        "core." + ".".join(path.relative_to(root).with_suffix("").parts): path
-        for path in root.rglob("*.py")
-        if "tests" not in path.relative_to(root).parts
-    }
-    modules = {name.removesuffix(".__init__"): path for name, path in found.items()}
-    return {name: core_imports(path) & modules.keys() - {name} for name, path in modules.items()}
-
-
 def upward_imports() -> list[str]:
     """Imports from a folder to one that comes later in ORDER."""
     wrong = []
-    for module, imports in core_graph().items():
-        for name in imports:
-            here, there = module.split(".")[1], name.split(".")[1]
-            if here != there and ORDER.index(there) > ORDER.index(here):
+    for module, imports in module_graph("core", ROOT).items():
+        for name in imports - {"core"}:
+            if ORDER.index(folder(name)) > ORDER.index(folder(module)):
                 wrong.append(f"{module} imports {name}")
     return sorted(wrong)
 
 
 def test_the_cores_folders_import_only_what_is_below_them():
-    assert {name.split(".")[1] for name in core_graph() if name != "core"} == set(ORDER)
+    assert set(folder_graph("core", ROOT)) == set(ORDER)
     assert not upward_imports(), "move what both need into the lower folder"
 
 
-def test_no_module_of_the_core_imports_itself_round_a_corner():
-    graphlib.TopologicalSorter(core_graph()).prepare()  # raises CycleError, which names the circle
+@pytest.mark.parametrize("package", ["core"])
+def test_no_module_imports_itself_round_a_corner(package):
+    graph = module_graph(package, ROOT)
+    graph.pop(package)  # its __init__, which registers all the rest
+    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the circle
 
 
 @pytest.mark.parametrize(
     "line", ["from core.stages import geometry", "def f():\n    import core.stages.geometry"]
 )
 def test_the_order_and_the_circle_are_seen_when_broken(tmp_path, monkeypatch, line):
-    for name in ("render/__init__", "render/normals", "stages/__init__", "stages/geometry"):
+    for name in (
+        "__init__",
+        "render/__init__",
+        "render/normals",
+        "stages/__init__",
+        "stages/geometry",
+    ):
         path = tmp_path / "core" / f"{name}.py"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("from core.render import normals\n" if name == "stages/geometry" else "")
     monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
     assert upward_imports() == []
-    test_no_module_of_the_core_imports_itself_round_a_corner()
+    test_no_module_imports_itself_round_a_corner("core")
     (tmp_path / "core" / "render" / "normals.py").write_text(line + "\n")
     assert "core.render.normals imports core.stages.geometry" in upward_imports()
     with pytest.raises(graphlib.CycleError):
-        test_no_module_of_the_core_imports_itself_round_a_corner()
+        test_no_module_imports_itself_round_a_corner("core")
+
+
+def test_the_drawing_in_the_docs_is_of_today():
+    page = (ROOT / PAGE).read_text(encoding="utf-8")
+    assert page == drawn(page), "run: python3 run.py python -m core.tests.import_graph"
 
 
 def test_everything_that_is_imported_is_declared_and_pinned():
