@@ -9,6 +9,7 @@ be kept; 130 cancelled.
 
 import argparse
 import difflib
+import io
 import json
 import os
 import signal
@@ -241,16 +242,22 @@ def main(argv: Sequence[str]) -> int:
 
 def exit_code(work: Callable[[], object]) -> int:
     """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
+    for stream in (sys.stdout, sys.stderr):  # of a code page that lacks the letters of a name
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     try:
         work()
-    except UserError as error:
-        print(f"{'' if error.status == 130 else 'error: '}{error}", file=sys.stderr)
-        return error.status
     except KeyboardInterrupt:
         print("Cancelled.", file=sys.stderr)
         return 130
-    except BrokenPipeError:
+    except BrokenPipeError:  # the reader of a pipe had enough
         return 0
+    except Exception as error:
+        known = error if isinstance(error, UserError) else _known(error)
+        if known is None:
+            raise
+        print(f"{'' if known.status == 130 else 'error: '}{known}", file=sys.stderr)
+        return known.status
     return 0
 
 
