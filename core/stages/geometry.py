@@ -29,7 +29,6 @@ RAY_SAMPLES = 40  # one for each cell of the draft's coarse lattice
 BAND = 4  # cells to either side that a surface may move in one round of refining
 FLOATER_RATIO = 0.08  # a component of less area than this much of the largest is dropped
 
-
 ShapeLesson = Lesson[SdfNet, GeometryConfig]
 
 
@@ -95,7 +94,8 @@ class Distillation(Phase):
         draw = Draw.of(lesson, self.phase, fraction(index, self.steps))
         if not self.coarse:
             return draw
-        # A prior that was trained on normals in the object's frame knows which way is up.
+        # §4.2: a latent diffusion model must not read meaning into one direction's colour. A prior
+        # that was trained on normals in the object's frame knows them, and is left alone.
         if config.rotate_normals and guidance.normal_frame == "camera":
             draw = replace(draw, rotations=random_rotations(config.views, generator))
         if self.sharpness(index) > 0:
@@ -105,12 +105,13 @@ class Distillation(Phase):
         return draw
 
     def _losses(self, scene: ShapeScene, index: int) -> Iterator[Tensor]:
-        config, view_loss = self.lesson.config, self._coarse if self.coarse else self._fine
+        config = self.lesson.config
         for part in self.draw(index).split(config.views_at_once, scene.device):
-            yield view_loss(scene, part, self.sharpness(index)) / config.views
+            loss = self._coarse(scene, part, index) if self.coarse else self._fine(scene, part)
+            yield loss / config.views
         yield from smoothness(scene, config)
 
-    def _coarse(self, scene: ShapeScene, part: Draw, sharpness: float) -> Tensor:
+    def _coarse(self, scene: ShapeScene, part: Draw, index: int) -> Tensor:
         """z = [n R, 2o - 1], downsampled (§4.2)."""
         n, o = scene.render(part.cameras, self.phase.size)
         if part.rotations is not None:
@@ -119,9 +120,9 @@ class Distillation(Phase):
         loss, grad = distill(self.lesson, self.phase, part, z, Views(part.cameras))
         if part.ray_shift is None:
             return loss
-        return loss + ray_mask_loss(scene, grad[:, 3], part, sharpness)
+        return loss + ray_mask_loss(scene, grad[:, 3], part, self.sharpness(index))
 
-    def _fine(self, scene: ShapeScene, part: Draw, _sharpness: float) -> Tensor:
+    def _fine(self, scene: ShapeScene, part: Draw) -> Tensor:
         """z = E(n), the encoder's (Eq. 5)."""
         z, views = scene.latents(part.cameras, self.phase.size)
         return distill(self.lesson, self.phase, part, z, views)[0]
@@ -156,6 +157,7 @@ class Fitting(Phase):
         return scene, self._losses(scene, label)
 
     def _band(self, label: str) -> Band:
+        """That of the round's first step, which is in the checkpoints."""
         kept, net = self.lesson.training.kept(label), self.lesson.training.module
         if kept:
             return Band(*(kept[name] for name in Band._fields))
@@ -200,6 +202,7 @@ def ray_mask_loss(
     """
     assert scene.sdf is not None and draw.ray_shift is not None
     pool = mask_grad.shape[-1] // draw.ray_shift.shape[-1]
+    # Summed over the pixels that share a ray, so that the whole score stays what it was.
     grad = torch.nn.functional.avg_pool2d(mask_grad[:, None], pool)[:, 0] * pool**2
     nearest = ray_min_sdf(scene.sdf, scene.grid, draw.cameras, RAY_SAMPLES, draw.ray_shift)
     mask = 2 * torch.sigmoid(-sharpness * nearest) - 1
@@ -225,16 +228,16 @@ def final_mesh(
     """Ψ's surface without small floating components, joined and smoothed as the config has it.
 
     Raises:
-        NoSurfaceError: Ψ has none; the last step's surface is looked at by no later step.
+        NoSurfaceError: there is none.
     """
     use_lattice(net, grid)
     surface = extract(net, grid)
-    if len(surface.faces) == 0:
+    if len(surface.faces) == 0:  # the guard looks before each step, and none follows the last
         raise NoSurfaceError(
             "The surface vanished in the geometry's last step.",
             "Use another seed, a --guide mesh, or a lower --set geometry.learning_rate.",
         )
-    if config.join:
+    if config.join:  # before small components are dropped: a thin part may have come off
         surface = joined(surface, grid, FLOATER_RATIO)
     verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_RATIO)
     return polished(verts, faces, config.polish), faces
