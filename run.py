@@ -289,7 +289,7 @@ class Heard(io.StringIO):
 
 def inside(argv: list[str]) -> int:
     """Carry out a command of the core's in this process; become Blender's part afterwards."""
-    from core.__main__ import main
+    from core.command_line import main
 
     core, blender = split(argv)
     if not blender:

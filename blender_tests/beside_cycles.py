@@ -4,6 +4,7 @@ Pixels are points in both: no filter, no antialias. This file may import both si
 """
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import bpy
@@ -127,7 +128,7 @@ def asset_pixels(
 ) -> tuple[Float[Tensor, "h w 3"], Bool[Tensor, "h w"]]:
     """The core's picture of an asset, and where it is."""
     asset = read_asset(folder)
-    mesh = UvMesh.of(asset.verts - middle_of(folder), asset.faces, asset.uv, asset.face_uvs)
+    mesh = UvMesh.of(replace(asset.mesh, verts=asset.mesh.verts - middle_of(folder)))
     fragments = rasterize(mesh.verts, mesh.faces, CAMERA.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, CAMERA)
     m = maps_source(asset)(surface.points, surface.uv)

@@ -9,6 +9,7 @@ pytestmark = pytest.mark.blender
 bpy = pytest.importorskip("bpy")
 torch = pytest.importorskip("torch")
 
+from core.geometry.mesh import Mesh  # noqa: E402
 from core.geometry.tangents import corner_tangents, smooth_normals  # noqa: E402
 from core.io.asset import export, place, write_asset  # noqa: E402
 from core.tests.texture_shapes import smooth_material, torus, torus_uv  # noqa: E402
@@ -32,9 +33,9 @@ def standing() -> tuple:
 def asset(tmp_path_factory) -> Path:
     verts, faces = standing()
     uv, face_uvs = torus_uv(N, M)
-    maps = bake(verts, faces, uv, face_uvs, smooth_material, 64)
+    maps = bake(Mesh(verts, faces, uv, face_uvs), smooth_material, 64)
     return write_asset(
-        tmp_path_factory.mktemp("run") / "asset", verts, faces, uv, face_uvs, maps, {}
+        tmp_path_factory.mktemp("run") / "asset", Mesh(verts, faces, uv, face_uvs), maps, {}
     )
 
 
@@ -84,7 +85,7 @@ def test_tangents_are_blenders(by: str, mirrored: bool) -> None:
     mesh = blender_mesh(verts, faces, uv, face_uvs)
     mesh.calc_tangents(uvmap="uv")
     want, sign = got(mesh.loops, "tangent", 3), got(mesh.loops, "bitangent_sign", 1)
-    ours = corner_tangents(verts, faces, smooth_normals(verts, faces), uv, face_uvs)
+    ours = corner_tangents(Mesh(verts, faces, uv, face_uvs), smooth_normals(verts, faces))
     flat = ours.reshape(-1, 4).numpy()
     assert np.quantile(degrees(flat[:, :3], want), 0.999) < 0.5
     assert np.mean(flat[:, 3:] != sign) < 0.001
@@ -152,7 +153,7 @@ def test_glb_imports_upright(asset: Path) -> None:
 def test_maps_read_as_they_were_meant(asset: Path) -> None:
     """Blender's own decoding of the three files gives the maps back, row 0 at its bottom."""
     verts, faces = standing()
-    maps = bake(verts, faces, *torus_uv(N, M), smooth_material, 64)
+    maps = bake(Mesh(verts, faces, *torus_uv(N, M)), smooth_material, 64)
     want = {
         "base_color.png": ("sRGB", maps.base_color),
         "orm.png": ("Non-Color", maps.orm),

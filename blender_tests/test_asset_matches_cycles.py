@@ -19,6 +19,7 @@ from blender_tests.beside_cycles import (  # noqa: E402
 from core.appearance.environment import Environment  # noqa: E402
 from core.appearance.lights import blender_light, load_light  # noqa: E402
 from core.appearance.material import Material  # noqa: E402
+from core.geometry.mesh import Mesh  # noqa: E402
 from core.io.asset import read_asset, write_asset  # noqa: E402
 from core.io.png import normal_words, write_png  # noqa: E402
 from core.ops import normalize  # noqa: E402
@@ -69,9 +70,9 @@ def make_asset(folder: Path, material, shape=None) -> Path:
     """Unwrapped, baked and written as every asset of the core is."""
     verts, faces = shape or pebble()
     atlas = unwrap(verts, faces, 512)
-    maps = bake(verts, faces, *atlas, material, 512)
+    maps = bake(Mesh(verts, faces, *atlas), material, 512)
     info = {"prompt": "pebble", "distribution": "GGX"}
-    return write_asset(folder, verts, faces, *atlas, maps, info)
+    return write_asset(folder, Mesh(verts, faces, *atlas), maps, info)
 
 
 def in_cycles(folder: Path, samples: int = 192, bounces: int = 1) -> tuple[Tensor, Tensor]:

@@ -109,7 +109,7 @@ class CameraConfig:
     fovy_deg: tuple[float, float] = (40.0, 40.0)  # uniform
     elevation_deg: tuple[float, float] = (-20.0, 78.0)
     elevation: Literal["sphere", "angle"] = "sphere"  # what is uniform: the sine, or the angle
-    azimuth_jitter: float = 1.0  # share of a stratum; the strata fill the circle
+    azimuth_jitter: float = 1.0  # fraction of a stratum; the strata fill the circle
 
 
 def sample_cameras(n: int, config: CameraConfig, generator: torch.Generator) -> Cameras:

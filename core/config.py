@@ -67,8 +67,8 @@ class GeometryConfig:
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
     gradient_cap: float = 0.0  # upper bound of the score's RMS; 0 is none
     gradient_clip: float = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
-    # Fraction of the steps of coarse and fine, from the first on, in which the coarse ones also move
-    # the mask along empty rays.
+    # Fraction of all distilling steps, from the first on: the coarse ones among them also move the
+    # mask along empty rays.
     ray_mask_share: float = 0.0
     eikonal: float = 0.0  # weight of (|∇s| - 1)²
     smooth_normals: float = 0.0  # weight of 1 - cos between adjacent faces

@@ -1,4 +1,4 @@
-"""What a user can mend. Anything else keeps its traceback."""
+"""What a user can fix. Anything else keeps its traceback."""
 
 
 class UserError(Exception):
@@ -30,7 +30,7 @@ class NoSurfaceError(UserError):
     status = 5
 
 
-class Cancelled(UserError):  # noqa: N818 - a wish, not a fault
+class Cancelled(UserError):  # noqa: N818 - a request, not a fault
     """The user stopped the run; its folder resumes."""
 
     status = 130

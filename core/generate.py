@@ -100,9 +100,9 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     maps = bake_maps(mesh, net, config.texture, progress)
     verts = mesh.verts.cpu()
     verts = place(verts) if job.command == "generate" else back(verts, inputs.shape)
-    parts = (verts, mesh.faces, mesh.uv, mesh.face_uvs)
+    placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(net, mesh, light, PREVIEW_SIZE)
-    return write_asset(run.asset, *parts, maps, info_of(job, run), picture)
+    return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
 def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:

@@ -1,6 +1,7 @@
 """The ``render`` command: a picture of an asset under a light, shaded as in the training."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import torch
@@ -50,7 +51,7 @@ def render_asset(
     """
     _check(out, map, fovy_deg, distance, size)
     asset = read_asset(folder)
-    verts, _, scale = normalise(asset.verts)
+    verts, _, scale = normalise(asset.mesh.verts)
     far = FRAMING if distance is None else distance * scale
     cameras = Cameras.orbit([azimuth_deg], [elevation_deg], far, fovy_deg)
     picture, o = _draw(asset, verts, cameras, map=map, size=size, light=light)
@@ -78,7 +79,7 @@ def _draw(
     asset: Asset, verts: Tensor, cameras: Cameras, *, map: str, size: int, light: str
 ) -> tuple[Float[Tensor, "h w c"], Float[Tensor, "h w 1"]]:
     """The map over black, weighted by coverage, linear; and the coverage."""
-    mesh = UvMesh.of(verts, asset.faces, asset.uv, asset.face_uvs)
+    mesh = UvMesh.of(replace(asset.mesh, verts=verts))
     if map in ("normal", "mask"):
         n, o = render_normals(mesh.verts, mesh.faces, cameras, size, "object")
         return (n if map == "normal" else o)[0], o[0]

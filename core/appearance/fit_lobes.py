@@ -77,7 +77,7 @@ def averages(
 ) -> Float[Tensor, "3 p 3"]:
     """The map's light averaged over the specular reflectance with each Fresnel term.
 
-    A sample reads the map as blurred as its share of the sphere is wide.
+    A sample reads the map as blurred as its fraction of the sphere is wide.
     """
     alpha = roughness.square().clamp(min=MIN_ALPHA)
     cos_v = dot(normal, view).clamp(1e-3, 1)
@@ -163,7 +163,7 @@ def fit(steps: int = STEPS) -> Float[Tensor, "channels rows columns"]:
 
 
 def main() -> None:
-    """Fits and writes the file beside this one."""
+    """Fits and writes the file next to this one."""
     save_file({"lobes": fit()}, FILE)
 
 

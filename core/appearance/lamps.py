@@ -99,17 +99,17 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
     axis = directions(height, width).view(-1, 3)[bright]
     share = power @ torch.tensor(LUMINANCE) / (4 * math.pi * mean)
 
-    pieces = [p for p in cut(axis, share) if float(share[p].sum()) > LEAST]
-    pieces = sorted(pieces, key=lambda p: -float(share[p].sum()))[:MOST]
-    if not pieces:
+    clusters = [p for p in cut(axis, share) if float(share[p].sum()) > LEAST]
+    clusters = sorted(clusters, key=lambda p: -float(share[p].sum()))[:MOST]
+    if not clusters:
         return image, Lamps.none()
     rest, texel = image.reshape(-1, 3).clone(), math.pi / height
-    taken = bright[torch.cat(pieces)]
+    taken = bright[torch.cat(clusters)]
     rest[taken] = (image * kept).reshape(-1, 3)[taken]
-    middles, widths = zip(*(middle_of(axis[p], share[p]) for p in pieces), strict=True)
+    middles, widths = zip(*(middle_of(axis[p], share[p]) for p in clusters), strict=True)
     lamps = Lamps(
         torch.stack(middles),
-        torch.stack([power[p].sum(0) for p in pieces]),
+        torch.stack([power[p].sum(0) for p in clusters]),
         # Reading between texels blurs by 1/6 of a texel's square.
         torch.stack([(w.square().sum() / 2 + texel**2 / 6).sqrt() for w in widths]),
     )
@@ -117,20 +117,20 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
 
 
 def cut(axis: Float[Tensor, "n 3"], share: Float[Tensor, " n"]) -> list[Int[Tensor, " m"]]:
-    """The texels in pieces, none wider than WIDEST: halved across their longest side until so."""
-    todo, pieces = [torch.arange(len(axis))], []
+    """The texels in clusters, none wider than WIDEST: halved across their longest side until so."""
+    todo, clusters = [torch.arange(len(axis))], []
     while todo:
-        piece = todo.pop()
-        middle, widths = middle_of(axis[piece], share[piece])
+        cluster = todo.pop()
+        middle, widths = middle_of(axis[cluster], share[cluster])
         if float(widths[-1]) <= WIDEST:
-            pieces.append(piece)
+            clusters.append(cluster)
             continue
-        away = axis[piece] - middle
-        spread = (share[piece, None] * away).t() @ away
+        away = axis[cluster] - middle
+        spread = (share[cluster, None] * away).t() @ away
         side = away @ torch.linalg.eigh(spread).eigenvectors[:, -1]
-        side = side - (side * share[piece]).sum() / share[piece].sum()
-        todo += [piece[side > 0], piece[side <= 0]]
-    return pieces
+        side = side - (side * share[cluster]).sum() / share[cluster].sum()
+        todo += [cluster[side > 0], cluster[side <= 0]]
+    return clusters
 
 
 def middle_of(

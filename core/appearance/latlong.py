@@ -26,7 +26,7 @@ def directions(height: int, width: int) -> Float[Tensor, "{height} {width} 3"]:
 
 
 def to_uv(direction: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 2"]:
-    """Where a direction lies on the map: column and row as shares in [0, 1], from the top left.
+    """Where a direction lies on the map: column and row as fractions in [0, 1], from the top left.
 
     Inverse of :func:`directions`. Finite gradient everywhere, zero at the poles.
     """

@@ -53,8 +53,8 @@ class Openness:
     def shares(self, environment: Environment) -> Float[Tensor, "v 20"]:
         """For :func:`hidden`, at each vertex; to be interpolated over the faces.
 
-        By channel of colour, the share of the light that comes through; the share of the view,
-        weighed by the cosine, that is closed; where it is open, in harmonics.
+        By channel of colour, the fraction of the light that comes through; the fraction of the
+        view, weighed by the cosine, that is closed; where it is open, in harmonics.
         """
         free, light = self.free.to(self.cosine), environment.around(self.directions)
         whole, through = self.cosine @ light, (self.cosine * free) @ light
@@ -79,7 +79,7 @@ def hidden(
     kd: Float[Tensor, "p 3"],
     roughness: Float[Tensor, "p 1"],
 ) -> tuple[Float[Tensor, "p 3"], Float[Tensor, "p 1"]]:
-    """By what the irradiance changes, and the share of the mirror's lobe that is open.
+    """By what the irradiance changes, and the fraction of the mirror's lobe that is open.
 
     Jimenez's geometric series: what is hidden shines with kd of the light that arrives here.
     """

@@ -51,7 +51,7 @@ def shade_chunk(
     metallic: Float[Tensor, "p 1"],
     shares: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
-    """:func:`shade` in one piece."""
+    """:func:`shade` in one component."""
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
     albedo = lookup_albedo(roughness, cos_v)
     light = environment.incoming(normal, view, roughness)

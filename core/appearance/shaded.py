@@ -12,6 +12,7 @@ from core.appearance.environment import Environment
 from core.appearance.material import Material
 from core.appearance.shade import lifted, perturb, shade
 from core.camera import Cameras
+from core.geometry.mesh import Mesh
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.ops import dot, linear_to_srgb, normalize
 from core.render.antialias import EdgeTable, antialias, edge_table
@@ -35,23 +36,23 @@ class UvMesh:
     closed: bool
 
     @classmethod
-    def of(
-        cls,
-        verts: Float[Tensor, "v 3"],
-        faces: Int[Tensor, "f 3"],
-        uv: Float[Tensor, "u 2"],
-        face_uvs: Int[Tensor, "f 3"],
-    ) -> "UvMesh":
+    def of(cls, mesh: Mesh) -> "UvMesh":
         """Derive normals, tangents and edges."""
-        normals = smooth_normals(verts, faces)
-        edges = edge_table(faces)
-        tangents = corner_tangents(verts, faces, normals, uv, face_uvs).to(verts)
+        normals = smooth_normals(mesh.verts, mesh.faces)
+        edges = edge_table(mesh.faces)
+        tangents = corner_tangents(mesh, normals)
         closed = bool((edges.faces >= 0).all())
-        return cls(verts, faces, uv, face_uvs, normals, tangents, edges, closed)
+        return cls(mesh.verts, mesh.faces, *mesh.atlas, normals, tangents, edges, closed)
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh alone."""
+        return Mesh(self.verts, self.faces, self.uv, self.face_uvs)
 
     def to(self, device: "torch.device | str") -> "UvMesh":
         """The same mesh on ``device``."""
-        return UvMesh.of(*(x.to(device) for x in (self.verts, self.faces, self.uv, self.face_uvs)))
+        parts = (self.verts, self.faces, self.uv, self.face_uvs)
+        return UvMesh.of(Mesh(*(x.to(device) for x in parts)))
 
 
 class Shaded(NamedTuple):
@@ -132,5 +133,5 @@ def render_shaded(
 
 
 def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
-    """``x`` cut to [0, 1], as a screen does; the gradient passes, so that glare can be mended."""
+    """``x`` cut to [0, 1], as a screen does; the gradient passes, so that glare can be reduced."""
     return x + (x.clamp(0, 1) - x).detach()

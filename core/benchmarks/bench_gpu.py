@@ -1,4 +1,4 @@
-"""The renderer beside a network of Stable Diffusion's size, on a CUDA device where there is one."""
+"""The renderer and a network of Stable Diffusion's size, on a CUDA device where there is one."""
 
 import time
 from collections.abc import Callable
@@ -79,5 +79,5 @@ def rows() -> list[dict]:
         name = f"{faces:,} faces, 24 views of 512²"
         lines.append(row(f"renderer with gradient, {name} (wall)", render, "ms"))
         lines.append(row(f"a step with a network of SD 1.5's size, {name} (wall)", step, "ms"))
-        lines.append(row(f"the renderer's share, {name}", render / step, "", 0.1))
+        lines.append(row(f"the renderer's part, {name}", render / step, "", 0.1))
     return lines

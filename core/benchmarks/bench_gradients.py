@@ -72,7 +72,7 @@ def gradient_error(
 
     Compared are the derivatives, by the shape's parameter, of the pictures' means weighed by smooth
     random functions; ours are averaged over ``places`` within the step of the finite differences:
-    a coarse picture's samples fall by chance beside the outlines.
+    a coarse picture's samples fall by chance next to the outlines.
     """
     ends = [deformed(verts, a) for a in (STEP, -STEP)]
     plus, minus = (hard_picture(end, faces, size, fine) for end in ends)
@@ -121,7 +121,7 @@ def outlines(
 
 
 def two_balls() -> tuple[Tensor, Tensor]:
-    """A small body before a large one and beside it: it hides part of it from both cameras."""
+    """A small body in front of and next to a large one: it hides part of it from both cameras."""
     verts, faces = ball(8_000, bump=0.0)
     near = verts * 0.4 + torch.tensor([0.1, -1.0, 0.25])
     return torch.cat([verts, near]), torch.cat([faces, faces + len(verts)])

@@ -2,7 +2,7 @@
 
 Every noun is generated with each seed, in words that also name a colour and a material, and scored:
 shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``), colour, material,
-closedness, pieces and holes. A run is one folder and its score one file in it: a bench that was
+closedness, components and holes. A run is one folder and its score one file in it: a bench that was
 stopped goes on where it stood, and a run that is there is not made again.
 """
 
@@ -17,7 +17,7 @@ from torch import Tensor
 from core.benchmarks import machine, row, table_line
 from core.errors import UserError
 from core.generate import generate, prepare
-from core.geometry.mesh import Mesh, health
+from core.geometry.mesh import health
 from core.guidance.builtin.guidance import WEIGHTS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
 from core.guidance.builtin.weights import load_words
@@ -73,16 +73,16 @@ def _scored(
     noun: str, seed: int, known: dict[str, list[str]], folder: Path, references: dict
 ) -> dict[str, Any]:
     run = folder / f"{noun.replace(' ', '-')}-{seed}"
-    told = run / "score.json"
-    if told.exists():
-        return json.loads(told.read_text(encoding="utf-8"))
+    report = run / "score.json"
+    if report.exists():
+        return json.loads(report.read_text(encoding="utf-8"))
     color, material = words_for(noun, seed, known)
     start = time.monotonic()
     failure = _make(run, f"{color} {material} {noun}{ADDED.get(noun, '')}", seed)
     facts = {"noun": noun, "seed": seed, "color": color, "material": material}
     facts |= {"seconds": round(time.monotonic() - start, 1), "failure": failure}
     facts |= {} if failure else score(run, facts, references)
-    write_text(told, json.dumps(facts, indent=1) + "\n")
+    write_text(report, json.dumps(facts, indent=1) + "\n")
     return facts
 
 
@@ -116,9 +116,9 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
     """The measures of a finished run (see the module's head)."""
     asset = read_asset(run)
     generator = torch.Generator().manual_seed(0)
-    ranks = ranking(mesh_cloud(asset.verts, asset.faces, generator), references)
+    ranks = ranking(mesh_cloud(asset.mesh.verts, asset.mesh.faces, generator), references)
     names = [name for name, _ in ranks]
-    noun, report = facts["noun"], health(asset.verts, asset.faces)
+    noun, report = facts["noun"], health(asset.mesh.verts, asset.mesh.faces)
     shape = {
         "rank": names.index(noun) + 1,
         "nearest": names[:5],
@@ -127,7 +127,7 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
         "components": report["components"],
         "genus": report["genus"],
     }
-    mesh = Mesh(asset.verts, asset.faces, asset.uv, asset.face_uvs)
+    mesh = asset.mesh
     _, kd = surface_colors(mesh, asset.maps.base_color, POINTS, generator)
     _, orm = surface_colors(mesh, asset.maps.orm, POINTS, generator)
     finish = FINISHES[facts["material"]]

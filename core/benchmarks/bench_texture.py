@@ -11,6 +11,7 @@ from core.appearance.material import MaterialNet
 from core.benchmarks import ball, least_ms, row
 from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
+from core.geometry.mesh import Mesh
 from core.geometry.tet_grid import tet_grid
 from core.geometry.uv_health import uv_health
 from core.io.png import srgb_bytes, write_png
@@ -38,9 +39,9 @@ def rows() -> list[dict]:
     lines += unwrap_rows("ball", *ball(200_000), 120.0)[1]
     net = MaterialNet(DRAFT.appearance, torch.Generator().manual_seed(0))
     for size, target in ((1024, None), (2048, 15.0)):
-        seconds = least_ms(lambda s=size: bake(verts, faces, *atlas, net, s), 1) / 1e3
+        seconds = least_ms(lambda s=size: bake(Mesh(verts, faces, *atlas), net, s), 1) / 1e3
         lines.append(row(f"bake {size}² with padding", seconds, "s", target))
-    maps = bake(verts, faces, *atlas, net, 1024)
+    maps = bake(Mesh(verts, faces, *atlas), net, 1024)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "map.png"
         seconds = least_ms(lambda: write_png(path, srgb_bytes(maps.base_color)), 1) / 1e3
@@ -81,9 +82,15 @@ def unwrap_rows(
     start = time.process_time()
     atlas = unwrap(verts, faces, 1024)
     seconds = time.process_time() - start
-    told, mesh = uv_health(verts, faces, *atlas), f"{name} of {len(faces):,} faces"
+    report, mesh = uv_health(Mesh(verts, faces, *atlas)), f"{name} of {len(faces):,} faces"
     return atlas, [
         row(f"unwrap a {mesh}", seconds, "s", target),
-        row(f"share of the atlas that the {mesh} fills", told["uv_fill"], "", 0.5, at_least=True),
-        row(f"stretch of the {mesh} (1 is none)", told["uv_stretch"], ""),
+        row(
+            f"fill of the {mesh}'s atlas",
+            report["uv_fill"],
+            "",
+            0.5,
+            at_least=True,
+        ),
+        row(f"stretch of the {mesh} (1 is none)", report["uv_stretch"], ""),
     ]

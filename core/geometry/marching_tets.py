@@ -35,7 +35,7 @@ TRIANGLES = (
     (0, 2, 1),
     (),
 )
-# A vertex stays this share of its edge away from the nodes. Where the SDF is 0 at a node all the
+# A vertex stays this fraction of its edge away from the nodes. Where the SDF is 0 at a node all the
 # edges around it would end in one point, and the triangles between them would have no normal.
 MARGIN = 1e-3
 

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 import trimesh
 from jaxtyping import Float, Int
-from scipy.sparse import coo_array
+from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
@@ -25,6 +25,12 @@ class Mesh:
     uv: Float[Tensor, "u 2"] | None = None  # (0, 0) bottom left
     face_uvs: Int[Tensor, "f 3"] | None = None
     base_color: Float[Tensor, "h w 3"] | None = None  # the file's texture, linear, row 0 = top
+
+    @property
+    def atlas(self) -> tuple[Float[Tensor, "u 2"], Int[Tensor, "f 3"]]:
+        """uv and face_uvs of a mesh that has them."""
+        assert self.uv is not None and self.face_uvs is not None, "the mesh has no UV map"
+        return self.uv, self.face_uvs
 
 
 def normalise(
@@ -50,7 +56,7 @@ def face_areas(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[
 
 
 def component_labels(faces: Int[Tensor, "f 3"], vert_count: int) -> tuple[int, np.ndarray]:
-    """How many pieces the faces make (joined by vertices), and the piece (F,) of each face."""
+    """How many components the faces connect to (by vertices), and the one (F,) of each face."""
     f = faces.cpu().numpy()
     if not len(f):
         return 0, np.zeros(0, np.int64)
@@ -114,10 +120,10 @@ def signed_volume(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> flo
 def drop_floaters(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], keep_ratio: float = 0.05
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """The mesh without its small pieces, and without the walls of voids that no one can see.
+    """The mesh without its small components, and without the walls of voids that no one can see.
 
-    A piece stays if its area is at least ``keep_ratio`` of the largest's. A piece turned inside
-    out beside an outward largest one is the wall of a void: marching tets makes no others.
+    A component stays if its area is at least ``keep_ratio`` of the largest's. One turned inside
+    out, where the largest looks outward, is the wall of a void: marching tets makes no others.
     """
     count, of_face = component_labels(faces, len(verts))
     if count < 2:
@@ -136,15 +142,36 @@ def drop_floaters(
 def polished(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], rounds: int
 ) -> Float[Tensor, "v 3"]:
-    """Vertices after Taubin's smoothing, which takes off bumps and keeps the volume.
+    """Vertices after :func:`taubin`; 0 rounds leave them as they are."""
+    if rounds == 0:
+        return verts
+    smooth = taubin(verts.cpu().double().numpy(), faces.cpu().numpy(), rounds)
+    return torch.from_numpy(smooth).to(verts)
+
+
+def taubin(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], rounds: int
+) -> Float[np.ndarray, "v 3"]:
+    """Smoothed without shrinking: each round is a step inwards and a longer one outwards.
 
     G. Taubin, "A Signal Processing Approach to Fair Surface Design", 1995; λ = 0.5, μ = -0.53.
     """
-    if rounds == 0:
-        return verts
-    mesh = trimesh.Trimesh(verts.cpu().double().numpy(), faces.cpu().numpy(), process=False)
-    trimesh.smoothing.filter_taubin(mesh, lamb=0.5, nu=0.53, iterations=2 * rounds)
-    return torch.from_numpy(np.array(mesh.vertices)).to(verts)
+    mesh = trimesh.Trimesh(verts, faces, process=False)
+    # trimesh's own operator follows each edge one way only, which pulls an open border askew.
+    trimesh.smoothing.filter_taubin(
+        mesh, 0.5, 0.53, 2 * rounds, laplacian_operator=mean_around(faces, len(verts))
+    )
+    return np.array(mesh.vertices)
+
+
+def mean_around(faces: Int[np.ndarray, "f 3"], count: int) -> csr_array:
+    """The mean over the vertices that share an edge with each."""
+    a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
+    graph = coo_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
+    graph = csr_array(graph)
+    graph.data[:] = 1
+    total = np.maximum(graph.sum(1), 1)
+    return csr_array(graph / total[:, None])
 
 
 def compact(

@@ -1,4 +1,4 @@
-"""Pieces of a surface that stand apart though the words mean one thing, joined by struts.
+"""Connected components of a surface that belong to one thing, joined by struts.
 
 A mast or a stem, thin in the pictures of a small prior, is the first thing to get lost; what it
 carried would fall down in a physics simulation. Not in the paper; ours.
@@ -24,7 +24,7 @@ def joined(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
 
     A strut is a capsule: the lattice's values become the smaller of their own and its distance.
     Pieces below ``keep_ratio`` of the largest one's area, and walls of voids, are left alone. A
-    surface in one piece comes back as it is.
+    surface in one component comes back as it is.
     """
     for _ in range(MOST_STRUTS):
         pieces = _pieces(drawn, keep_ratio)

@@ -24,7 +24,7 @@ def ray_min_sdf(
 
     The samples are spaced evenly within the lattice's cube, moved on by ``shift``, 0 to 1, of a
     spacing: a ray's own, drawn at random, so that no place stays between the samples. The gradient
-    goes through the smallest one. A ray beside the cube takes the cube's nearest values. The nodes
+    goes through the smallest one. A ray that misses the cube takes the cube's nearest values. The nodes
     are taken where they were before their offsets.
     """
     size = shift.shape[-1]

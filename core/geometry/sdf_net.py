@@ -137,7 +137,7 @@ def surface(sdf: Float[Tensor, " nt"], positions: Float[Tensor, "nt 3"], grid: T
 
 
 class Band(NamedTuple):
-    """A lattice's values, and the nodes about the surface that are worth evaluating anew."""
+    """A lattice's values, and the nodes about the surface that are worth evaluating again."""
 
     sdf: Float[Tensor, " nt"]
     positions: Float[Tensor, "nt 3"]

@@ -1,4 +1,4 @@
-"""The signed distance to any mesh from the wild. The only file that imports libigl.
+"""The signed distance to any mesh from the wild. The only file that casts rays with Embree.
 
 Sign: the generalised winding number (Jacobson et al. 2013; fast: Barill et al. 2018) is right in
 spite of holes, overlapping shells and faces in bad company, as long as the faces look outward.
@@ -15,7 +15,7 @@ from torch import Tensor
 
 from core.errors import UserError
 
-# Share of the surface, by area, that may stand at a winding number that no solid has.
+# Fraction of the surface, by area, that may stand at a winding number that no solid has.
 TOLERATED = 0.05
 PROBES = 2000  # points of the surface that are looked at
 RAYS = 20000  # in all; and at least 10 for each patch

@@ -14,31 +14,28 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
+from core.geometry.mesh import Mesh
+
 TINY = 1.1754944e-38  # the smallest normal float: MikkTSpace takes what is below it for zero
 
 
 @torch.no_grad()
-def corner_tangents(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    normals: Float[Tensor, "v 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
-) -> Float[Tensor, "f 3 4"]:
+def corner_tangents(mesh: Mesh, normals: Float[Tensor, "v 3"]) -> Float[Tensor, "f 3 4"]:
     """Tangent (xyz, unit, across the vertex normal) and sign w of the bitangent at each corner.
 
     bitangent = w * cross(normal, tangent); w is -1 where the uv are mirrored. ``normals`` are the
     smooth vertex normals at unit length. Made in double precision on the CPU, without gradient.
     """
-    f, fu = faces.cpu().numpy(), face_uvs.cpu().numpy()
-    p, n, t = (x.detach().cpu().double().numpy() for x in (verts, normals, uv))
+    uv, face_uvs = mesh.atlas
+    f, fu = mesh.faces.cpu().numpy(), face_uvs.cpu().numpy()
+    p, n, t = (x.detach().cpu().double().numpy() for x in (mesh.verts, normals, uv))
     welded = _weld(np.concatenate([p, n], 1)[f], t[fu])
     along, mirrored, flat = _uv_derivative(p[f], t[fu])
     group = _groups(welded, mirrored, flat)
     group = _adopt(group, welded, flat)
     tangent = _group_tangents(group, p[f], n[f], along)
     sign = np.where(mirrored, -1.0, 1.0)[:, None, None].repeat(3, 1)
-    return torch.from_numpy(np.concatenate([tangent, sign], 2)).to(verts)
+    return torch.from_numpy(np.concatenate([tangent, sign], 2)).to(mesh.verts)
 
 
 @torch.no_grad()

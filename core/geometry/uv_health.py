@@ -3,19 +3,16 @@
 import math
 
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Int
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
+from core.geometry.mesh import Mesh
 
-def uv_health(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
-) -> dict[str, float | int]:
-    """What asset.json tells of a uv map, in plain Python numbers.
+
+def uv_health(mesh: Mesh) -> dict[str, float | int]:
+    """What asset.json reports of a UV map, in plain Python numbers.
 
     uv_fill (the islands' area in the unit square), uv_islands,
     uv_stretch (the L² stretch of Sander et al., "Texture Mapping Progressive Meshes", 2001, §3:
@@ -23,7 +20,8 @@ def uv_health(
     shear; 1 is the best), uv_flat (faces with an area on the surface and none in the map; they are
     left out of the stretch).
     """
-    p, t = verts[faces].double().cpu(), uv[face_uvs].double().cpu()
+    uv, face_uvs = mesh.atlas
+    p, t = mesh.verts[mesh.faces].double().cpu(), uv[face_uvs].double().cpu()
     corner, texel = p[:, 1:] - p[:, :1], t[:, 1:] - t[:, :1]
     on_surface = torch.linalg.cross(corner[:, 0], corner[:, 1]).norm(dim=1) / 2
     in_map = torch.linalg.det(texel).abs() / 2

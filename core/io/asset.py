@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from jaxtyping import Float, Int
+from jaxtyping import Float
 from torch import Tensor
 
 from core.errors import UserError
-from core.geometry.mesh import health
+from core.geometry.mesh import Mesh, health
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
@@ -60,10 +60,7 @@ class Asset:
 
     folder: Path
     info: dict[str, Any]  # asset.json
-    verts: Float[Tensor, "v 3"]
-    faces: Int[Tensor, "f 3"]
-    uv: Float[Tensor, "u 2"]
-    face_uvs: Int[Tensor, "f 3"]
+    mesh: Mesh
     maps: Maps
 
 
@@ -80,31 +77,29 @@ def place(verts: Float[Tensor, "v 3"], size: float = SIZE_M) -> Float[Tensor, "v
 
 def write_asset(
     folder: Path,
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
+    mesh: Mesh,
     maps: Maps,
     info: dict[str, Any],
     preview: Float[Tensor, "h w c"] | None = None,
 ) -> Path:
-    """Write the asset beside ``folder`` and rename it there; an older one goes only then.
+    """Write the asset into a temporary folder and rename that; an older one goes only then.
 
-    ``verts`` in world axes and metres; ``info`` is what asset.json tells of the making;
+    ``mesh`` is in world axes and metres; ``info`` is what asset.json reports of how it was made;
     ``preview`` is sRGB in [0, 1].
 
     Raises UserError for a disk that is full or may not be written; nothing new is left then, and
     an older asset stays.
     """
     folder = Path(folder)
-    verts, faces, uv, face_uvs = (x.detach().cpu() for x in (verts, faces, uv, face_uvs))
+    verts, faces, uv, face_uvs = (x.detach().cpu() for x in (mesh.verts, mesh.faces, *mesh.atlas))
+    mesh = Mesh(verts.float(), faces, uv.float(), face_uvs)
 
-    def fill(aside: Path) -> None:
-        _write_pictures(aside, maps, preview)
-        _write_mesh(aside, verts.float(), faces, uv.float(), face_uvs)
-        told = _told(aside, (verts, faces, uv, face_uvs), info)
-        text = json.dumps(told, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
-        with atomic_file(aside / "asset.json") as path:
+    def fill(temporary: Path) -> None:
+        _write_pictures(temporary, maps, preview)
+        _write_mesh(temporary, mesh)
+        report = _report(temporary, mesh, info)
+        text = json.dumps(report, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+        with atomic_file(temporary / "asset.json") as path:
             path.write_text(text, encoding="utf-8")
 
     _replace_folder(folder, fill)
@@ -120,12 +115,12 @@ def read_asset(folder: Path) -> Asset:
     if not (folder / "asset.json").is_file() and (folder / "asset" / "asset.json").is_file():
         folder = folder / "asset"
     info = _read_info(folder)
-    verts, faces, uv, face_uvs = read_obj(folder / "mesh.obj")
-    told = info.get("mesh", {})
-    for name, got in (("verts", len(verts)), ("faces", len(faces))):
-        if told.get(name, got) != got:
+    mesh = read_obj(folder / "mesh.obj")
+    stated = info.get("mesh", {})
+    for name, got in (("verts", len(mesh.verts)), ("faces", len(mesh.faces))):
+        if stated.get(name, got) != got:
             raise UserError(
-                f"mesh.obj of {folder} has {got} {name}, asset.json says {told[name]}.", REMAKE
+                f"mesh.obj of {folder} has {got} {name}, asset.json says {stated[name]}.", REMAKE
             )
     base_color, orm, normal = (
         images.read_png(folder / f"{name}.png") for name in ("base_color", "orm", "normal")
@@ -142,7 +137,7 @@ def read_asset(folder: Path) -> Asset:
         images.units(orm[..., :3]),
         images.normals(normal[..., :3]),
     )
-    return Asset(folder, info, verts, faces, uv, face_uvs, maps)
+    return Asset(folder, info, mesh, maps)
 
 
 def inspect(path: Path) -> dict[str, Any]:
@@ -150,17 +145,16 @@ def inspect(path: Path) -> dict[str, Any]:
     path = Path(path)
     if path.is_dir():
         asset = read_asset(path)
-        told = {k: v for k, v in asset.info.items() if k not in ("mesh", "files")}
+        made = {k: v for k, v in asset.info.items() if k not in ("mesh", "files")}
         size = list(asset.maps.base_color.shape[:2])
-        parts = (asset.verts, asset.faces, asset.uv, asset.face_uvs)
-        mesh = health(asset.verts, asset.faces) | uv_health(*parts)
-        return {"path": str(asset.folder), **told, "texture_size": size, "mesh": mesh}
+        report = health(asset.mesh.verts, asset.mesh.faces) | uv_health(asset.mesh)
+        return {"path": str(asset.folder), **made, "texture_size": size, "mesh": report}
     mesh = load_mesh(path)
     return {"path": str(path), "uv": mesh.uv is not None, "mesh": health(mesh.verts, mesh.faces)}
 
 
 def export(folder: Path, format: str, out: Path) -> Path:
-    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures beside it.
+    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures next to it.
 
     Raises UserError for another format, no asset, or a place that cannot be written.
     """
@@ -175,12 +169,12 @@ def export(folder: Path, format: str, out: Path) -> Path:
     names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
     for name, file in names.items():
         _copy(asset.folder / f"{name}.png", out.with_name(file))
-    normals = smooth_normals(asset.verts, asset.faces)
+    normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
     material = mtl_text(out.stem, names["base_color"], names["normal"])
-    text = obj_text(asset.verts, asset.faces, asset.uv, asset.face_uvs, normals, out.stem)
+    text = obj_text(asset.mesh, normals, out.stem)
     for path, content in ((out.with_suffix(".mtl"), material), (out, text)):
-        with atomic_file(path) as aside:
-            aside.write_text(content, encoding="utf-8")
+        with atomic_file(path) as temporary:
+            temporary.write_text(content, encoding="utf-8")
     return out
 
 
@@ -192,28 +186,27 @@ def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
         images.write_png(folder / "preview.png", preview)
 
 
-def _write_mesh(folder: Path, verts: Tensor, faces: Tensor, uv: Tensor, face_uvs: Tensor) -> None:
-    normals = smooth_normals(verts, faces)
-    tangents = corner_tangents(verts, faces, normals, uv, face_uvs)
+def _write_mesh(folder: Path, mesh: Mesh) -> None:
+    normals = smooth_normals(mesh.verts, mesh.faces)
+    tangents = corner_tangents(mesh, normals)
     pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
     pictures["normal"] = (folder / "normal.png").read_bytes()
-    glb = glb_bytes(verts, faces, uv, face_uvs, normals, tangents, pictures)
+    glb = glb_bytes(mesh, normals, tangents, pictures)
     with atomic_file(folder / "asset.glb") as path:
         path.write_bytes(glb)
     with atomic_file(folder / "mesh.mtl") as path:
         path.write_text(mtl_text("mesh", "base_color.png", "normal.png"), encoding="utf-8")
     with atomic_file(folder / "mesh.obj") as path:
-        path.write_text(obj_text(verts, faces, uv, face_uvs, normals, "mesh"), encoding="ascii")
+        path.write_text(obj_text(mesh, normals, "mesh"), encoding="ascii")
 
 
-def _told(folder: Path, mesh: tuple[Tensor, ...], info: dict[str, Any]) -> dict[str, Any]:
-    """asset.json: what is known here, and what ``info`` adds. ``mesh`` is as write_asset has it."""
-    verts, faces = mesh[:2]
-    size = float((verts.amax(0) - verts.amin(0)).max())
+def _report(folder: Path, mesh: Mesh, info: dict[str, Any]) -> dict[str, Any]:
+    """asset.json: what is known here, and what ``info`` adds."""
+    size = float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
     here = {
         "version": VERSION,
         "size_m": round(size, 6),
-        "mesh": health(verts, faces) | uv_health(*mesh),
+        "mesh": health(mesh.verts, mesh.faces) | uv_health(mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
     }
     return info | here
@@ -283,5 +276,5 @@ def _restore(folder: Path, old: Path) -> None:
 
 
 def _copy(source: Path, to: Path) -> None:
-    with atomic_file(to) as aside:
-        shutil.copyfile(source, aside)
+    with atomic_file(to) as temporary:
+        shutil.copyfile(source, temporary)

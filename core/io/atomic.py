@@ -1,4 +1,4 @@
-"""Files that are whole or not there: written aside, then renamed."""
+"""Files that are whole or not there: written to a temporary file, then renamed."""
 
 import errno
 from collections.abc import Iterator
@@ -13,18 +13,18 @@ FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 @contextmanager
 def atomic_file(path: Path) -> Iterator[Path]:
-    """Give a path to write to, beside ``path``; it takes the name at the end, or is removed.
+    """Give a temporary path next to ``path``; it takes the name at the end, or is removed.
 
     Raises UserError for a full disk, a place that may not be written, a folder that is not there.
     """
-    aside = path.with_name(path.name + ".tmp")
+    temporary = path.with_name(path.name + ".tmp")
     try:
         with disk_errors(path):
-            yield aside
-            aside.replace(path)
+            yield temporary
+            temporary.replace(path)
     finally:
         with disk_errors(path):
-            aside.unlink(missing_ok=True)
+            temporary.unlink(missing_ok=True)
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """OpenEXR pictures, the only file that knows the library. Linear Rec.709, row 0 at the top."""
 
-import os
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +8,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.errors import MissingError, UserError
+from core.io.atomic import atomic_file
 
 
 def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
@@ -50,22 +50,20 @@ def find_channel(channels: dict[str, np.ndarray], letter: str) -> np.ndarray | N
 def write_exr(
     path: "str | Path", image: Float[Tensor, "h w c"] | Float[np.ndarray, "h w c"]
 ) -> None:
-    """Writes 1 (Y), 3 (RGB) or 4 (RGBA) channels as 32-bit floats, aside first and then renamed."""
+    """Writes 1 (Y), 3 (RGB) or 4 (RGBA) channels as 32-bit floats, whole or not at all."""
     letters = {1: "Y", 3: "RGB", 4: "RGBA"}[image.shape[-1]]
     pixels = torch.as_tensor(image).detach().to("cpu", torch.float32).numpy()
     channels = {letter: np.ascontiguousarray(pixels[..., i]) for i, letter in enumerate(letters)}
     library = load_library()
     header = {"compression": library.ZIP_COMPRESSION, "type": library.scanlineimage}
-    aside = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.tmp")
-    try:
-        library.File(header, channels).write(str(aside))
-        aside.replace(path)
-    except Exception as error:  # as above
-        raise UserError(
-            f"{path} cannot be written: {error}.", "Check that the folder exists and has room."
-        ) from error
-    finally:
-        aside.unlink(missing_ok=True)
+    with atomic_file(Path(path)) as temporary:
+        temporary.open("wb").close()  # for the system's own reason, which the library leaves out
+        try:
+            library.File(header, channels).write(str(temporary))
+        except Exception as error:  # as above
+            raise UserError(
+                f"{path} cannot be written: {error}.", "Check that the disk has room."
+            ) from error
 
 
 def load_library():

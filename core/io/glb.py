@@ -13,6 +13,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.geometry.mesh import Mesh
 from core.io.obj import to_y_up
 
 FLOAT, UINT = 5126, 5125  # component types
@@ -38,7 +39,7 @@ class _Buffer:
 
     def array(self, array: np.ndarray, kind: str, target: int, bounds: bool = False) -> int:
         """Append rows of numbers; the index of their accessor."""
-        told: dict[str, Any] = {
+        entry: dict[str, Any] = {
             "bufferView": self.view(array.astype(array.dtype.newbyteorder("<")).tobytes(),
                                     target=target),
             "componentType": FLOAT if array.dtype == np.float32 else UINT,
@@ -46,16 +47,13 @@ class _Buffer:
             "type": kind,
         }  # fmt: skip
         if bounds:
-            told |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
-        self.accessors.append(told)
+            entry |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
+        self.accessors.append(entry)
         return len(self.accessors) - 1
 
 
 def glb_bytes(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
+    mesh: Mesh,
     normals: Float[Tensor, "v 3"],
     tangents: Float[Tensor, "f 3 4"],
     pictures: dict[str, bytes],
@@ -65,12 +63,13 @@ def glb_bytes(
 
     Vertices are split where their uv or tangents differ.
     """
-    corner, index = split_corners(faces, face_uvs, tangents)
-    f, fu = faces.cpu().reshape(-1)[corner], face_uvs.cpu().reshape(-1)[corner]
+    uv, face_uvs = mesh.atlas
+    corner, index = split_corners(mesh.faces, face_uvs, tangents)
+    f, fu = mesh.faces.cpu().reshape(-1)[corner], face_uvs.cpu().reshape(-1)[corner]
     u, v = uv.detach().cpu().float()[fu].unbind(1)
     tangent = tangents.cpu().reshape(-1, 4)[corner].float()
     columns = {
-        "POSITION": to_y_up(verts.detach().cpu().float()[f]),
+        "POSITION": to_y_up(mesh.verts.detach().cpu().float()[f]),
         "NORMAL": to_y_up(normals.detach().cpu().float()[f]),
         "TEXCOORD_0": torch.stack([u, 1 - v], -1),  # glTF's v grows downwards
         "TANGENT": torch.cat([to_y_up(tangent[:, :3]), tangent[:, 3:]], -1),

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, get_origin
 
 from core.errors import UserError
+from core.io.atomic import atomic_file
 
 VERSION = 1
 COMMANDS = ("generate", "texture")
@@ -132,7 +133,6 @@ def read_events(run: Path) -> list[dict[str, Any]]:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a small text file whole: aside, then renamed."""
-    aside = path.with_name(path.name + ".tmp")
-    aside.write_text(text, encoding="utf-8")
-    aside.replace(path)
+    """Write a small text file whole: to a temporary file, then renamed."""
+    with atomic_file(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")

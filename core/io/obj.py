@@ -12,6 +12,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
+from core.geometry.mesh import Mesh
 from core.io.atomic import atomic_file
 
 
@@ -27,27 +28,22 @@ def from_y_up(file: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
     return torch.stack([x, -z, y], -1)
 
 
-def obj_text(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
-    normals: Float[Tensor, "v 3"],
-    material: str,
-) -> str:
+def obj_text(mesh: Mesh, normals: Float[Tensor, "v 3"], material: str) -> str:
     """Welded vertices, a uv index for each corner, a smooth normal for each vertex.
 
     ``material`` names both the .mtl file (without its ending) and the material in it.
     """
-    corners = torch.stack([faces, face_uvs, faces], -1) + 1
+    uv, face_uvs = mesh.atlas
+    corners = torch.stack([mesh.faces, face_uvs, mesh.faces], -1) + 1
+    numbers = tuple(corners.reshape(-1).tolist())
     return "".join(
         [
             f"mtllib {material}.mtl\no {material}\n",
-            _lines("v", to_y_up(verts)),
+            _lines("v", to_y_up(mesh.verts)),
             _lines("vt", uv),
             _lines("vn", to_y_up(normals)),
             f"usemtl {material}\ns 1\n",
-            "f %d/%d/%d %d/%d/%d %d/%d/%d\n" * len(faces) % tuple(corners.reshape(-1).tolist()),
+            "f %d/%d/%d %d/%d/%d %d/%d/%d\n" * len(mesh.faces) % numbers,
         ]
     )
 
@@ -67,14 +63,12 @@ def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, 
     """The shape alone, whole or not at all."""
     corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
     text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
-    with atomic_file(path) as aside:
-        aside.write_text(text, encoding="ascii")
+    with atomic_file(path) as temporary:
+        temporary.write_text(text, encoding="ascii")
 
 
-def read_obj(
-    path: Path,
-) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """``verts (V,3), faces (F,3), uv (U,2), face_uvs (F,3)`` as :func:`obj_text` wrote them.
+def read_obj(path: Path) -> Mesh:
+    """The mesh as :func:`obj_text` wrote it.
 
     Raises UserError for a file that is not there or is no triangle mesh with uv.
     """
@@ -94,7 +88,7 @@ def read_obj(
             f"{path} is not the triangle mesh that was written there ({error}).",
             "Make the asset again, or take the OBJ as a mesh: texture MESH.",
         ) from error
-    return from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone()
+    return Mesh(from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone())
 
 
 def _read(lines: list[bytes], key: bytes, width: int) -> Float[Tensor, "n {width}"]:

@@ -8,14 +8,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import png
 import torch
 from jaxtyping import Float, UInt8, UInt16
-from PIL import Image
 from torch import Tensor
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
+from core.io.oiio import UnreadableError, read_pixels, write_pixels
 from core.ops import linear_to_srgb, srgb_to_linear
 
 BAND = 1 << 24  # numbers changed at once
@@ -69,15 +68,8 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
     """
     if isinstance(image, Tensor):
         image = unit_bytes(image)
-    with atomic_file(path) as aside, aside.open("wb") as file:
-        if image.dtype == np.uint8:
-            Image.fromarray(image).save(file, format="png", compress_level=6)
-            return
-        height, width, channels = image.shape
-        depth = {"greyscale": False, "alpha": channels == 4, "bitdepth": 16}
-        writer = png.Writer(width, height, compression=6, **depth)
-        rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
-        writer.write_packed(file, rows)
+    with atomic_file(path) as temporary:
+        write_pixels(temporary, image)
 
 
 def read_png(path: Path) -> np.ndarray:
@@ -85,16 +77,9 @@ def read_png(path: Path) -> np.ndarray:
 
     Raises UserError for a file that is not there or no PNG.
     """
+    if not path.is_file():
+        raise UserError(f"There is no picture {path}.", "Check the path.")
     try:
-        with path.open("rb") as file:
-            width, height, rows, info = png.Reader(file=file).asDirect()
-            if info["bitdepth"] > 8:
-                flat = np.concatenate([np.asarray(row, dtype=np.uint16) for row in rows])
-                return flat.reshape(height, width, info["planes"])
-        with Image.open(path) as picture:
-            image = np.array(picture.convert("RGB") if picture.mode == "P" else picture)
-        return image[..., None] if image.ndim == 2 else image
-    except FileNotFoundError:
-        raise UserError(f"There is no picture {path}.", "Check the path.") from None
-    except (png.Error, OSError, ValueError, SyntaxError) as error:
+        return read_pixels(path, "png")
+    except UnreadableError as error:
         raise UserError(f"{path} is no readable PNG ({error}).", "Make the file again.") from error

@@ -41,8 +41,8 @@ def _reach(t, low, high):
         if y0 == y1:
             continue
         for y in (low, high):
-            share = (y - y0) / (y1 - y0)
-            if 0 <= share <= 1:
-                x = x0 + share * (x1 - x0)
+            along = (y - y0) / (y1 - y0)
+            if 0 <= along <= 1:
+                x = x0 + along * (x1 - x0)
                 left, right = min(left, x), max(right, x)
     return left, right

@@ -10,14 +10,14 @@ BEND = 8.0  # how much longer a way is that leaves its chart's plane by 60 degre
 
 
 @compiled
-def grow(beside, centre, normal, seeds, axis, least):
+def grow(adjacent, centre, normal, seeds, axis, least):
     """The chart of each face, the one whose seed is nearest: (F,) int64, -1 where none may reach.
 
-    Ways go from face to face over ``beside`` (F,3), -1 at a border, between the ``centre`` (F,3)
+    Ways go from face to face over ``adjacent`` (F,3), -1 at a border, between the ``centre`` (F,3)
     of each; one is the longer the more ``normal`` (F,3) leaves ``axis`` (C,3) of the chart, and
     none enters a face whose cosine to it is below ``least``.
     """
-    chart = np.full(len(beside), -1, np.int64)
+    chart = np.full(len(adjacent), -1, np.int64)
     heap = [(0.0, np.int64(seeds[c]), np.int64(c)) for c in range(len(seeds))]
     heapq.heapify(heap)
     while len(heap) > 0:
@@ -26,7 +26,7 @@ def grow(beside, centre, normal, seeds, axis, least):
             continue
         chart[face] = c
         for side in range(3):
-            other = beside[face, side]
+            other = adjacent[face, side]
             if other < 0 or chart[other] >= 0:
                 continue
             cosine, length = 0.0, 0.0

@@ -1,4 +1,4 @@
-"""Twin of :mod:`core.hash_grid`'s sampling, one point after another, level by level."""
+"""Compiled version of :mod:`core.hash_grid`'s sampling, one point after another, level by level."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Twins of what :mod:`core.render.rasterizer` and :mod:`core.render.antialias` do per pixel."""
+"""Compiled versions of :mod:`core.render.rasterizer` and :mod:`core.render.antialias`, by pixel."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Twin of :mod:`core.render.visibility`, one triangle after another."""
+"""Compiled version of :mod:`core.render.visibility`, one triangle after another."""
 
 import numpy as np
 

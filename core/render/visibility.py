@@ -1,6 +1,6 @@
 """Which face is seen at each pixel centre: the renderer's one non-differentiable step.
 
-Plain torch, the same on CPU and GPU (the CPU has a compiled twin in :mod:`core.kernels`): every
+Plain torch, the same on CPU and GPU (the CPU has a compiled version in :mod:`core.kernels`): every
 triangle is cut into the rows of pixel centres that it crosses, every row into a span, and the spans
 meet in a z-buffer. A span's ends are where the row crosses two of the triangle's edges. Neighbours
 compute the crossing of their common edge from the same numbers in the same order, and spans are

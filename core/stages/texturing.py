@@ -34,7 +34,7 @@ def unwrap_shape(
     if shape.uv is not None and shape.face_uvs is not None:
         faults = uv_faults(shape.uv, shape.face_uvs)
         if not faults:
-            return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+            return UvMesh.of(shape)
         progress.warn(
             f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
             "A new one is made. To keep yours, unwrap it without overlaps inside the square.",
@@ -44,7 +44,7 @@ def unwrap_shape(
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
         progress.complete("unwrap")  # a small mesh is done before it reports anything
-    return UvMesh.of(verts, faces, atlas.uv, atlas.face_uvs)
+    return UvMesh.of(Mesh(verts, faces, *atlas))
 
 
 def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
@@ -59,13 +59,13 @@ def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
             f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
             "Fix the UV map, or have a new one made.",
         )
-    return UvMesh.of(shape.verts, shape.faces, shape.uv, shape.face_uvs)
+    return UvMesh.of(shape)
 
 
 def load_unwrapped(run: RunFolder) -> UvMesh | None:
     """The unwrapped mesh of an earlier session of this run."""
     found = run.load("mesh")
-    return UvMesh.of(*(found[0][name] for name in PARTS)) if found else None
+    return UvMesh.of(Mesh(*(found[0][name] for name in PARTS))) if found else None
 
 
 def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:
@@ -83,10 +83,7 @@ def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, progress: P
 
     with progress.timed("bake"):
         return bake(
-            mesh.verts.cpu(),
-            mesh.faces.cpu(),
-            mesh.uv.cpu(),
-            mesh.face_uvs.cpu(),
+            Mesh(mesh.verts.cpu(), mesh.faces.cpu(), mesh.uv.cpu(), mesh.face_uvs.cpu()),
             material,
             config.size,
             _hundredths("bake", progress),

@@ -12,7 +12,7 @@ import pytest
 import torch
 
 from core.errors import UserError
-from core.geometry.mesh import health
+from core.geometry.mesh import Mesh, health
 from core.geometry.uv_health import uv_health
 from core.io import asset as module
 from core.io import png as images
@@ -23,12 +23,16 @@ from core.texture.bake import bake
 INFO = {"prompt": "a red wooden chair", "seed": 3, "timings": {"geometry": 1.5}}
 
 
+def arrays(mesh: Mesh) -> tuple[torch.Tensor, ...]:
+    return mesh.verts, mesh.faces, *mesh.atlas
+
+
 @pytest.fixture(scope="module")
 def parts() -> tuple:
     verts, faces = torus()
     uv, face_uvs = torus_uv()
-    maps = bake(verts, faces, uv, face_uvs, smooth_material, 64)
-    return place(verts), faces, uv, face_uvs, maps
+    maps = bake(Mesh(verts, faces, uv, face_uvs), smooth_material, 64)
+    return Mesh(place(verts), faces, uv, face_uvs), maps
 
 
 @pytest.fixture
@@ -51,9 +55,9 @@ def test_place() -> None:
 def test_reads_back(folder: Path, parts) -> None:
     """Geometry to the bit, maps to the rounding of their files."""
     back = read_asset(folder)
-    for got, want in zip((back.verts, back.faces, back.uv, back.face_uvs), parts[:4], strict=True):
+    for got, want in zip(arrays(back.mesh), arrays(parts[0]), strict=True):
         assert torch.equal(got, want)
-    maps: Maps = parts[4]
+    maps: Maps = parts[1]
     assert (images.srgb_bytes(back.maps.base_color) == images.srgb_bytes(maps.base_color)).all()
     assert (back.maps.orm - maps.orm).abs().max() <= 0.5 / 255 + 1e-6
     assert (back.maps.normal - maps.normal).abs().max() < 2 / 65535
@@ -71,7 +75,7 @@ def test_asset_json_tells_all(folder: Path, parts) -> None:
     assert told["size_m"] == pytest.approx(1)
     assert told["mesh"]["closed"]
     assert told["mesh"]["genus"] == 1
-    assert told["mesh"]["faces"] == len(parts[1])
+    assert told["mesh"]["faces"] == len(parts[0].faces)
     there = {path.name for path in folder.iterdir()}
     assert set(told["files"]) == there - {"asset.json"}
     assert told["files"]["base_color.png"]["color_space"] == "sRGB"
@@ -83,9 +87,9 @@ def test_obj_stands_upright_in_the_importers_axes(folder: Path, parts) -> None:
     """Blender turns file (x, y, z) into world (x, -z, y)."""
     lines = (folder / "mesh.obj").read_text().splitlines()
     x, y, z = (float(word) for word in next(line for line in lines if line[:2] == "v ").split()[1:])
-    assert [x, -z, y] == pytest.approx(parts[0][0].tolist())
-    assert sum(line.startswith("vn ") for line in lines) == len(parts[0])
-    assert sum(line.startswith("v ") for line in lines) == len(parts[0])
+    assert [x, -z, y] == pytest.approx(parts[0].verts[0].tolist())
+    assert sum(line.startswith("vn ") for line in lines) == len(parts[0].verts)
+    assert sum(line.startswith("v ") for line in lines) == len(parts[0].verts)
     assert lines[0] == "mtllib mesh.mtl"
     assert "map_Kd base_color.png" in (folder / "mesh.mtl").read_text()
 
@@ -115,7 +119,7 @@ def accessor(told: dict, data: bytes, index: int) -> np.ndarray:
 
 def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
     """Position, uv, normal and tangent of every corner, in glTF's axes."""
-    verts, faces, uv, face_uvs, _ = parts
+    verts, faces, uv, face_uvs = arrays(parts[0])
     told, data = read_glb(folder / "asset.glb")
     primitive = told["meshes"][0]["primitives"][0]
     index = accessor(told, data, primitive["indices"])[:, 0]
@@ -266,7 +270,7 @@ def test_no_asset_is_told(tmp_path: Path) -> None:
 
 def test_inspect(folder: Path, parts) -> None:
     told = inspect(folder)
-    assert told["mesh"] == health(parts[0], parts[1]) | uv_health(*parts[:4])
+    assert told["mesh"] == health(parts[0].verts, parts[0].faces) | uv_health(parts[0])
     assert told["texture_size"] == [64, 64]
     assert json.loads(json.dumps(told)) == told
     mesh = inspect(folder / "mesh.obj")

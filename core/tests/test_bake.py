@@ -6,6 +6,7 @@ from torch import Tensor
 
 from core.appearance.material import Material
 from core.errors import Cancelled, UserError
+from core.geometry.mesh import Mesh
 from core.tests.texture_shapes import one_material, smooth_material, square, torus, torus_uv
 from core.texture import bake as module
 from core.texture.bake import bake
@@ -42,7 +43,7 @@ def edge_points(face_uvs: Tensor) -> tuple[Tensor, Tensor]:
 def test_bilinear_look_up_on_island_edges_is_the_surfaces_value() -> None:
     """No background bleeds in: the error is that of half a texel of a slow material."""
     verts, faces, uv, face_uvs = torus_mesh()
-    maps = bake(verts, faces, uv, face_uvs, smooth_material, SIZE)
+    maps = bake(Mesh(verts, faces, uv, face_uvs), smooth_material, SIZE)
     face, weights = edge_points(face_uvs)
     assert len(face) > 20
     points = torch.einsum("nk,nkc->nc", weights, verts[faces[face]])
@@ -57,7 +58,7 @@ def test_bilinear_look_up_on_island_edges_is_the_surfaces_value() -> None:
 
 def test_inside_an_island_the_texel_is_the_value_at_its_centre() -> None:
     verts, faces, uv, face_uvs = square()
-    maps = bake(verts, faces, uv, face_uvs, smooth_material, 32)
+    maps = bake(Mesh(verts, faces, uv, face_uvs), smooth_material, 32)
     i = (torch.arange(32) + 0.5) / 32
     z, x = torch.meshgrid(1 - i, i, indexing="ij")
     points = torch.stack([x, torch.zeros_like(x), z], -1).reshape(-1, 3)
@@ -68,7 +69,7 @@ def test_inside_an_island_the_texel_is_the_value_at_its_centre() -> None:
 
 def test_one_color_fills_everything() -> None:
     """Also the border texels, which islands cover in part only, keep their full value."""
-    maps = bake(*torus_mesh(), one_material((0.2, 0.5, 0.7)), SIZE)
+    maps = bake(Mesh(*torus_mesh()), one_material((0.2, 0.5, 0.7)), SIZE)
     torch.testing.assert_close(
         maps.base_color, torch.tensor([0.2, 0.5, 0.7]).expand(SIZE, SIZE, 3), atol=1e-6, rtol=0
     )
@@ -86,26 +87,26 @@ def test_checks_below_a_texel_are_averaged() -> None:
         ones = torch.ones_like(points[:, :1])
         return Material(on, ones, ones, torch.tensor([[0.0, 0, 1]]) * ones)
 
-    mean = bake(*square(), stripes, 32, samples=4).base_color
+    mean = bake(Mesh(*square()), stripes, 32, samples=4).base_color
     torch.testing.assert_close(mean, torch.full_like(mean, 0.5))
-    assert (bake(*square(), stripes, 32, samples=1).base_color - 0.5).abs().min() == 0.5
+    assert (bake(Mesh(*square()), stripes, 32, samples=1).base_color - 0.5).abs().min() == 0.5
 
 
 def test_normals_are_unit() -> None:
-    maps = bake(*torus_mesh(), smooth_material, 64)
+    maps = bake(Mesh(*torus_mesh()), smooth_material, 64)
     torch.testing.assert_close(maps.normal.norm(dim=-1), torch.ones(64, 64))
 
 
 def test_chunks_change_nothing(monkeypatch) -> None:
-    whole = bake(*torus_mesh(), smooth_material, 64)
+    whole = bake(Mesh(*torus_mesh()), smooth_material, 64)
     monkeypatch.setattr(module, "CHUNK", 777)
-    for a, b in zip(whole, bake(*torus_mesh(), smooth_material, 64), strict=True):
+    for a, b in zip(whole, bake(Mesh(*torus_mesh()), smooth_material, 64), strict=True):
         torch.testing.assert_close(a, b)
 
 
 def test_progress_grows_and_can_stop() -> None:
     seen: list[float] = []
-    bake(*torus_mesh(), smooth_material, 64, seen.append)
+    bake(Mesh(*torus_mesh()), smooth_material, 64, seen.append)
     assert seen == sorted(seen)
     assert seen[-1] == 1
 
@@ -113,10 +114,10 @@ def test_progress_grows_and_can_stop() -> None:
         raise Cancelled("Stopped.")
 
     with pytest.raises(Cancelled):
-        bake(*torus_mesh(), smooth_material, 64, stop)
+        bake(Mesh(*torus_mesh()), smooth_material, 64, stop)
 
 
 def test_uv_without_area_are_told() -> None:
     verts, faces, uv, face_uvs = torus_mesh()
     with pytest.raises(UserError, match="No texel"):
-        bake(verts, faces, uv * 0 + 0.5, face_uvs, smooth_material, 64)
+        bake(Mesh(verts, faces, uv * 0 + 0.5, face_uvs), smooth_material, 64)

@@ -1,6 +1,7 @@
 """The core never imports Blender, the add-on never imports torch, neither imports the other."""
 
 import ast
+import graphlib
 import importlib.metadata
 import re
 import subprocess
@@ -11,12 +12,15 @@ from pathlib import Path
 
 import pytest
 
+from core.tests.import_graph import PAGE, drawn, folder, folder_graph, module_graph
+
 ROOT = Path(__file__).parents[2]
 BANNED = {
     "core": {"bpy", "bmesh", "mathutils", "fantasia3d_addon", "run"},
     "fantasia3d_addon": {"torch", "core", "jaxtyping", "diffusers", "transformers", "run"},
 }
-ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR")  # one file of the core each
+# One file of the core each.
+ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR", "OpenImageIO")
 
 
 def imported(source: str) -> set[str]:
@@ -97,7 +101,7 @@ def test_the_launcher_needs_the_standard_library_alone(package):
 
 def test_the_protocol_and_the_command_line_load_no_library():
     code = (
-        "import sys, core.io.job, core.__main__\n"
+        "import sys, core.io.job, core.command_line\n"
         "print(sorted({'torch', 'numpy', 'bpy', 'diffusers'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
@@ -107,6 +111,64 @@ def test_the_protocol_and_the_command_line_load_no_library():
 def plain(name: str) -> str:
     """A distribution's name as registries compare it."""
     return re.sub(r"[-_.]+", "-", name).lower()
+
+
+# The core's folders and files, lowest first: each imports only from those before it.
+ORDER = (
+    "errors", "device", "camera", "kernels", "ops", "hash_grid", "geometry", "config", "io",
+    "render", "appearance", "guidance", "texture", "job_config", "stages", "generate", "picture",
+    "prior", "benchmarks", "command_line", "__main__",
+)  # fmt: skip
+
+
+def upward_imports() -> list[str]:
+    """Imports from a folder to one that comes later in ORDER."""
+    wrong = []
+    for module, imports in module_graph("core", ROOT).items():
+        for name in imports - {"core"}:
+            if ORDER.index(folder(name)) > ORDER.index(folder(module)):
+                wrong.append(f"{module} imports {name}")
+    return sorted(wrong)
+
+
+def test_the_cores_folders_import_only_what_is_below_them():
+    assert set(folder_graph("core", ROOT)) == set(ORDER)
+    assert not upward_imports(), "move what both need into the lower folder"
+
+
+@pytest.mark.parametrize("package", ["core"])
+def test_no_module_imports_itself_round_a_corner(package):
+    graph = module_graph(package, ROOT)
+    graph.pop(package)  # its __init__, which registers all the rest
+    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the circle
+
+
+@pytest.mark.parametrize(
+    "line", ["from core.stages import geometry", "def f():\n    import core.stages.geometry"]
+)
+def test_the_order_and_the_circle_are_seen_when_broken(tmp_path, monkeypatch, line):
+    for name in (
+        "__init__",
+        "render/__init__",
+        "render/normals",
+        "stages/__init__",
+        "stages/geometry",
+    ):
+        path = tmp_path / "core" / f"{name}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("from core.render import normals\n" if name == "stages/geometry" else "")
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    assert upward_imports() == []
+    test_no_module_imports_itself_round_a_corner("core")
+    (tmp_path / "core" / "render" / "normals.py").write_text(line + "\n")
+    assert "core.render.normals imports core.stages.geometry" in upward_imports()
+    with pytest.raises(graphlib.CycleError):
+        test_no_module_imports_itself_round_a_corner("core")
+
+
+def test_the_drawing_in_the_docs_is_of_today():
+    page = (ROOT / PAGE).read_text(encoding="utf-8")
+    assert page == drawn(page), "run: python3 run.py python -m core.tests.import_graph"
 
 
 def test_everything_that_is_imported_is_declared_and_pinned():

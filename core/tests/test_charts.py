@@ -7,13 +7,13 @@ import torch
 from core.tests.meshes import sphere, torus
 from core.texture import charts as module
 from core.texture.charts import (
+    areas_and_normals,
     borders,
     charts,
-    facing,
+    components,
     halved,
-    joined,
+    merged,
     neighbours,
-    pieces,
     smooth,
     straightened,
 )
@@ -39,10 +39,10 @@ def test_neighbours_are_those_of_a_double_loop() -> None:
 
 def test_a_chart_hangs_together_and_looks_one_way() -> None:
     verts, faces = arrays(torus(64, 32))
-    chart, beside = charts(verts, faces), neighbours(faces)
-    assert len(np.unique(pieces(chart, beside))) == chart.max() + 1
+    chart, adjacent = charts(verts, faces), neighbours(faces)
+    assert len(np.unique(components(chart, adjacent))) == chart.max() + 1
     assert set(chart) == set(range(chart.max() + 1))
-    area, normal = facing(verts, faces)
+    area, normal = areas_and_normals(verts, faces)
     for one in range(chart.max() + 1):
         mine = chart == one
         axis = area[mine] @ normal[mine]
@@ -65,7 +65,7 @@ def test_a_box_has_at_most_two_charts_a_side() -> None:
     faces = np.array([[q[0], q[i], q[i + 1]] for q in quads for i in (1, 2)])
     chart = charts(corner, faces)
     assert chart.max() + 1 <= 12
-    area, normal = facing(corner, faces)
+    area, normal = areas_and_normals(corner, faces)
     assert np.allclose(area, 0.5)
     for one in range(chart.max() + 1):
         assert np.linalg.norm(normal[chart == one].mean(0)) > module.ONE_WAY
@@ -73,15 +73,15 @@ def test_a_box_has_at_most_two_charts_a_side() -> None:
 
 def test_smoothing_leaves_a_plane_and_takes_ripples() -> None:
     verts, faces = arrays(sphere(5, noise=0.004))
-    area, normal = facing(verts, faces)
+    area, normal = areas_and_normals(verts, faces)
     centre = verts[faces].mean(1)
     out = centre / np.linalg.norm(centre, axis=1, keepdims=True)
-    beside = neighbours(faces)
-    before, after = (normal * out).sum(1), (smooth(normal, area, beside) * out).sum(1)
+    adjacent = neighbours(faces)
+    before, after = (normal * out).sum(1), (smooth(normal, area, adjacent) * out).sum(1)
     assert before.min() < 0.9
     assert after.min() > 0.98
     flat = np.tile([0.0, 0.6, 0.8], (len(faces), 1))
-    assert np.allclose(smooth(flat, area, beside), flat)
+    assert np.allclose(smooth(flat, area, adjacent), flat)
 
 
 def strip(n: int) -> tuple[np.ndarray, np.ndarray]:
@@ -108,13 +108,13 @@ def test_joining_stops_where_the_surface_turns(monkeypatch: pytest.MonkeyPatch) 
     """Ten pieces of a strip that bends by 20 degrees from each to the next: a part spans 140."""
     monkeypatch.setattr(module, "LARGEST_JOINED", 1.0)
     faces = strip(10)[1]
-    beside, part = neighbours(faces), np.tile(np.arange(10), 2)
+    adjacent, part = neighbours(faces), np.tile(np.arange(10), 2)
     angle = np.deg2rad(20) * part
     normal = np.stack([np.sin(angle), 0 * angle, np.cos(angle)], 1)
-    one = joined(part.copy(), beside, normal, np.ones(20))
+    one = merged(part.copy(), adjacent, normal, np.ones(20))
     assert one.max() + 1 == 2
     assert max(np.ptp(part[one == c]) for c in (0, 1)) <= 7
-    flat = joined(part.copy(), beside, normal * 0 + normal[0], np.ones(20))
+    flat = merged(part.copy(), adjacent, normal * 0 + normal[0], np.ones(20))
     assert flat.max() == 0
 
 

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from core.__main__ import job_of, main, parse
+from core.command_line import job_of, main, parse
 from core.errors import UserError
 
 

@@ -56,7 +56,7 @@ OPTIONS += ["--texture-size=128", "--max-faces=1500"]
 def core(*argv: object, before: str = "") -> "subprocess.Popen[str]":
     """The command line; ``before`` is Python to run first, in the same process."""
     environ = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"}
-    script = f"{before}\nimport sys\nfrom core.__main__ import main\nsys.exit(main(sys.argv[1:]))"
+    script = f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
     started = ["-c", script] if before else ["-m", "core"]
     command = [sys.executable, *started, *map(str, argv)]
     return subprocess.Popen(
@@ -252,7 +252,7 @@ def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(tmp_path):
     assert status == 0, said
     assert "share their texels" in said
     asset = read_asset(run / "asset")
-    assert sorted(asset.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
+    assert sorted(asset.mesh.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
     green = torch.tensor([40, 160, 60]).div(255).pow(2.2)
     mean = asset.maps.base_color.flatten(0, 1).mean(0)
     torch.testing.assert_close(mean, green, atol=0.08, rtol=0)
@@ -264,7 +264,9 @@ def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
     verts = verts * torch.tensor([1.0, 2.0, 0.5]) + torch.tensor([5.0, -3.0, 1.0])
     mesh = tmp_path / "Köpfchen.obj"
     flat = torch.zeros(1, 2)
-    text = obj_text(verts, faces, flat, torch.zeros_like(faces), torch.zeros_like(verts), "mesh")
+    text = obj_text(
+        Mesh(verts, faces, flat, torch.zeros_like(faces)), torch.zeros_like(verts), "mesh"
+    )
     kept = [line for line in text.splitlines() if line.startswith("v ")]
     kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     mesh.write_text("\n".join(kept) + "\n")
@@ -272,8 +274,8 @@ def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
     status, said = finished(core("texture", mesh, "a blue ball", "--out", run, *OPTIONS))
     assert status == 0, said
     asset = read_asset(run)
-    torch.testing.assert_close(asset.verts, verts, atol=1e-4, rtol=0)
-    assert torch.equal(asset.faces, faces)
+    torch.testing.assert_close(asset.mesh.verts, verts, atol=1e-4, rtol=0)
+    assert torch.equal(asset.mesh.faces, faces)
     kd = asset.maps.base_color.flatten(0, 1).mean(0)
     assert float(kd[2]) > float(kd[0])
 

@@ -1,4 +1,4 @@
-"""The hash grid against a slow twin, its gradients, and its edges."""
+"""The hash grid against a slow reference implementation, its gradients, and its edges."""
 
 import math
 

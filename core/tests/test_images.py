@@ -5,7 +5,6 @@ import os
 from pathlib import Path
 
 import numpy as np
-import png
 import pytest
 import torch
 from PIL import Image
@@ -58,9 +57,8 @@ def test_png_round_trip(tmp_path: Path, dtype: type, channels: int) -> None:
     back = images.read_png(tmp_path / "a.png")
     assert back.dtype == dtype
     assert np.array_equal(back, image)
-    with (tmp_path / "a.png").open("rb") as file:
-        info = png.Reader(file=file).read()[3]
-    assert info["bitdepth"] == np.dtype(dtype).itemsize * 8
+    bit_depth = (tmp_path / "a.png").read_bytes()[24]  # of the IHDR chunk
+    assert bit_depth == np.dtype(dtype).itemsize * 8
 
 
 def test_a_tensor_is_written_as_it_is(tmp_path: Path) -> None:

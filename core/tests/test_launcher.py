@@ -105,7 +105,7 @@ def test_blender_takes_the_asset_that_the_core_names_last(tmp_path, monkeypatch,
         print(asset, flush=True)
         return 0
 
-    monkeypatch.setattr("core.__main__.main", work)
+    monkeypatch.setattr("core.command_line.main", work)
     monkeypatch.setattr(run, "hand_over", lambda command: became.append(command) or 0)
     assert run.main(["--inside", *line, "--blend", "c.blend"]) == 0
     assert capsys.readouterr().out == f"geometry 1/2\n{asset}\n"
@@ -119,7 +119,7 @@ def test_blender_takes_the_asset_that_the_core_names_last(tmp_path, monkeypatch,
 
 @pytest.mark.parametrize("status", [2, 5, 130])
 def test_a_failed_job_ends_before_blender_with_its_status(monkeypatch, status):
-    monkeypatch.setattr("core.__main__.main", lambda _: status)
+    monkeypatch.setattr("core.command_line.main", lambda _: status)
     monkeypatch.setattr(run, "hand_over", lambda _: pytest.fail("Blender was started"))
     assert run.main(["--inside", "generate", "a chair", "--render", "c.png"]) == status
 

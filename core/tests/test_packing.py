@@ -1,4 +1,4 @@
-"""Charts keep their distance and their common scale; the loop does what a slow twin does."""
+"""Charts keep their distance and their common scale; as a slow reference has it."""
 
 import time
 from typing import Any

@@ -3,8 +3,8 @@
 import pytest
 import torch
 
-from core.__main__ import job_of, parse
 from core.camera import Cameras
+from core.command_line import job_of, parse
 from core.config import DRAFT
 from core.errors import MissingError, UserError
 from core.generate import prepare

@@ -12,6 +12,7 @@ from core.appearance.shaded import UvMesh, render_shaded
 from core.camera import Cameras
 from core.config import DRAFT
 from core.geometry.marching_tets import marching_tets
+from core.geometry.mesh import Mesh
 from core.geometry.tet_grid import tet_grid
 from core.prior.draw import Draw
 from core.prior.families import Shape, build, normalised
@@ -56,7 +57,9 @@ def test_the_trained_hint_is_the_surface_that_the_appearance_training_tells():
     config = replace(DRAFT.appearance, log2_hash_size=8, finest=16)
     source = MaterialNet(config, torch.Generator().manual_seed(0))
     with torch.no_grad():
-        shaded = render_shaded(UvMesh.of(verts, faces, uv, corners), source, cameras, 128, grey)
+        shaded = render_shaded(
+            UvMesh.of(Mesh(verts, faces, uv, corners)), source, cameras, 128, grey
+        )
     told = surface_picture(shaded, 64)
     away = (told - trained).abs().mean((0, 2, 3))
     assert away[:4].max() < 0.03

@@ -13,7 +13,7 @@ from core.config import DRAFT, RefineConfig
 from core.errors import Cancelled, NoSurfaceError
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
-from core.geometry.mesh import health, polished, signed_volume
+from core.geometry.mesh import Mesh, health, polished, signed_volume
 from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
@@ -324,7 +324,7 @@ def color_lesson(config, run):
 
 def unwrapped_sphere():
     verts, faces = sphere(8)
-    return UvMesh.of(verts, faces, *unwrap(verts, faces, 64))
+    return UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
 
 
 def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):

@@ -3,6 +3,7 @@ import math
 import pytest
 import torch
 
+from core.geometry.mesh import Mesh
 from core.geometry.uv_health import island_count, uv_health
 from core.tests.texture_shapes import square, torus, torus_uv
 
@@ -10,7 +11,7 @@ from core.tests.texture_shapes import square, torus, torus_uv
 def test_a_true_map_has_no_stretch_whatever_its_size() -> None:
     verts, faces, uv, face_uvs = square()
     for scale in (1.0, 0.1):
-        found = uv_health(verts, faces, scale * uv, face_uvs)
+        found = uv_health(Mesh(verts, faces, scale * uv, face_uvs))
         assert found["uv_stretch"] == pytest.approx(1, abs=1e-4)
         assert found["uv_fill"] == pytest.approx(scale**2, abs=1e-4)
 
@@ -21,7 +22,7 @@ def test_a_map_drawn_out_along_u(k: float) -> None:
     verts, faces, uv, face_uvs = square()
     wide = uv * torch.tensor([1.0, 1 / k])
     expected = math.sqrt((1 + k**2) / 2) / math.sqrt(k)
-    assert uv_health(verts, faces, wide, face_uvs)["uv_stretch"] == pytest.approx(
+    assert uv_health(Mesh(verts, faces, wide, face_uvs))["uv_stretch"] == pytest.approx(
         expected, rel=1e-4
     )
 
@@ -31,7 +32,7 @@ def test_uneven_texels_count_as_stretch() -> None:
     verts, faces, uv, face_uvs = square()
     verts = torch.cat([verts, verts + 2])
     faces, face_uvs = torch.cat([faces, faces + 4]), torch.cat([face_uvs, face_uvs + 4])
-    found = uv_health(verts, faces, torch.cat([uv, uv / 2]), face_uvs)
+    found = uv_health(Mesh(verts, faces, torch.cat([uv, uv / 2]), face_uvs))
     assert found["uv_stretch"] == pytest.approx(1.25, rel=1e-4)
     assert found["uv_islands"] == 2
 
@@ -40,7 +41,7 @@ def test_faces_without_texels_are_counted_and_left_out() -> None:
     verts, faces, uv, face_uvs = square()
     face_uvs = face_uvs.clone()
     face_uvs[1] = 0
-    found = uv_health(verts, faces, uv, face_uvs)
+    found = uv_health(Mesh(verts, faces, uv, face_uvs))
     assert found["uv_flat"] == 1
     assert found["uv_stretch"] == pytest.approx(1, abs=1e-4)
 
@@ -49,6 +50,6 @@ def test_one_island_round_a_torus() -> None:
     verts, faces = torus()
     uv, face_uvs = torus_uv()
     assert island_count(face_uvs, len(uv)) == 1
-    found = uv_health(verts, faces, uv, face_uvs)
+    found = uv_health(Mesh(verts, faces, uv, face_uvs))
     assert 1 < found["uv_stretch"] < 1.5
     assert found["uv_fill"] == pytest.approx((1 - 0.12) ** 2, abs=1e-4)

@@ -6,12 +6,13 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from core.geometry.mesh import Mesh
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.tests.texture_shapes import square, torus, torus_uv
 
 
 def tangents_of(verts: Tensor, faces: Tensor, uv: Tensor, face_uvs: Tensor) -> Tensor:
-    return corner_tangents(verts, faces, smooth_normals(verts, faces), uv, face_uvs)
+    return corner_tangents(Mesh(verts, faces, uv, face_uvs), smooth_normals(verts, faces))
 
 
 def test_a_plane_has_the_axis_of_u() -> None:
@@ -130,12 +131,10 @@ def test_unwelded_vertices_are_one() -> None:
     verts, faces = torus()
     uv, face_uvs = torus_uv()
     normals = smooth_normals(verts, faces)
-    want = corner_tangents(verts, faces, normals, uv, face_uvs)
+    want = corner_tangents(Mesh(verts, faces, uv, face_uvs), normals)
     loose = torch.arange(3 * len(faces)).view(-1, 3)
-    got = corner_tangents(
-        verts[faces].reshape(-1, 3), loose, normals[faces].reshape(-1, 3),
-        uv[face_uvs].reshape(-1, 2), loose,
-    )  # fmt: skip
+    unwelded = Mesh(verts[faces].reshape(-1, 3), loose, uv[face_uvs].reshape(-1, 2), loose)
+    got = corner_tangents(unwelded, normals[faces].reshape(-1, 3))
     torch.testing.assert_close(got, want)
 
 

@@ -9,6 +9,7 @@ from scipy.ndimage import distance_transform_edt
 
 from core.benchmarks.bench_texture import shape
 from core.errors import Cancelled, UserError
+from core.geometry.mesh import Mesh
 from core.geometry.uv_health import uv_health
 from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
@@ -155,7 +156,7 @@ def inside_out() -> tuple[torch.Tensor, torch.Tensor]:
 def test_any_mesh_gets_a_sound_uv(mesh: tuple) -> None:
     atlas = unwrap(*mesh, 1024)
     assert uv_faults(*atlas) == []
-    told = uv_health(*mesh, *atlas)
+    told = uv_health(Mesh(*mesh, *atlas))
     assert told["uv_stretch"] < 1.15
     assert told["uv_flat"] == 0
 
@@ -187,7 +188,7 @@ def test_a_large_mesh_takes_seconds_and_fills_half(monkeypatch) -> None:
     start = time.process_time()
     atlas = unwrap(verts, faces, 1024)
     assert time.process_time() - start < 60
-    told = uv_health(verts, faces, *atlas)
+    told = uv_health(Mesh(verts, faces, *atlas))
     assert told["uv_fill"] > 0.5
     assert told["uv_stretch"] < 1.05
     assert uv_faults(*atlas) == []

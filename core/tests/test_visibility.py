@@ -17,7 +17,7 @@ CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
 
 @pytest.fixture(autouse=True, params=["torch", "compiled"])
 def back_end(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Everything here holds for the plain torch and for its compiled twin."""
+    """Everything here holds for the plain torch and for its compiled version."""
     if request.param == "torch":
         monkeypatch.setattr(kernels, "fit", lambda *_: False)
 

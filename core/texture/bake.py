@@ -11,6 +11,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.appearance.material import Material
+from core.geometry.mesh import Mesh
 from core.io.asset import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
@@ -21,10 +22,7 @@ CHUNK = 1 << 18  # points given to the material at once
 
 @torch.no_grad()
 def bake(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    uv: Float[Tensor, "u 2"],
-    face_uvs: Int[Tensor, "f 3"],
+    mesh: Mesh,
     material: Callable[[Float[Tensor, "n 3"]], Material],
     size: int,
     progress: Callable[[float], None] | None = None,
@@ -34,15 +32,15 @@ def bake(
 
     A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
     unit length again. Occlusion is 1: the light's shadows are the renderer's. The maps lie in
-    main memory. ``progress`` is told the part done, in [0, 1]; what it raises stops the bake.
+    main memory. ``progress`` gets the fraction done, in [0, 1]; what it raises stops it.
 
     Raises UserError where the uv map covers no texel.
     """
     maps = Maps(*(torch.ones(size * size, 3) for _ in Maps._fields))
     covered = torch.zeros(size * size, dtype=torch.bool)
-    for texels in texel_bands(uv, face_uvs, size, samples):
+    for texels in texel_bands(*mesh.atlas, size, samples):
         if len(texels.index):
-            where, mean = _means(verts, faces, texels, material)
+            where, mean = _means(mesh, texels, material)
             maps.base_color[where] = mean[:, :3]
             maps.orm[where, 1:] = mean[:, 3:5]
             maps.normal[where] = normalize(mean[:, 5:])
@@ -59,17 +57,14 @@ def bake(
 
 
 def _means(
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    texels: Texels,
-    material: Callable[[Float[Tensor, "n 3"]], Material],
+    mesh: Mesh, texels: Texels, material: Callable[[Float[Tensor, "n 3"]], Material]
 ) -> tuple[Int[Tensor, " t"], Float[Tensor, "t 8"]]:
     """The covered texels and, for each, the mean of kd, roughness, metallic and kn."""
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
-    total = torch.zeros(len(where), 8, device=verts.device)
+    total = torch.zeros(len(where), 8, device=mesh.verts.device)
     for face, bary, to in zip(
         texels.face.split(CHUNK), texels.bary.split(CHUNK), slot.split(CHUNK), strict=True
     ):
-        points = torch.einsum("nk,nkc->nc", bary, verts[faces[face]])
+        points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
         total.index_add_(0, to, torch.cat(material(points), -1).to(total))
     return where.cpu(), (total / count[:, None]).cpu()

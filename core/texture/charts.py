@@ -27,19 +27,20 @@ LARGEST_JOINED = 0.12
 
 def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, " f"]:
     """The chart of each face, 0 and up without gaps. The same mesh gives the same charts."""
-    beside = neighbours(faces)
-    area, normal = facing(verts, faces)
+    adjacent = neighbours(faces)
+    area, normal = areas_and_normals(verts, faces)
     area = np.maximum(area, 1e-6 * area.mean() + 1e-30)
-    normal = smooth(normal, area, beside)
-    chart = grown(beside, verts[faces].mean(1), normal, area)
-    chart = pieces(straightened(chart, beside, normal), beside)
-    return joined(chart, beside, normal, area)
+    normal = smooth(normal, area, adjacent)
+    chart = grown(adjacent, verts[faces].mean(1), normal, area)
+    chart = components(straightened(chart, adjacent, normal), adjacent)
+    return merged(chart, adjacent, normal, area)
 
 
 def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     """The face across the edge from corner i to i + 1.
 
-    -1 unless exactly two faces share it, and both look to the same side of the surface.
+    -1 unless exactly two faces share it, and both look to the same side of the surface: libigl's
+    triangle_triangle_adjacency joins faces of opposite winding, and two of three at one edge.
     """
     ends = np.stack([faces, np.roll(faces, -1, 1)], -1).reshape(-1, 2)
     key = ends.min(1) * (int(faces.max()) + 1) + ends.max(1)
@@ -49,12 +50,12 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     a, b = order[two], order[two + 1]
     alike = ends[a, 0] != ends[b, 0]
     a, b = a[alike], b[alike]
-    beside = np.full(len(key), -1, np.int64)
-    beside[a], beside[b] = b // 3, a // 3
-    return beside.reshape(-1, 3)
+    adjacent = np.full(len(key), -1, np.int64)
+    adjacent[a], adjacent[b] = b // 3, a // 3
+    return adjacent.reshape(-1, 3)
 
 
-def facing(
+def areas_and_normals(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
 ) -> tuple[Float[np.ndarray, " f"], Float[np.ndarray, "f 3"]]:
     """Area and unit normal of each face; the normal of one without area is zero."""
@@ -69,12 +70,14 @@ def unit(x: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
 
 
 def smooth(
-    normal: Float[np.ndarray, "f 3"], area: Float[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+    normal: Float[np.ndarray, "f 3"],
+    area: Float[np.ndarray, " f"],
+    adjacent: Int[np.ndarray, "f 3"],
 ) -> Float[np.ndarray, "f 3"]:
     """Normals averaged over the faces around, by area, SMOOTHING times."""
-    count = len(beside)
-    face, side = np.nonzero(beside >= 0)
-    rows, columns = np.r_[face, np.arange(count)], np.r_[beside[face, side], np.arange(count)]
+    count = len(adjacent)
+    face, side = np.nonzero(adjacent >= 0)
+    rows, columns = np.r_[face, np.arange(count)], np.r_[adjacent[face, side], np.arange(count)]
     mean = csr_array((area[columns], (rows, columns)), shape=(count, count))
     for _ in range(SMOOTHING):
         normal = unit(mean @ normal)
@@ -82,15 +85,15 @@ def smooth(
 
 
 def grown(
-    beside: Int[np.ndarray, "f 3"],
+    adjacent: Int[np.ndarray, "f 3"],
     centre: Float[np.ndarray, "f 3"],
     normal: Float[np.ndarray, "f 3"],
     area: Float[np.ndarray, " f"],
 ) -> Int[np.ndarray, " f"]:
     """Charts grown from seeds in their middles; what no seed may reach gets seeds of its own."""
-    chart = with_rest(np.full(len(beside), -1, np.int64), beside)
+    chart = with_rest(np.full(len(adjacent), -1, np.int64), adjacent)
     for _ in range(ROUNDS):
-        chart = halved(chart, np.bincount(chart, area) > LARGEST * area.sum(), beside, centre)
+        chart = halved(chart, np.bincount(chart, area) > LARGEST * area.sum(), adjacent, centre)
         weight = np.bincount(chart, area)[:, None]
         middle, axis = sums(chart, centre, area) / weight, sums(chart, normal, area) / weight
         away = np.square(centre - middle[chart]).sum(1) * (2.1 - (normal * axis[chart]).sum(1))
@@ -98,7 +101,7 @@ def grown(
         seeds = order[np.flatnonzero(np.r_[True, np.diff(chart[order]) != 0])]
         one_way = np.linalg.norm(axis, axis=1, keepdims=True) > ONE_WAY
         axis = np.where(one_way, unit(axis), normal[seeds])
-        chart = with_rest(grow(beside, centre, normal, seeds, axis, WIDEST), beside)
+        chart = with_rest(grow(adjacent, centre, normal, seeds, axis, WIDEST), adjacent)
     return chart
 
 
@@ -110,19 +113,21 @@ def sums(
 
 
 def with_rest(
-    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+    chart: Int[np.ndarray, " f"], adjacent: Int[np.ndarray, "f 3"]
 ) -> Int[np.ndarray, " f"]:
-    """Faces without a chart get new ones, one for each piece that hangs together."""
+    """Faces without a chart get new ones, one for each connected component."""
     rest = chart < 0
     new = chart.copy()
-    new[rest] = chart.max() + 1 + pieces(chart, beside)[rest]
+    new[rest] = chart.max() + 1 + components(chart, adjacent)[rest]
     return np.unique(new, return_inverse=True)[1].reshape(-1)
 
 
-def pieces(chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, " f"]:
-    """A number for each part of a chart that hangs together."""
-    face, side = np.nonzero(beside >= 0)
-    other = beside[face, side]
+def components(
+    chart: Int[np.ndarray, " f"], adjacent: Int[np.ndarray, "f 3"]
+) -> Int[np.ndarray, " f"]:
+    """A number for each connected component of a chart."""
+    face, side = np.nonzero(adjacent >= 0)
+    other = adjacent[face, side]
     same = chart[face] == chart[other]
     ends = face[same], other[same]
     graph = coo_array((np.ones(len(ends[0]), np.int8), ends), shape=(len(chart),) * 2)
@@ -130,29 +135,29 @@ def pieces(chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]) -> Int[
 
 
 def straightened(
-    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"], normal: Float[np.ndarray, "f 3"]
+    chart: Int[np.ndarray, " f"], adjacent: Int[np.ndarray, "f 3"], normal: Float[np.ndarray, "f 3"]
 ) -> Int[np.ndarray, " f"]:
     """Borders without teeth: a face goes over to the chart of two of its neighbours."""
     for _ in range(STRAIGHTENING):
-        around = np.where(beside >= 0, chart[beside], -1 - np.arange(3))
+        around = np.where(adjacent >= 0, chart[adjacent], -1 - np.arange(3))
         a, b, c = around.T
         two = np.where(a == b, a, np.where(b == c, b, np.where(a == c, c, chart)))
-        near = beside[np.arange(len(chart)), (around == two[:, None]).argmax(1)]
+        near = adjacent[np.arange(len(chart)), (around == two[:, None]).argmax(1)]
         alike = (normal * normal[near]).sum(1) > WIDEST
         chart = np.where((two >= 0) & alike, two, chart)
     return chart
 
 
-def joined(
+def merged(
     chart: Int[np.ndarray, " f"],
-    beside: Int[np.ndarray, "f 3"],
+    adjacent: Int[np.ndarray, "f 3"],
     normal: Float[np.ndarray, "f 3"],
     area: Float[np.ndarray, " f"],
 ) -> Int[np.ndarray, " f"]:
     """Neighbours made one where both keep within WIDEST of one axis, the longest border first."""
     order = np.argsort(chart, kind="stable")
     faces_of = dict(enumerate(np.split(order, np.flatnonzero(np.diff(chart[order])) + 1)))
-    border, largest = borders(chart, beside), LARGEST_JOINED * area.sum()
+    border, largest = borders(chart, adjacent), LARGEST_JOINED * area.sum()
     heap = [(-n, a, b) for a in border for b, n in border[a].items() if a < b]
     heapq.heapify(heap)
     while heap:
@@ -178,11 +183,11 @@ def joined(
 
 
 def borders(
-    chart: Int[np.ndarray, " f"], beside: Int[np.ndarray, "f 3"]
+    chart: Int[np.ndarray, " f"], adjacent: Int[np.ndarray, "f 3"]
 ) -> dict[int, dict[int, int]]:
     """For each chart, the edges that it shares with each other."""
-    face, side = np.nonzero(beside >= 0)
-    pair = np.stack([chart[face], chart[beside[face, side]]], 1)
+    face, side = np.nonzero(adjacent >= 0)
+    pair = np.stack([chart[face], chart[adjacent[face, side]]], 1)
     unique, count = np.unique(pair[pair[:, 0] != pair[:, 1]], axis=0, return_counts=True)
     border: dict[int, dict[int, int]] = {int(c): {} for c in np.unique(chart)}
     for (a, b), n in zip(unique.tolist(), count.tolist(), strict=True):
@@ -193,7 +198,7 @@ def borders(
 def halved(
     chart: Int[np.ndarray, " f"],
     these: Bool[np.ndarray, " c"],
-    beside: Int[np.ndarray, "f 3"],
+    adjacent: Int[np.ndarray, "f 3"],
     centre: Float[np.ndarray, "f 3"],
 ) -> Int[np.ndarray, " f"]:
     """The charts ``these`` cut across their longest sides; what falls apart is a chart each."""
@@ -203,4 +208,4 @@ def halved(
         away = centre[faces] - centre[faces].mean(0)
         along = away @ np.linalg.eigh(away.T @ away)[1][:, -1]
         chart[faces[along > np.median(along)]] = chart.max() + 1
-    return pieces(chart, beside)
+    return components(chart, adjacent)

@@ -6,15 +6,17 @@ each chart's view along its axis.
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
-from scipy.sparse import coo_array, csc_array, csr_array, eye_array
+from scipy.sparse import coo_array, csc_array, eye_array
 from scipy.sparse.linalg import splu
 
+from core.geometry.mesh import mean_around, taubin
 from core.texture.charts import unit
 
 ITERATIONS = 10
 COTANGENTS = (0.05, 20.0)  # kept within: a sliver would pull with all its weight, or push
 HOLD = 1e-6  # of the mean weight, to the place at the start: a chart alone may lie anywhere
 UNFOLDING = 40  # rounds
+SMOOTHING = 10  # rounds, of the surface that gives the charts their first layout
 
 
 def flatten(
@@ -27,31 +29,10 @@ def flatten(
     key = chart[:, None] * (int(faces.max()) + 1) + faces
     _, first, face_uvs = np.unique(key, return_index=True, return_inverse=True)
     face_uvs = face_uvs.reshape(-1, 3)
-    uv = seen_along_axis(without_ripples(verts, faces), faces, chart, first)
+    uv = seen_along_axis(taubin(verts, faces, SMOOTHING), faces, chart, first)
     rest = at_rest(verts[faces])
     uv = unfolded(as_rigid(uv, face_uvs, rest), face_uvs)
     return uv, face_uvs
-
-
-def without_ripples(
-    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], rounds: int = 10
-) -> Float[np.ndarray, "v 3"]:
-    """The mesh smoothed and swollen again ("A Signal Processing Approach...", Taubin 1995)."""
-    mean = mean_around(faces, len(verts))
-    for _ in range(rounds):
-        for step in (0.5, -0.53):
-            verts = verts + step * (mean @ verts - verts)
-    return verts
-
-
-def mean_around(faces: Int[np.ndarray, "f 3"], count: int) -> csr_array:
-    """The mean over the vertices that share an edge with each."""
-    a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
-    graph = coo_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
-    graph = csr_array(graph)
-    graph.data[:] = 1
-    total = np.maximum(graph.sum(1), 1)
-    return csr_array(graph / total[:, None])
 
 
 def seen_along_axis(

@@ -15,7 +15,7 @@ import xatlas
 from jaxtyping import Float, Int
 
 CELLS = 512  # along the square: the steps in which xatlas looks for places
-HOPED = 0.7  # share of the square that charts fill at the first scale
+EXPECTED_FILL = 0.7  # fraction of the square that charts fill at the first scale
 PASSES = 24  # at other scales and in other turns
 GROWTH = 0.01  # of the scale, from one that fits to the next tried
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
@@ -75,7 +75,7 @@ def pack(
     padding = max(1, int(np.ceil(gap * CELLS - 1e-6)))
     room = CELLS - 2 * padding
     area = float(triangle_areas(uv[face_uvs]).sum())
-    scale = room * np.sqrt(HOPED / max(area, 1e-30))
+    scale = room * np.sqrt(EXPECTED_FILL / max(area, 1e-30))
     random, best, step = np.random.default_rng(0), None, GROWTH
     with Atlases() as atlases:
         for round_ in range(PASSES):
@@ -98,7 +98,7 @@ def pack(
 def in_a_row(
     found: list[Chart], turns: Int[np.ndarray, " c"], count: int
 ) -> Float[np.ndarray, "{count} 2"]:
-    """All charts beside one another, each in so many quarter ``turns``."""
+    """All charts next to one another, each in so many quarter ``turns``."""
     out, x = np.zeros((count, 2)), 0.0
     for one, turn in zip(found, turns, strict=True):
         at = one.at

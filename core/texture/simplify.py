@@ -1,8 +1,8 @@
 """Fewer faces before the unwrap: edge collapse by quadric error.
 
 Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997, as libigl has it.
-Every collapse is tested to leave a manifold, so a closed mesh stays closed, with the genus and
-the pieces that it had, and collapses that would push the surface through itself are refused. A few
+Every collapse is tested to leave a manifold, so a closed mesh stays closed, with its genus and
+its components, and collapses that would push the surface through itself are refused. A few
 collapses in ten thousand leave a fold nevertheless, a dark speck on a smooth ball: they are spread
 out again over the surface.
 """
@@ -14,7 +14,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
-from core.texture.flatten import mean_around
+from core.geometry.mesh import mean_around
 
 FOLDED = 0.3  # cosine between a face and the surface below it, under which it is folded
 UNFOLD_ROUNDS = 10

@@ -15,13 +15,13 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.kernels.cells import mark
-from core.texture.charts import charts, halved, neighbours, pieces
+from core.texture.charts import charts, components, halved, neighbours
 from core.texture.flatten import at_rest, flatten
 from core.texture.packing import charts_of, pack, triangle_areas
 
 MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
-MENDINGS = 4  # rounds of cutting out what would not lie flat
+REPAIR_ROUNDS = 4  # rounds of cutting out what would not lie flat
 SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
 OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
 OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two
@@ -46,7 +46,7 @@ def unwrap(
     it raises stops the work.
 
     Raises UserError: more than MAX_FACES faces, numbers that are not finite, a mesh of so many
-    pieces that the gaps between them fill the texture.
+    components that the gaps between them fill the texture.
     """
     if len(faces) > MAX_FACES:
         raise UserError(
@@ -86,16 +86,16 @@ def flat_charts(
     progress: Callable[[float], None],
 ) -> tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"], Int[np.ndarray, " f"]]:
     """uv, uv indices and charts; charts that would not lie flat are cut until they do."""
-    beside, centre = neighbours(faces), verts[faces].mean(1)
+    adjacent, centre = neighbours(faces), verts[faces].mean(1)
     area = triangle_areas(at_rest(verts[faces]))
-    for round_ in range(MENDINGS):
-        progress(round_ / MENDINGS)
+    for round_ in range(REPAIR_ROUNDS):
+        progress(round_ / REPAIR_ROUNDS)
         uv, face_uvs = flatten(verts, faces, chart)
         bad, folded = squashed(uv[face_uvs], area), overlapping(uv, face_uvs, chart)
-        if round_ == MENDINGS - 1 or not (bad.any() or folded.any()):
+        if round_ == REPAIR_ROUNDS - 1 or not (bad.any() or folded.any()):
             break
-        chart = halved(chart, folded, beside, centre)
-        chart = pieces(np.where(bad, chart + chart.max() + 1, chart), beside)
+        chart = halved(chart, folded, adjacent, centre)
+        chart = components(np.where(bad, chart + chart.max() + 1, chart), adjacent)
     return uv, face_uvs, chart
 
 

@@ -1,0 +1,321 @@
+"""The core's commands: their options, declared once for ``python -m core`` and ``run.py``.
+
+Standard library only until a command is carried out: torch takes seconds to load, and a wrong
+option must not wait for it.
+
+Exit codes: 0 done; 2 the user's input; 3 something is missing; 4 out of memory; 5 no surface could
+be kept; 130 cancelled.
+"""
+
+import argparse
+import difflib
+import json
+import os
+import signal
+import sys
+import time
+import traceback
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from core.errors import MemoryShortError, UserError
+
+if TYPE_CHECKING:
+    from core.generate import Inputs
+    from core.io.job import Job
+    from core.io.run_folder import RunFolder
+
+
+# A request to cancel that is older than this was meant for an earlier session.
+START = time.time()
+JOBS = ("generate", "texture", "resume")  # these end in an asset
+
+
+class Parser(argparse.ArgumentParser):
+    """Reports what is wrong in one sentence, as a UserError."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UserError(f"{message[:1].upper()}{message[1:]}.", f"See: {self.prog} --help")
+
+
+class Commands:
+    """A parser to which each side adds its commands."""
+
+    def __init__(self, description: str) -> None:
+        self.parser = Parser(
+            prog="run.py", usage="run.py COMMAND …", description=description, allow_abbrev=False
+        )
+        self._parsers = self.parser.add_subparsers(
+            dest="command", required=True, metavar="COMMAND", prog="run.py"
+        )
+
+    def add(self, name: str, text: str) -> Parser:
+        """A new command."""
+        return self._parsers.add_parser(name, help=text, description=text, allow_abbrev=False)
+
+    def __getitem__(self, name: str) -> Parser:
+        return self._parsers.choices[name]
+
+    def parse(self, argv: Sequence[str]) -> argparse.Namespace:
+        """The options of ``argv``; a misspelt one is named, with the nearest that there is."""
+        args, unknown = self.parser.parse_known_args(argv)
+        if unknown:
+            known = [o for a in self[args.command]._actions for o in a.option_strings]
+            near = difflib.get_close_matches(unknown[0].split("=")[0], known, n=1)
+            fix = f"Did you mean {near[0]}?" if near else f"See: run.py {args.command} --help"
+            raise UserError(f"{args.command} has no option {unknown[0]!r}.", fix)
+        return args
+
+
+def add_core_commands(commands: Commands) -> None:
+    """The commands that the core carries out, and their options."""
+    add = commands.add
+
+    generate = add("generate", "Text in, a textured mesh out.")
+    generate.add_argument("prompt")
+    generate.add_argument("--guide", metavar="MESH", help="start from this shape")
+    generate.add_argument(
+        "--guide-strength", type=float, metavar="0..1", help="0: a start only; 1: keep the shape"
+    )
+    texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
+    texture.add_argument("mesh")
+    texture.add_argument("prompt")
+    texture.add_argument(
+        "--uv", metavar="auto|keep", help="keep: take the mesh's own, even where faces share texels"
+    )
+    texture.add_argument(
+        "--base-color", metavar="FILE|mesh", help="start from this picture, or the mesh's own"
+    )
+    texture.add_argument(
+        "--strength", type=float, metavar="0..1", help="0: a start only; 1: keep the base colour"
+    )
+    for command in (generate, texture):
+        _add_job_options(command)
+
+    resume = add("resume", "Go on with a run that was cancelled or died.")
+    resume.add_argument("run", type=Path)
+
+    render = add("render", "A picture of an asset under a light.")
+    render.add_argument("asset", type=Path)
+    render.add_argument("--light", default="studio", metavar="FILE|NAME")
+    render.add_argument("--azimuth-deg", type=float, default=30.0, help="0 is the front")
+    render.add_argument("--elevation-deg", type=float, default=20.0)
+    render.add_argument("--fovy-deg", type=float, default=40.0)
+    render.add_argument("--distance", type=float, metavar="METRES", help="default: see all of it")
+    render.add_argument("--size", type=int, default=512, help="pixels")
+    render.add_argument("--map", default="shaded", help="shaded, normal, base_color, roughness, …")
+    render.add_argument("--out", type=Path, required=True, metavar="FILE.png|FILE.exr")
+
+    inspect = add("inspect", "The health of an asset or a mesh, as JSON.")
+    inspect.add_argument("path", type=Path, metavar="ASSET|MESH")
+
+    export = add("export", "An asset as one file for another program.")
+    export.add_argument("asset", type=Path)
+    export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
+    export.add_argument("--out", type=Path, required=True, metavar="FILE")
+
+    bench = add("bench", "Measure this machine.")
+    bench.add_argument("names", nargs="*", metavar="NAME")
+    bench.add_argument("--json", type=Path, metavar="FILE")
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="of prior: which")
+    bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help="of prior: where the runs go")
+
+
+def _add_job_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
+    command.add_argument("--seed", type=int)
+    command.add_argument("--preset", help="draft, standard or paper")
+    command.add_argument("--negative", dest="negative_prompt", metavar="TEXT")
+    command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    command.add_argument(
+        "--ignore-unknown-words",
+        action="store_true",
+        help="leave out what the built-in prior does not know, instead of refusing it",
+    )
+    command.add_argument("--light", metavar="FILE|NAME")
+    command.add_argument("--texture-size", type=int, metavar="N")
+    command.add_argument("--max-faces", type=int, metavar="N")
+    command.add_argument("--device", metavar="auto|cpu|cuda|mps")
+    command.add_argument("--set", action="append", default=[], metavar="stage.field=value")
+
+
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    """The options of one of the core's commands."""
+    commands = Commands(__doc__ or "")
+    add_core_commands(commands)
+    return commands.parse(argv)
+
+
+def job_of(args: argparse.Namespace) -> "Job":
+    """The Job that ``generate`` or ``texture`` asks for; its paths are made absolute."""
+    from core.io.job import Job
+
+    given = {
+        "command": args.command,
+        "prompt": args.prompt,
+        "mesh": _absolute(getattr(args, "mesh", "")),
+        "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
+        "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
+        "uv": getattr(args, "uv", None),
+        "ignore_unknown_words": args.ignore_unknown_words,
+        "settings": dict(_setting(text) for text in args.set),
+    }
+    for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
+        given[name] = getattr(args, name)
+    for name in ("guidance", "light", "base_color"):
+        value = getattr(args, name, None)
+        given[name] = _absolute(value) if value and Path(value).exists() else value
+    return Job(**{key: value for key, value in given.items() if value is not None})
+
+
+def _absolute(path: str) -> str:
+    return str(Path(path).expanduser().resolve()) if path else ""
+
+
+def _setting(text: str) -> tuple[str, str]:
+    key, equals, value = text.partition("=")
+    if not equals:
+        raise UserError(f"--set {text!r} has no value.", "Write --set geometry.fine.steps=100.")
+    return key.strip(), value.strip()
+
+
+def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+    """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
+
+    ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
+    """
+    from core.generate import generate, prepare
+    from core.io.progress import Progress
+
+    path, request, progress = run.path, run.path / "cancel", Progress(run)
+    signal.signal(signal.SIGINT, lambda *_: progress.interrupt())
+    signal.signal(signal.SIGTERM, lambda *_: progress.interrupt())
+    if request.exists() and request.stat().st_mtime < START:
+        request.unlink()
+    run.report("started", pid=os.getpid())
+    try:
+        asset = generate(run, inputs or prepare(run.job), progress)
+    except UserError as error:
+        kind = "cancelled" if error.status == 130 else "error"
+        with suppress(OSError):  # a full disk takes no last word
+            # Carried out. Its time may be in a later session's future: a clock can be set back.
+            request.unlink(missing_ok=True)
+            run.report(kind, text=error.text, fix=error.fix or None)
+        raise
+    except BaseException as error:
+        known = _known(error)
+        text, fix = (known.text, known.fix) if known else (f"{type(error).__name__}: {error}", "")
+        with suppress(OSError):
+            run.report("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
+        if known:
+            raise known from error
+        with (path / "log.txt").open("a", encoding="utf-8") as log:
+            traceback.print_exc(file=log)
+        raise
+    run.report("done", path="asset", text=f"{asset} is complete.")
+    print(asset, flush=True)
+    return asset
+
+
+def _known(error: BaseException) -> UserError | None:
+    """An error of the machine as a sentence: memory and disk."""
+    told = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
+    if told or isinstance(error, MemoryError):
+        return MemoryShortError(
+            "There is not enough memory for this job.",
+            "Lower geometry.views_at_once and appearance.views_at_once with --set, "
+            "or take the draft preset; then resume.",
+        )
+    if isinstance(error, OSError) and error.errno is not None:
+        place = f" {error.filename}" if error.filename else ""
+        return UserError(
+            f"The disk refused{place}: {error.strerror}.", "Free some space or take another --out."
+        )
+    return None
+
+
+def main(argv: Sequence[str]) -> int:
+    """Carry out one of the core's commands: the exit code."""
+    return exit_code(lambda: carry_out(parse(argv)))
+
+
+def exit_code(work: Callable[[], object]) -> int:
+    """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
+    try:
+        work()
+    except UserError as error:
+        print(f"{'' if error.status == 130 else 'error: '}{error}", file=sys.stderr)
+        return error.status
+    except KeyboardInterrupt:
+        print("Cancelled.", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        return 0
+    return 0
+
+
+def carry_out(args: argparse.Namespace) -> Path | None:
+    """Carry out a parsed command; the folder of the asset that it made, if it made one."""
+    if args.command in JOBS:
+        return _resume(args) if args.command == "resume" else _job(args)
+    {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}[args.command](args)
+    return None
+
+
+def default_run_folder(prompt: str) -> Path:
+    """Where a run goes that names no --out: its prompt's letters and digits, numbered if taken."""
+    words = "".join(c if c.isalnum() else " " for c in prompt.lower()).split()
+    name = "-".join(words)[:40].strip("-") or "asset"
+    number, folder = 1, Path("out") / name
+    while folder.exists():
+        number += 1
+        folder = Path("out") / f"{name}-{number}"
+    return folder
+
+
+def _job(args: argparse.Namespace) -> Path:
+    from core.generate import prepare
+    from core.io.run_folder import RunFolder
+
+    job = job_of(args)
+    inputs = prepare(job)  # what is wrong is reported before anything is written
+    return run_job(RunFolder.create(args.out or default_run_folder(job.prompt), job), inputs)
+
+
+def _resume(args: argparse.Namespace) -> Path:
+    from core.io.run_folder import RunFolder
+
+    return run_job(RunFolder.open(args.run), None)
+
+
+def _render(args: argparse.Namespace) -> None:
+    from core.picture import render_asset
+
+    options = {key: value for key, value in vars(args).items() if key != "command"}
+    render_asset(options.pop("asset"), options.pop("out"), **options)
+
+
+def _inspect(args: argparse.Namespace) -> None:
+    from core.io.asset import inspect
+
+    print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
+
+
+def _export(args: argparse.Namespace) -> None:
+    from core.io.asset import export
+
+    export(args.asset, args.format, args.out)
+
+
+def _bench(args: argparse.Namespace) -> None:
+    from core.benchmarks import bench
+
+    if args.names == ["prior"]:  # hours, and folders of runs: never one of several
+        from core.benchmarks.bench_prior import bench_prior
+
+        bench_prior(args.nouns, args.seeds, args.out, args.json)
+    else:
+        bench(args.names, args.json)

@@ -1,0 +1,71 @@
+"""OpenImageIO, the only file that knows the library: numbers as they lie in a file, unconverted."""
+
+import errno
+import os
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO
+
+MAX_SIDE = 1 << 15  # pixels; a larger side is a broken header or an attack on the memory
+
+# Alpha as stored: the library would multiply colours by it.
+STRAIGHT_ALPHA = OpenImageIO.ImageSpec()
+STRAIGHT_ALPHA.attribute("oiio:UnassociatedAlpha", 1)
+
+
+class UnreadableError(ValueError):
+    """The library's sentence on why a file is not the picture it should be."""
+
+
+def read_pixels(path: Path, format: str) -> np.ndarray:
+    """(H,W,C) of the file's own type (uint8, uint16, float32); ``format`` is "png" or "hdr".
+
+    Raises UnreadableError for a file of another format, a broken one, or one too large.
+    """
+    source = OpenImageIO.ImageInput.open(str(path), STRAIGHT_ALPHA)
+    if source is None:
+        raise UnreadableError(_one_line(OpenImageIO.geterror()))
+    try:
+        spec = source.spec()
+        if source.format_name() != format:
+            raise UnreadableError(f"it is a {source.format_name()} file")
+        if max(spec.width, spec.height) > MAX_SIDE:
+            raise UnreadableError(
+                f"its size {spec.width} x {spec.height} is over {MAX_SIDE} a side"
+            )
+        if spec.get_int_attribute("Orientation", 1) != 1:
+            raise UnreadableError("its rows do not run from the top left")
+        pixels = source.read_image(0, 0, 0, spec.nchannels, spec.format.basetype)
+        # The library fills in for scanlines that are missing: what it says counts.
+        if pixels is None or source.has_error:
+            raise UnreadableError(_one_line(source.geterror()))
+        return pixels
+    finally:
+        source.close()
+
+
+def write_pixels(path: Path, pixels: np.ndarray) -> None:
+    """Write (H,W,C) of uint8 or uint16 as a PNG, the values as they are.
+
+    Raises OSError. The library reports success on a full disk, so its error text decides.
+    """
+    path.open("wb").close()  # for the system's own reason, which the library does not pass on
+    height, width, channels = pixels.shape
+    kind = OpenImageIO.UINT8 if pixels.dtype == np.uint8 else OpenImageIO.UINT16
+    spec = OpenImageIO.ImageSpec(width, height, channels, kind)
+    spec.attribute("png:compressionLevel", 6)
+    spec.attribute("oiio:UnassociatedAlpha", 1)
+    out = OpenImageIO.ImageOutput.create("png")
+    done = out.open(str(path), spec) and out.write_image(np.ascontiguousarray(pixels))
+    closed = out.close()
+    text = out.geterror().strip()
+    if "could only write" in text:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+    if text or not (done and closed):
+        raise OSError(errno.EIO, _one_line(text), str(path))
+
+
+def _one_line(text: str) -> str:
+    """The first line of an error: a full disk repeats it for each block."""
+    return text.strip().split("\n")[0].rstrip(".") or "no reason was given"
