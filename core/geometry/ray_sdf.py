@@ -23,9 +23,9 @@ def ray_min_sdf(
     """Smallest of ``samples`` trilinear values of the lattice along each ray, rows from the top.
 
     The samples are spaced evenly within the lattice's cube, moved on by ``shift``, 0 to 1, of a
-    spacing: a ray's own, drawn at random, so that no place stays between the samples. The gradient
-    goes through the smallest one. A ray that misses the cube takes the cube's nearest values. The nodes
-    are taken where they were before their offsets.
+    spacing; it is drawn at random for each ray, so that no place stays between the samples. The
+    gradient goes through the smallest one. A ray that misses the cube takes the cube's nearest
+    values. The nodes are taken where they were before their offsets.
     """
     size = shift.shape[-1]
     with torch.no_grad():
