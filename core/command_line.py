@@ -189,31 +189,34 @@ def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
+    from core.io.progress import Progress
 
-    path, request = run.path, run.path / "cancel"
-    signal.signal(signal.SIGINT, lambda *_: run.interrupt())
-    signal.signal(signal.SIGTERM, lambda *_: run.interrupt())
+    path, request, progress = run.path, run.path / "cancel", Progress(run)
+    signal.signal(signal.SIGINT, lambda *_: progress.interrupt())
+    signal.signal(signal.SIGTERM, lambda *_: progress.interrupt())
     if request.exists() and request.stat().st_mtime < START:
         request.unlink()
-    run.say("started", pid=os.getpid())
+    run.report("started", pid=os.getpid())
     try:
-        asset = generate(run, inputs or prepare(run.job))
+        asset = generate(run, inputs or prepare(run.job), progress)
     except UserError as error:
         kind = "cancelled" if error.status == 130 else "error"
         with suppress(OSError):  # a full disk takes no last word
-            run.say(kind, text=error.text, fix=error.fix or None)
+            # Carried out. Its time may be in a later session's future: a clock can be set back.
+            request.unlink(missing_ok=True)
+            run.report(kind, text=error.text, fix=error.fix or None)
         raise
     except BaseException as error:
         known = _known(error)
         text, fix = (known.text, known.fix) if known else (f"{type(error).__name__}: {error}", "")
         with suppress(OSError):
-            run.say("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
+            run.report("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
         if known:
             raise known from error
         with (path / "log.txt").open("a", encoding="utf-8") as log:
             traceback.print_exc(file=log)
         raise
-    run.say("done", path="asset", text=f"{asset} is complete.")
+    run.report("done", path="asset", text=f"{asset} is complete.")
     print(asset, flush=True)
     return asset
 

@@ -25,14 +25,14 @@ class PhaseConfig:
     steps: int
     size: int  # side of the rendered picture, pixels
     weighting: Weighting  # w(t)
-    t_low: float = 0.02  # share of the diffusion's T steps
+    t_low: float = 0.02  # fraction of the diffusion's T steps
     t_high: tuple[float, float] = (0.5, 0.5)  # at the phase's first and last step
     guidance_scale: float = 100.0  # 1 is no guidance
 
 
 @dataclass(frozen=True, kw_only=True)
 class RefineConfig:
-    """A phase that the paper does not have: rounds of regression to denoised pictures."""
+    """A phase beyond the paper: rounds of regression to denoised pictures."""
 
     rounds: int = 0  # 0 leaves it out
     steps: int = 40  # of the optimiser, in one round
@@ -63,14 +63,16 @@ class GeometryConfig:
     views_at_once: int = 24  # cameras rendered together; the rest is accumulated
     cameras: CameraConfig = SPHERE
     learning_rate: float = 1e-3
-    learning_rate_end: float = 1.0  # share of the rate that is left at the last step
+    learning_rate_end: float = 1.0  # fraction of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
     gradient_cap: float = 0.0  # upper bound of the score's RMS; 0 is none
     gradient_clip: float = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
-    ray_mask_share: float = 0.0  # share of all steps that also move the mask along empty rays
+    # Fraction of all distilling steps, from the first on: the coarse ones among them also move the
+    # mask along empty rays.
+    ray_mask_share: float = 0.0
     eikonal: float = 0.0  # weight of (|∇s| - 1)²
-    smooth_normals: float = 0.0  # weight of 1 - cos between neighbouring faces
-    join: bool = False  # pieces of the finished mesh that stand apart get struts between them
+    smooth_normals: float = 0.0  # weight of 1 - cos between adjacent faces
+    join: bool = False  # struts between the connected components of the finished mesh
     polish: int = 0  # rounds of Taubin smoothing of the finished mesh
 
 
@@ -89,7 +91,7 @@ class AppearanceConfig:
     views_at_once: int = 24
     cameras: CameraConfig = SPHERE
     learning_rate: float = 1e-2
-    learning_rate_end: float = 1.0  # share left at the last step, of distilling and of refining
+    learning_rate_end: float = 1.0  # fraction left at the end of distilling and of refining
     gradient_cap: float = 0.0
     shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
@@ -99,7 +101,7 @@ class AppearanceConfig:
     kd_range: tuple[float, float] = (0.03, 0.97)
     roughness_range: tuple[float, float] = (0.08, 0.9)
     metallic_range: tuple[float, float] = (0.0, 1.0)
-    metallic_start: float = 0.5  # share of its range that metallic starts at
+    metallic_start: float = 0.5  # fraction of its range that metallic starts at
     bump: float = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
     smooth: float = 0.0  # weight of the material's change between neighbouring points
 
@@ -155,7 +157,7 @@ DRAFT = Config(
         coarse=PhaseConfig(
             steps=30, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),
-        # From much noise, so that each picture has what the shape lacks yet, such as its legs.
+        # From much noise, so that each picture has what the shape still lacks, such as its legs.
         grow=RefineConfig(
             rounds=8,
             steps=25,
@@ -166,7 +168,7 @@ DRAFT = Config(
             denoise_steps=4,
             learning_rate=4e-3,
         ),
-        # None: it cut the nose off a rocket, and refining starts where growing ends.
+        # No steps: they cut the nose off a rocket, and refining starts where growing ends.
         fine=PhaseConfig(
             steps=0,
             size=128,
@@ -186,7 +188,7 @@ DRAFT = Config(
         ray_mask_share=0.4,
         eikonal=0.05,
         smooth_normals=0.003,
-        join=True,  # every word of the prior's means one thing in one piece
+        join=True,  # every noun of the prior's is one connected thing
         polish=8,
     ),
     appearance=AppearanceConfig(
@@ -227,17 +229,17 @@ PRESETS: dict[str, Config] = {"draft": DRAFT, "standard": STANDARD, "paper": PAP
 def preset(name: str) -> Config:
     """The preset ``name``; UserError for one that is not there."""
     if name not in PRESETS:
-        raise UserError(f"There is no preset {name!r}.", f"Take one of {', '.join(PRESETS)}.")
+        raise UserError(f"There is no preset {name!r}.", f"Use one of {', '.join(PRESETS)}.")
     return PRESETS[name]
 
 
 def with_settings(config: Config, settings: dict[str, Any]) -> Config:
-    """``config`` with ``{"geometry.coarse.steps": 100}`` and the like put in.
+    """``config`` with ``{"geometry.coarse.steps": 100}`` and the like applied.
 
     Values may be text, as they come from ``--set``; tuples are numbers with commas.
 
     Raises:
-        UserError: a key that is not there (with the nearest one), or a value of another type.
+        UserError: an unknown key (with the nearest known one), or a value of another type.
     """
     for key, value in settings.items():
         config = _with_setting(config, key, key.split("."), value)
@@ -275,7 +277,7 @@ def _did_you_mean(key: str) -> str:
 
 
 def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
-    """``value`` as the type of the field, of which ``here`` is a present value."""
+    """``value`` as the type of the field whose present value is ``here``."""
     try:
         if get_origin(kind) is Literal:
             if value not in get_args(kind):

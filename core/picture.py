@@ -47,14 +47,14 @@ def render_asset(
         size: pixels along a side.
 
     Raises:
-        UserError: no asset, a map or file type that is not there, numbers out of range.
+        UserError: no asset, an unknown map or file type, numbers out of range.
     """
     _check(out, map, fovy_deg, distance, size)
     asset = read_asset(folder)
     verts, _, scale = normalise(asset.mesh.verts)
     far = FRAMING if distance is None else distance * scale
     cameras = Cameras.orbit([azimuth_deg], [elevation_deg], far, fovy_deg)
-    picture, o = _draw(asset, verts, cameras, map, size, light)
+    picture, o = _draw(asset, verts, cameras, map=map, size=size, light=light)
     if out.suffix.lower() == ".exr":
         write_exr(out, torch.cat([picture, o], -1))
     else:
@@ -63,9 +63,9 @@ def render_asset(
 
 def _check(out: Path, map: str, fovy_deg: float, distance: float | None, size: int) -> None:
     if map not in MAPS:
-        raise UserError(f"There is no map {map!r}.", f"Take one of {', '.join(MAPS)}.")
+        raise UserError(f"There is no map {map!r}.", f"Use one of {', '.join(MAPS)}.")
     if out.suffix.lower() not in (".png", ".exr"):
-        raise UserError(f"{out} is no PNG or EXR.", "Name a file that ends in .png or .exr.")
+        raise UserError(f"{out} is no PNG or EXR.", "Use a name that ends in .png or .exr.")
     if not 1 <= fovy_deg <= 170:
         raise UserError(f"The field of view is {fovy_deg}°.", "It takes 1 to 170.")
     if distance is not None and not 0 < distance < math.inf:
@@ -76,7 +76,7 @@ def _check(out: Path, map: str, fovy_deg: float, distance: float | None, size: i
 
 @torch.no_grad()
 def _draw(
-    asset: Asset, verts: Tensor, cameras: Cameras, map: str, size: int, light: str
+    asset: Asset, verts: Tensor, cameras: Cameras, *, map: str, size: int, light: str
 ) -> tuple[Float[Tensor, "h w c"], Float[Tensor, "h w 1"]]:
     """The map over black, weighted by coverage, linear; and the coverage."""
     mesh = UvMesh.of(replace(asset.mesh, verts=verts))
@@ -88,6 +88,7 @@ def _draw(
         environment = Environment.of(load_light(light))
         shaded = render_shaded(mesh, source, cameras, size, environment)
         return srgb_to_linear(shaded.srgb[0]), shaded.o[0]
+    # A map alone, without light: the material's values, antialiased together with their coverage.
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
     material = source(surface.points, surface.uv)
@@ -112,6 +113,7 @@ def maps_source(asset: Asset) -> MaterialSource:
     stack = torch.cat([maps.base_color, maps.orm, maps.normal], -1).permute(2, 0, 1)[None]
 
     def source(_points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
+        # uv (0, 0) is bottom left, grid_sample's (-1, -1) top left.
         grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
         texel = torch.nn.functional.grid_sample(
             stack, grid, mode="bilinear", padding_mode="border", align_corners=False

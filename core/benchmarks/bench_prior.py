@@ -23,6 +23,7 @@ from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
 from core.guidance.builtin.weights import load_words
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
 from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
@@ -103,7 +104,7 @@ def _make(run: Path, prompt: str, seed: int) -> str:
     if here.asset.exists():
         return ""
     try:
-        generate(here, prepare(here.job))
+        generate(here, prepare(here.job), Progress(here))
     except UserError as error:
         if error.status == 130:
             raise

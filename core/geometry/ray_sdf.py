@@ -17,22 +17,23 @@ def ray_min_sdf(
     sdf: Float[Tensor, " nt"],
     grid: TetGrid,
     cameras: Cameras,
-    size: int,
     samples: int,
-    generator: torch.Generator,
+    shift: Float[Tensor, "b s s"],
 ) -> Float[Tensor, "b s s"]:
     """Smallest of ``samples`` trilinear values of the lattice along each ray, rows from the top.
 
-    The samples stand evenly within the lattice's cube, shifted by one draw a ray from
-    ``generator``. The gradient goes through the smallest one. A ray that misses the cube takes the
-    cube's nearest values. The nodes are taken where they were before their offsets.
+    The samples are spaced evenly within the lattice's cube, moved on by ``shift``, 0 to 1, of a
+    spacing; it is drawn at random for each ray, so that no place stays between the samples. The
+    gradient goes through the smallest one. A ray that misses the cube takes the cube's nearest
+    values. The nodes are taken where they were before their offsets.
     """
+    size = shift.shape[-1]
     with torch.no_grad():
         eye, direction = pixel_rays(cameras, size)
         near, far = _span(eye, direction, grid.extent)
-        shift = torch.rand(near.shape, generator=generator).to(near)[..., None]
-        share = (torch.arange(samples, device=near.device) + shift) / samples
-        depth = near[..., None] + (far - near)[..., None] * share
+        number = torch.arange(samples, device=near.device)
+        along = (number + shift.to(near).flatten(1)[..., None]) / samples
+        depth = near[..., None] + (far - near)[..., None] * along
         points = eye[:, None, None] + direction[:, :, None] * depth[..., None]
         at = _trilinear(sdf, points, grid).argmin(-1)[..., None, None]
         nearest = points.gather(2, at.expand(-1, -1, 1, 3))

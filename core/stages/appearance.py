@@ -2,180 +2,117 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
-import numpy as np
 import torch
-from jaxtyping import Float, UInt8
 from torch import Tensor
 
 from core.appearance.environment import Environment
-from core.appearance.material import Material, MaterialNet
+from core.appearance.material import MaterialNet
 from core.appearance.occlusion import Openness
-from core.appearance.shaded import Shaded, UvMesh, render_shaded
-from core.camera import Cameras, sample_cameras
-from core.config import AppearanceConfig
-from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
-from core.guidance.sds import NotFiniteError
-from core.io.run_folder import RunFolder, Training
-from core.stages.distill import Draw, decayed, distill, phase_of
-from core.stages.guard import Guard, healthy_gradients
-from core.stages.preview import SIZE, VIEW, ColorPreview, over_grey
-from core.stages.refine import Targets, denoised, fit_loss, refine_steps
+from core.appearance.shaded import UvMesh
+from core.config import AppearanceConfig, PhaseConfig
+from core.io.progress import Progress
+from core.stages.distill import Draw, distill
+from core.stages.lit_scene import LitScene, roughening
+from core.stages.refine import fit_loss, round_targets
+from core.stages.training import Lesson, Phase, decayed, fraction, train
 
-SMOOTH_REACH = 0.01  # training units: how far apart "neighbouring points" are
+ColorLesson = Lesson[MaterialNet, AppearanceConfig]
 
 
 def learn_appearance(
-    net: MaterialNet,
-    mesh: UvMesh,
-    environment: Environment,
-    guidance: Guidance,
-    embedding: Embedding,
-    run: RunFolder,
-    generator: torch.Generator,
+    lesson: ColorLesson, mesh: UvMesh, environment: Environment, progress: Progress
 ) -> None:
     """Train Γ by score distillation on the finished shape."""
-    config = net.config
-    optimizer = torch.optim.AdamW(net.parameters(), betas=(0.9, 0.99), eps=1e-15, weight_decay=0.0)
-    training = Training(run, "appearance", net, optimizer, generator)
-    training.resume()
-    guard, preview = Guard(training), ColorPreview(run)
-    openness = Openness.of(mesh.verts, mesh.faces) if config.self_shadow else None
-    distilling = config.early.steps + config.late.steps
-
-    for step in run.steps("appearance", training.step, distilling + refine_steps(config.refine)):
-        refining = step.index >= distilling
-        for group in optimizer.param_groups:
-            group["lr"] = guard.rate * learning_rate(config, step.index)
-        optimizer.zero_grad()
-        lit = environment.rotated(_turn(config, generator))
-        shares = openness.shares(lit) if openness else None
-        scene = Scene(net, mesh, lit, guidance, embedding, generator, shares)
-        step.loss, trouble = 0.0, ""
-        try:
-            if refining:
-                round, begun = divmod(step.index - distilling, config.refine.steps)
-                if not begun or not training.kept:
-                    training.kept = scene.targets(round).tensors()
-                losses = scene.fitted(Targets.of(training.kept))
-            else:
-                losses = scene.distilled(step.index)
-            for loss in losses:
-                loss.backward()
-                step.loss += loss.item()
-        except NotFiniteError as error:
-            trouble = error.text
-        if trouble or not healthy_gradients(net):
-            guard.recover(trouble or "The gradient was not finite")
-            continue
-        guard.remember(step.index)
-        optimizer.step()
-        if preview.due:
-            preview.show(picture_of(net, mesh, environment))
-        training.checkpoint(step.index + 1, force=run.cancelled or step.last)
-        run.check_cancelled()
+    lesson.training.resume()
+    openness = Openness.of(mesh.verts, mesh.faces) if lesson.config.self_shadow else None
+    stage = Stage(mesh, environment, openness)
+    train(lesson.training, appearance_phases(lesson, stage), progress)
 
 
-def learning_rate(config: AppearanceConfig, index: int) -> float:
-    """That of step ``index``: it falls to ``learning_rate_end`` twice, distilling and refining."""
-    distilling, refining = config.early.steps + config.late.steps, refine_steps(config.refine)
-    if index < distilling:
-        share = index / max(distilling - 1, 1)
-        return decayed(config.learning_rate, config.learning_rate_end, share)
-    share = (index - distilling) / max(refining - 1, 1)
-    return decayed(config.refine.learning_rate, config.learning_rate_end, share)
+@dataclass(frozen=True)
+class Stage:
+    """What all steps show: the object and the light."""
+
+    mesh: UvMesh
+    environment: Environment
+    openness: Openness | None  # what the object hides from itself; None: nothing
+
+    def scene(self, lesson: ColorLesson) -> LitScene:
+        """The object in the light of one step."""
+        # Turned at random, or the light's own brightness would end up in kd.
+        turn = 2 * math.pi * float(torch.rand(1, generator=lesson.training.generator))
+        lit = self.environment.rotated(turn if lesson.config.rotate_light else 0.0)
+        shares = self.openness.shares(lit) if self.openness else None
+        net, guidance = lesson.training.module, lesson.guidance
+        return LitScene(net, self.mesh, lit, guidance, still=self.environment, shares=shares)
 
 
-def _turn(config: AppearanceConfig, generator: torch.Generator) -> float:
-    """A rotation of the light about the vertical, radians."""
-    share = float(torch.rand(1, generator=generator))
-    return 2 * math.pi * share if config.rotate_light else 0.0
+def appearance_phases(lesson: ColorLesson, stage: Stage) -> list[Phase]:
+    """The appearance's phases in their order."""
+    return [
+        # Much noise, and w(t) = σ² sqrt(1 - σ²): the colours of the parts (§4.3).
+        Distillation(lesson, stage, "early", before=0),
+        # w(t) = 1 / σ²: little noise counts most, for the details.
+        Distillation(lesson, stage, "late", before=lesson.config.early.steps),
+        # Beyond the paper: regression takes the guidance's excess of colour out again.
+        Fitting(lesson, stage),
+    ]
 
 
-class Scene:
-    """The object under the light of one step, and who judges its pictures."""
+class Distillation(Phase):
+    """Score distillation from shaded pictures (Eq. 9): the phases ``early`` and ``late``."""
 
-    def __init__(
-        self,
-        net: MaterialNet,
-        mesh: UvMesh,
-        lit: Environment,
-        guidance: Guidance,
-        embedding: Embedding,
-        generator: torch.Generator,
-        shares: Tensor | None = None,
-    ) -> None:
-        self.shares = shares  # of the light, that the object does not hide from itself
-        self.net, self.mesh, self.lit = net, mesh, lit
-        self.guidance, self.embedding, self.generator = guidance, embedding, generator
-        self.config = net.config
+    def __init__(self, lesson: ColorLesson, stage: Stage, name: str, before: int) -> None:
+        """``before``: steps of distillation in earlier phases; the rate falls over them all."""
+        self.lesson, self.stage, self.name, self.before = lesson, stage, name, before
+        self.phase: PhaseConfig = getattr(lesson.config, name)
+        self.steps = self.phase.steps
 
-    def distilled(self, index: int) -> Iterator[Tensor]:
-        """Score distillation (Eq. 9) at step ``index``: the losses of its views, part by part."""
-        config = self.config
-        phase, share = phase_of(index, config.early, config.late)
-        draw = Draw.of(config.views, config.cameras, self.guidance, phase, share, self.generator)
-        for part in draw.split(config.views_at_once, self.mesh.verts.device):
-            z, views, rough = self._latent(part.cameras, phase.size)
-            loss, _ = distill(
-                self.guidance, z, self.embedding, views, part, phase, config.gradient_cap
-            )
-            yield (loss + rough) / config.views
+    def learning_rate(self, index: int) -> float:
+        """It falls over both phases together."""
+        config = self.lesson.config
+        progress = fraction(self.before + index, config.early.steps + config.late.steps)
+        return decayed(config.learning_rate, config.learning_rate_end, progress)
 
-    def targets(self, round: int) -> Targets:
-        """The pictures of a round of refining."""
-        config, at_once = self.config.refine, self.config.views_at_once
-        cameras = sample_cameras(config.views, self.config.cameras, self.generator)
-        cameras = cameras.to(self.mesh.verts.device)
-        with torch.no_grad():
-            parts = [slice(k, k + at_once) for k in range(0, config.views, at_once)]
-            seen = [self._latent(cameras[part], config.size) for part in parts]
-        z = torch.cat([z for z, _, _ in seen])
-        surface = torch.cat([views.surface for _, views, _ in seen])
-        share = round / max(config.rounds - 1, 1)
-        views = Views(cameras, surface)
-        return denoised(z, self.guidance, self.embedding, views, config, share, self.generator)
+    def begin(self, index: int) -> tuple[LitScene, Iterator[Tensor]]:
+        """The object in a light, and the losses of its views."""
+        scene = self.stage.scene(self.lesson)
+        return scene, self._losses(scene, index)
 
-    def fitted(self, targets: Targets) -> Iterator[Tensor]:
-        """Regression to some of the round's pictures: the losses of these, part by part."""
-        some = targets.some(self.config.refine.batch, self.generator)
-        for part in some.split(self.config.views_at_once):
-            z, _, rough = self._latent(part.cameras, self.config.refine.size)
-            yield (fit_loss(z, part.z) + rough) / len(some.z)
-
-    def _latent(self, cameras: Cameras, size: int) -> tuple[Tensor, Views, Tensor | float]:
-        """The views' colours as latents, what the guidance may know of them, the regulariser."""
-        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.shares)
-        z = self.guidance.encode_color(shaded.srgb, shaded.o)
-        surface = surface_picture(shaded, self.guidance.latent_size)
-        rough = 0.0
-        if self.config.smooth > 0:
-            change = _roughening(self.net, shaded.points, shaded.material, self.generator)
-            rough = self.config.smooth * len(cameras) * change
-        return z, Views(cameras, surface), rough
+    def _losses(self, scene: LitScene, index: int) -> Iterator[Tensor]:
+        lesson, config = self.lesson, self.lesson.config
+        draw = Draw.of(lesson, self.phase, fraction(index, self.steps))
+        for part in draw.split(config.views_at_once, scene.device):
+            z, views = scene.latents(part.cameras, self.phase.size)
+            yield distill(lesson, self.phase, part, z, views)[0] / config.views
+        yield from roughening(scene, lesson.training.generator)
 
 
-def surface_picture(shaded: Shaded, size: int) -> Float[Tensor, "b 7 {size} {size}"]:
-    """[n, 2o - 1, p], area-downsampled: the geometry, for a guidance that can use it."""
-    normals = coarse_latent(shaded.n, shaded.o, size)
-    points = torch.nn.functional.adaptive_avg_pool2d(shaded.p.permute(0, 3, 1, 2), size)
-    return torch.cat([normals, points], 1)
+class Fitting(Phase):
+    """Rounds of fitting to denoised pictures: the phase ``refine``."""
 
+    name = "refine"
 
-def _roughening(
-    net: MaterialNet, points: Tensor, material: Material, generator: torch.Generator
-) -> Tensor:
-    """Mean change of the material over a short way."""
-    way = torch.randn(points.shape, generator=generator).to(points) * SMOOTH_REACH
-    there = net(points + way)
-    return sum((a - b).abs().mean() for a, b in zip(material, there, strict=True))
+    def __init__(self, lesson: ColorLesson, stage: Stage) -> None:
+        self.lesson, self.stage, self.rounds = lesson, stage, lesson.config.refine
+        self.steps = self.rounds.rounds * self.rounds.steps
 
+    def learning_rate(self, index: int) -> float:
+        """It falls once more: at the full rate, the turns of the light leave noise in kd."""
+        end, progress = self.lesson.config.learning_rate_end, fraction(index, self.steps)
+        return decayed(self.rounds.learning_rate, end, progress)
 
-@torch.no_grad()
-def picture_of(
-    net: MaterialNet, mesh: UvMesh, environment: Environment, size: int = SIZE
-) -> UInt8[np.ndarray, "{size} {size} 3"]:
-    """The asset from a fixed side, as it is lit."""
-    cameras = Cameras.orbit(**VIEW).to(mesh.verts.device)
-    shaded = render_shaded(mesh, net, cameras, size, environment)
-    return over_grey(shaded.srgb[0], shaded.o[0])
+    def begin(self, index: int) -> tuple[LitScene, Iterator[Tensor]]:
+        """The object in a light, and the losses of some of the round's pictures."""
+        scene = self.stage.scene(self.lesson)
+        return scene, self._losses(scene, f"{self.name} {index // self.rounds.steps}")
+
+    def _losses(self, scene: LitScene, label: str) -> Iterator[Tensor]:
+        lesson, rounds, generator = self.lesson, self.rounds, self.lesson.training.generator
+        some = round_targets(lesson, rounds, scene, label).some(rounds.batch, generator)
+        for part in some.split(lesson.config.views_at_once):
+            z, _ = scene.latents(part.cameras, rounds.size)
+            yield fit_loss(z, part.z) / len(some.z)
+        yield from roughening(scene, generator)

@@ -1,89 +1,75 @@
-"""What both trainings share: where a step stands in its phases, and one score distillation."""
+"""One score distillation of a step's views (Eqs. 1, 5, 9), with all that is random in it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.camera import CameraConfig, Cameras, sample_cameras
+from core.camera import Cameras, sample_cameras
 from core.config import PhaseConfig
-from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.guidance import Views
 from core.guidance.sds import anneal, sample_t, sds_grad, sds_loss
-
-
-def phase_of(index: int, first: PhaseConfig, second: PhaseConfig) -> tuple[PhaseConfig, float]:
-    """The phase that step ``index`` lies in, and its share of that phase, 0 to 1."""
-    phase, here = (first, index) if index < first.steps else (second, index - first.steps)
-    return phase, here / max(phase.steps - 1, 1)
-
-
-def decayed(learning_rate: float, end: float, share: float) -> float:
-    """The learning rate, falling by the exponential to its share ``end`` at the last step."""
-    return learning_rate * end**share
+from core.stages.scene import portions
+from core.stages.training import Lesson
 
 
 @dataclass(frozen=True)
 class Draw:
-    """What chance gives to one step: a camera, a noise level and a noise for each view.
+    """All random numbers of one step, for each of its views.
 
-    Drawn for all views at once and on the CPU, so that a run is the same on every device, and
-    however many views are rendered together.
+    Drawn for all views at once and on the CPU: a run is then the same on every device, and however
+    many views are rendered together.
     """
 
     cameras: Cameras
     t: Int[Tensor, " b"]
     eps: Float[Tensor, "b 4 s s"]
+    # Of the coarse geometry only: turns of the normals, and where the samples of the rays are.
+    rotations: Float[Tensor, "b 3 3"] | None = None
+    ray_shift: Float[Tensor, "b r r"] | None = None
 
     @classmethod
-    def of(
-        cls,
-        views: int,
-        cameras: CameraConfig,
-        guidance: Guidance,
-        phase: PhaseConfig,
-        share: float,
-        generator: torch.Generator,
-    ) -> "Draw":
-        """``share``: of the phase, for the annealing of t."""
-        high = anneal(*phase.t_high, share)
-        size = guidance.latent_size
+    def of(cls, lesson: Lesson, phase: PhaseConfig, progress: float) -> "Draw":
+        """``progress``: of the phase, 0 to 1, for the annealing of t."""
+        config, guidance = lesson.config, lesson.guidance
+        views, size, generator = config.views, guidance.latent_size, lesson.training.generator
+        high = anneal(*phase.t_high, progress)
+        # The order is part of every result: a seed stands for this stream of numbers.
         return cls(
-            sample_cameras(views, cameras, generator),
+            sample_cameras(views, config.cameras, generator),
             sample_t(views, phase.t_low, high, len(guidance.alpha_bar), generator),
             torch.randn(views, 4, size, size, generator=generator),
         )
 
     def split(self, views_at_once: int, device: torch.device) -> "Iterator[Draw]":
         """Parts of ``views_at_once`` views, the last one smaller, on ``device``."""
-        for start in range(0, len(self.t), views_at_once):
-            part = slice(start, start + views_at_once)
-            yield Draw(
-                self.cameras[part].to(device), self.t[part].to(device), self.eps[part].to(device)
-            )
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        given = {name: value for name, value in values.items() if value is not None}
+        for part in portions(len(self.t), views_at_once):
+            yield Draw(**{name: value[part].to(device) for name, value in given.items()})
 
 
 def distill(
-    guidance: Guidance,
-    z: Float[Tensor, "b 4 s s"],
-    embedding: Embedding,
-    views: Views,
-    draw: Draw,
+    lesson: Lesson,
     phase: PhaseConfig,
-    cap: float,
-) -> tuple[Tensor, Float[Tensor, "b 4 s s"]]:
+    draw: Draw,
+    z: Float[Tensor, "b 4 s s"],
+    views: Views,
+) -> tuple[Float[Tensor, ""], Float[Tensor, "b 4 s s"]]:
     """One SDS step (Eqs. 1, 5, 9): a loss per pixel of ``z``, and its gradient there."""
     grad = sds_grad(
-        guidance,
+        lesson.guidance,
         z,
-        embedding,
+        lesson.embedding,
         views,
         t=draw.t,
         eps=draw.eps.to(z),
         weighting=phase.weighting,
         guidance_scale=phase.guidance_scale,
-        cap=cap or None,
+        cap=lesson.config.gradient_cap or None,
     )
+    # Per pixel, so that a learning rate or a weight means the same at every size of the latent.
     grad = grad / (z.shape[-1] * z.shape[-2])
     return sds_loss(z, grad), grad

@@ -1,62 +1,65 @@
 """Keeps a training alive: goes back where its surface vanishes or its numbers are not finite.
 
-An empty mesh gives no gradient, so nothing would ever bring it back (METHOD.md, fault 9 of the
-released code).
+An empty mesh gives no gradient, so nothing would ever bring it back. (The released code ends on an
+assertion there.)
 """
 
 import torch
 
 from core.errors import NoSurfaceError
-from core.io.run_folder import Training
+from core.io.progress import Progress
+from core.stages.state import Training
 
-SNAPSHOT_STEPS = 20
-MAX_RECOVERIES = 5
-MIN_COVERAGE = 0.01  # share of the picture's pixels
+SNAPSHOT_STEPS = 20  # between two states to go back to; one costs a copy of the parameters
+MAX_RECOVERIES = 5  # within WINDOW steps: the rate is then a 32nd, and lower rates do not help
+WINDOW = 200  # steps after which a recovery is over: ten snapshots have been good since
+MIN_COVERAGE = 0.01  # fraction of the picture's pixels
 
 
 class Guard:
     """Remembers the last healthy state of a training, and goes back to it."""
 
-    def __init__(self, training: Training) -> None:
-        self._training = training
-        self._good = training.state()
-        self._good_step = training.step
-        training.extra.setdefault("recoveries", 0)
+    def __init__(self, training: Training, progress: Progress) -> None:
+        self._training, self._progress = training, progress
+        self._good, self._good_step = training.state(), training.step
+        # The steps at which it went back. In the checkpoint, so that a resumed run counts on.
+        self._recovered: list[int] = training.extra.setdefault("recovered_at", [])
 
-    @property
-    def rate(self) -> float:
-        """The factor on the learning rate: a half for each time that it went back."""
-        return 0.5 ** self._training.extra["recoveries"]
+    def rate(self, step: int) -> float:
+        """The factor on the learning rate: a half for each recovery that is not over yet."""
+        return 0.5 ** len(self._recent(step))
 
     def remember(self, step: int) -> None:
-        """Step ``step`` began in good health."""
+        """The state before ``step`` is healthy."""
         if step % SNAPSHOT_STEPS == 0:
             self._good, self._good_step = self._training.state(), step
 
-    def recover(self, why: str) -> None:
+    def recover(self, why: str, step: int, phase: str) -> None:
         """Put the last healthy state back, at half the learning rate and with other noise.
 
         Raises:
-            NoSurfaceError: it has gone back too often.
+            NoSurfaceError: it has gone back too often lately.
         """
-        training = self._training
-        training.extra["recoveries"] += 1
-        if training.extra["recoveries"] > MAX_RECOVERIES:
+        self._recovered.append(step)
+        count = len(self._recent(step))
+        if count > MAX_RECOVERIES:
             raise NoSurfaceError(
-                f"{why}, {MAX_RECOVERIES} times, at half the learning rate each time.",
-                "Take another seed, a --guide mesh, or a lower --set "
-                f"{training.name}.{'coarse' if training.name == 'geometry' else 'early'}"
-                ".guidance_scale.",
+                f"{why}, {count} times in {WINDOW} steps, at half the learning rate each time.",
+                "Use another seed, a --guide mesh, or a lower --set "
+                f"{self._training.name}.{phase}.guidance_scale.",
             )
-        noise = training.generator.get_state()
-        training.set_state(self._good)
-        training.generator.set_state(noise)
-        training.run.say(
-            "warning",
-            stage=training.name,
-            text=f"{why}; went back to step {self._good_step} at half the learning rate.",
-            fix="Nothing to do. If it happens often, take another seed.",
+        # The generator goes on: with the same noise the same step would fail again.
+        noise = self._training.generator.get_state()
+        self._training.set_state(self._good)
+        self._training.generator.set_state(noise)
+        self._progress.warn(
+            f"{why}; went back to step {self._good_step} at half the learning rate.",
+            "Nothing to do. If it happens often, use another seed.",
+            stage=self._training.name,
         )
+
+    def _recent(self, step: int) -> list[int]:
+        return [at for at in self._recovered if step - at < WINDOW]
 
 
 def healthy_gradients(module: torch.nn.Module) -> bool:

@@ -1,7 +1,6 @@
-"""Small pictures and a light mesh of what a training has so far, for whoever watches the run."""
+"""Small pictures and a light mesh of what a training has so far, for those who watch the run."""
 
 import io
-import time
 from pathlib import Path
 
 import numpy as np
@@ -12,51 +11,28 @@ from torch import Tensor
 from core.camera import Cameras
 from core.io.atomic import atomic_file
 from core.io.png import unit_bytes, write_png
-from core.io.run_folder import PREVIEW_SECONDS, RunFolder
+from core.io.run_folder import RunFolder
 from core.render.normals import render_normals
 
 SIZE = 256  # pixels
-MAX_FACES = 20_000  # of the light mesh: Blender takes it in within a frame
+MAX_FACES = 20_000  # of the light mesh: Blender reads it within a frame
 VIEW = {"azimuth_deg": [30.0], "elevation_deg": [20.0]}
 
 
-class ShapePreview:
-    """Shows the geometry training's shape as normals, and as a light mesh in training units."""
-
-    def __init__(self, run: RunFolder) -> None:
-        self._run = run
-        self._shown = -PREVIEW_SECONDS
-
-    def show(self, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
-        """Write the two previews if the last ones are old enough."""
-        if time.perf_counter() - self._shown < PREVIEW_SECONDS:
-            return
-        cameras = Cameras.orbit(**VIEW).to(verts.device)
-        n, o = render_normals(verts, faces, cameras, SIZE, "camera")
-        write_png(self._run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
-        write_shape(self._run.preview_path("shape.npz"), verts, faces)
-        self._run.say("preview", stage="geometry", path="preview/normals.png")
-        self._run.say("preview", stage="geometry", path="preview/shape.npz")
-        self._shown = time.perf_counter()
+def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
+    """The geometry training's shape as normals, and as a light mesh in training units."""
+    cameras = Cameras.orbit(**VIEW).to(verts.device)
+    n, o = render_normals(verts, faces, cameras, SIZE, "camera")
+    write_png(run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
+    write_shape(run.preview_path("shape.npz"), verts, faces)
+    run.report("preview", stage="geometry", path="preview/normals.png")
+    run.report("preview", stage="geometry", path="preview/shape.npz")
 
 
-class ColorPreview:
-    """Shows the appearance training's asset as it is lit."""
-
-    def __init__(self, run: RunFolder) -> None:
-        self._run = run
-        self._shown = -PREVIEW_SECONDS
-
-    @property
-    def due(self) -> bool:
-        """Whether the last picture is old enough."""
-        return time.perf_counter() - self._shown >= PREVIEW_SECONDS
-
-    def show(self, picture: UInt8[np.ndarray, "h w 3"]) -> None:
-        """Write it for whoever watches."""
-        write_png(self._run.preview_path("color.png"), picture)
-        self._run.say("preview", stage="appearance", path="preview/color.png")
-        self._shown = time.perf_counter()
+def show_color(run: RunFolder, picture: UInt8[np.ndarray, "h w 3"]) -> None:
+    """The appearance training's asset as it is lit."""
+    write_png(run.preview_path("color.png"), picture)
+    run.report("preview", stage="appearance", path="preview/color.png")
 
 
 def over_grey(
@@ -70,10 +46,10 @@ def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3
     """A light mesh as numpy's npz, without pickle: ``verts`` float32 in the world's axes (+Z up),
     ``faces`` int32."""
     v, f = lighter(verts.detach().cpu(), faces.cpu())
-    packed = io.BytesIO()  # on a full disk, a zip file that is not closed complains
+    packed = io.BytesIO()  # in memory first: on a full disk numpy leaves a zip file open
     np.savez(packed, verts=v.numpy(), faces=f.numpy().astype(np.int32))
-    with atomic_file(path) as aside:
-        aside.write_bytes(packed.getvalue())
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(packed.getvalue())
 
 
 def lighter(
@@ -85,7 +61,7 @@ def lighter(
     untouched; else it need not be manifold.
     """
     kept, size = (verts, faces), 0.0
-    while len(kept[1]) > max_faces:
+    while len(kept[1]) > max_faces:  # cells a fifth larger each time, from a fifth over an edge
         edges = verts[faces] - verts[faces.roll(1, 1)]
         size = size * 1.2 or 1.2 * float(edges.norm(dim=2).mean())
         kept = _clustered(verts, faces, size)

@@ -1,9 +1,9 @@
 """Rounds of fitting, beyond the paper: to denoised pictures of what there is.
 
-Score distillation seeks one shape that pleases every noise at once: thin parts, of which each noise
-means another, fade, planes stay dented and edges round. A round draws pictures of what there is,
-makes them noisy and clean again (SDEdit: Meng et al. 2022), and fits to all of them at once by
-plain regression, over and over (the dataset update of Instruct-NeRF2NeRF: Haque et al. 2023, §4.2).
+Score distillation seeks one shape that suits every noise at once: thin parts, for each of which
+every noise means another place, fade, planes stay dented and edges round. A round renders pictures
+of what there is, adds noise and removes it again (SDEdit: Meng et al. 2022), and fits to all of
+them by plain regression (the dataset update of Instruct-NeRF2NeRF: Haque et al. 2023, §4.2).
 """
 
 from dataclasses import dataclass, fields
@@ -12,16 +12,13 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.camera import Cameras
+from core.camera import Cameras, sample_cameras
 from core.config import RefineConfig
 from core.guidance.denoise import denoise
-from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.guidance import Views
 from core.guidance.sds import add_noise, anneal
-
-
-def refine_steps(config: RefineConfig) -> int:
-    """Steps of the optimiser in all rounds."""
-    return config.rounds * config.steps
+from core.stages.scene import Scene, portions
+from core.stages.training import Lesson, fraction
 
 
 @dataclass(frozen=True)
@@ -42,37 +39,54 @@ class Targets:
         return cls(Cameras(*(tensors[name] for name in names)), tensors["z"])
 
     def some(self, count: int, generator: torch.Generator) -> "Targets":
-        """``count`` of them by chance, all where there are fewer."""
+        """``count`` of them at random, all where there are fewer."""
         index = torch.randperm(len(self.z), generator=generator)[:count].to(self.z.device)
         return Targets(self.cameras[index], self.z[index])
 
     def split(self, views_at_once: int) -> "list[Targets]":
         """Parts of ``views_at_once`` views, the last one smaller."""
-        starts = range(0, len(self.z), views_at_once)
-        parts = [slice(start, start + views_at_once) for start in starts]
+        parts = portions(len(self.z), views_at_once)
         return [Targets(self.cameras[part], self.z[part]) for part in parts]
 
 
-def denoised(
-    z: Float[Tensor, "b 4 s s"],
-    guidance: Guidance,
-    embedding: Embedding,
-    views: Views,
-    config: RefineConfig,
-    share: float,
-    generator: torch.Generator,
+def round_targets(
+    lesson: Lesson, rounds: RefineConfig, scene: Scene, label: str, **also: Tensor
 ) -> Targets:
-    """Targets from the latents of what there is.
+    """The pictures of the round ``label``, such as "grow 2".
 
-    Args:
-        share: of the rounds, 0 at the first and 1 at the last.
+    Made at its first step, and kept in the checkpoints until its last, with ``also``.
     """
-    last = len(guidance.alpha_bar) - 1
-    t = min(round(anneal(*config.t, share) * len(guidance.alpha_bar)), last)
+    kept = lesson.training.kept(label)
+    if kept:
+        return Targets.of(kept)
+    made = _targets(lesson, rounds, scene, int(label.split()[1]))
+    lesson.training.keep(label, made.tensors() | also)
+    return made
+
+
+def _targets(lesson: Lesson, rounds: RefineConfig, scene: Scene, number: int) -> Targets:
+    """What there is, made noisy and denoised."""
+    config, guidance, generator = lesson.config, lesson.guidance, lesson.training.generator
+
+    # PICTURES: of what there is, all round
+    cameras = sample_cameras(rounds.views, config.cameras, generator).to(scene.device)
+    with torch.no_grad():
+        parts = portions(rounds.views, config.views_at_once)
+        seen = [scene.latents(cameras[part], rounds.size) for part in parts]
+    z = torch.cat([latents for latents, _ in seen])
+    surfaces = [views.surface for _, views in seen if views.surface is not None]
+    views = Views(cameras, torch.cat(surfaces) if surfaces else None)
+
+    # NOISE: less from round to round: first for what is missing, at last for the details
+    level = anneal(*rounds.t, fraction(number, rounds.rounds))
+    t = min(round(level * len(guidance.alpha_bar)), len(guidance.alpha_bar) - 1)
     eps = torch.randn(z.shape, generator=generator).to(z)
     z_t = add_noise(z, eps, guidance.alpha_bar.to(z)[t].expand(len(z)))
-    clean = denoise(guidance, z_t, t, embedding, views, config.guidance_scale, config.denoise_steps)
-    return Targets(views.cameras, clean)
+
+    # DENOISED: what the guidance means by them
+    scale, steps = rounds.guidance_scale, rounds.denoise_steps
+    clean = denoise(guidance, z_t, t, lesson.embedding, views, scale, steps)
+    return Targets(cameras, clean)
 
 
 def fit_loss(z: Float[Tensor, "b 4 s s"], target: Float[Tensor, "b 4 s s"]) -> Float[Tensor, ""]:

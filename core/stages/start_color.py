@@ -1,6 +1,7 @@
 """Γ's start from a base colour that is there already: the user's own picture over the mesh's uv."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,24 +13,24 @@ from torch.nn.functional import grid_sample, mse_loss
 
 from core.appearance.material import MaterialNet, to_ranges
 from core.errors import UserError
-from core.geometry.mesh import Mesh, face_areas
+from core.geometry.mesh import Mesh, face_areas, normalise
+from core.io.progress import Progress
 from core.ops import srgb_to_linear
+from core.stages.state import Training
 
-STEPS = 200
+STEPS = 200  # then a smooth picture is within 0.04, linear, which the first distilling steps keep
 POINTS = 1 << 12  # of the surface, in one step
 STILL = 1e-3  # weight of what holds the rest of the material where it is
 OWN = "mesh"  # names the texture in the mesh's own file
 
 
 def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
-    """The base colour that ``name`` stands for, linear, row 0 = top: a file's, or the mesh's own.
+    """The base colour called ``name``, linear, row 0 = top: a file's, or the mesh's own.
 
-    Raises UserError where there is no such picture, or no uv that it could lie over.
+    Raises UserError where there is no such picture, or no uv for it.
     """
     if mesh.uv is None:
-        raise UserError(
-            "The mesh has no UV map for a base colour to lie over.", "Unwrap it, or start plain."
-        )
+        raise UserError("The mesh has no UV map for a base colour.", "Unwrap it, or start plain.")
     if name == OWN:
         if mesh.base_color is None:
             raise UserError("The mesh's file holds no texture.", "Name a picture, or start plain.")
@@ -40,8 +41,26 @@ def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
     except FileNotFoundError:
         raise UserError(f"There is no file {name}.", "Check the base colour's path.") from None
     except (OSError, UnidentifiedImageError) as error:
-        raise UserError(f"{name} is no picture ({error}).", "Take a PNG or a JPEG.") from None
+        raise UserError(f"{name} is no picture ({error}).", "Use a PNG or a JPEG.") from None
     return srgb_to_linear(torch.from_numpy(srgb.astype(np.float32) / 255))
+
+
+def fit_start_color(
+    training: Training[MaterialNet],
+    mesh: Mesh,
+    picture: Float[Tensor, "h w 3"],
+    progress: Progress,
+) -> None:
+    """Fit Γ's kd to ``picture`` over the user's ``mesh``."""
+    own = replace(mesh, verts=normalise(mesh.verts)[0])
+    with progress.timed("start"):
+        fit_base_color(
+            training.module,
+            own,
+            picture,
+            training.generator,
+            lambda step: progress.advance("start", step, STEPS),
+        )
 
 
 def fit_base_color(
@@ -52,7 +71,7 @@ def fit_base_color(
     progress: Callable[[int], None] | None = None,
     steps: int = STEPS,
 ) -> float:
-    """Fit kd of Γ to ``picture`` over the uv of ``mesh``, which lies in training units.
+    """Fit kd of Γ to ``picture`` over the uv of ``mesh``, in training units.
 
     Roughness, metallic and kn are held where they are. Returns the last step's root mean square
     error, linear; ``progress`` is called with the steps done.
@@ -84,7 +103,7 @@ def surface_colors(
     areas = face_areas(mesh.verts, mesh.faces)
     face = torch.multinomial(areas, count, True, generator=generator)
     s, t = torch.rand(2, count, 1, generator=generator)
-    s = s.sqrt()
+    s = s.sqrt()  # uniform over the triangle (Turk 1990)
     weights = torch.stack([1 - s, s * (1 - t), s * t], 1)
     points = (weights * mesh.verts[mesh.faces[face]]).sum(1)
     uv = (weights * mesh.uv[mesh.face_uvs[face]]).sum(1)

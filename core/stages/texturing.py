@@ -12,55 +12,68 @@ from core.config import TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.asset import Maps
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.texture.bake import bake
 from core.texture.simplify import simplify
 from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
 
+PARTS = ("verts", "faces", "uv", "face_uvs")  # of the mesh, in a checkpoint; the rest is derived
+
 
 def unwrap_shape(
-    shape: Mesh, config: TextureConfig, run: RunFolder, keep_uv: bool = False
+    shape: Mesh, config: TextureConfig, progress: Progress, keep_uv: bool = False
 ) -> UvMesh:
     """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is.
 
-    With ``keep_uv`` its own uv is taken even where faces share texels.
+    With ``keep_uv`` its own uv is used even where faces share texels.
     """
     if keep_uv:
-        return _with_own_uv(shape, run)
+        return _with_own_uv(shape, progress)
     if shape.uv is not None and shape.face_uvs is not None:
         faults = uv_faults(shape.uv, shape.face_uvs)
         if not faults:
             return UvMesh.of(shape)
-        run.say(
-            "warning",
+        progress.warn(
+            f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
+            "A new one is made. To keep yours, unwrap it without overlaps inside the square.",
             stage="unwrap",
-            text=f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
-            fix="A new one is made. To keep yours, unwrap it without overlaps inside the square.",
         )
-    with run.timed("unwrap"):
+    with progress.timed("unwrap"):
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
-        atlas = unwrap(verts, faces, config.size, _progress("unwrap", run))
-        run.tell("unwrap", 100, 100)  # a small mesh is done before it ever told its progress
+        atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
+        progress.complete("unwrap")  # a small mesh is done before it reports anything
     return UvMesh.of(Mesh(verts, faces, *atlas))
 
 
-def _with_own_uv(shape: Mesh, run: RunFolder) -> UvMesh:
+def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
     if shape.uv is None or shape.face_uvs is None:
         raise UserError("The mesh has no UV map to keep.", "Unwrap it, or have a new one made.")
     faults = uv_faults(shape.uv, shape.face_uvs)
     if OVERLAP in faults:
         faults.remove(OVERLAP)
-        run.say("warning", stage="unwrap", text=OVERLAP, fix="That is right for mirrored parts.")
+        progress.warn(OVERLAP, "That is right for mirrored parts.", stage="unwrap")
     if faults:
         raise UserError(
             f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
-            "Mend the UV map, or have a new one made.",
+            "Fix the UV map, or have a new one made.",
         )
     return UvMesh.of(shape)
 
 
-def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFolder) -> Maps:
+def load_unwrapped(run: RunFolder) -> UvMesh | None:
+    """The unwrapped mesh of an earlier session of this run."""
+    found = run.load("mesh")
+    return UvMesh.of(Mesh(*(found[0][name] for name in PARTS))) if found else None
+
+
+def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:
+    """Keep the unwrapped mesh: from here on the geometry is not trained again."""
+    run.save("mesh", {name: getattr(mesh, name) for name in PARTS}, {})
+
+
+def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, progress: Progress) -> Maps:
     """Γ on every texel."""
     device = next(net.parameters()).device
 
@@ -68,16 +81,16 @@ def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, run: RunFol
     def material(points: Float[Tensor, "n 3"]) -> Material:
         return Material(*(x.cpu() for x in net(points.to(device))))
 
-    with run.timed("bake"):
+    with progress.timed("bake"):
         return bake(
             Mesh(mesh.verts.cpu(), mesh.faces.cpu(), mesh.uv.cpu(), mesh.face_uvs.cpu()),
             material,
             config.size,
-            _progress("bake", run),
+            _hundredths("bake", progress),
             config.samples,
         )
 
 
-def _progress(stage: str, run: RunFolder) -> Callable[[float], None]:
-    """Tells the run how far a stage is, in hundredths, and stops it where the user asks for it."""
-    return lambda share: run.advance(stage, round(100 * share), 100)
+def _hundredths(stage: str, progress: Progress) -> Callable[[float], None]:
+    """Reports the fraction of a stage that is done, and stops it where the user asks for it."""
+    return lambda done: progress.advance(stage, round(100 * done), 100)

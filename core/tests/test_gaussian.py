@@ -70,7 +70,8 @@ def distill_shape(sdf, *, lattice, steps, ray_mask_share, seed):
         )
         loss = sds.sds_loss(z, grad)
         if follow_rays:
-            near = ray_min_sdf(mesh.sdf, grid, cameras, SIZE // 2, 40, random)
+            shift = torch.rand(len(z), SIZE // 2, SIZE // 2, generator=random)
+            near = ray_min_sdf(mesh.sdf, grid, cameras, 40, shift)
             loss = loss + (grad[:, 3] * (2 * torch.sigmoid(-(10 + 50 * share) * near) - 1)).sum()
         optimizer.zero_grad()
         (loss / z.numel()).backward()

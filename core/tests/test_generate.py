@@ -14,7 +14,7 @@ import torch
 from PIL import Image
 
 from core.config import preset
-from core.generate import back, retouching, shortened
+from core.generate import back
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
@@ -22,6 +22,7 @@ from core.io.asset import inspect, read_asset
 from core.io.job import LAST, Job, read_events
 from core.io.obj import obj_text
 from core.io.run_folder import RunFolder
+from core.job_config import retouching, shortened
 
 ROOT = Path(__file__).parents[2]
 SHORT = {
@@ -52,9 +53,12 @@ OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
 OPTIONS += ["--texture-size=128", "--max-faces=1500"]
 
 
-def core(*argv: object) -> "subprocess.Popen[str]":
+def core(*argv: object, before: str = "") -> "subprocess.Popen[str]":
+    """The command line; ``before`` is Python to run first, in the same process."""
     environ = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"}
-    command = [sys.executable, "-m", "core", *map(str, argv)]
+    script = f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
+    started = ["-c", script] if before else ["-m", "core"]
+    command = [sys.executable, *started, *map(str, argv)]
     return subprocess.Popen(
         command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
@@ -160,6 +164,58 @@ def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
     assert status == 0, said
     for name in ("mesh.obj", "base_color.png", "orm.png"):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
+
+
+KILLED = "import os, core.generate\ncore.generate.unwrap_shape = lambda *a, **k: os._exit(9)"
+
+
+def test_a_run_killed_between_geometry_and_unwrap_extracts_the_same_mesh(whole, tmp_path):
+    """No step of the geometry is left then, so that nothing may depend on one having been taken:
+    the resumed run once extracted with the coarse lattice's cell, another mesh.obj."""
+    run = tmp_path / "run"
+    process = core("generate", "a red torus", "--out", run, *OPTIONS, before=KILLED)
+    assert finished(process)[0] == 9
+    assert {path.stem for path in (run / "checkpoint").iterdir()} == {"geometry"}
+    status, said = finished(core("resume", run))
+    assert status == 0, said
+    for name in ("mesh.obj", "base_color.png", "orm.png"):
+        assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
+
+
+# The last of 22 steps carries the whole lattice outside.
+VANISHED = """
+from core.stages.guard import Guard
+remember = Guard.remember
+def last(guard, step):
+    remember(guard, step)
+    bias = guard._training.module.mlp[-1].bias.data
+    if step == 21:
+        guard._training.optimizer.step = lambda: bias[0].add_(100)
+Guard.remember = last
+"""
+
+
+def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(tmp_path):
+    run = tmp_path / "run"
+    status, said = finished(
+        core("generate", "a red torus", "--out", run, *OPTIONS, before=VANISHED)
+    )
+    assert status == 5, said
+    assert "Traceback" not in said
+    assert "vanished" in said
+    assert read_events(run)[-1]["type"] == "error"
+    assert finished(core("resume", run))[0] == 5
+
+
+def test_a_cancel_is_over_once_it_was_carried_out_even_if_the_clock_is_set_back(tmp_path):
+    run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus", settings=SHORT))
+    process = core("resume", run.path)
+    wait_for(run.path, "fit", 1)
+    (run.path / "cancel").touch()
+    future = time.time() + 3600
+    os.utime(run.path / "cancel", (future, future))  # as seen after the clock was set back
+    assert finished(process)[0] == 130
+    assert not (run.path / "cancel").exists()
 
 
 def test_pictures_of_the_asset(whole, tmp_path):

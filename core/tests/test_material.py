@@ -7,8 +7,8 @@ import torch
 
 from core.appearance.material import Material, MaterialNet, specular_color, to_ranges
 from core.config import AppearanceConfig
-from core.generate import within
 from core.guidance.load import make_guidance
+from core.job_config import within
 from core.ops import linear_to_srgb
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)

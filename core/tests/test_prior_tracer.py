@@ -19,7 +19,7 @@ from core.prior.families import Shape, build, normalised
 from core.prior.solids import ball
 from core.prior.tracer import render
 from core.render.normals import render_normals
-from core.stages.appearance import surface_picture
+from core.stages.lit_scene import surface_picture
 
 
 def _mesh(shape: Shape, resolution: int = 48):

@@ -18,12 +18,16 @@ def seeded(seed=0):
     return torch.Generator().manual_seed(seed)
 
 
+def shift(views, size, seed=0):
+    return torch.rand(views, size, size, generator=seeded(seed))
+
+
 def test_sphere_at_the_origin():
     eye, direction = pixel_rays(CAMERAS, 16)
     closest = eye[:, None] - (eye[:, None] * direction).sum(-1, keepdim=True) * direction
     passing = closest.norm(dim=-1)
     expected = (passing - 0.5).view(3, 16, 16)
-    drawn = ray_min_sdf(ball([0.0, 0, 0], 0.5), GRID, CAMERAS, 16, 200, seeded())
+    drawn = ray_min_sdf(ball([0.0, 0, 0], 0.5), GRID, CAMERAS, 200, shift(3, 16))
     inside_cube = (closest.abs().amax(-1) < 1.0).view(3, 16, 16)
     outside_ball = expected > 0
     error = (drawn - expected)[inside_cube & outside_ball].abs()
@@ -35,7 +39,7 @@ def test_sphere_at_the_origin():
 
 def test_a_ball_shows_where_the_camera_s_matrix_puts_it():
     centre = [0.4, -0.3, 0.5]
-    drawn = ray_min_sdf(ball(centre, 0.1), GRID, CAMERAS, 64, 64, seeded())
+    drawn = ray_min_sdf(ball(centre, 0.1), GRID, CAMERAS, 64, shift(3, 64))
     clip = CAMERAS.mvp @ torch.tensor([*centre, 1.0])
     column = (clip[:, 0] / clip[:, 3] * 0.5 + 0.5) * 64
     row = (0.5 - clip[:, 1] / clip[:, 3] * 0.5) * 64
@@ -53,7 +57,7 @@ def test_gradient_is_that_of_the_chosen_sample():
     )
 
     def smallest(values):
-        return ray_min_sdf(values, grid, cameras, 6, 8, seeded(2))
+        return ray_min_sdf(values, grid, cameras, 8, shift(len(cameras), 6, 2))
 
     assert torch.autograd.gradcheck(smallest, (sdf,))
 
@@ -61,7 +65,7 @@ def test_gradient_is_that_of_the_chosen_sample():
 def test_trilinear_values_of_a_linear_function_are_exact():
     p = GRID.tet_verts
     sdf = p @ torch.tensor([0.3, -0.7, 0.2]) + 0.1
-    drawn = ray_min_sdf(sdf, GRID, CAMERAS, 8, 50, seeded())
+    drawn = ray_min_sdf(sdf, GRID, CAMERAS, 50, shift(3, 8))
     eye, direction = pixel_rays(CAMERAS, 8)
     depth = torch.linspace(0, 6, 20001)
     for view, pixel in ((0, 27), (1, 36), (2, 28)):
@@ -75,13 +79,13 @@ def test_trilinear_values_of_a_linear_function_are_exact():
 
 def test_rays_beside_the_cube_are_far_from_the_surface():
     cameras = Cameras.orbit([0.0], [0.0], fovy_deg=100.0)
-    drawn = ray_min_sdf(ball([0.0, 0, 0], 0.5), GRID, cameras, 16, 20, seeded())
+    drawn = ray_min_sdf(ball([0.0, 0, 0], 0.5), GRID, cameras, 20, shift(len(cameras), 16))
     assert drawn.isfinite().all()
     assert (drawn[:, 0] > 0.4).all()
 
 
 def test_the_generator_decides_the_samples():
     sdf = torch.randn(25**3, generator=seeded(5))
-    first, again, other = (ray_min_sdf(sdf, GRID, CAMERAS, 8, 6, seeded(s)) for s in (1, 1, 2))
+    first, again, other = (ray_min_sdf(sdf, GRID, CAMERAS, 6, shift(3, 8, s)) for s in (1, 1, 2))
     assert torch.equal(first, again)
     assert not torch.equal(first, other)

@@ -1,4 +1,4 @@
-"""The run folder: checkpoints that bring a training back exactly, and the wish to cancel."""
+"""The run folder: checkpoints that bring a training back exactly, and the request to cancel."""
 
 import json
 
@@ -7,8 +7,10 @@ import torch
 
 from core.errors import Cancelled, NoSurfaceError, UserError
 from core.io.job import Job, read_events
-from core.io.run_folder import RunFolder, Training
-from core.stages.guard import MAX_RECOVERIES, Guard, healthy_gradients
+from core.io.progress import Progress, TimeLeft
+from core.io.run_folder import RunFolder
+from core.stages.guard import MAX_RECOVERIES, WINDOW, Guard, healthy_gradients
+from core.stages.state import Training
 
 
 def make_run(path):
@@ -22,15 +24,16 @@ def toy(run, steps, stop=None):
     with torch.no_grad():
         net.weight.fill_(0.5)
         net.bias.zero_()
-    optimizer = torch.optim.AdamW(net.parameters(), lr=0.1)
-    training = Training(run, "toy", net, optimizer, generator)
+    training = Training("toy", net, generator, run)
+    training.set_learning_rate(0.1)
     training.resume()
-    for step in run.steps("toy", training.step, steps):
-        optimizer.zero_grad()
+    for step in Progress(run).steps("toy", training.step, [steps]):
+        training.optimizer.zero_grad()
         net(torch.randn(5, 3, generator=generator)).square().mean().backward()
-        optimizer.step()
-        training.checkpoint(step.index + 1, force=step.index + 1 == stop)
-        if step.index + 1 == stop:
+        training.optimizer.step()
+        training.step = step.at + 1
+        if training.step == stop:
+            training.save()
             return None
     return net.weight.detach().clone()
 
@@ -46,20 +49,55 @@ def test_a_resumed_training_ends_where_an_unbroken_one_does(tmp_path):
 
 def test_progress_names_step_and_loss(tmp_path):
     run = make_run(tmp_path)
-    for step in run.steps("toy", 3, 5):
+    for step in Progress(run).steps("toy", 3, [5]):
         step.loss = 2.0
     last = [e for e in read_events(run.path) if e["type"] == "progress"][-1]
     assert (last["stage"], last["step"], last["steps"], last["loss"]) == ("toy", 5, 5, 2.0)
     assert last["seconds_left"] == 0
 
 
+def test_phases_follow_one_another_and_empty_ones_are_left_out(tmp_path):
+    steps = list(Progress(make_run(tmp_path)).steps("toy", 1, [2, 0, 3]))
+    assert [(step.phase, step.index, step.at) for step in steps] == [
+        (0, 1, 1),
+        (2, 0, 2),
+        (2, 1, 3),
+        (2, 2, 4),
+    ]
+    assert [step.last for step in steps] == [False] * 3 + [True]
+
+
+def test_what_compiles_does_not_count_for_the_time_left():
+    """7 s for the first step of 350 were once "2,354 s left" of a stage of 74."""
+    clock = TimeLeft([3, 10])
+    clock.add(0, 7.0)
+    assert clock.after(0, 0) is None
+    clock.add(0, 0.5)
+    assert clock.after(0, 1) == pytest.approx(11 * 0.5)
+    clock.add(0, 0.5)
+    clock.add(1, 4.0)  # the next phase compiles, too
+    assert clock.after(1, 0) == pytest.approx(9 * 0.5)
+    clock.add(1, 2.0)  # and is slower
+    assert clock.after(1, 1) == pytest.approx(8 * 2.0)
+    assert clock.after(1, 9) == 0
+
+
+def test_a_resumed_stage_measures_anew():
+    clock = TimeLeft([3, 10])
+    clock.add(1, 5.0)
+    assert clock.after(1, 4) is None
+    clock.add(1, 1.0)
+    assert clock.after(1, 5) == pytest.approx(4.0)
+
+
 def test_cancel_by_file_and_by_signal(tmp_path):
     run = make_run(tmp_path)
-    run.check_cancelled()
-    run.interrupt()
+    progress = Progress(run)
+    progress.check_cancelled()
+    progress.interrupt()
     with pytest.raises(Cancelled, match="resume"):
-        run.check_cancelled()
-    other = RunFolder.open(run.path)
+        progress.check_cancelled()
+    other = Progress(RunFolder.open(run.path))
     other.check_cancelled()
     (run.path / "cancel").touch()
     with pytest.raises(Cancelled) as caught:
@@ -114,24 +152,53 @@ def test_no_file_of_a_save_is_left_aside(tmp_path):
     json.loads((run.path / "job.json").read_text(encoding="utf-8"))
 
 
+def guarded(tmp_path):
+    training = Training("geometry", torch.nn.Linear(2, 1), torch.Generator(), make_run(tmp_path))
+    return training, Guard(training, Progress(training.run))
+
+
 def test_the_guard_goes_back_to_health_and_gives_up_in_the_end(tmp_path):
-    net = torch.nn.Linear(2, 1)
+    training, guard = guarded(tmp_path)
+    net = training.module
     good = net.weight.detach().clone()
-    optimizer = torch.optim.AdamW(net.parameters())
-    training = Training(make_run(tmp_path), "geometry", net, optimizer, torch.Generator())
-    guard = Guard(training)
     for _ in range(MAX_RECOVERIES):
         with torch.no_grad():
             net.weight.fill_(torch.nan)
-        guard.recover("The surface had nearly vanished")
+        guard.recover("The surface had nearly vanished", 0, "coarse")
         assert torch.equal(net.weight, good)
-    assert guard.rate == 0.5**MAX_RECOVERIES
-    with pytest.raises(NoSurfaceError) as caught:
-        guard.recover("The surface had nearly vanished")
+    assert guard.rate(0) == 0.5**MAX_RECOVERIES
+    with pytest.raises(NoSurfaceError, match=r"geometry\.coarse\.guidance_scale") as caught:
+        guard.recover("The surface had nearly vanished", 0, "coarse")
     assert caught.value.status == 5
     warnings = [e for e in read_events(training.run.path) if e["type"] == "warning"]
     assert len(warnings) == MAX_RECOVERIES
     assert "went back to step 0" in warnings[0]["text"]
+
+
+def test_recoveries_long_ago_are_over_and_the_rate_comes_back(tmp_path):
+    """Six hiccups in 3,000 steps are no reason to end a run, nor to learn at a 32nd for good."""
+    training, guard = guarded(tmp_path)
+    for step in range(0, 3000, 500):
+        guard.recover("The gradient was not finite", step, "coarse")
+        assert guard.rate(step + 1) == 0.5
+    assert guard.rate(2500 + WINDOW - 1) == 0.5
+    assert guard.rate(2500 + WINDOW) == 1
+    training.save()
+    other = Training("geometry", torch.nn.Linear(2, 1), torch.Generator(), training.run)
+    other.resume()  # a resumed run counts on
+    assert Guard(other, Progress(other.run)).rate(2501) == 0.5
+
+
+def test_what_is_kept_for_one_round_is_not_anothers(tmp_path):
+    """Going back may put an earlier round's pictures back: the present one then makes its own."""
+    training, _ = guarded(tmp_path)
+    training.keep("grow 1", {"z": torch.ones(2)})
+    state = training.state()
+    training.keep("refine 0", {"z": torch.zeros(2), "sdf": torch.zeros(3)})
+    assert set(training.kept("refine 0")) == {"z", "sdf"}
+    training.set_state(state)
+    assert training.kept("refine 0") == {}
+    assert torch.equal(training.kept("grow 1")["z"], torch.ones(2))
 
 
 def test_a_gradient_that_is_not_finite_is_seen():

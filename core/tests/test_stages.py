@@ -11,7 +11,6 @@ from core.appearance.material import MaterialNet
 from core.appearance.shaded import UvMesh
 from core.config import DRAFT, RefineConfig
 from core.errors import Cancelled, NoSurfaceError
-from core.generate import sdf_net
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, health, polished, signed_volume
@@ -20,19 +19,16 @@ from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
 from core.guidance.guidance import Embedding
 from core.io.job import Job, read_events
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import linear_to_srgb
 from core.render.antialias import edge_table
-from core.stages.appearance import learn_appearance, learning_rate
-from core.stages.distill import decayed, phase_of
-from core.stages.geometry import (
-    Batch,
-    bending,
-    eikonal,
-    learn_geometry,
-    random_rotations,
-    strays,
-)
+from core.stages.appearance import Stage, appearance_phases, learn_appearance
+from core.stages.geometry import Distillation, Fitting, learn_geometry, random_rotations
+from core.stages.regularisers import bending, eikonal, strays
+from core.stages.start_shape import sdf_net
+from core.stages.state import Training
+from core.stages.training import Lesson, decayed
 from core.texture.unwrap import unwrap
 
 SHORT = replace(
@@ -70,11 +66,22 @@ def run_in(path):
     return RunFolder.create(path, Job(prompt="a ball"))
 
 
-def test_phases_follow_one_another():
-    first, second = SHORT.coarse, SHORT.fine
-    phases = [phase_of(i, first, second) for i in range(7)]
-    assert [p is first for p, _ in phases] == [True] * 4 + [False] * 3
-    assert [s for _, s in phases] == pytest.approx([0, 1 / 3, 2 / 3, 1, 0, 0.5, 1])
+def learn(net, g, config, run, seed=1):
+    """The whole geometry training; its mesh."""
+    training = Training("geometry", net, torch.Generator().manual_seed(seed), run)
+    return learn_geometry(Lesson(training, g, g.embed("", ""), config), Progress(run))
+
+
+def gradient(phase, lesson, index):
+    """Of one step, as one vector."""
+    scene, losses = phase.begin(index)
+    scene.backward(losses)
+    return torch.cat([p.grad.flatten() for p in lesson.training.module.parameters()])
+
+
+def lesson_of(config, g, run, seed=5):
+    training = Training("geometry", start_net(config), torch.Generator().manual_seed(seed), run)
+    return Lesson(training, g, Embedding(), config)
 
 
 def test_the_rate_ends_at_its_share():
@@ -132,46 +139,41 @@ def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
     grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
     config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
     g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32)
-    run, noise = run_in(tmp_path), torch.Generator().manual_seed(1)
-    verts, faces = learn_geometry(
-        start_net(replace(config, resolution=(24, 24))), g, g.embed("", ""),
-        replace(config, resolution=(24, 24)), run, noise,
-    )  # fmt: skip
+    config = replace(config, resolution=(24, 24))
+    verts, faces = learn(start_net(config), g, config, run_in(tmp_path))
     assert health(verts, faces)["genus"] == (1 if ray_mask else 0)
 
 
 @pytest.mark.parametrize("frame", ["object", "camera"])
-@pytest.mark.parametrize("coarse", [True, False])
-def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(frame, coarse):
+@pytest.mark.parametrize("name", ["coarse", "fine"])
+@pytest.mark.parametrize("rays", [0.0, 1.0])
+def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(
+    tmp_path, frame, name, rays
+):
+    """With all that is random by view: the turns of the normals, the samples of the rays."""
     grads = []
     for at_once in (4, 3, 1):
-        config = replace(SHORT, views_at_once=at_once, ray_mask_share=0.0, rotate_normals=False)
-        net = start_net(config)
-        grid = tet_grid(config.resolution[0])
-        batch = Batch(net, grid, config, torch.Generator().manual_seed(5))
-        phase = config.coarse if coarse else config.fine
-        batch.backward(batch.distilled(guidance(frame), Embedding(), phase, 0.5, coarse))
-        assert not batch.trouble(net)
-        grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
+        config = replace(SHORT, views_at_once=at_once, ray_mask_share=rays, rotate_normals=True)
+        lesson = lesson_of(config, guidance(frame), run_in(tmp_path / str(at_once)))
+        phase = Distillation(lesson, tet_grid(config.resolution[0]), name, before=0)
+        grads.append(gradient(phase, lesson, 1))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
 
 
-@pytest.mark.parametrize("rounds", [SHORT.refine, SHORT.grow], ids=["refine", "grow"])
-def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(rounds):
+@pytest.mark.parametrize("name", ["refine", "grow"])
+def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(
+    tmp_path, name
+):
     grads = []
-    for at_once in (5, 2):
+    for at_once in (5, 2, 1):
         config = replace(SHORT, views_at_once=at_once)
-        net, grid = start_net(config), tet_grid(12)
-        sharpness = 60.0 * (rounds.ray_mask > 0)
-        batch = Batch(net, grid, config, torch.Generator().manual_seed(5), sharpness)
-        targets = batch.targets(guidance(), Embedding(), rounds, 0)
-        batch.backward(batch.fitted(guidance(), targets, rounds))
-        assert not batch.trouble(net)
-        grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
+        lesson = lesson_of(config, guidance(), run_in(tmp_path / str(at_once)))
+        grads.append(gradient(Fitting(lesson, tet_grid(12), name), lesson, 0))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
+    torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
 
 
 def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
@@ -185,10 +187,7 @@ def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
         fine=none,
         refine=replace(refine, learning_rate=1e-2),
     )
-    net, g, run = start_net(config, 0.6), guidance(), run_in(tmp_path)
-    verts, _ = learn_geometry(
-        net, g, g.embed("", ""), config, run, torch.Generator().manual_seed(1)
-    )
+    verts, _ = learn(start_net(config, 0.6), guidance(), config, run_in(tmp_path))
     radius = verts.norm(dim=1)
     assert float(radius.mean()) == pytest.approx(0.8, abs=0.04)
     assert float(radius.std()) < 0.04
@@ -234,46 +233,58 @@ def test_walls_that_came_up_far_away_go_again():
         assert (net(grid.tet_verts)[0].sign() != band.sdf.sign())[far].float().mean() < 0.01
 
 
-def test_the_mask_along_empty_rays_reaches_the_lattice():
-    config = replace(SHORT, eikonal=0.0)
+def test_the_mask_along_empty_rays_reaches_the_lattice(tmp_path):
     grads = []
-    for sharpness in (10.0, 0.0):  # with and without
-        net = start_net(config)
-        batch = Batch(net, tet_grid(12), config, torch.Generator().manual_seed(5), sharpness)
-        batch.backward(batch.distilled(guidance(), Embedding(), config.coarse, 0.5, True))
-        grads.append(None if batch.sdf is None else batch.sdf.grad)
+    for rays in (1.0, 0.0):  # with and without
+        config = replace(SHORT, eikonal=0.0, ray_mask_share=rays)
+        lesson = lesson_of(config, guidance(), run_in(tmp_path / str(rays)))
+        scene, losses = Distillation(lesson, tet_grid(12), "coarse", before=0).begin(1)
+        scene.backward(losses)
+        grads.append(None if scene.sdf is None else scene.sdf.grad)
     assert grads[0] is not None
     assert float(grads[0].abs().sum()) > 0
     assert grads[1] is None
 
 
 @pytest.mark.parametrize("stop", [3, 8, 14])  # distilling; within a round of growing; of refining
-def test_geometry_resumes_to_the_same_mesh(tmp_path, stop):
-    def learn(run):
-        g = guidance()
-        return learn_geometry(
-            start_net(), g, g.embed("", ""), SHORT, run, torch.Generator().manual_seed(1)
-        )
-
-    whole = learn(run_in(tmp_path / "a"))
+def test_geometry_resumes_to_the_same_mesh(tmp_path, stop, monkeypatch):
+    whole = learn(start_net(), guidance(), SHORT, run_in(tmp_path / "a"))
     run = run_in(tmp_path / "b")
-    steps = RunFolder.steps
+    steps = Progress.steps
 
-    def broken(self, stage, first, count):
-        for step in steps(self, stage, first, count):
-            if step.index == stop:
+    def broken(self, stage, first, counts):
+        for step in steps(self, stage, first, counts):
+            if step.at == stop:
                 self.interrupt()
             yield step
 
-    RunFolder.steps = broken
-    try:
+    with monkeypatch.context() as patch:
+        patch.setattr(Progress, "steps", broken)
         with pytest.raises(Cancelled):
-            learn(run)
-    finally:
-        RunFolder.steps = steps
-    again = learn(RunFolder.open(run.path))
+            learn(start_net(), guidance(), SHORT, run)
+    again = learn(start_net(), guidance(), SHORT, RunFolder.open(run.path))
     assert torch.equal(again[1], whole[1])
     torch.testing.assert_close(again[0], whole[0], rtol=0, atol=0)
+
+
+def test_a_geometry_without_a_step_left_gives_the_same_mesh(tmp_path):
+    """Ψ's offsets reach as far as the fine lattice's cell, whether or not a step was taken."""
+    run = run_in(tmp_path)
+    whole = learn(start_net(), guidance(), SHORT, run)
+    again = learn(start_net(), guidance(), SHORT, RunFolder.open(run.path))
+    assert torch.equal(again[1], whole[1])
+    torch.testing.assert_close(again[0], whole[0], rtol=0, atol=0)
+
+
+def test_a_surface_that_is_gone_at_the_end_is_a_sentence(tmp_path):
+    none, rounds = replace(SHORT.coarse, steps=0), RefineConfig()
+    config = replace(SHORT, coarse=none, grow=rounds, fine=none, refine=rounds)
+    net = start_net()
+    with torch.no_grad():
+        net.mlp[-1].bias[0] += 10
+    with pytest.raises(NoSurfaceError, match="vanished.*--guide") as caught:
+        learn(net, guidance(), config, run_in(tmp_path))
+    assert caught.value.status == 5
 
 
 def test_a_vanished_surface_goes_back_and_then_ends_with_a_sentence(tmp_path):
@@ -281,55 +292,86 @@ def test_a_vanished_surface_goes_back_and_then_ends_with_a_sentence(tmp_path):
     net = start_net()
     with torch.no_grad():
         net.mlp[-1].bias[0] += 10
-    run, g = run_in(tmp_path), guidance()
+    run = run_in(tmp_path)
     long = replace(SHORT, coarse=replace(SHORT.coarse, steps=40))
     with pytest.raises(NoSurfaceError, match="vanished.*--guide"):
-        learn_geometry(net, g, g.embed("", ""), long, run, torch.Generator())
+        learn(net, guidance(), long, run)
     assert sum(e["type"] == "warning" for e in read_events(run.path)) == 5
 
 
-def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
-    draft = DRAFT.appearance
-    config = replace(
-        draft,
-        early=replace(draft.early, steps=16, size=32),
-        late=replace(draft.late, steps=4, size=32),
-        refine=RefineConfig(rounds=1, steps=4, views=3, batch=2, size=32, learning_rate=1e-2),
-        views=2,
-        views_at_once=1,
-        log2_hash_size=12,
-        finest=32,
-        smooth=0.1,
-        bump=0.5,
-    )
-    verts, faces = sphere(8)
-    mesh = UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
+SHORT_COLOR = replace(
+    DRAFT.appearance,
+    early=replace(DRAFT.appearance.early, steps=16, size=32),
+    late=replace(DRAFT.appearance.late, steps=4, size=32),
+    refine=RefineConfig(rounds=1, steps=4, views=3, batch=2, size=32, learning_rate=1e-2),
+    views=2,
+    views_at_once=1,
+    log2_hash_size=12,
+    finest=32,
+    smooth=0.1,
+    bump=0.5,
+)
+
+
+def color_lesson(config, run):
+    """Γ under a guidance that knows red pictures only."""
     red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
     teacher = GaussianGuidance(lambda cameras: red.expand(1, len(cameras), 4, 16, 16), 16)
+    net = MaterialNet(config, torch.Generator().manual_seed(0))
+    training = Training("appearance", net, torch.Generator().manual_seed(1), run)
+    return Lesson(training, teacher, teacher.embed("", ""), config)
 
-    def learn(run):
-        net = MaterialNet(config, torch.Generator().manual_seed(0))
-        light, noise = Environment.of(GREY), torch.Generator().manual_seed(1)
-        learn_appearance(net, mesh, light, teacher, teacher.embed("", ""), run, noise)
-        return net(verts).kd
 
-    first = MaterialNet(config, torch.Generator().manual_seed(0))(verts).kd.mean(0)
+def unwrapped_sphere():
+    verts, faces = sphere(8)
+    return UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
+
+
+def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
+    config, mesh = SHORT_COLOR, unwrapped_sphere()
+
+    def learn_color(run):
+        lesson = color_lesson(config, run)
+        learn_appearance(lesson, mesh, Environment.of(GREY), Progress(run))
+        return lesson.training.module(mesh.verts).kd
+
+    first = MaterialNet(config, torch.Generator().manual_seed(0))(mesh.verts).kd.mean(0)
     run = run_in(tmp_path)
-    last = learn(run)
+    last = learn_color(run)
     middle = linear_to_srgb(torch.tensor(config.kd_range)).mean()
     torch.testing.assert_close(linear_to_srgb(first), middle.expand(3), atol=1e-3, rtol=0)
     assert last.mean(0)[0] - last.mean(0)[1] > 0.05
-    assert torch.equal(learn(RunFolder.open(run.path)), last)  # no step is left to take
+    assert torch.equal(learn_color(RunFolder.open(run.path)), last)  # no step is left to take
     assert (run.path / "preview" / "color.png").exists()
 
 
-def test_colours_are_refined_at_a_rate_that_falls_once_more():
+@pytest.mark.parametrize("at", [0, 2], ids=["early", "refine"])
+def test_the_material_s_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(
+    tmp_path, at
+):
+    """With the way to the neighbouring points, which is drawn for each point seen."""
+    grads, mesh = [], unwrapped_sphere()
+    for at_once in (3, 2, 1):
+        config = replace(SHORT_COLOR, views=3, views_at_once=at_once, smooth=1.0)
+        lesson = color_lesson(config, run_in(tmp_path / str(at_once)))
+        stage = Stage(mesh, Environment.of(GREY), None)
+        grads.append(gradient(appearance_phases(lesson, stage)[at], lesson, 0))
+    assert float(grads[0].norm()) > 0
+    torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
+    torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
+
+
+def test_colours_are_refined_at_a_rate_that_falls_once_more(tmp_path):
     """Or the turns of the light leave noise in kd."""
     a = DRAFT.appearance
-    distilling = a.early.steps + a.late.steps
-    last = distilling + a.refine.rounds * a.refine.steps - 1
-    found = [learning_rate(a, index) for index in (0, distilling - 1, distilling, last)]
+    lesson, stage = (
+        color_lesson(a, run_in(tmp_path)),
+        Stage(unwrapped_sphere(), Environment.of(GREY), None),
+    )
+    early, late, refine = appearance_phases(lesson, stage)
+    found = [early.learning_rate(0), late.learning_rate(late.steps - 1)]
+    found += [refine.learning_rate(0), refine.learning_rate(refine.steps - 1)]
     full = [a.learning_rate, a.refine.learning_rate]
-    expected = [rate * share for rate in full for share in (1.0, a.learning_rate_end)]
+    expected = [rate * left for rate in full for left in (1.0, a.learning_rate_end)]
     assert found == pytest.approx(expected)
     assert a.learning_rate_end < 1

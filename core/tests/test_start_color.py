@@ -11,6 +11,7 @@ from core.config import AppearanceConfig, TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.job import Job
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import srgb_to_linear
 from core.stages.start_color import fit_base_color, sample, start_picture, surface_colors
@@ -87,7 +88,7 @@ def test_a_base_colour_belongs_to_texture():
 def kept(uv: torch.Tensor | None, tmp_path: Path):
     shape = Mesh(CORNERS, FACES, uv, None if uv is None else FACES)
     run = RunFolder.create(tmp_path, Job(prompt="x"))
-    return unwrap_shape(shape, TextureConfig(), run, keep_uv=True)
+    return unwrap_shape(shape, TextureConfig(), Progress(run), keep_uv=True)
 
 
 def test_an_own_uv_that_can_take_no_texture_is_refused(tmp_path):

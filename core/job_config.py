@@ -1,0 +1,67 @@
+"""The settings of one job: its preset, with what its own options change."""
+
+import math
+from dataclasses import replace
+
+from core.config import AppearanceConfig, Config, preset, with_settings
+from core.guidance.guidance import MaterialRanges
+from core.io.job import Job
+
+
+def config_of(job: Job) -> Config:
+    """The preset with the job's own sizes and settings."""
+    config = preset(job.preset)
+    if job.texture_size:
+        config = replace(config, texture=replace(config.texture, size=job.texture_size))
+    if job.max_faces:
+        config = replace(config, texture=replace(config.texture, max_faces=job.max_faces))
+    # Before what a strength shortens: it then shortens what the user has set, too.
+    config = with_settings(config, job.settings)
+    if job.base_color:
+        config = retouching(config, job.guide_strength)
+    return shortened(config, job.guide_strength) if job.guide_mesh else config
+
+
+def shortened(config: Config, strength: float) -> Config:
+    """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
+
+    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up. What
+    is apart in the guide stays apart.
+    """
+    g, keep = config.geometry, 1 - strength
+    steps, rounds = round(g.coarse.steps * keep), round(g.grow.rounds * keep)
+    coarse = replace(g.coarse, steps=steps, t_high=_calmer(g.coarse.t_high, strength))
+    grow = replace(g.grow, rounds=rounds, t=_calmer(g.grow.t, strength))
+    fine = replace(g.fine, steps=math.ceil(g.fine.steps * (0.2 + 0.8 * keep)))
+    refine = replace(g.refine, t=_calmer(g.refine.t, strength))
+    rate = g.learning_rate * (0.05 + 0.95 * keep)
+    shorter = replace(g, coarse=coarse, grow=grow, fine=fine, refine=refine, learning_rate=rate)
+    return replace(config, geometry=replace(shorter, join=g.join and strength == 0))
+
+
+def retouching(config: Config, strength: float) -> Config:
+    """``config`` for a base colour to start from: less of what paints over it.
+
+    ``strength`` 0 leaves all as it is; at 1 the late phase alone touches up.
+    """
+    a, keep = config.appearance, 1 - strength
+    early = replace(a.early, steps=round(a.early.steps * keep))
+    steps = max(1, round(a.late.steps * (0.2 + 0.8 * keep)))
+    late = replace(a.late, steps=steps, t_high=_calmer(a.late.t_high, strength))
+    rounds = round(a.refine.rounds * keep)
+    refine = replace(a.refine, rounds=rounds, t=_calmer(a.refine.t, strength))
+    rate = a.learning_rate * (0.02 + 0.98 * keep)
+    less = replace(a, early=early, late=late, refine=refine, learning_rate=rate)
+    return replace(config, appearance=less)
+
+
+def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> AppearanceConfig:
+    """``config`` with the bounds that the words set."""
+    if bounds is None:
+        return config
+    return replace(config, roughness_range=bounds.roughness, metallic_range=bounds.metallic)
+
+
+def _calmer(t: tuple[float, float], strength: float) -> tuple[float, float]:
+    """Half the noise at ``strength`` 1: what was there before shows through it."""
+    return t[0] * (1 - strength / 2), t[1] * (1 - strength / 2)

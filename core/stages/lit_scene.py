@@ -1,0 +1,96 @@
+"""The finished shape with Γ's material, as the cameras of one step see it in the light (§4.3)."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import torch
+from jaxtyping import Float, UInt8
+from torch import Tensor
+
+from core.appearance.environment import Environment
+from core.appearance.material import MaterialNet
+from core.appearance.shaded import Shaded, UvMesh, render_shaded
+from core.camera import Cameras
+from core.guidance.guidance import Guidance, Views, coarse_latent
+from core.io.run_folder import RunFolder
+from core.stages.preview import SIZE, VIEW, over_grey, show_color
+from core.stages.scene import Scene, gather
+
+SMOOTH_REACH = 0.01  # training units: how far apart "neighbouring points" are
+
+
+class LitScene(Scene):
+    """The object under the light of one step; the gradient goes straight into Γ."""
+
+    def __init__(
+        self,
+        net: MaterialNet,
+        mesh: UvMesh,
+        lit: Environment,
+        guidance: Guidance,
+        *,
+        still: Environment,
+        shares: Float[Tensor, "v s"] | None = None,
+    ) -> None:
+        """
+        Args:
+            lit: the light of this step.
+            still: the light before its turn, in which the preview shows the object.
+            shares: of the light, that the object does not hide from itself.
+        """
+        self.net, self.mesh, self.lit, self.guidance = net, mesh, lit, guidance
+        self.still, self.shares = still, shares
+        self.device = mesh.verts.device
+        self.points: list[Float[Tensor, "_p 3"]] = []  # seen with gradient, part by part
+
+    def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
+        """The colours, encoded; and the geometry, for a guidance that can use it."""
+        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.shares)
+        if torch.is_grad_enabled():
+            self.points.append(shaded.points)
+        z = self.guidance.encode_color(shaded.srgb, shaded.o)
+        return z, Views(cameras, surface_picture(shaded, self.guidance.latent_size))
+
+    def backward(self, losses: Iterator[Tensor]) -> float:
+        """Gather the gradient in Γ."""
+        return gather(losses)
+
+    def show(self, run: RunFolder) -> None:
+        """The asset from a fixed side."""
+        show_color(run, picture_of(self.net, self.mesh, self.still))
+
+
+def surface_picture(shaded: Shaded, size: int) -> Float[Tensor, "b 7 {size} {size}"]:
+    """[n, 2o - 1, p], area-downsampled: the geometry, for a guidance that can use it."""
+    normals = coarse_latent(shaded.n, shaded.o, size)
+    points = torch.nn.functional.adaptive_avg_pool2d(shaded.p.permute(0, 3, 1, 2), size)
+    return torch.cat([normals, points], 1)
+
+
+def roughening(scene: LitScene, generator: torch.Generator) -> Iterator[Float[Tensor, ""]]:
+    """Mean change of the material over a short way from the points seen, part by part.
+
+    The ways are drawn for the points of all parts at once, so that they do not depend on how many
+    views are rendered together.
+    """
+    weight, net = scene.net.config.smooth, scene.net
+    if weight == 0:
+        return
+    count = sum(len(points) for points in scene.points)
+    ways = torch.randn(count, 3, generator=generator).to(scene.device) * SMOOTH_REACH
+    for here, way in zip(
+        scene.points, ways.split([len(points) for points in scene.points]), strict=True
+    ):
+        pairs = zip(net(here), net(here + way), strict=True)
+        change = sum((a - b).abs().mean() for a, b in pairs)
+        yield weight * change * len(here) / count
+
+
+@torch.no_grad()
+def picture_of(
+    net: MaterialNet, mesh: UvMesh, environment: Environment, size: int = SIZE
+) -> UInt8[np.ndarray, "{size} {size} 3"]:
+    """The asset from a fixed side, as it is lit."""
+    cameras = Cameras.orbit(**VIEW).to(mesh.verts.device)
+    shaded = render_shaded(mesh, net, cameras, size, environment)
+    return over_grey(shaded.srgb[0], shaded.o[0])

@@ -1,0 +1,97 @@
+"""The state of a training, which its checkpoints hold."""
+
+from typing import Any, Generic, TypeVar
+
+import torch
+from torch import Tensor
+
+from core.io.run_folder import RunFolder
+
+Net = TypeVar("Net", bound=torch.nn.Module)
+
+
+class Training(Generic[Net]):
+    """What a training needs to continue where it stopped.
+
+    The parameters, the optimiser's moments, the random generator and the step; and the tensors of
+    the present round of fitting.
+    """
+
+    def __init__(self, name: str, module: Net, generator: torch.Generator, run: RunFolder) -> None:
+        self.name, self.module, self.generator, self.run = name, module, generator, run
+        # "Implementation Details": AdamW. The betas and eps are the released code's. Each step
+        # sets its own learning rate.
+        self.optimizer = torch.optim.AdamW(
+            module.parameters(), betas=(0.9, 0.99), eps=1e-15, weight_decay=0.0
+        )
+        self.step = 0  # the next one
+        self.extra: dict[str, Any] = {}  # small JSON values, such as the guard's
+        self._kept: dict[str, Tensor] = {}
+
+    @property
+    def device(self) -> torch.device:
+        """Where the parameters are."""
+        return next(self.module.parameters()).device
+
+    def set_learning_rate(self, rate: float) -> None:
+        """The learning rate of the next step."""
+        for group in self.optimizer.param_groups:
+            group["lr"] = rate
+
+    def keep(self, label: str, tensors: dict[str, Tensor]) -> None:
+        """Put ``tensors`` into the checkpoints under ``label``, in place of any others."""
+        self._kept = {f"{label}.{key}": value for key, value in tensors.items()}
+
+    def kept(self, label: str) -> dict[str, Tensor]:
+        """What was kept under ``label``; nothing where something else was."""
+        start = f"{label}."
+        return {k.removeprefix(start): v for k, v in self._kept.items() if k.startswith(start)}
+
+    def state(self) -> dict[str, Tensor]:
+        """All tensors of the training, by name; copies."""
+        tensors = {f"module.{k}": v for k, v in self.module.state_dict().items()}
+        for i, p in enumerate(self._parameters):
+            for key, value in self.optimizer.state.get(p, {}).items():
+                tensors[f"optimizer.{i}.{key}"] = torch.as_tensor(value)
+        tensors |= {f"kept.{key}": value for key, value in self._kept.items()}
+        tensors["generator"] = self.generator.get_state()
+        return {key: value.detach().clone() for key, value in tensors.items()}
+
+    def set_state(self, tensors: dict[str, Tensor]) -> None:
+        """Put a :meth:`state` back."""
+        split: dict[str, dict[str, Tensor]] = {"module": {}, "optimizer": {}, "kept": {}}
+        for key, value in tensors.items():
+            if key != "generator":
+                kind, name = key.split(".", 1)
+                split[kind][name] = value
+        self.module.load_state_dict(split["module"])
+        self._kept = {key: value.to(self.device) for key, value in split["kept"].items()}
+        self._set_moments(split["optimizer"])
+        self.generator.set_state(tensors["generator"])
+
+    def save(self) -> None:
+        """Write a checkpoint."""
+        meta = {"step": self.step, "extra": self.extra}
+        self.run.save(self.name, self.state(), meta)
+
+    def resume(self) -> None:
+        """Load the checkpoint, where there is one."""
+        found = self.run.load(self.name)
+        if found is None:
+            return
+        tensors, meta = found
+        self.set_state(tensors)
+        self.step, self.extra = meta["step"], meta["extra"]
+
+    @property
+    def _parameters(self) -> list[torch.nn.Parameter]:
+        return [p for group in self.optimizer.param_groups for p in group["params"]]
+
+    def _set_moments(self, moments: dict[str, Tensor]) -> None:
+        self.optimizer.state.clear()
+        parameters = self._parameters
+        for key, value in moments.items():
+            i, name = key.split(".", 1)
+            p = parameters[int(i)]
+            # AdamW counts its steps on the CPU.
+            self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)
