@@ -22,7 +22,7 @@ from core.geometry.init_shape import ellipsoid, fit, mesh_shape
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
-from core.guidance.guidance import Embedding, Guidance, MaterialRanges, PromptWarning
+from core.guidance.guidance import MaterialRanges, PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
 from core.io.asset import place, write_asset
 from core.io.job import Job
@@ -42,8 +42,7 @@ class Inputs:
 
     config: Config
     device: torch.device
-    guidance: Guidance
-    embedding: Embedding
+    guidance: PromptedGuidance
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
@@ -58,12 +57,14 @@ def prepare(job: Job) -> Inputs:
     shape = load_mesh(Path(path)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
-    guidance = make_guidance(job.guidance, device, ignore_unknown=job.ignore_unknown_words)
+    guidance = make_guidance(
+        job.guidance, device, ignore_unknown=job.ignore_unknown_words, config=config.guidance
+    )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
-        embedding = guidance.embed(job.prompt, job.negative_prompt)
+        prompted = guidance.prompted(job.prompt, job.negative_prompt)
     said = tuple(str(w.message) for w in caught)
-    return Inputs(config, device, guidance, embedding, light, shape, start, said)
+    return Inputs(config, device, prompted, light, shape, start, said)
 
 
 def generate(run: RunFolder, inputs: Inputs) -> Path:
@@ -83,9 +84,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
             with run.timed("fit"):
                 steps = config.geometry.fit_steps
                 fit(net, start, steps, generator, lambda step, _: run.advance("fit", step, steps))
-        verts, faces = learn_geometry(
-            net, inputs.guidance, inputs.embedding, config.geometry, run, generator
-        )
+        verts, faces = learn_geometry(net, inputs.guidance, config.geometry, run, generator)
         shape = Mesh(verts.cpu(), faces.cpu())
     else:
         shape = inputs.shape
@@ -101,7 +100,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
 
     # APPEARANCE: Γ learns the material
     generator = torch.Generator().manual_seed(job.seed + 1)
-    bounds = inputs.guidance.ranges(inputs.embedding)
+    bounds = inputs.guidance.ranges()
     material = MaterialNet(within(config.appearance, bounds), generator).to(device)
     if inputs.start is not None and inputs.shape and not run.has("appearance"):
         own = replace(inputs.shape, verts=normalise(inputs.shape.verts)[0])
@@ -110,7 +109,7 @@ def generate(run: RunFolder, inputs: Inputs) -> Path:
                 material, own, inputs.start, generator, lambda n: run.advance("start", n, STEPS)
             )
     environment = Environment.of(inputs.light, config.appearance.shading).to(device)
-    learn_appearance(material, mesh, environment, inputs.guidance, inputs.embedding, run, generator)
+    learn_appearance(material, mesh, environment, inputs.guidance, run, generator)
 
     # TEXTURING: Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, material, config.texture, run)

@@ -14,7 +14,7 @@ from core.appearance.occlusion import Openness
 from core.appearance.shaded import Shaded, UvMesh, render_shaded
 from core.camera import Cameras, sample_cameras
 from core.config import AppearanceConfig
-from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
+from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError
 from core.io.run_folder import RunFolder, Training
 from core.stages.distill import Draw, decayed, distill, phase_of
@@ -29,8 +29,7 @@ def learn_appearance(
     net: MaterialNet,
     mesh: UvMesh,
     environment: Environment,
-    guidance: Guidance,
-    embedding: Embedding,
+    guidance: PromptedGuidance,
     run: RunFolder,
     generator: torch.Generator,
 ) -> None:
@@ -50,7 +49,7 @@ def learn_appearance(
         optimizer.zero_grad()
         lit = environment.rotated(_turn(config, generator))
         shares = openness.shares(lit) if openness else None
-        scene = Scene(net, mesh, lit, guidance, embedding, generator, shares)
+        scene = Scene(net, mesh, lit, guidance, generator, shares)
         step.loss, trouble = 0.0, ""
         try:
             if refining:
@@ -100,14 +99,13 @@ class Scene:
         net: MaterialNet,
         mesh: UvMesh,
         lit: Environment,
-        guidance: Guidance,
-        embedding: Embedding,
+        guidance: PromptedGuidance,
         generator: torch.Generator,
         shares: Tensor | None = None,
     ) -> None:
         self.shares = shares  # of the light, that the object does not hide from itself
         self.net, self.mesh, self.lit = net, mesh, lit
-        self.guidance, self.embedding, self.generator = guidance, embedding, generator
+        self.guidance, self.generator = guidance, generator
         self.config = net.config
 
     def distilled(self, index: int) -> Iterator[Tensor]:
@@ -117,9 +115,7 @@ class Scene:
         draw = Draw.of(config.views, config.cameras, self.guidance, phase, share, self.generator)
         for part in draw.split(config.views_at_once, self.mesh.verts.device):
             z, views, rough = self._latent(part.cameras, phase.size)
-            loss, _ = distill(
-                self.guidance, z, self.embedding, views, part, phase, config.gradient_cap
-            )
+            loss, _ = distill(self.guidance, z, views, part, phase, config.gradient_cap)
             yield (loss + rough) / config.views
 
     def targets(self, round: int) -> Targets:
@@ -134,7 +130,7 @@ class Scene:
         surface = torch.cat([views.surface for _, views, _ in seen])
         share = round / max(config.rounds - 1, 1)
         views = Views(cameras, surface)
-        return denoised(z, self.guidance, self.embedding, views, config, share, self.generator)
+        return denoised(z, self.guidance, views, config, share, self.generator)
 
     def fitted(self, targets: Targets) -> Iterator[Tensor]:
         """Regression to some of the round's pictures: the losses of these, part by part."""

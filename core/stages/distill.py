@@ -9,7 +9,7 @@ from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.config import PhaseConfig
-from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.guidance import PromptedGuidance, Views
 from core.guidance.sds import anneal, sample_t, sds_grad, sds_loss
 
 
@@ -41,7 +41,7 @@ class Draw:
         cls,
         views: int,
         cameras: CameraConfig,
-        guidance: Guidance,
+        guidance: PromptedGuidance,
         phase: PhaseConfig,
         share: float,
         generator: torch.Generator,
@@ -65,9 +65,8 @@ class Draw:
 
 
 def distill(
-    guidance: Guidance,
+    guidance: PromptedGuidance,
     z: Float[Tensor, "b 4 s s"],
-    embedding: Embedding,
     views: Views,
     draw: Draw,
     phase: PhaseConfig,
@@ -77,7 +76,6 @@ def distill(
     grad = sds_grad(
         guidance,
         z,
-        embedding,
         views,
         t=draw.t,
         eps=draw.eps.to(z),

@@ -17,7 +17,7 @@ from core.geometry.pieces import joined
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid, tet_grid
-from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
+from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
 from core.guidance.sds import NotFiniteError, anneal
 from core.io.run_folder import RunFolder, Training
 from core.render.antialias import EdgeTable, edge_table
@@ -37,8 +37,7 @@ FLOATER_SHARE = 0.08  # a piece smaller than this share of the largest is droppe
 
 def learn_geometry(
     net: SdfNet,
-    guidance: Guidance,
-    embedding: Embedding,
+    guidance: PromptedGuidance,
     config: GeometryConfig,
     run: RunFolder,
     generator: torch.Generator,
@@ -69,7 +68,7 @@ def learn_geometry(
         try:
             if isinstance(part, RefineConfig):
                 rate = part.learning_rate
-                batch = fitting_batch(training, grid, guidance, embedding, config, part, index)
+                batch = fitting_batch(training, grid, guidance, config, part, index)
                 losses = batch.fitted(guidance, Targets.of(training.kept), part)
             else:
                 share = (index + (at > 0) * config.coarse.steps) / max(distilling - 1, 1)
@@ -77,7 +76,7 @@ def learn_geometry(
                 sharpness = anneal(*SHARPNESS, share) if share < config.ray_mask_share else 0.0
                 batch = Batch(net, grid, config, generator, sharpness)
                 share = index / max(part.steps - 1, 1)
-                losses = batch.distilled(guidance, embedding, part, share, coarse=at == 0)
+                losses = batch.distilled(guidance, part, share, coarse=at == 0)
             for group in optimizer.param_groups:
                 group["lr"] = guard.rate * rate
             step.loss = batch.backward(losses)
@@ -100,8 +99,7 @@ def learn_geometry(
 def fitting_batch(
     training: Training,
     grid: TetGrid,
-    guidance: Guidance,
-    embedding: Embedding,
+    guidance: PromptedGuidance,
     config: GeometryConfig,
     rounds: RefineConfig,
     index: int,
@@ -122,7 +120,7 @@ def fitting_batch(
         band = band_about(net, grid, BAND) if fresh else Band(*(training.kept[n] for n in names))
         batch = Batch(net, grid, config, generator, band=band)
     if fresh:
-        targets = batch.targets(guidance, embedding, rounds, round)
+        targets = batch.targets(guidance, rounds, round)
         training.kept = targets.tensors() | (band._asdict() if band else {})
     return batch
 
@@ -165,8 +163,7 @@ class Batch:
 
     def distilled(
         self,
-        guidance: Guidance,
-        embedding: Embedding,
+        guidance: PromptedGuidance,
         phase: PhaseConfig,
         share: float,
         coarse: bool,
@@ -175,11 +172,9 @@ class Batch:
         config = self.config
         draw = Draw.of(config.views, config.cameras, guidance, phase, share, self.generator)
         for part in draw.split(config.views_at_once, self.verts.device):
-            yield self._view_loss(part, guidance, embedding, phase, coarse) / config.views
+            yield self._view_loss(part, guidance, phase, coarse) / config.views
 
-    def targets(
-        self, guidance: Guidance, embedding: Embedding, rounds: RefineConfig, round: int
-    ) -> Targets:
+    def targets(self, guidance: PromptedGuidance, rounds: RefineConfig, round: int) -> Targets:
         """The pictures of a round of fitting."""
         at_once = self.config.views_at_once
         cameras = sample_cameras(rounds.views, self.config.cameras, self.generator)
@@ -188,10 +183,10 @@ class Batch:
             parts = [slice(k, k + at_once) for k in range(0, rounds.views, at_once)]
             z = torch.cat([self._latent(guidance, cameras[part], rounds.size) for part in parts])
         share = round / max(rounds.rounds - 1, 1)
-        return denoised(z, guidance, embedding, Views(cameras), rounds, share, self.generator)
+        return denoised(z, guidance, Views(cameras), rounds, share, self.generator)
 
     def fitted(
-        self, guidance: Guidance, targets: Targets, rounds: RefineConfig
+        self, guidance: PromptedGuidance, targets: Targets, rounds: RefineConfig
     ) -> Iterator[Tensor]:
         """Regression to some of the round's pictures: the losses of these, part by part."""
         some = targets.some(rounds.batch, self.generator)
@@ -230,8 +225,7 @@ class Batch:
     def _view_loss(
         self,
         draw: Draw,
-        guidance: Guidance,
-        embedding: Embedding,
+        guidance: PromptedGuidance,
         phase: PhaseConfig,
         coarse: bool,
     ) -> Tensor:
@@ -239,16 +233,18 @@ class Batch:
         n, o = self._render(guidance, cameras, phase.size)
         if not coarse:
             z = guidance.encode_normals(n, o)
-            return distill(guidance, z, embedding, Views(cameras), draw, phase, cap)[0]
+            return distill(guidance, z, Views(cameras), draw, phase, cap)[0]
         if self.config.rotate_normals and guidance.normal_frame == "camera":
             n = n @ random_rotations(len(n), self.generator).to(n)[:, None]
         z = coarse_latent(n, o, guidance.latent_size)
-        loss, grad = distill(guidance, z, embedding, Views(cameras), draw, phase, cap)
+        loss, grad = distill(guidance, z, Views(cameras), draw, phase, cap)
         if self.sharpness > 0:
             loss = loss + self._ray_mask_loss(grad[:, 3], cameras)
         return loss
 
-    def _render(self, guidance: Guidance, cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
+    def _render(
+        self, guidance: PromptedGuidance, cameras: Cameras, size: int
+    ) -> tuple[Tensor, Tensor]:
         """n and o of the views; the largest coverage of any part is remembered."""
         n, o = render_normals(
             self.verts, self.faces, cameras, size, guidance.normal_frame, self.edges
@@ -256,7 +252,7 @@ class Batch:
         self.coverage = max(self.coverage, float(o.detach().mean()))
         return n, o
 
-    def _latent(self, guidance: Guidance, cameras: Cameras, size: int) -> Tensor:
+    def _latent(self, guidance: PromptedGuidance, cameras: Cameras, size: int) -> Tensor:
         return guidance.encode_normals(*self._render(guidance, cameras, size))
 
     def _ray_fit(self, targets: Targets) -> Tensor:

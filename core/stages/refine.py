@@ -15,7 +15,7 @@ from torch import Tensor
 from core.camera import Cameras
 from core.config import RefineConfig
 from core.guidance.denoise import denoise
-from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.guidance import PromptedGuidance, Views
 from core.guidance.sds import add_noise, anneal
 
 
@@ -55,8 +55,7 @@ class Targets:
 
 def denoised(
     z: Float[Tensor, "b 4 s s"],
-    guidance: Guidance,
-    embedding: Embedding,
+    guidance: PromptedGuidance,
     views: Views,
     config: RefineConfig,
     share: float,
@@ -71,7 +70,7 @@ def denoised(
     t = min(round(anneal(*config.t, share) * len(guidance.alpha_bar)), last)
     eps = torch.randn(z.shape, generator=generator).to(z)
     z_t = add_noise(z, eps, guidance.alpha_bar.to(z)[t].expand(len(z)))
-    clean = denoise(guidance, z_t, t, embedding, views, config.guidance_scale, config.denoise_steps)
+    clean = denoise(guidance, z_t, t, views, config.guidance_scale, config.denoise_steps)
     return Targets(views.cameras, clean)
 
 

@@ -178,4 +178,4 @@ def test_a_16_bit_variant_loads(broken):
     pipeline.to(torch.float16).save_pretrained(folder, variant="fp16")
     guidance = load(folder)
     assert guidance.unet.dtype == torch.float32
-    assert guidance.embed("a chair", "").views.isfinite().all()
+    assert guidance.prompted("a chair", "").views.isfinite().all()

@@ -23,7 +23,7 @@ from core.guidance.builtin.network import UNet
 from core.guidance.builtin.vocabulary import SLOTS
 from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
-from core.guidance.sds import add_noise
+from core.guidance.sds import add_noise, predict_eps
 from core.io.job import Job
 from core.prior.data import CAMERAS
 from core.prior.draw import Draw
@@ -56,8 +56,7 @@ def _error(guidance, x, prompt, cameras, t=700, scale=1.0):
     eps = torch.randn(x.shape, generator=torch.Generator().manual_seed(1))
     times = torch.full((len(x),), t)
     z_t = add_noise(x, eps, guidance.alpha_bar[times])
-    embedding = guidance.embed(prompt, "")
-    eps_hat = guidance.eps_hat(z_t, times, embedding, Views(cameras), scale)
+    eps_hat = predict_eps(guidance.prompted(prompt, ""), z_t, times, Views(cameras), scale)
     return (eps_hat - eps).square().mean().item()
 
 
@@ -139,8 +138,8 @@ def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
     alpha_bar = guidance.alpha_bar[t]
     z_t = _noise(2, 2)
     for color, channel in (("red", 0), ("green", 1), ("blue", 2)):
-        embedding = guidance.embed(f"a {color} mug", "")
-        eps_hat = guidance.eps_hat(z_t, t, embedding, Views(cameras, surface), 1.0)
+        prompted = guidance.prompted(f"a {color} mug", "")
+        eps_hat = predict_eps(prompted, z_t, t, Views(cameras, surface), 1.0)
         a = alpha_bar[:, None, None, None]
         painted = (z_t - (1 - a).sqrt() * eps_hat) / a.sqrt()
         assert (painted[:, 3] > 0)[inside].float().mean() > 0.8  # the coverage is the hint's
@@ -150,10 +149,10 @@ def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
 def test_the_guidance_scale_extrapolates_from_the_negative_prompt(guidance):
     cameras = Cameras.orbit([20.0], [10.0])
     z_t, t = _noise(3), torch.tensor([800])
-    chair = guidance.embed("chair", "mug")
-    at = {s: guidance.eps_hat(z_t, t, chair, Views(cameras), s) for s in (0.0, 1.0, 3.0)}
+    chair = guidance.prompted("chair", "mug")
+    at = {s: predict_eps(chair, z_t, t, Views(cameras), s) for s in (0.0, 1.0, 3.0)}
     torch.testing.assert_close(at[3.0], at[0.0] + 3 * (at[1.0] - at[0.0]), atol=1e-4, rtol=1e-3)
-    mug = guidance.eps_hat(z_t, t, guidance.embed("mug", ""), Views(cameras), 1.0)
+    mug = predict_eps(guidance.prompted("mug", ""), z_t, t, Views(cameras), 1.0)
     torch.testing.assert_close(at[0.0], mug, atol=1e-4, rtol=1e-3)
 
 
@@ -170,7 +169,7 @@ def test_eps_hat_is_the_networks_v(guidance, monkeypatch):
             or answers[-1]
         ),
     )
-    eps_hat = guidance.eps_hat(z_t, t, guidance.embed("cone", ""), Views(cameras), 1.0)
+    eps_hat = predict_eps(guidance.prompted("cone", ""), z_t, t, Views(cameras), 1.0)
     alpha_bar = guidance.alpha_bar[t]
     x = x_from_v(answers[0][:1].float(), z_t, alpha_bar)
     torch.testing.assert_close(add_noise(x, eps_hat, alpha_bar), z_t, atol=1e-4, rtol=1e-4)
@@ -198,9 +197,9 @@ def test_encoding_carries_the_gradient(guidance):
 
 def test_unknown_words_are_refused_in_both_prompts(guidance):
     with pytest.raises(UserError, match="'gnome'"):
-        guidance.embed("a gnome", "")
+        guidance.prompted("a gnome", "")
     with pytest.raises(UserError, match="'blurry'"):
-        guidance.embed("a chair", "blurry")
+        guidance.prompted("a chair", "blurry")
 
 
 def test_what_was_not_taken_to_the_letter_is_a_warning():
@@ -209,7 +208,7 @@ def test_what_was_not_taken_to_the_letter_is_a_warning():
     with pytest.raises(UserError, match="ignore_unknown_words is 1"):
         Job(prompt="a chair", ignore_unknown_words=1)
     inputs = prepare(job)
-    assert inputs.embedding.words.noun == "chair"
+    assert inputs.guidance.words.noun == "chair"
     assert inputs.warnings == (
         "'chiar' is read as 'chair'.",
         "The built-in prior does not know 'gnome': left out.",

@@ -18,7 +18,6 @@ from core.geometry.mesh import health, polished, signed_volume
 from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
-from core.guidance.guidance import Embedding
 from core.io.job import Job, read_events
 from core.io.run_folder import RunFolder
 from core.ops import linear_to_srgb
@@ -56,7 +55,7 @@ def sphere(resolution=16, radius=0.6):
 
 def guidance(frame="object", size=16):
     return GaussianGuidance(mesh_reference([sphere(radius=0.8)], size, normal_frame=frame), size,
-                            normal_frame=frame)  # fmt: skip
+                            normal_frame=frame).prompted()  # fmt: skip
 
 
 def start_net(config=SHORT, radius=0.5):
@@ -131,10 +130,10 @@ def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
     grow = RefineConfig(rounds=2, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
     grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
     config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
-    g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32)
+    g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32).prompted()
     run, noise = run_in(tmp_path), torch.Generator().manual_seed(1)
     verts, faces = learn_geometry(
-        start_net(replace(config, resolution=(24, 24))), g, g.embed("", ""),
+        start_net(replace(config, resolution=(24, 24))), g,
         replace(config, resolution=(24, 24)), run, noise,
     )  # fmt: skip
     assert health(verts, faces)["genus"] == (1 if ray_mask else 0)
@@ -150,7 +149,7 @@ def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(fra
         grid = tet_grid(config.resolution[0])
         batch = Batch(net, grid, config, torch.Generator().manual_seed(5))
         phase = config.coarse if coarse else config.fine
-        batch.backward(batch.distilled(guidance(frame), Embedding(), phase, 0.5, coarse))
+        batch.backward(batch.distilled(guidance(frame), phase, 0.5, coarse))
         assert not batch.trouble(net)
         grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
     assert float(grads[0].norm()) > 0
@@ -166,7 +165,7 @@ def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_
         net, grid = start_net(config), tet_grid(12)
         sharpness = 60.0 * (rounds.ray_mask > 0)
         batch = Batch(net, grid, config, torch.Generator().manual_seed(5), sharpness)
-        targets = batch.targets(guidance(), Embedding(), rounds, 0)
+        targets = batch.targets(guidance(), rounds, 0)
         batch.backward(batch.fitted(guidance(), targets, rounds))
         assert not batch.trouble(net)
         grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
@@ -186,9 +185,7 @@ def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
         refine=replace(refine, learning_rate=1e-2),
     )
     net, g, run = start_net(config, 0.6), guidance(), run_in(tmp_path)
-    verts, _ = learn_geometry(
-        net, g, g.embed("", ""), config, run, torch.Generator().manual_seed(1)
-    )
+    verts, _ = learn_geometry(net, g, config, run, torch.Generator().manual_seed(1))
     radius = verts.norm(dim=1)
     assert float(radius.mean()) == pytest.approx(0.8, abs=0.04)
     assert float(radius.std()) < 0.04
@@ -240,7 +237,7 @@ def test_the_mask_along_empty_rays_reaches_the_lattice():
     for sharpness in (10.0, 0.0):  # with and without
         net = start_net(config)
         batch = Batch(net, tet_grid(12), config, torch.Generator().manual_seed(5), sharpness)
-        batch.backward(batch.distilled(guidance(), Embedding(), config.coarse, 0.5, True))
+        batch.backward(batch.distilled(guidance(), config.coarse, 0.5, True))
         grads.append(None if batch.sdf is None else batch.sdf.grad)
     assert grads[0] is not None
     assert float(grads[0].abs().sum()) > 0
@@ -251,9 +248,7 @@ def test_the_mask_along_empty_rays_reaches_the_lattice():
 def test_geometry_resumes_to_the_same_mesh(tmp_path, stop):
     def learn(run):
         g = guidance()
-        return learn_geometry(
-            start_net(), g, g.embed("", ""), SHORT, run, torch.Generator().manual_seed(1)
-        )
+        return learn_geometry(start_net(), g, SHORT, run, torch.Generator().manual_seed(1))
 
     whole = learn(run_in(tmp_path / "a"))
     run = run_in(tmp_path / "b")
@@ -284,7 +279,7 @@ def test_a_vanished_surface_goes_back_and_then_ends_with_a_sentence(tmp_path):
     run, g = run_in(tmp_path), guidance()
     long = replace(SHORT, coarse=replace(SHORT.coarse, steps=40))
     with pytest.raises(NoSurfaceError, match="vanished.*--guide"):
-        learn_geometry(net, g, g.embed("", ""), long, run, torch.Generator())
+        learn_geometry(net, g, long, run, torch.Generator())
     assert sum(e["type"] == "warning" for e in read_events(run.path)) == 5
 
 
@@ -305,12 +300,13 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
     verts, faces = sphere(8)
     mesh = UvMesh.of(verts, faces, *unwrap(verts, faces, 64))
     red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
-    teacher = GaussianGuidance(lambda cameras: red.expand(1, len(cameras), 4, 16, 16), 16)
+    reference = lambda cameras: red.expand(1, len(cameras), 4, 16, 16)  # noqa: E731
+    teacher = GaussianGuidance(reference, 16).prompted()
 
     def learn(run):
         net = MaterialNet(config, torch.Generator().manual_seed(0))
         light, noise = Environment.of(GREY), torch.Generator().manual_seed(1)
-        learn_appearance(net, mesh, light, teacher, teacher.embed("", ""), run, noise)
+        learn_appearance(net, mesh, light, teacher, run, noise)
         return net(verts).kd
 
     first = MaterialNet(config, torch.Generator().manual_seed(0))(verts).kd.mean(0)
