@@ -18,7 +18,7 @@ from core.benchmarks import machine, row, table_line
 from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import Mesh, health
-from core.guidance.builtin.guidance import WEIGHTS
+from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
 from core.guidance.builtin.weights import load_words
 from core.io.asset import read_asset

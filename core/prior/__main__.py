@@ -13,8 +13,8 @@ from pathlib import Path
 import torch
 
 from core.errors import UserError
-from core.guidance.builtin.guidance import WEIGHTS
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.builtin.weights import load_weights, save_weights
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (

@@ -11,7 +11,7 @@ from torch.nn.functional import interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.shade import shade
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.lexicon import SLOTS
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
 from core.prior.draw import Draw

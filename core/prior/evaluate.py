@@ -19,9 +19,9 @@ from core.camera import Cameras
 from core.guidance.builtin.diffusion import alpha_bar_schedule, x_from_v
 from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import hint
+from core.guidance.builtin.lexicon import SLOTS as WORDS
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import COLOR_VALUES, looks
-from core.guidance.builtin.vocabulary import SLOTS as WORDS
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter

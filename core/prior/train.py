@@ -21,8 +21,8 @@ from torch import Tensor, nn
 
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule, v_target
 from core.guidance.builtin.hint import CHANNELS, hint
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNet, UNetConfig, camera_map
-from core.guidance.builtin.vocabulary import SLOTS
 from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
 from core.prior.colored import SAID, Painter, lumpy

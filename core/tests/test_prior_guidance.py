@@ -14,13 +14,13 @@ from core.guidance.builtin.diffusion import x_from_v
 from core.guidance.builtin.guidance import (
     APPEARANCE_SLOTS,
     GEOMETRY_SLOTS,
-    WEIGHTS,
     BuiltinGuidance,
     load_builtin,
 )
 from core.guidance.builtin.hint import CHANNELS
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
 from core.guidance.sds import add_noise, predict_eps

@@ -4,9 +4,10 @@ import pytest
 import torch
 
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint, stencil
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import swatches
 from core.guidance.builtin.patterns import PATTERNS, Place
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 
 NAMES = list(SLOTS["pattern"])
 

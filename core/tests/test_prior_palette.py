@@ -5,6 +5,7 @@ import colorsys
 import pytest
 import torch
 
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import (
     COLOR_VALUES,
     FINISHES,
@@ -16,7 +17,7 @@ from core.guidance.builtin.palette import (
 )
 from core.guidance.builtin.patterns import PATTERNS as PAINTED
 from core.guidance.builtin.patterns import Place
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb
 from core.prior.colored import Painter, lumpy

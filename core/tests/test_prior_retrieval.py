@@ -6,8 +6,9 @@ import torch
 from core.benchmarks.bench_prior import ADDED, GENUS, line, main_delta_e, summary, words_for
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import COLOR_VALUES
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw

@@ -1,24 +1,24 @@
-"""The built-in prior's parser: what it reads, what it mends, what it refuses by name."""
+"""The built-in prior's parser: what it reads, what it corrects, what it refuses by name."""
 
 import re
 
 import pytest
 
 from core.errors import UserError
+from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.looks import LOOKS
-from core.guidance.builtin.vocabulary import LEXICON, SLOTS, Words, corrected, parse
+from core.guidance.builtin.nearest import NEAREST, REAL
+from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
     COLORS,
     FILLER,
+    IGNORED_ADJECTIVES,
     MATERIALS,
-    NEAREST,
     NOUNS,
     OPTIONS,
     PART_WORDS,
     PATTERNS,
-    REAL,
     SHAPES,
-    UNHEARD,
 )
 from core.prior.data import ADJECTIVES, TOLD
 from core.prior.data import NOUNS as DRAWN
@@ -138,14 +138,14 @@ def test_the_order_of_words_does_not_matter():
 @pytest.mark.parametrize("table", [NOUNS, SHAPES, COLORS, MATERIALS, PATTERNS, PART_WORDS])
 def test_every_synonym_means_its_word(table):
     for word, synonyms in table.items():
-        for form in filter(None, [word, *synonyms.split(", ")]):
+        for form in [word, *forms_of(synonyms)]:
             assert LEXICON[form.replace("-", " ")][1] in (word, "hat"), f"{form} means two words"
 
 
 def test_the_tables_hide_nothing_from_each_other():
     assert FILLER.isdisjoint(LEXICON)
-    assert UNHEARD.isdisjoint(LEXICON)
-    assert UNHEARD.isdisjoint(FILLER)
+    assert IGNORED_ADJECTIVES.isdisjoint(LEXICON)
+    assert IGNORED_ADJECTIVES.isdisjoint(FILLER)
     assert REAL - {"plane", "pine"} == REAL.difference(LEXICON)
     for word, forms in NEAREST.items():
         assert word in LEXICON

@@ -5,20 +5,20 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 """
 
 import warnings
-from pathlib import Path
 
 import torch
 from jaxtyping import Float, Int
 from safetensors import SafetensorError
 from torch import Tensor
 
-from core.errors import MissingError
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import hint
+from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.offered import NETWORKS, WEIGHTS, offered_words, weights_error
 from core.guidance.builtin.palette import finishes_of
-from core.guidance.builtin.vocabulary import SLOTS, Known, Words, parse
-from core.guidance.builtin.weights import load_weights, load_words
+from core.guidance.builtin.vocabulary import Words, parse
+from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
     Guidance,
     MaterialRanges,
@@ -31,20 +31,23 @@ from core.guidance.guidance import (
 )
 from core.guidance.sds import eps_from_v
 
-WEIGHTS = Path(__file__).parent  # the two networks, next to the code that asks them
 SIZE = 64
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")
 
 
 class BuiltinGuidance(Guidance):
-    """The built-in networks, and the words that they may be asked for."""
+    """The built-in networks, and the words that they know."""
 
     normal_frame: NormalFrame = "object"
     latent_size = SIZE
 
     def __init__(
-        self, geometry: UNet, appearance: UNet, known: Known = SLOTS, ignore_unknown: bool = False
+        self,
+        geometry: UNet,
+        appearance: UNet,
+        known: Vocabulary = SLOTS,
+        ignore_unknown: bool = False,
     ) -> None:
         self.geometry, self.appearance = geometry, appearance
         self.known, self.ignore_unknown = known, ignore_unknown
@@ -147,15 +150,11 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
 
     Raises ``MissingError`` when the weights are not there or broken.
     """
-    nets, known = [], {}
-    for name in ("geometry", "appearance"):
+    nets = []
+    for name in NETWORKS:
         path = WEIGHTS / f"{name}.safetensors"
         try:
             nets.append(load_weights(path).to(device))
-            known |= load_words(path)
-        except (FileNotFoundError, SafetensorError) as error:
-            raise MissingError(
-                f"The built-in prior's weights {path.name} are missing or broken ({error}).",
-                "Fetch them again with the project, or train them: python -m core.prior train.",
-            ) from error
-    return BuiltinGuidance(*nets, known, ignore_unknown)
+        except (FileNotFoundError, SafetensorError, ValueError) as error:
+            raise weights_error(path, error) from error
+    return BuiltinGuidance(*nets, offered_words(), ignore_unknown)

@@ -10,8 +10,8 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.looks import LOOKS
-from core.guidance.builtin.vocabulary import SLOTS
 
 Color = tuple[float, float, float]
 

@@ -38,7 +38,7 @@ from core.guidance.stable_diffusion.prompts import (
     warn_cut,
 )
 
-# Grey is a normal of length 0, so an empty picture says nothing of a direction; white is what a
+# Grey is a normal of length 0, so an empty picture states no direction; white is what a
 # text-to-image model's object shots have behind them.
 NORMAL_BACKGROUND: Final = 0.5
 COLOR_BACKGROUND: Final = 1.0
@@ -324,7 +324,7 @@ def _load(kind: Any, folder: Path, part: str, dtype: torch.dtype) -> Any:
         raise UserError(
             f'"{folder / part}" is incomplete: {len(report["missing_keys"])} of its weights are '
             f"missing, the first {min(report['missing_keys'])}.",
-            "Download the checkpoint anew.",
+            "Download the checkpoint again.",
         )
     return model
 
@@ -362,7 +362,7 @@ def _readable(path: Path) -> Iterator[None]:
         reason = str(error).strip().splitlines()
         raise UserError(
             f'"{path}" cannot be loaded ({reason[0] if reason else type(error).__name__}).',
-            "Download or convert the checkpoint anew.",
+            "Download or convert the checkpoint again.",
         ) from error
 
 
