@@ -1,4 +1,4 @@
-"""The built-in prior's share of a step."""
+"""The built-in prior's part of a step."""
 
 import torch
 

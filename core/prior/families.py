@@ -19,7 +19,7 @@ from core.prior.things.works import WORKS
 
 @dataclass(frozen=True)
 class Shape:
-    """A normalised object: its parts, and where they stand in the family's own units."""
+    """A normalised object: its parts, and their frame in the family's own units."""
 
     parts: Parts
     center: tuple[float, float, float]
@@ -68,7 +68,7 @@ def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
     """
     factors, swell = STRETCH.get(adjective, ((1.0, 1.0, 1.0), 0.0))
-    parts = FAMILIES[noun](Draw(draw.generator, draw.said, adjective))
+    parts = FAMILIES[noun](Draw(draw.generator, draw.part_state, adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
         factors = (x, y, z)

@@ -10,7 +10,6 @@ from core.errors import MissingError, UserError
 from core.generate import prepare
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin import hint as hint_module
-from core.guidance.builtin.diffusion import x_from_v
 from core.guidance.builtin.guidance import (
     APPEARANCE_SLOTS,
     GEOMETRY_SLOTS,
@@ -30,6 +29,7 @@ from core.prior.draw import Draw
 from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
 from core.prior.tracer import render
+from core.prior.velocity import x_from_v
 
 
 @pytest.fixture(scope="module")

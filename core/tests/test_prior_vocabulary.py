@@ -20,7 +20,7 @@ from core.guidance.builtin.words import (
     PATTERNS,
     SHAPES,
 )
-from core.prior.data import ADJECTIVES, TOLD
+from core.prior.data import ADJECTIVES, PART_STATES
 from core.prior.data import NOUNS as DRAWN
 from core.prior.families import STRETCH
 
@@ -155,7 +155,7 @@ def test_the_tables_hide_nothing_from_each_other():
 def test_the_words_are_those_that_were_drawn_in_their_order():
     assert list(NOUNS) == DRAWN == list(LOOKS)
     assert ["", *SHAPES] == ADJECTIVES == ["", *STRETCH]
-    assert ["", *SLOTS["part"]] == TOLD
+    assert ["", *SLOTS["part"]] == PART_STATES
     assert all(said in SLOTS["part"] for options in OPTIONS.values() for said in options)
 
 

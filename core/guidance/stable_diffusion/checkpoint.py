@@ -1,7 +1,7 @@
 """Find a Stable Diffusion checkpoint in diffusers' format; any other folder is refused unloaded.
 
 A checkpoint is a folder with model_index.json and one folder per part. It is named by its path or
-by its hub id. The network is asked only where the user allows it with HF_HUB_OFFLINE=0.
+by its hub id. The hub is reached only where the user allows it with HF_HUB_OFFLINE=0.
 """
 
 import json
@@ -25,7 +25,7 @@ WEIGHTS: Final = {
     "vae": "diffusion_pytorch_model",
     "text_encoder": "model",
 }
-# What the U-Net of another family takes besides time and text, by its entry in the configuration.
+# What other families' U-Nets take in addition to time and text, by its entry in the configuration.
 OTHER_CONDITIONS: Final = {
     "addition_embed_type": "SDXL, whose U-Net also takes a pooled text and sizes",
     "class_embed_type": "unCLIP, whose U-Net also takes a picture's embedding",
