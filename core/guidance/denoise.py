@@ -26,7 +26,7 @@ def denoise(
         t: index into ``guidance.alpha_bar``, of all views.
     """
     alpha_bar = guidance.alpha_bar.to(z_t)
-    times = [round(t * (1 - k / steps)) for k in range(steps)]
+    times = [round(t * (1 - k / steps)) for k in range(steps)]  # t first; 0 is never reached
     z = z_t
     for now, after in zip(times, [*times[1:], None], strict=True):
         index = torch.full((len(z),), now, device=z.device)

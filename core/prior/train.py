@@ -179,7 +179,7 @@ class Training:
         self, unet: UNetConfig, config: TrainConfig, device: "torch.device | str" = "cpu"
     ) -> None:
         self.config, self.unet, self.device = config, unet, torch.device(device)
-        torch.manual_seed(config.seed)
+        torch.manual_seed(config.seed)  # the network's first weights
         self.net = UNet(unet).to(self.device)
         self.params = list(self.net.parameters())
         self.ema = [p.detach().clone() for p in self.params]

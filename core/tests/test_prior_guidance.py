@@ -38,14 +38,14 @@ def guidance() -> BuiltinGuidance:
     return load_builtin("cpu")
 
 
-def _surface(noun: str, cameras: Cameras, said: str = "", adjective: str = "") -> torch.Tensor:
-    draw = Draw(torch.Generator().manual_seed(0), said)
+def _surface(noun: str, cameras: Cameras, stated: str = "", adjective: str = "") -> torch.Tensor:
+    draw = Draw(torch.Generator().manual_seed(0), stated)
     seen = render(build(noun, adjective, draw), cameras, 64)
     return torch.cat([seen.normal, 2 * seen.coverage - 1, seen.point * seen.coverage], 1)
 
 
-def _picture(noun: str, cameras: Cameras, said: str = "", adjective: str = "") -> torch.Tensor:
-    return _surface(noun, cameras, said, adjective)[:, :4]
+def _picture(noun: str, cameras: Cameras, stated: str = "", adjective: str = "") -> torch.Tensor:
+    return _surface(noun, cameras, stated, adjective)[:, :4]
 
 
 def _noise(seed: int, count: int = 1) -> torch.Tensor:
@@ -81,16 +81,16 @@ def test_a_picture_is_denoised_best_under_its_own_word(guidance, noun, other):
 
 
 @pytest.mark.parametrize(
-    ("noun", "said", "right", "wrong"),
+    ("noun", "stated", "right", "wrong"),
     [
         ("mug", "no handle", "a mug without a handle", "a mug with a handle"),
         ("bench", "no backrest", "a bench without a backrest", "a bench with a backrest"),
         ("stool", "one leg", "a stool with one leg", "a stool with four legs"),
     ],
 )
-def test_a_picture_is_denoised_best_with_its_parts_told(guidance, noun, said, right, wrong):
+def test_a_picture_is_denoised_best_with_its_parts_stated(guidance, noun, stated, right, wrong):
     cameras = Cameras.orbit([20.0, 70.0, 140.0], [15.0, 30.0, 5.0])
-    x = _picture(noun, cameras, said)
+    x = _picture(noun, cameras, stated)
     assert _error(guidance, x, right, cameras) < 0.9 * _error(guidance, x, wrong, cameras)
 
 
@@ -225,17 +225,17 @@ def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("noun", ["chair", "hamburger", "car"])
-def test_the_said_colour_is_seen_in_much_noise(guidance, noun):
+def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
     score = score_paint(guidance.appearance, noun, 4, torch.Generator().manual_seed(3))
     assert len(score.delta_e) == 4
     assert max(score.delta_e) < 25
-    blind = UNet(guidance.appearance.config).eval()  # untrained: it says nothing of colours
+    blind = UNet(guidance.appearance.config).eval()  # untrained: it knows nothing of colours
     unseen = score_paint(blind, noun, 4, torch.Generator().manual_seed(3))
     assert sum(unseen.delta_e) > 2 * sum(score.delta_e)
 
 
 @pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
-def test_a_said_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
+def test_a_stated_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
     score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
     assert score > 0.35
     monkeypatch.setattr(hint_module, "stencil", lambda s, _: torch.zeros_like(s[:, :1]) > 0)

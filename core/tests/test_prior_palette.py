@@ -57,7 +57,7 @@ def test_a_colour_word_paints_the_main_parts_only():
     assert nose[0] > 2 * nose[2]
 
 
-def test_a_red_mug_has_a_red_handle_until_a_second_colour_is_said():
+def test_a_red_mug_has_a_red_handle_until_a_second_colour_is_stated():
     red = coat("mug", Caption("red"), _draw()).color
     assert torch.equal(red[0], red[1])
     both = coat("mug", Caption("red", "", "two-tone", "blue"), _draw()).color
@@ -87,16 +87,16 @@ def test_a_material_word_bounds_the_whole_thing_and_nature_each_part():
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
-def test_a_pattern_shows_both_colours_in_fair_shares(pattern):
+def test_a_pattern_shows_both_colours_in_fair_fractions(pattern):
     points = torch.nn.functional.normalize(torch.randn(4000, 3, generator=_draw().generator), dim=1)
-    said = coat("ball", Caption("red", "", pattern, "blue"), _draw())
-    kd, _, _ = paint(said, torch.zeros(4000, dtype=torch.long), points * 0.8, points)
+    stated = coat("ball", Caption("red", "", pattern, "blue"), _draw())
+    kd, _, _ = paint(stated, torch.zeros(4000, dtype=torch.long), points * 0.8, points)
     red = (kd[:, 0] > kd[:, 2]).float().mean().item()
     assert 0.35 < red < 0.85
     assert len(kd.unique(dim=0)) == 2
 
 
-def test_the_unsaid_second_colour_stands_out():
+def test_the_second_colour_of_a_pattern_alone_stands_out():
     for value in COLOR_VALUES.values():
         other = torch.tensor(companion(value))
         assert (other - torch.tensor(value)).abs().max() > 0.25
@@ -137,8 +137,8 @@ def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
     samples = make(11, 6)
     painter = Painter()
     index = torch.arange(len(samples))
-    said = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
-    x = painter.pictures(samples, index, said, _draw())
+    stated = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
+    x = painter.pictures(samples, index, stated, _draw())
     assert x.shape == (len(samples), 4, 64, 64)
     coverage = samples.coverage.float() / 255
     torch.testing.assert_close(x[:, 3:], 2 * coverage - 1)
@@ -160,7 +160,7 @@ def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_pattern()
     assert (words[words[:, 3] > 0, 3] != words[words[:, 3] > 0, 0]).all()
 
 
-def test_swatches_are_the_colours_that_are_said():
+def test_swatches_are_the_colours_that_are_stated():
     slots = ("noun", "color", "material", "pattern", "second")
     prompts = ("a blue golden mug", "a golden mug", "a mug", "a red mug with a blue handle")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
@@ -176,7 +176,7 @@ def test_swatches_are_the_colours_that_are_said():
     assert (blue[4:] == 0).all()
 
 
-def test_where_only_a_pattern_is_said_the_second_swatch_goes_with_the_first():
+def test_where_only_a_pattern_is_stated_the_second_swatch_goes_with_the_first():
     slots = ("noun", "color", "material", "pattern", "second")
     prompts = ("a striped red mug", "a striped stone mug", "a striped mug", "a striped white ball")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])

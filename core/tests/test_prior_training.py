@@ -87,7 +87,7 @@ def test_the_network_starts_blind_to_words_but_takes_all_inputs():
     assert (turned - out).abs().mean() > 1e-3
 
 
-def test_unsaid_words_and_cameras_are_zeros_at_the_configured_rates():
+def test_unstated_words_and_cameras_are_zeros_at_the_configured_rates():
     config = TrainConfig(drop_both=0.1, drop_words=0.2, drop_camera=0.3)
     words, camera = torch.ones(20000, 2, dtype=torch.long), torch.ones(20000, 6, 1, 1)
     words, camera = drop_conditions(words, camera, config, _generator())
@@ -134,7 +134,7 @@ def test_a_shard_is_its_seed_and_reads_back(folder):
     assert pictures[:, :3].norm(dim=1).max() < 1.02
 
 
-def test_a_noun_is_drawn_by_its_share(folder, monkeypatch):
+def test_a_noun_is_drawn_by_its_weight(folder, monkeypatch):
     noun = int(read_shards(list(folder.glob("*.safetensors"))).noun[0])
     monkeypatch.setattr(Geometry, "noun_weights", {NOUNS[noun]: 0.0})
     source = Geometry(folder)

@@ -116,6 +116,8 @@ def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
         "a chair zebra",  # the head is the unknown one
         "a chair and a zebra",
         "zebra of a chair",
+        "zebra for chair",
+        "a zebra wearing a hat",
     ],
 )
 def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
@@ -229,6 +231,13 @@ def test_the_report_of_a_refused_prompt_has_the_nearest_meanings_and_exit_code_2
     assert report["nearest"] == {"chest": ["cube"], "phone": []}
     assert "'chest' (did you mean cube?)" in report["error"]
     assert "--guidance FOLDER" in report["fix"]
+    # Of an unknown compound the head noun has the nearest thing.
+    assert words_report("a treasure chest")[0]["nearest"] == {"treasure": [], "chest": ["cube"]}
+    assert words_report("a vinyl office cabinet")[0]["nearest"] == {
+        "vinyl": ["plastic"],
+        "office": [],
+        "cabinet": ["bookshelf"],
+    }
     assert words_report("a red chair") == (understood("a red chair"), 0)
     assert words_report("a chair and a table")[1] == 2
 

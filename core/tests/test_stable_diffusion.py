@@ -4,10 +4,11 @@ import pytest
 import torch
 from diffusers import StableDiffusionPipeline as Pipeline
 
+from core.__main__ import job_of, parse
 from core.camera import Cameras
 from core.config import GuidanceConfig
 from core.errors import MemoryShortError, UserError
-from core.generate import prepare
+from core.generate import config_of, prepare
 from core.guidance import sds
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
@@ -149,6 +150,21 @@ def test_an_empty_negative_prompt_is_the_default_text_or_none_at_all(checkpoints
     assert difference(default, empty) > 1e-3
     written = [guidance.prompted("a chair", "red").negative for guidance in (usual, none)]
     assert torch.equal(*written)
+
+
+@pytest.mark.parametrize(
+    ("options", "default"),
+    [
+        ([], True),
+        (["--negative", ""], False),
+        (["--negative", "red"], True),
+        (["--negative", "", "--set", "guidance.default_negative=true"], True),
+    ],
+)
+def test_an_empty_negative_prompt_that_is_given_means_none(options, default):
+    """job.json of earlier versions has an empty one where none was given: the default text."""
+    job = job_of(parse(["generate", "a chair", *options]))
+    assert config_of(Job.from_json(job.to_json())).guidance.default_negative is default
 
 
 def test_the_view_settings_of_a_job_reach_the_checkpoint(checkpoints):

@@ -125,7 +125,7 @@ def parse(
     """
     reading = _Reading(prompt, known)
     if reading.refused and not ignore_unknown:
-        raise _unknown_error(reading.refused, known)
+        raise _unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
         raise UserError(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
@@ -133,12 +133,8 @@ def parse(
         )
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
-    left_out = tuple(dict.fromkeys(reading.left_out))
-    notes = [*reading.notes, *reading.narrower()]
-    if left_out:
-        texts = ", ".join(_with_hint(token, reading.qualifiers, known) for token in left_out)
-        notes.append(f"The built-in prior does not know {texts}: left out.")
-    return Words(**words, notes=tuple(dict.fromkeys(notes)), left_out=left_out)
+    notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
+    return Words(**words, notes=tuple(notes), left_out=tuple(dict.fromkeys(reading.left_out)))
 
 
 class _Reading:
@@ -149,8 +145,8 @@ class _Reading:
         self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
         self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
         self.left_out: list[str] = []  # all that has no effect, in order
-        self.qualifiers: list[str] = []  # those of them that stand before a known noun
-        self.refused: list[str] = []  # the other unknown ones
+        self.qualifiers: list[str] = []  # those of them that are before a noun, known or not
+        self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
         self._pending: list[str] = []  # unknown words since the noun phrase began
         self._without = self._after_color = False
@@ -186,8 +182,10 @@ class _Reading:
         return 1
 
     def _end_phrase(self) -> None:
-        """A noun phrase is over: what is unknown in it qualified no noun."""
+        """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
+        the phrase's own noun."""
         self.refused += self._pending
+        self.qualifiers += self._pending[:-1]
         self._pending, self._noun_end = [], -1
 
     def _correct(self, token: str, at: int) -> None:
@@ -248,6 +246,19 @@ class _Reading:
             if entry.is_narrower
         ]
 
+    def omissions(self) -> list[str]:
+        """A note for all that is left out. A qualifier comes with the colour or the like that it
+        may mean; there is nothing to suggest for the rest."""
+        if not self.left_out:
+            return []
+        texts = [
+            _with_hint(token, _near(token, self.qualifiers, self.known))
+            if token in self.qualifiers
+            else repr(token)
+            for token in dict.fromkeys(self.left_out)
+        ]
+        return [f"The built-in prior does not know {', '.join(texts)}: left out."]
+
     def colors(self) -> dict[str, str]:
         """The first colour, the second, and the pattern that a second one implies."""
         colors = self.words("color")
@@ -303,13 +314,16 @@ def _with_article(slot: str, word: str) -> str:
     return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
 
 
-def _with_hint(token: str, qualifiers: list[str], known: Vocabulary) -> str:
-    """A word that is left out; with the colour, material or the like that may have been meant,
-    where it stands before a noun."""
-    near = [word for word in nearest_words(token, known) if LEXICON[word][0] != "noun"]
-    if token not in qualifiers or not near:
-        return repr(token)
-    return f"{token!r} (did you mean {' or '.join(near)}?)"
+def _near(token: str, qualifiers: list[str], known: Vocabulary) -> list[str]:
+    """The known words nearest to an unknown one; no things for what stands before a noun."""
+    near = nearest_words(token, known)
+    if token not in qualifiers:
+        return near
+    return [word for word in near if LEXICON[word][0] != "noun"]
+
+
+def _with_hint(token: str, near: list[str]) -> str:
+    return f"{token!r} (did you mean {' or '.join(near)}?)" if near else repr(token)
 
 
 def _is_part(word: str, noun: str) -> bool:
@@ -338,14 +352,11 @@ def _names(part: str) -> list[str]:
     return [part, f"{part}s", PART_FORMS.get(part, part), own]
 
 
-def _unknown_error(unknown: list[str], known: Vocabulary) -> UserError:
-    nearest = {token: nearest_words(token, known) for token in unknown}
-    texts = [
-        f"{token!r} (did you mean {' or '.join(near)}?)" if near else repr(token)
-        for token, near in nearest.items()
-    ]
+def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
+    nearest = {token: _near(token, qualifiers, known) for token in unknown}
+    texts = "; ".join(_with_hint(token, near) for token, near in nearest.items())
     return UnknownWordsError(
-        f"The built-in prior does not know {'; '.join(texts)}.",
+        f"The built-in prior does not know {texts}.",
         f"It knows the things {', '.join(known['noun'])}; the shapes {', '.join(known['shape'])}; "
         f"the colours {', '.join(known['color'])}; the materials {', '.join(known['material'])}; "
         f"the patterns {', '.join(known['pattern'])}. --ignore-unknown-words leaves out what it "

@@ -169,7 +169,9 @@ FILLER = frozenset(
     old new classic modern traditional elegant lovely pretty""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
-PHRASE_ENDS = frozenset("a an the of in on with and is it its made from out has have which".split())
+PHRASE_ENDS = frozenset(
+    "a an the of in on with and is it its made from out has have which that for".split()
+)
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate

@@ -62,6 +62,7 @@ class _Encode(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
         (picture,) = ctx.saved_tensors
+        # ``tiny`` keeps a gradient of nothing at 0 / tiny = 0.
         size = grads[0].abs().amax().clamp(min=torch.finfo(grads[0].dtype).tiny)
         with torch.enable_grad(), _out_of_memory("the gradient of the encoder"):
             picture = picture.detach().requires_grad_()
@@ -258,7 +259,7 @@ class PromptedStableDiffusion(PromptedGuidance):
     ) -> tuple[Tensor, Tensor | None, Tensor | None]:
         """For the prompt, for the negative prompt, and for Perp-Neg's other sides (K, B, ...)."""
         texts = [torch.einsum("bv,vld->bld", weights.to(self.views), self.views)]
-        # Perp-Neg acts at guidance scale 1 too.
+        # One text is half of the work. Perp-Neg acts at guidance scale 1 too, and needs the others.
         if not cond_only or self._perp_neg:
             texts.append(self.negative.expand_as(texts[0]))
         if self._perp_neg:

@@ -62,7 +62,7 @@ def require_prompt(text: str) -> str:
     if not any(unicodedata.category(c)[0] in "LNS" for c in line):  # letter, number or symbol
         raise UserError(
             "The prompt is empty." if not line else f'The prompt "{line}" holds no word.',
-            'Say what to make, for instance "a wooden chair".',
+            'Write what to make, for instance "a wooden chair".',
         )
     return line
 
