@@ -14,7 +14,7 @@ from core.prior.things.basics import BASICS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
 from core.prior.things.tools import TOOLS
-from core.prior.things.works import WORKS
+from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,9 @@ class Shape:
         return self.distances(points).argmin(1)
 
 
-FAMILIES: dict[str, Callable[[Draw], Parts]] = BASICS | HOUSEHOLD | NATURE | WORKS | TOOLS
+FAMILIES: dict[str, Callable[[Draw], Parts]] = (
+    BASICS | HOUSEHOLD | NATURE | VEHICLES_BUILDINGS | TOOLS
+)
 
 # Factors along x, y and z, and a move of the surface outwards in training units.
 STRETCH = {

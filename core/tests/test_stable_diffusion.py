@@ -343,6 +343,23 @@ def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkp
     assert error.value.status == 4
 
 
+def test_perp_negs_other_predictions_are_in_the_estimate(checkpoints, monkeypatch):
+    """Five predictions of a picture run together; a small U-Net needs more to outdo the encoder."""
+    folder = checkpoints["1.x"]
+    sizes = [estimate_memory(folder, chunk=4, dtype=torch.float32, texts=n) for n in (2, 5, 50)]
+    assert sizes[0] <= sizes[1] < sizes[2]
+    asked = []
+
+    def estimate(*_, texts, **__):
+        asked.append(texts)
+        return 0
+
+    monkeypatch.setattr("core.guidance.stable_diffusion.guidance.estimate_memory", estimate)
+    for weight in (0.0, 1.0):
+        StableDiffusion.load(str(folder), "cpu", config=GuidanceConfig(perp_neg=weight))
+    assert asked == [2, 5]
+
+
 def test_running_out_of_memory_is_a_sentence_and_other_faults_are_not(own, monkeypatch):
     prompted = own.prompted("a chair", "")
     n, o = picture(1)

@@ -121,7 +121,8 @@ class StableDiffusion(Guidance):
         """
         folder, device = find_checkpoint(spec), torch.device(device)
         dtype = torch.float16 if device.type == "cuda" else torch.float32
-        chunk = _chunk_that_fits(folder, device, dtype, chunk)
+        texts = 2 + AROUND if config.perp_neg else 2
+        chunk = _chunk_that_fits(folder, device, dtype, chunk, texts)
         unet = _load(UNet2DConditionModel, folder, "unet", dtype)
         vae = _load(AutoencoderKL, folder, "vae", dtype)
         text_encoder = _load(CLIPTextModel, folder, "text_encoder", torch.float32).eval()
@@ -270,12 +271,15 @@ class PromptedStableDiffusion(PromptedGuidance):
         return eps[0], eps[1] if n > 1 else None, opposing
 
 
-def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
+def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype, texts: int = 2) -> int:
     """Bytes that guidance by this checkpoint takes, from its configuration alone.
 
     The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
     encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
     kernels know.
+
+    Args:
+        texts: predictions of a picture that run together; Perp-Neg has more than two.
     """
     with _readable(folder), torch.device("meta"):
         unet = UNet2DConditionModel.from_config(read_json(folder / "unet" / "config.json"))
@@ -287,10 +291,11 @@ def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
     side = size * _downscale(vae.config)
 
     def predict() -> None:
-        z = torch.empty(2 * chunk, 4, size, size, dtype=dtype)
-        text = torch.empty(2 * chunk, 77, width, dtype=dtype)
+        batch = texts * chunk
+        z = torch.empty(batch, 4, size, size, dtype=dtype)
+        text = torch.empty(batch, 77, width, dtype=dtype)
         with torch.no_grad():
-            unet(z, torch.empty(2 * chunk), encoder_hidden_states=text)
+            unet(z, torch.empty(batch), encoder_hidden_states=text)
 
     def encode() -> None:
         picture = torch.empty(chunk, 3, side, side, dtype=dtype, requires_grad=True)
@@ -300,10 +305,12 @@ def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
     return int(_RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
 
 
-def _chunk_that_fits(folder: Path, device: torch.device, dtype: torch.dtype, chunk: int) -> int:
+def _chunk_that_fits(
+    folder: Path, device: torch.device, dtype: torch.dtype, chunk: int, texts: int
+) -> int:
     available, needed = available_bytes(device), 0
     while chunk >= 1:
-        needed = estimate_memory(folder, chunk=chunk, dtype=dtype)
+        needed = estimate_memory(folder, chunk=chunk, dtype=dtype, texts=texts)
         if needed <= available:
             return chunk
         chunk //= 2
