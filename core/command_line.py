@@ -129,7 +129,9 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     command.add_argument("--seed", type=int)
     command.add_argument("--preset", help="draft, standard or paper")
-    command.add_argument("--negative", dest="negative_prompt", metavar="TEXT")
+    command.add_argument(
+        "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
+    )
     command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
     command.add_argument(
         "--ignore-unknown-words",
@@ -166,6 +168,8 @@ def job_of(args: argparse.Namespace) -> "Job":
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
+    if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
+        given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
         value = getattr(args, name, None)
         given[name] = _absolute(value) if value and Path(value).exists() else value

@@ -62,7 +62,6 @@ def distill(
     grad = sds_grad(
         lesson.guidance,
         z,
-        lesson.embedding,
         views,
         t=draw.t,
         eps=draw.eps.to(z),
