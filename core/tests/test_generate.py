@@ -56,7 +56,9 @@ OPTIONS += ["--texture-size=128", "--max-faces=1500"]
 def core(*argv: object, before: str = "") -> "subprocess.Popen[str]":
     """The command line; ``before`` is Python to run first, in the same process."""
     environ = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"}
-    script = f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
+    script = (
+        f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
+    )
     started = ["-c", script] if before else ["-m", "core"]
     command = [sys.executable, *started, *map(str, argv)]
     return subprocess.Popen(
