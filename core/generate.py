@@ -32,7 +32,7 @@ from core.stages.start_color import fit_start_color, start_picture
 from core.stages.start_shape import fit_start_shape, sdf_net
 from core.stages.state import Training
 from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
-from core.stages.training import Lesson
+from core.stages.training import Setup
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
 
@@ -75,13 +75,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     for text in inputs.warnings:
         progress.warn(text)
 
-    # The mesh: made once. Where an earlier session has unwrapped it, the geometry is done.
     mesh = load_unwrapped(run)
     if mesh is None:
+        # GEOMETRY (§4.2): Ψ learns the shape, unless the user brings one to texture
         shape = inputs.shape if job.command == "texture" else learned_shape(run, inputs, progress)
         assert shape is not None  # a job of "texture" has a mesh
 
-        # UNWRAP: within the face budget, in the training's cube
+        # UNWRAP: once, in the training's cube, within the face budget
         shape = replace(shape, verts=normalise(shape.verts)[0])
         mesh = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
         save_unwrapped(run, mesh)
@@ -95,7 +95,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
-    learn_appearance(Lesson(training, guidance, ranges), mesh, light, progress)
+    learn_appearance(Setup(training, guidance, ranges), mesh, light, progress)
 
     # TEXTURING (§4.3): Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, net, config.texture, progress)
@@ -107,14 +107,14 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
 
 
 def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
-    """GEOMETRY (§4.2): Ψ learns the shape, from an ellipsoid or from the guide mesh."""
+    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2)."""
     config, generator = inputs.config.geometry, torch.Generator().manual_seed(run.job.seed)
     net = sdf_net(config, generator).to(inputs.device)
     training = Training("geometry", net, generator, run)
     if not run.has(training.name):
         fit_start_shape(training, config, inputs.shape, progress)
-    lesson = Lesson(training, inputs.guidance, config)
-    verts, faces = learn_geometry(lesson, progress)
+    setup = Setup(training, inputs.guidance, config)
+    verts, faces = learn_geometry(setup, progress)
     return Mesh(verts.cpu(), faces.cpu())
 
 

@@ -16,78 +16,78 @@ from core.io.progress import Progress
 from core.stages.distill import Draw, distill
 from core.stages.lit_scene import LitScene, roughening
 from core.stages.refine import fit_loss, round_targets
-from core.stages.training import Lesson, Phase, decayed, fraction, train
+from core.stages.training import Phase, Setup, decayed, fraction, train
 
-ColorLesson = Lesson[MaterialNet, AppearanceConfig]
+ColorSetup = Setup[MaterialNet, AppearanceConfig]
 
 
 def learn_appearance(
-    lesson: ColorLesson, mesh: UvMesh, environment: Environment, progress: Progress
+    setup: ColorSetup, mesh: UvMesh, environment: Environment, progress: Progress
 ) -> None:
     """Train Γ by score distillation on the finished shape."""
-    lesson.training.resume()
-    openness = Openness.of(mesh.verts, mesh.faces) if lesson.config.self_shadow else None
-    stage = Stage(mesh, environment, openness)
-    train(lesson.training, appearance_phases(lesson, stage), progress)
+    setup.training.resume()
+    openness = Openness.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
+    subject = LitObject(mesh, environment, openness)
+    train(setup.training, appearance_phases(setup, subject), progress)
 
 
 @dataclass(frozen=True)
-class Stage:
-    """What all steps show: the object and the light."""
+class LitObject:
+    """The object and its light, before the turn that a step gives to the light."""
 
     mesh: UvMesh
     environment: Environment
     openness: Openness | None  # what the object hides from itself; None: nothing
 
-    def scene(self, lesson: ColorLesson) -> LitScene:
+    def scene(self, setup: ColorSetup) -> LitScene:
         """The object in the light of one step."""
         # Turned at random, or the light's own brightness would end up in kd.
-        turn = 2 * math.pi * float(torch.rand(1, generator=lesson.training.generator))
-        lit = self.environment.rotated(turn if lesson.config.rotate_light else 0.0)
+        turn = 2 * math.pi * float(torch.rand(1, generator=setup.training.generator))
+        lit = self.environment.rotated(turn if setup.config.rotate_light else 0.0)
         shares = self.openness.shares(lit) if self.openness else None
-        net, guidance = lesson.training.module, lesson.guidance
+        net, guidance = setup.training.module, setup.guidance
         return LitScene(net, self.mesh, lit, guidance, still=self.environment, shares=shares)
 
 
-def appearance_phases(lesson: ColorLesson, stage: Stage) -> list[Phase]:
+def appearance_phases(setup: ColorSetup, subject: LitObject) -> list[Phase]:
     """The appearance's phases in their order."""
     return [
         # Much noise, and w(t) = σ² sqrt(1 - σ²): the colours of the parts (§4.3).
-        Distillation(lesson, stage, "early", before=0),
+        Distillation(setup, subject, "early", before=0),
         # w(t) = 1 / σ²: little noise counts most, for the details.
-        Distillation(lesson, stage, "late", before=lesson.config.early.steps),
+        Distillation(setup, subject, "late", before=setup.config.early.steps),
         # Beyond the paper: regression takes the guidance's excess of colour out again.
-        Fitting(lesson, stage),
+        Fitting(setup, subject),
     ]
 
 
 class Distillation(Phase):
     """Score distillation from shaded pictures (Eq. 9): the phases ``early`` and ``late``."""
 
-    def __init__(self, lesson: ColorLesson, stage: Stage, name: str, before: int) -> None:
+    def __init__(self, setup: ColorSetup, subject: LitObject, name: str, before: int) -> None:
         """``before``: steps of distillation in earlier phases; the rate falls over them all."""
-        self.lesson, self.stage, self.name, self.before = lesson, stage, name, before
-        self.phase: PhaseConfig = getattr(lesson.config, name)
+        self.setup, self.subject, self.name, self.before = setup, subject, name, before
+        self.phase: PhaseConfig = getattr(setup.config, name)
         self.steps = self.phase.steps
 
     def learning_rate(self, index: int) -> float:
         """It falls over both phases together."""
-        config = self.lesson.config
+        config = self.setup.config
         progress = fraction(self.before + index, config.early.steps + config.late.steps)
         return decayed(config.learning_rate, config.learning_rate_end, progress)
 
     def begin(self, index: int) -> tuple[LitScene, Iterator[Tensor]]:
         """The object in a light, and the losses of its views."""
-        scene = self.stage.scene(self.lesson)
+        scene = self.subject.scene(self.setup)
         return scene, self._losses(scene, index)
 
     def _losses(self, scene: LitScene, index: int) -> Iterator[Tensor]:
-        lesson, config = self.lesson, self.lesson.config
-        draw = Draw.of(lesson, self.phase, fraction(index, self.steps))
+        setup, config = self.setup, self.setup.config
+        draw = Draw.of(setup, self.phase, fraction(index, self.steps))
         for part in draw.split(config.views_at_once, scene.device):
             z, views = scene.latents(part.cameras, self.phase.size)
-            yield distill(lesson, self.phase, part, z, views)[0] / config.views
-        yield from roughening(scene, lesson.training.generator)
+            yield distill(setup, self.phase, part, z, views)[0] / config.views
+        yield from roughening(scene, setup.training.generator)
 
 
 class Fitting(Phase):
@@ -95,24 +95,24 @@ class Fitting(Phase):
 
     name = "refine"
 
-    def __init__(self, lesson: ColorLesson, stage: Stage) -> None:
-        self.lesson, self.stage, self.rounds = lesson, stage, lesson.config.refine
+    def __init__(self, setup: ColorSetup, subject: LitObject) -> None:
+        self.setup, self.subject, self.rounds = setup, subject, setup.config.refine
         self.steps = self.rounds.rounds * self.rounds.steps
 
     def learning_rate(self, index: int) -> float:
         """It falls once more: at the full rate, the turns of the light leave noise in kd."""
-        end, progress = self.lesson.config.learning_rate_end, fraction(index, self.steps)
+        end, progress = self.setup.config.learning_rate_end, fraction(index, self.steps)
         return decayed(self.rounds.learning_rate, end, progress)
 
     def begin(self, index: int) -> tuple[LitScene, Iterator[Tensor]]:
         """The object in a light, and the losses of some of the round's pictures."""
-        scene = self.stage.scene(self.lesson)
+        scene = self.subject.scene(self.setup)
         return scene, self._losses(scene, f"{self.name} {index // self.rounds.steps}")
 
     def _losses(self, scene: LitScene, label: str) -> Iterator[Tensor]:
-        lesson, rounds, generator = self.lesson, self.rounds, self.lesson.training.generator
-        some = round_targets(lesson, rounds, scene, label).some(rounds.batch, generator)
-        for part in some.split(lesson.config.views_at_once):
+        setup, rounds, generator = self.setup, self.rounds, self.setup.training.generator
+        some = round_targets(setup, rounds, scene, label).some(rounds.batch, generator)
+        for part in some.split(setup.config.views_at_once):
             z, _ = scene.latents(part.cameras, rounds.size)
             yield fit_loss(z, part.z) / len(some.z)
         yield from roughening(scene, generator)

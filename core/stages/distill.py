@@ -12,7 +12,7 @@ from core.config import PhaseConfig
 from core.guidance.guidance import Views
 from core.guidance.sds import anneal, sample_t, sds_grad, sds_loss
 from core.stages.scene import portions
-from core.stages.training import Lesson
+from core.stages.training import Setup
 
 
 @dataclass(frozen=True)
@@ -31,10 +31,10 @@ class Draw:
     ray_shift: Float[Tensor, "b r r"] | None = None
 
     @classmethod
-    def of(cls, lesson: Lesson, phase: PhaseConfig, progress: float) -> "Draw":
+    def of(cls, setup: Setup, phase: PhaseConfig, progress: float) -> "Draw":
         """``progress``: of the phase, 0 to 1, for the annealing of t."""
-        config, guidance = lesson.config, lesson.guidance
-        views, size, generator = config.views, guidance.latent_size, lesson.training.generator
+        config, guidance = setup.config, setup.guidance
+        views, size, generator = config.views, guidance.latent_size, setup.training.generator
         high = anneal(*phase.t_high, progress)
         # The order is part of every result: a seed stands for this stream of numbers.
         return cls(
@@ -52,7 +52,7 @@ class Draw:
 
 
 def distill(
-    lesson: Lesson,
+    setup: Setup,
     phase: PhaseConfig,
     draw: Draw,
     z: Float[Tensor, "b 4 s s"],
@@ -60,14 +60,14 @@ def distill(
 ) -> tuple[Float[Tensor, ""], Float[Tensor, "b 4 s s"]]:
     """One SDS step (Eqs. 1, 5, 9): a loss per pixel of ``z``, and its gradient there."""
     grad = sds_grad(
-        lesson.guidance,
+        setup.guidance,
         z,
         views,
         t=draw.t,
         eps=draw.eps.to(z),
         weighting=phase.weighting,
         guidance_scale=phase.guidance_scale,
-        cap=lesson.config.gradient_cap or None,
+        cap=setup.config.gradient_cap or None,
     )
     # Per pixel, so that a learning rate or a weight means the same at every size of the latent.
     grad = grad / (z.shape[-1] * z.shape[-2])

@@ -21,7 +21,7 @@ from core.stages.distill import Draw, distill
 from core.stages.refine import Targets, fit_loss, round_targets
 from core.stages.regularisers import bending, eikonal, strays
 from core.stages.shape_scene import ShapeScene, use_lattice
-from core.stages.training import Lesson, Phase, decayed, fraction, train
+from core.stages.training import Phase, Setup, decayed, fraction, train
 
 RAY_PICTURE = 32  # side of the picture whose rays distilling follows through the lattice
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
@@ -29,69 +29,69 @@ RAY_SAMPLES = 40  # one for each cell of the draft's coarse lattice
 BAND = 4  # cells to either side that a surface may move in one round of refining
 FLOATER_RATIO = 0.08  # a component of less area than this much of the largest is dropped
 
-ShapeLesson = Lesson[SdfNet, GeometryConfig]
+ShapeSetup = Setup[SdfNet, GeometryConfig]
 
 
 def learn_geometry(
-    lesson: ShapeLesson, progress: Progress
+    setup: ShapeSetup, progress: Progress
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """Train Ψ by score distillation; the mesh that its surface has in the end."""
-    training, config = lesson.training, lesson.config
+    training, config = setup.training, setup.config
     training.resume()
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
-    train(training, geometry_phases(lesson, coarse, fine), progress, config.gradient_clip)
+    train(training, geometry_phases(setup, coarse, fine), progress, config.gradient_clip)
     return final_mesh(training.module, fine, config)
 
 
-def geometry_phases(lesson: ShapeLesson, coarse: TetGrid, fine: TetGrid) -> list[Phase]:
+def geometry_phases(setup: ShapeSetup, coarse: TetGrid, fine: TetGrid) -> list[Phase]:
     """The geometry's phases in their order, on the coarse and on the fine lattice."""
-    config = lesson.config
+    config = setup.config
     return [
         # [n, o] itself is the latent: no encoder, so the rough shape comes quickly (§4.2).
-        Distillation(lesson, coarse, "coarse", before=0),
+        Distillation(setup, coarse, "coarse", before=0),
         # Beyond the paper: grows what distilling leaves out, such as legs, and opens holes.
-        Fitting(lesson, coarse, "grow"),
+        Fitting(setup, coarse, "grow"),
         # The normals are encoded as pictures are: the details (§4.2).
-        Distillation(lesson, fine, "fine", before=config.coarse.steps),
+        Distillation(setup, fine, "fine", before=config.coarse.steps),
         # Beyond the paper: takes the dents out of planes; the shape moves little.
-        Fitting(lesson, fine, "refine"),
+        Fitting(setup, fine, "refine"),
     ]
 
 
 class Distillation(Phase):
     """Score distillation from normals (Eq. 5): the phases ``coarse`` and ``fine``."""
 
-    def __init__(self, lesson: ShapeLesson, grid: TetGrid, name: str, before: int) -> None:
+    def __init__(self, setup: ShapeSetup, grid: TetGrid, name: str, before: int) -> None:
         """``before``: steps of distillation in earlier phases; rate and rays follow them all."""
-        self.lesson, self.grid, self.name, self.before = lesson, grid, name, before
+        self.setup, self.grid, self.name, self.before = setup, grid, name, before
         self.coarse = name == "coarse"
-        self.phase: PhaseConfig = getattr(lesson.config, name)
+        self.phase: PhaseConfig = getattr(setup.config, name)
         self.steps = self.phase.steps
 
     def learning_rate(self, index: int) -> float:
         """It falls over both phases together."""
-        config = self.lesson.config
+        config = self.setup.config
         return decayed(config.learning_rate, config.learning_rate_end, self._progress(index))
 
     def sharpness(self, index: int) -> float:
         """Of the mask along the rays; 0 follows none: the fine phase, and once the shape is up."""
         progress = self._progress(index)
-        if not self.coarse or progress >= self.lesson.config.ray_mask_share:
+        if not self.coarse or progress >= self.setup.config.ray_mask_share:
             return 0.0
         return anneal(*SHARPNESS, progress)
 
     def begin(self, index: int) -> tuple[ShapeScene, Iterator[Tensor]]:
         """The surface of now, and the losses of its views and of the regularisers."""
-        lesson = self.lesson
-        lattice = self.sharpness(index) > 0 or lesson.config.eikonal > 0
-        scene = ShapeScene(lesson.training.module, self.grid, lesson.guidance, lattice=lattice)
+        setup = self.setup
+        lattice = self.sharpness(index) > 0 or setup.config.eikonal > 0
+        scene = ShapeScene(setup.training.module, self.grid, setup.guidance, lattice=lattice)
         return scene, self._losses(scene, index)
 
     def draw(self, index: int) -> Draw:
         """The step's random numbers."""
-        lesson, generator = self.lesson, self.lesson.training.generator
-        config, guidance = lesson.config, lesson.guidance
-        draw = Draw.of(lesson, self.phase, fraction(index, self.steps))
+        setup, generator = self.setup, self.setup.training.generator
+        config, guidance = setup.config, setup.guidance
+        draw = Draw.of(setup, self.phase, fraction(index, self.steps))
         if not self.coarse:
             return draw
         # §4.2: a latent diffusion model must not read meaning into one direction's colour. A prior
@@ -105,7 +105,7 @@ class Distillation(Phase):
         return draw
 
     def _losses(self, scene: ShapeScene, index: int) -> Iterator[Tensor]:
-        config = self.lesson.config
+        config = self.setup.config
         for part in self.draw(index).split(config.views_at_once, scene.device):
             loss = self._coarse(scene, part, index) if self.coarse else self._fine(scene, part)
             yield loss / config.views
@@ -116,8 +116,8 @@ class Distillation(Phase):
         n, o = scene.render(part.cameras, self.phase.size)
         if part.rotations is not None:
             n = n @ part.rotations[:, None]
-        z = coarse_latent(n, o, self.lesson.guidance.latent_size)
-        loss, grad = distill(self.lesson, self.phase, part, z, Views(part.cameras))
+        z = coarse_latent(n, o, self.setup.guidance.latent_size)
+        loss, grad = distill(self.setup, self.phase, part, z, Views(part.cameras))
         if part.ray_shift is None:
             return loss
         return loss + ray_mask_loss(scene, grad[:, 3], part, self.sharpness(index))
@@ -125,19 +125,19 @@ class Distillation(Phase):
     def _fine(self, scene: ShapeScene, part: Draw) -> Tensor:
         """z = E(n), the encoder's (Eq. 5)."""
         z, views = scene.latents(part.cameras, self.phase.size)
-        return distill(self.lesson, self.phase, part, z, views)[0]
+        return distill(self.setup, self.phase, part, z, views)[0]
 
     def _progress(self, index: int) -> float:
-        config = self.lesson.config
+        config = self.setup.config
         return fraction(self.before + index, config.coarse.steps + config.fine.steps)
 
 
 class Fitting(Phase):
     """Rounds of fitting to denoised pictures: the phases ``grow`` and ``refine``."""
 
-    def __init__(self, lesson: ShapeLesson, grid: TetGrid, name: str) -> None:
-        self.lesson, self.grid, self.name = lesson, grid, name
-        self.rounds: RefineConfig = getattr(lesson.config, name)
+    def __init__(self, setup: ShapeSetup, grid: TetGrid, name: str) -> None:
+        self.setup, self.grid, self.name = setup, grid, name
+        self.rounds: RefineConfig = getattr(setup.config, name)
         self.steps = self.rounds.rounds * self.rounds.steps
 
     def learning_rate(self, index: int) -> float:
@@ -147,7 +147,7 @@ class Fitting(Phase):
 
     def begin(self, index: int) -> tuple[ShapeScene, Iterator[Tensor]]:
         """The surface of now, and the losses of some of the round's pictures."""
-        net, guidance = self.lesson.training.module, self.lesson.guidance
+        net, guidance = self.setup.training.module, self.setup.guidance
         label = f"{self.name} {index // self.rounds.steps}"
         # Growing follows the rays, so the whole lattice moves. Refining keeps to a band about the
         # surface that its round started from, and evaluates nothing else: the target is near.
@@ -158,17 +158,17 @@ class Fitting(Phase):
 
     def _band(self, label: str) -> Band:
         """That of the round's first step, which is in the checkpoints."""
-        kept, net = self.lesson.training.kept(label), self.lesson.training.module
+        kept, net = self.setup.training.kept(label), self.setup.training.module
         if kept:
             return Band(*(kept[name] for name in Band._fields))
         use_lattice(net, self.grid)
         return band_about(net, self.grid, BAND)
 
     def _losses(self, scene: ShapeScene, label: str) -> Iterator[Tensor]:
-        lesson, rounds, at_once = self.lesson, self.rounds, self.lesson.config.views_at_once
-        generator = lesson.training.generator
+        setup, rounds, at_once = self.setup, self.rounds, self.setup.config.views_at_once
+        generator = setup.training.generator
         also = scene.band._asdict() if scene.band else {}
-        some = round_targets(lesson, rounds, scene, label, **also).some(rounds.batch, generator)
+        some = round_targets(setup, rounds, scene, label, **also).some(rounds.batch, generator)
         rays, mask = rounds.ray_mask > 0, some.z[:, 3]
         # Drawn for all views at once, as a Draw is.
         shifts = torch.rand(mask.shape, generator=generator) if rays else torch.zeros(mask.shape)
@@ -179,7 +179,7 @@ class Fitting(Phase):
                 loss = loss + rounds.ray_mask * ray_fit(scene, part, shift)
             yield loss / len(some.z)
         if scene.band is None:
-            yield from smoothness(scene, lesson.config)
+            yield from smoothness(scene, setup.config)
         else:  # the shape is nearly there, and the pictures say all; but only of the band
             yield strays(scene.net, self.grid, scene.band, generator)
 

@@ -18,7 +18,7 @@ from core.guidance.denoise import denoise
 from core.guidance.guidance import Views
 from core.guidance.sds import add_noise, anneal
 from core.stages.scene import Scene, portions
-from core.stages.training import Lesson, fraction
+from core.stages.training import Setup, fraction
 
 
 @dataclass(frozen=True)
@@ -50,23 +50,23 @@ class Targets:
 
 
 def round_targets(
-    lesson: Lesson, rounds: RefineConfig, scene: Scene, label: str, **also: Tensor
+    setup: Setup, rounds: RefineConfig, scene: Scene, label: str, **also: Tensor
 ) -> Targets:
     """The pictures of the round ``label``, such as "grow 2".
 
     Made at its first step, and kept in the checkpoints until its last, with ``also``.
     """
-    kept = lesson.training.kept(label)
+    kept = setup.training.kept(label)
     if kept:
         return Targets.of(kept)
-    made = _targets(lesson, rounds, scene, int(label.split()[1]))
-    lesson.training.keep(label, made.tensors() | also)
+    made = _targets(setup, rounds, scene, int(label.split()[1]))
+    setup.training.keep(label, made.tensors() | also)
     return made
 
 
-def _targets(lesson: Lesson, rounds: RefineConfig, scene: Scene, number: int) -> Targets:
+def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> Targets:
     """What there is, made noisy and denoised."""
-    config, guidance, generator = lesson.config, lesson.guidance, lesson.training.generator
+    config, guidance, generator = setup.config, setup.guidance, setup.training.generator
 
     # PICTURES: of what there is, all round
     cameras = sample_cameras(rounds.views, config.cameras, generator).to(scene.device)

@@ -25,8 +25,8 @@ Settings = TypeVar("Settings", GeometryConfig, AppearanceConfig)
 
 
 @dataclass(frozen=True)
-class Lesson(Generic[Net, Settings]):
-    """What all phases of one training share: who learns, from whom, and how."""
+class Setup(Generic[Net, Settings]):
+    """What all phases of one training share: the network, its guidance, its settings."""
 
     training: Training[Net]
     guidance: PromptedGuidance

@@ -82,7 +82,7 @@ def test_what_compiles_does_not_count_for_the_time_left():
     assert clock.after(1, 9) == 0
 
 
-def test_a_resumed_stage_measures_anew():
+def test_a_resumed_stage_measures_again():
     clock = TimeLeft([3, 10])
     clock.add(1, 5.0)
     assert clock.after(1, 4) is None

@@ -22,12 +22,12 @@ from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import linear_to_srgb
 from core.render.antialias import edge_table
-from core.stages.appearance import Stage, appearance_phases, learn_appearance
+from core.stages.appearance import LitObject, appearance_phases, learn_appearance
 from core.stages.geometry import Distillation, Fitting, learn_geometry, random_rotations
 from core.stages.regularisers import bending, eikonal, strays
 from core.stages.start_shape import sdf_net
 from core.stages.state import Training
-from core.stages.training import Lesson, decayed
+from core.stages.training import Setup, decayed
 from core.texture.unwrap import unwrap
 
 SHORT = replace(
@@ -68,19 +68,19 @@ def run_in(path):
 def learn(net, g, config, run, seed=1):
     """The whole geometry training; its mesh."""
     training = Training("geometry", net, torch.Generator().manual_seed(seed), run)
-    return learn_geometry(Lesson(training, g, config), Progress(run))
+    return learn_geometry(Setup(training, g, config), Progress(run))
 
 
-def gradient(phase, lesson, index):
+def gradient(phase, setup, index):
     """Of one step, as one vector."""
     scene, losses = phase.begin(index)
     scene.backward(losses)
-    return torch.cat([p.grad.flatten() for p in lesson.training.module.parameters()])
+    return torch.cat([p.grad.flatten() for p in setup.training.module.parameters()])
 
 
-def lesson_of(config, g, run, seed=5):
+def setup_of(config, g, run, seed=5):
     training = Training("geometry", start_net(config), torch.Generator().manual_seed(seed), run)
-    return Lesson(training, g, config)
+    return Setup(training, g, config)
 
 
 def test_the_rate_ends_at_its_share():
@@ -153,9 +153,9 @@ def test_the_gradient_does_not_depend_on_how_many_views_are_rendered_at_once(
     grads = []
     for at_once in (4, 3, 1):
         config = replace(SHORT, views_at_once=at_once, ray_mask_share=rays, rotate_normals=True)
-        lesson = lesson_of(config, guidance(frame), run_in(tmp_path / str(at_once)))
-        phase = Distillation(lesson, tet_grid(config.resolution[0]), name, before=0)
-        grads.append(gradient(phase, lesson, 1))
+        setup = setup_of(config, guidance(frame), run_in(tmp_path / str(at_once)))
+        phase = Distillation(setup, tet_grid(config.resolution[0]), name, before=0)
+        grads.append(gradient(phase, setup, 1))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
@@ -168,8 +168,8 @@ def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_
     grads = []
     for at_once in (5, 2, 1):
         config = replace(SHORT, views_at_once=at_once)
-        lesson = lesson_of(config, guidance(), run_in(tmp_path / str(at_once)))
-        grads.append(gradient(Fitting(lesson, tet_grid(12), name), lesson, 0))
+        setup = setup_of(config, guidance(), run_in(tmp_path / str(at_once)))
+        grads.append(gradient(Fitting(setup, tet_grid(12), name), setup, 0))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
@@ -236,8 +236,8 @@ def test_the_mask_along_empty_rays_reaches_the_lattice(tmp_path):
     grads = []
     for rays in (1.0, 0.0):  # with and without
         config = replace(SHORT, eikonal=0.0, ray_mask_share=rays)
-        lesson = lesson_of(config, guidance(), run_in(tmp_path / str(rays)))
-        scene, losses = Distillation(lesson, tet_grid(12), "coarse", before=0).begin(1)
+        setup = setup_of(config, guidance(), run_in(tmp_path / str(rays)))
+        scene, losses = Distillation(setup, tet_grid(12), "coarse", before=0).begin(1)
         scene.backward(losses)
         grads.append(None if scene.sdf is None else scene.sdf.grad)
     assert grads[0] is not None
@@ -312,14 +312,14 @@ SHORT_COLOR = replace(
 )
 
 
-def color_lesson(config, run):
+def color_setup(config, run):
     """Γ under a guidance that knows red pictures only."""
     red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
     reference = lambda cameras: red.expand(1, len(cameras), 4, 16, 16)  # noqa: E731
     teacher = GaussianGuidance(reference, 16).prompted()
     net = MaterialNet(config, torch.Generator().manual_seed(0))
     training = Training("appearance", net, torch.Generator().manual_seed(1), run)
-    return Lesson(training, teacher, config)
+    return Setup(training, teacher, config)
 
 
 def unwrapped_sphere():
@@ -331,9 +331,9 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
     config, mesh = SHORT_COLOR, unwrapped_sphere()
 
     def learn_color(run):
-        lesson = color_lesson(config, run)
-        learn_appearance(lesson, mesh, Environment.of(GREY), Progress(run))
-        return lesson.training.module(mesh.verts).kd
+        setup = color_setup(config, run)
+        learn_appearance(setup, mesh, Environment.of(GREY), Progress(run))
+        return setup.training.module(mesh.verts).kd
 
     first = MaterialNet(config, torch.Generator().manual_seed(0))(mesh.verts).kd.mean(0)
     run = run_in(tmp_path)
@@ -353,9 +353,9 @@ def test_the_material_s_gradient_does_not_depend_on_how_many_views_are_rendered_
     grads, mesh = [], unwrapped_sphere()
     for at_once in (3, 2, 1):
         config = replace(SHORT_COLOR, views=3, views_at_once=at_once, smooth=1.0)
-        lesson = color_lesson(config, run_in(tmp_path / str(at_once)))
-        stage = Stage(mesh, Environment.of(GREY), None)
-        grads.append(gradient(appearance_phases(lesson, stage)[at], lesson, 0))
+        setup = color_setup(config, run_in(tmp_path / str(at_once)))
+        subject = LitObject(mesh, Environment.of(GREY), None)
+        grads.append(gradient(appearance_phases(setup, subject)[at], setup, 0))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
     torch.testing.assert_close(grads[2], grads[0], rtol=1e-3, atol=1e-6)
@@ -364,11 +364,11 @@ def test_the_material_s_gradient_does_not_depend_on_how_many_views_are_rendered_
 def test_colours_are_refined_at_a_rate_that_falls_once_more(tmp_path):
     """Or the turns of the light leave noise in kd."""
     a = DRAFT.appearance
-    lesson, stage = (
-        color_lesson(a, run_in(tmp_path)),
-        Stage(unwrapped_sphere(), Environment.of(GREY), None),
+    setup, subject = (
+        color_setup(a, run_in(tmp_path)),
+        LitObject(unwrapped_sphere(), Environment.of(GREY), None),
     )
-    early, late, refine = appearance_phases(lesson, stage)
+    early, late, refine = appearance_phases(setup, subject)
     found = [early.learning_rate(0), late.learning_rate(late.steps - 1)]
     found += [refine.learning_rate(0), refine.learning_rate(refine.steps - 1)]
     full = [a.learning_rate, a.refine.learning_rate]
