@@ -250,9 +250,11 @@ def find_builder(python_path: Path) -> list[str | Path]:
 def fill_package(folder: Path) -> None:
     """What the zip holds: the add-on, with the manifest's name for Blender, and the core inside."""
     junk = shutil.ignore_patterns("__pycache__", "*.pyc", "tests")
+    # How the built-in prior was trained: a run uses nothing of it.
+    training = shutil.ignore_patterns("__pycache__", "*.pyc", "tests", "prior")
     shutil.copytree(ROOT / "fantasia3d_addon", folder, ignore=junk)
     # In a folder of its own: Python would take a module beside the core for a library of its name.
-    shutil.copytree(ROOT / "core", folder / "method" / "core", ignore=junk)
+    shutil.copytree(ROOT / "core", folder / "method" / "core", ignore=training)
     shutil.copy(ROOT / "pyproject.toml", folder / "method")
     for name, to in (("manifest.toml", "blender_manifest.toml"), ("LICENSE", "LICENSE")):
         shutil.copy(ROOT / name, folder / to)

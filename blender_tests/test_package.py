@@ -58,7 +58,10 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
     assert {"__init__.py", "studio.exr", "LICENSE", "method/pyproject.toml"} <= names
     assert "method/core/guidance/builtin/geometry.safetensors" in names
     mine = {f"method/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "core").rglob("*.py")}
-    assert {n for n in mine if "/tests/" not in n} <= names
+    training = {n for n in mine if "/core/prior/" in n}
+    assert {n for n in mine - training if "/tests/" not in n} <= names
+    assert training
+    assert not training & names  # how the built-in prior was made: no run uses it
     assert not [n for n in names if "tests/" in n or "__pycache__" in n or n.endswith(".pyc")]
     assert package.stat().st_size < 60e6
 
@@ -68,6 +71,17 @@ def test_nothing_lies_beside_the_core_that_could_hide_a_library(package):
     with zipfile.ZipFile(package) as archive:
         names = [name.split("/") for name in archive.namelist()]
     assert {name[1] for name in names if name[0] == "method"} - {""} == {"core", "pyproject.toml"}
+
+
+def test_bench_prior_of_the_zip_ends_with_a_sentence(package, tmp_path):
+    pytest.importorskip("torch")
+    with zipfile.ZipFile(package) as archive:
+        archive.extractall(tmp_path)
+    command = [sys.executable, "-m", "core", "bench", "prior"]
+    done = subprocess.run(command, cwd=tmp_path / "method", capture_output=True, text=True)
+    assert done.returncode == 3, done.stderr
+    assert done.stderr.startswith("error: This copy of the project has no core/prior")
+    assert "Traceback" not in done.stderr
 
 
 @pytest.mark.slow

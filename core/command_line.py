@@ -9,6 +9,7 @@ be kept; 130 cancelled.
 
 import argparse
 import difflib
+import io
 import json
 import os
 import signal
@@ -128,7 +129,9 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     command.add_argument("--seed", type=int)
     command.add_argument("--preset", help="draft, standard or paper")
-    command.add_argument("--negative", dest="negative_prompt", metavar="TEXT")
+    command.add_argument(
+        "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
+    )
     command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
     command.add_argument(
         "--ignore-unknown-words",
@@ -165,6 +168,8 @@ def job_of(args: argparse.Namespace) -> "Job":
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
+    if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
+        given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
         value = getattr(args, name, None)
         given[name] = _absolute(value) if value and Path(value).exists() else value
@@ -244,16 +249,22 @@ def main(argv: Sequence[str]) -> int:
 
 def exit_code(work: Callable[[], object]) -> int:
     """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
+    for stream in (sys.stdout, sys.stderr):  # of a code page that lacks the letters of a name
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     try:
         work()
-    except UserError as error:
-        print(f"{'' if error.status == 130 else 'error: '}{error}", file=sys.stderr)
-        return error.status
     except KeyboardInterrupt:
         print("Cancelled.", file=sys.stderr)
         return 130
-    except BrokenPipeError:
+    except BrokenPipeError:  # the reader of a pipe had enough
         return 0
+    except Exception as error:
+        known = error if isinstance(error, UserError) else _known(error)
+        if known is None:
+            raise
+        print(f"{'' if known.status == 130 else 'error: '}{known}", file=sys.stderr)
+        return known.status
     return 0
 
 

@@ -116,12 +116,27 @@ class TextureConfig:
 
 
 @dataclass(frozen=True, kw_only=True)
+class GuidanceConfig:
+    """How a Stable Diffusion checkpoint is used; the built-in prior takes the camera itself."""
+
+    soft_views: bool = False  # mix the texts of neighbouring views by the camera's angle
+    # Weight of Perp-Neg (Armandpour et al. 2023) against several faces; 0 is off, any other costs
+    # three more U-Net runs a picture.
+    perp_neg: float = 0.0
+    default_negative: bool = True  # an empty negative prompt is the default text, not none
+
+
+GUIDANCE = GuidanceConfig()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Config:
     """All settings of one run."""
 
     geometry: GeometryConfig = field(default_factory=GeometryConfig)
     appearance: AppearanceConfig = field(default_factory=AppearanceConfig)
     texture: TextureConfig = field(default_factory=TextureConfig)
+    guidance: GuidanceConfig = field(default_factory=GuidanceConfig)
 
 
 PAPER = Config(

@@ -17,7 +17,7 @@ from core.appearance.material import MaterialNet
 from core.config import Config
 from core.device import device_of
 from core.geometry.mesh import Mesh, normalise
-from core.guidance.guidance import Embedding, Guidance, PromptWarning
+from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
 from core.io.asset import place, write_asset
 from core.io.job import Job
@@ -43,8 +43,7 @@ class Inputs:
 
     config: Config
     device: torch.device
-    guidance: Guidance
-    embedding: Embedding
+    guidance: PromptedGuidance
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
@@ -59,12 +58,14 @@ def prepare(job: Job) -> Inputs:
     shape = load_mesh(Path(path)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
-    guidance = make_guidance(job.guidance, device, ignore_unknown=job.ignore_unknown_words)
+    guidance = make_guidance(
+        job.guidance, device, ignore_unknown=job.ignore_unknown_words, config=config.guidance
+    )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
-        embedding = guidance.embed(job.prompt, job.negative_prompt)
+        prompted = guidance.prompted(job.prompt, job.negative_prompt)
     texts = tuple(str(w.message) for w in caught)
-    return Inputs(config, device, guidance, embedding, light, shape, start, texts)
+    return Inputs(config, device, prompted, light, shape, start, texts)
 
 
 def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
@@ -88,13 +89,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
     generator = torch.Generator().manual_seed(job.seed + 1)
-    ranges = within(config.appearance, guidance.ranges(inputs.embedding))
+    ranges = within(config.appearance, guidance.ranges())
     net = MaterialNet(ranges, generator).to(device)
     training = Training("appearance", net, generator, run)
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
-    learn_appearance(Setup(training, guidance, inputs.embedding, ranges), mesh, light, progress)
+    learn_appearance(Setup(training, guidance, ranges), mesh, light, progress)
 
     # TEXTURING (§4.3): Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, net, config.texture, progress)
@@ -112,7 +113,7 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
     training = Training("geometry", net, generator, run)
     if not run.has(training.name):
         fit_start_shape(training, config, inputs.shape, progress)
-    setup = Setup(training, inputs.guidance, inputs.embedding, config)
+    setup = Setup(training, inputs.guidance, config)
     verts, faces = learn_geometry(setup, progress)
     return Mesh(verts.cpu(), faces.cpu())
 

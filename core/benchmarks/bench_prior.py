@@ -15,19 +15,27 @@ import torch
 from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
-from core.errors import UserError
+from core.errors import MissingError, UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import health
-from core.guidance.builtin.guidance import WEIGHTS
+from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
-from core.guidance.builtin.weights import load_words
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
-from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
 from core.stages.start_color import surface_colors
+
+try:
+    from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
+except ModuleNotFoundError as error:  # the extension's zip is without core/prior
+    if not str(error.name).startswith("core.prior"):
+        raise
+    raise MissingError(
+        "This copy of the project has no core/prior, whose shapes bench prior compares with.",
+        "Run it from the project's own folder.",
+    ) from error
 
 FOLDER = Path("out/bench_prior")
 # Holes that make a thing what it is, and what must not have any: what stands on legs that are
@@ -49,11 +57,12 @@ def bench_prior(
     ``nouns`` empty: all that the shipped weights offer. One thread: two benches that share the
     nouns between them use two cores.
     """
-    known = load_words(WEIGHTS / "geometry.safetensors")
+    known = offered_words()
     unknown = [noun for noun in nouns if noun not in known["noun"]]
     if unknown:
         raise UserError(
-            f"The built-in prior has no noun {unknown[0]!r}.", f"Take {', '.join(known['noun'])}."
+            f"The built-in prior has no noun {unknown[0]!r}.",
+            f"Use one of: {', '.join(known['noun'])}.",
         )
     torch.set_num_threads(1)
     references = reference_clouds(known["noun"])
@@ -73,16 +82,16 @@ def _scored(
     noun: str, seed: int, known: dict[str, list[str]], folder: Path, references: dict
 ) -> dict[str, Any]:
     run = folder / f"{noun.replace(' ', '-')}-{seed}"
-    report = run / "score.json"
-    if report.exists():
-        return json.loads(report.read_text(encoding="utf-8"))
+    path = run / "score.json"
+    if path.exists():
+        return json.loads(path.read_text(encoding="utf-8"))
     color, material = words_for(noun, seed, known)
     start = time.monotonic()
     failure = _make(run, f"{color} {material} {noun}{ADDED.get(noun, '')}", seed)
     facts = {"noun": noun, "seed": seed, "color": color, "material": material}
     facts |= {"seconds": round(time.monotonic() - start, 1), "failure": failure}
     facts |= {} if failure else score(run, facts, references)
-    write_text(report, json.dumps(facts, indent=1) + "\n")
+    write_text(path, json.dumps(facts, indent=1) + "\n")
     return facts
 
 
@@ -143,10 +152,10 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
 
 
 def main_delta_e(kd: Tensor, noun: str, color: str) -> float:
-    """Median CIE76 difference to the word's colour over the main parts' share of the surface.
+    """Median CIE76 difference to the word's colour over the main parts' fraction of the surface.
 
     Which points belong to main parts is not known: they are taken to be those that come nearest,
-    as many as the share of the noun's parts that a colour word is about.
+    as many as the fraction of the noun's parts that a colour word is about.
     """
     roles = [look.role in "*&" for look in looks(noun).values()]
     target = lab(srgb_to_linear(torch.tensor([COLOR_VALUES[color]])))
@@ -172,8 +181,8 @@ def summary(scores: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Rates over all runs; a run that failed counts as wrong in every one."""
 
     def rate(name: str, right: list[bool], target: float) -> dict[str, Any]:
-        share = sum(right) / max(len(right), 1)
-        return row(f"{name}, of {len(right)} runs", share, "", target, at_least=True)
+        fraction = sum(right) / max(len(right), 1)
+        return row(f"{name}, of {len(right)} runs", fraction, "", target, at_least=True)
 
     made = [s for s in scores if not s["failure"]]
     lost = [False] * (len(scores) - len(made))

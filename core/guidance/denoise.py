@@ -4,15 +4,15 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.guidance import Embedding, Guidance, Views
+from core.guidance.guidance import PromptedGuidance, Views
+from core.guidance.sds import predict_eps
 
 
 @torch.no_grad()
 def denoise(
-    guidance: Guidance,
+    guidance: PromptedGuidance,
     z_t: Float[Tensor, "b 4 s s"],
     t: int,
-    embedding: Embedding,
     views: Views,
     guidance_scale: float,
     steps: int,
@@ -26,11 +26,11 @@ def denoise(
         t: index into ``guidance.alpha_bar``, of all views.
     """
     alpha_bar = guidance.alpha_bar.to(z_t)
-    times = [round(t * (1 - k / steps)) for k in range(steps)]
+    times = [round(t * (1 - k / steps)) for k in range(steps)]  # t first; 0 is never reached
     z = z_t
     for now, after in zip(times, [*times[1:], None], strict=True):
         index = torch.full((len(z),), now, device=z.device)
-        eps = guidance.eps_hat(z, index, embedding, views, guidance_scale)
+        eps = predict_eps(guidance, z, index, views, guidance_scale)
         a = alpha_bar[now]
         clean = (z - (1 - a).sqrt() * eps) / a.sqrt()
         if after is None:

@@ -7,8 +7,8 @@ the optimal denoiser predicts is known in closed form (Karras et al. 2022, appen
     ε̂ = -sigma ∇ log p(z_t) = sigma (z_t - sqrt(alpha_bar) Σ_k r_k μ_k) / (alpha_bar std² + sigma²)
     r = softmax_k(-|z_t - sqrt(alpha_bar) μ_k|² / 2 (alpha_bar std² + sigma²))
 
-It rebuilds shapes that it is given. With it a fault of the geometry's code can be told from a
-weakness of a learnt prior: for tests, never a feature.
+It rebuilds shapes that it is given. With it a fault of the geometry's code is distinguished
+from a weakness of a learnt prior: for tests, never a feature.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,9 +19,10 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.guidance.guidance import (
-    Embedding,
     Guidance,
     NormalFrame,
+    Predictions,
+    PromptedGuidance,
     Views,
     coarse_latent,
 )
@@ -55,10 +56,10 @@ class GaussianGuidance(Guidance):
         self.normal_frame = normal_frame
         self.alpha_bar = scaled_linear()
 
-    def embed(self, prompt: str, negative_prompt: str) -> Embedding:
-        """The prompts say nothing to it."""
+    def prompted(self, prompt: str = "", negative_prompt: str = "") -> "PromptedGaussian":
+        """The exact score; the prompts change nothing."""
         del prompt, negative_prompt
-        return Embedding()
+        return PromptedGaussian(self)
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -72,19 +73,27 @@ class GaussianGuidance(Guidance):
         """[2 c - 1, 2 o - 1] with the first three weighted by coverage, downsampled."""
         return coarse_latent(2 * srgb - o, o, self.latent_size)
 
+
+class PromptedGaussian(PromptedGuidance):
+    """The mixture's score. There is no other to compare it with, so guidance scales do nothing."""
+
+    def __init__(self, guidance: GaussianGuidance) -> None:
+        super().__init__(guidance)
+        self.reference, self.std = guidance.reference, guidance.std
+
     @torch.no_grad()
-    def eps_hat(
+    def predict(
         self,
         z_t: Float[Tensor, "b 4 s s"],
         t: Int[Tensor, " b"],
-        embedding: Embedding,
         views: Views,
-        guidance_scale: float,
-    ) -> Float[Tensor, "b 4 s s"]:
+        *,
+        cond_only: bool = False,
+    ) -> Predictions:
         """The exact noise prediction at ``views.cameras``."""
-        del embedding, guidance_scale
+        del cond_only
         mu = self.reference(views.cameras).to(z_t)
-        return mixture_eps(z_t, self.alpha_bar.to(z_t)[t], mu, self.std)
+        return Predictions(mixture_eps(z_t, self.alpha_bar.to(z_t)[t], mu, self.std))
 
 
 def mixture_eps(

@@ -1,7 +1,8 @@
-"""The seam between the trainings and a diffusion model.
+"""The interface between the trainings and a diffusion model.
 
-A ``Guidance`` turns renders into latents, words into an ``Embedding``, and predicts the noise in a
-diffused latent: ε̂_φ(z_t; y, t) of Eqs. 1, 5 and 9. The trainings know nothing more about it.
+A ``Guidance`` turns renders into latents and reads a prompt. What it returns for one, a
+``PromptedGuidance``, predicts the noise in a diffused latent: ε̂_φ(z_t; y, t) of Eqs. 1, 5 and 9.
+It is all that the trainings know of the model and of the words.
 
 Pictures arrive as the renderer gives them, over black: ``n`` and ``srgb`` are zero where the
 coverage ``o`` is, and already weighted by it at the silhouette. A guidance that wants another
@@ -22,11 +23,7 @@ NormalFrame = Literal["object", "camera"]
 
 
 class PromptWarning(UserWarning):
-    """A prompt was not taken to the letter; the message says in what."""
-
-
-class Embedding:
-    """A prompt as one guidance understands it. Opaque: only the guidance that made it reads it."""
+    """A part of a prompt was read as something else or left out; the message names it."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +51,16 @@ class MaterialRanges(NamedTuple):
     metallic: tuple[float, float]
 
 
+class Predictions(NamedTuple):
+    """ε̂_φ(z_t; y, t) for each text y, not yet combined (``core.guidance.sds.guided``)."""
+
+    cond: Float[Tensor, "b 4 s s"]  # the prompt
+    uncond: Float[Tensor, "b 4 s s"] | None = None  # no words, or the negative prompt's instead
+    # Perp-Neg: the prompt from k other sides, and how strongly to steer each picture away from it.
+    opposing: Float[Tensor, "k b 4 s s"] | None = None
+    opposing_weight: Float[Tensor, "k b"] | None = None
+
+
 class Guidance(ABC):
     """A diffusion model over latents (B, 4, ``latent_size``, ``latent_size``)."""
 
@@ -64,7 +71,7 @@ class Guidance(ABC):
     normal_frame: NormalFrame  # the axes in which it wants its normals
 
     @abstractmethod
-    def embed(self, prompt: str, negative_prompt: str) -> Embedding:
+    def prompted(self, prompt: str, negative_prompt: str) -> "PromptedGuidance":
         """Read the two prompts once, before the training.
 
         Raises:
@@ -93,25 +100,47 @@ class Guidance(ABC):
             o: coverage in [0, 1].
         """
 
-    def ranges(self, embedding: Embedding) -> MaterialRanges | None:
-        """What the words themselves say of the material; None where they leave all open."""
-        del embedding
+
+class PromptedGuidance(ABC):
+    """A guidance with its prompts: what the trainings use. The schedule, the latents and their
+    encoders are the guidance's own."""
+
+    def __init__(self, guidance: Guidance) -> None:
+        self._guidance = guidance
+        self.alpha_bar = guidance.alpha_bar
+        self.latent_size = guidance.latent_size
+        self.normal_frame: NormalFrame = guidance.normal_frame
+
+    def encode_normals(
+        self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """See ``Guidance.encode_normals``."""
+        return self._guidance.encode_normals(n, o)
+
+    def encode_color(
+        self, srgb: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
+    ) -> Float[Tensor, "b 4 s s"]:
+        """See ``Guidance.encode_color``."""
+        return self._guidance.encode_color(srgb, o)
+
+    def ranges(self) -> MaterialRanges | None:
+        """What the words themselves state of the material; None where they leave all open."""
         return None
 
     @abstractmethod
-    def eps_hat(
+    def predict(
         self,
         z_t: Float[Tensor, "b 4 s s"],
         t: Int[Tensor, " b"],
-        embedding: Embedding,
         views: Views,
-        guidance_scale: float,
-    ) -> Float[Tensor, "b 4 s s"]:
-        """ε̂_φ(z_t; y, t) with classifier-free guidance; without gradient.
+        *,
+        cond_only: bool = False,
+    ) -> Predictions:
+        """The noise predictions for the prompt and for what it is compared with; no gradient.
 
         Args:
             t: indices into ``alpha_bar``.
-            guidance_scale: 1 is no guidance.
+            cond_only: the caller needs ``cond`` alone, and the others may be left out.
         """
 
 

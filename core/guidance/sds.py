@@ -5,16 +5,13 @@ Notation: sigma is the paper's variance-preserving noise level, ``sigma**2 = 1 -
 It is not the EDM / k-diffusion sigma, which is ``sqrt((1 - alpha_bar) / alpha_bar)``.
 """
 
-from typing import Literal
-
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.config import Weighting
 from core.errors import UserError
-from core.guidance.guidance import Embedding, Guidance, Views
-
-Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+from core.guidance.guidance import Predictions, PromptedGuidance, Views
 
 
 class NotFiniteError(UserError):
@@ -65,6 +62,36 @@ def perp_neg(
     return negative - dot / norm2 * direction
 
 
+def guided(predictions: Predictions, scale: float) -> Float[Tensor, "b 4 h w"]:
+    """ε̂ of all predictions together: classifier-free guidance, then Perp-Neg.
+
+    Perp-Neg steers away from each opposing prediction as far as that is perpendicular to the
+    prompt's own direction (Armandpour et al. 2023, Eq. 8), with the same guidance scale.
+    """
+    cond, uncond, opposing, weights = predictions
+    if uncond is None:
+        return cond
+    # At scale 1 too: u + (c - u) differs from c in its last bits, and a run repeats to the bit.
+    eps_hat = guide(cond, uncond, scale)
+    if opposing is None or weights is None:
+        return eps_hat
+    for eps_view, view_weight in zip(opposing, weights, strict=True):
+        perpendicular = perp_neg(cond - uncond, eps_view - uncond)
+        eps_hat = eps_hat - scale * view_weight[:, None, None, None] * perpendicular
+    return eps_hat
+
+
+def predict_eps(
+    guidance: PromptedGuidance,
+    z_t: Float[Tensor, "b 4 s s"],
+    t: Int[Tensor, " b"],
+    views: Views,
+    scale: float,
+) -> Float[Tensor, "b 4 s s"]:
+    """ε̂_φ(z_t; y, t) with classifier-free guidance; ``scale`` 1 is none. Without gradient."""
+    return guided(guidance.predict(z_t, t, views, cond_only=scale == 1), scale)
+
+
 def weight(alpha_bar: Float[Tensor, " b"], kind: Weighting) -> Float[Tensor, " b"]:
     """The SDS weight w(t).
 
@@ -87,15 +114,15 @@ def sample_t(
     """``n`` timesteps, uniform over the whole numbers from low * steps to high * steps.
 
     Args:
-        low, high: shares of the schedule, 0 <= low <= high <= 1; anneal them with ``anneal``.
+        low, high: fractions of the schedule, 0 <= low <= high <= 1; anneal them with ``anneal``.
         steps: length of the schedule, ``len(guidance.alpha_bar)``.
     """
     if not 0 <= low <= high <= 1:
         raise UserError(
             f"Timesteps from {low:g} to {high:g} of the schedule are an empty range.",
-            "Give two shares with 0 <= low <= high <= 1.",
+            "Give two fractions with 0 <= low <= high <= 1.",
         )
-    first, last = (min(round(share * steps), steps - 1) for share in (low, high))
+    first, last = (min(round(fraction * steps), steps - 1) for fraction in (low, high))
     return torch.randint(first, last + 1, (n,), generator=generator, device=generator.device)
 
 
@@ -114,9 +141,8 @@ def cap_rms(grad: Float[Tensor, "b 4 h w"], cap: float) -> Float[Tensor, "b 4 h 
 
 
 def sds_grad(
-    guidance: Guidance,
+    guidance: PromptedGuidance,
     z: Float[Tensor, "b 4 s s"],
-    embedding: Embedding,
     views: Views,
     t: Int[Tensor, " b"],
     eps: Float[Tensor, "b 4 s s"],
@@ -141,7 +167,7 @@ def sds_grad(
     alpha_bar = guidance.alpha_bar.to(z)[t.to(z.device)]
     with torch.no_grad():
         z_t = add_noise(z, eps, alpha_bar)
-        eps_hat = guidance.eps_hat(z_t, t, embedding, views, guidance_scale)
+        eps_hat = predict_eps(guidance, z_t, t, views, guidance_scale)
     _require_finite(eps_hat, t, "The guidance's noise prediction")
     grad = weight(alpha_bar, weighting)[:, None, None, None] * (eps_hat - eps)
     return grad if cap is None else cap_rms(grad, cap)

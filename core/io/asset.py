@@ -15,8 +15,9 @@ from core.geometry.mesh import Mesh, health
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
-from core.io.atomic import atomic_file, disk_errors
+from core.io.atomic import atomic_file, disk_errors, flush_folder
 from core.io.glb import glb_bytes
+from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
 
@@ -117,6 +118,8 @@ def read_asset(folder: Path) -> Asset:
     info = _read_info(folder)
     mesh = read_obj(folder / "mesh.obj")
     stated = info.get("mesh", {})
+    if not isinstance(stated, dict):
+        raise UserError(f"asset.json of {folder} has a mesh entry that is no object.", REMAKE)
     for name, got in (("verts", len(mesh.verts)), ("faces", len(mesh.faces))):
         if stated.get(name, got) != got:
             raise UserError(
@@ -216,11 +219,8 @@ def _read_info(folder: Path) -> dict[str, Any]:
     path = folder / "asset.json"
     if not path.is_file():
         raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
-    try:
-        info = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise UserError(f"{path} cannot be read ({error}).", REMAKE) from error
-    version = info.get("version") if isinstance(info, dict) else None
+    info = read_object(path, REMAKE)
+    version = info.get("version")
     if version != VERSION:
         raise UserError(
             f"{path} has version {version!r}; this core reads {VERSION}.",
@@ -243,6 +243,7 @@ def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
         try:
             temporary.mkdir(parents=True)
             fill(temporary)
+            flush_folder(temporary)  # whole after a power cut too, before it gets its name
             if folder.exists():
                 folder.rename(old)
             temporary.rename(folder)

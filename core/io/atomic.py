@@ -1,6 +1,7 @@
 """Files that are whole or not there: written to a temporary file, then renamed."""
 
 import errno
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 from core.errors import UserError
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
+LOST = (errno.EIO, errno.ENAMETOOLONG, errno.ESTALE)
 FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 
@@ -41,4 +43,15 @@ def disk_errors(path: Path) -> Iterator[None]:
             raise UserError(
                 f"{path} cannot be written: {error.strerror}.", "Choose another folder."
             ) from error
+        if error.errno in LOST:
+            raise UserError(
+                f"{path} cannot be written: {os.strerror(error.errno)}.", "Choose another place."
+            ) from error
         raise
+
+
+def flush_folder(folder: Path) -> None:
+    """Wait until the files of ``folder`` are on the disk."""
+    for path in folder.iterdir():
+        with path.open("rb+") as file:
+            os.fsync(file.fileno())

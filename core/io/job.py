@@ -1,6 +1,6 @@
-"""What the core and a window on it say to each other: job.json and events.jsonl.
+"""The interface between the core and a window on it: job.json and events.jsonl.
 
-Standard library only. The files lie in the run folder (docs/architecture.md).
+Standard library only. The files are in the run folder (docs/architecture.md).
 """
 
 import dataclasses
@@ -13,6 +13,7 @@ from typing import Any, get_origin
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
+from core.io.json_file import parse_object
 
 VERSION = 1
 COMMANDS = ("generate", "texture")
@@ -51,12 +52,7 @@ class Job:
     @classmethod
     def from_json(cls, text: str) -> "Job":
         """Parse ``text``; an unknown key is refused, so that a misspelt one is never ignored."""
-        try:
-            data = json.loads(text)
-        except ValueError as error:
-            raise UserError(f"job.json is no JSON ({error}).", "Start a new run.") from None
-        if not isinstance(data, dict):
-            raise UserError("job.json holds no object.", "Start a new run.")
+        data = parse_object(text, "job.json", "Start a new run.")
         if data.get("version") != VERSION:
             raise UserError(
                 f"job.json has version {data.get('version')!r}; this core reads {VERSION}.",
@@ -85,6 +81,8 @@ def _check(job: Job) -> None:
             raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
     if not job.prompt.strip():
         raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')
+    for f in dataclasses.fields(job):
+        _check_text(f.name, getattr(job, f.name))
     for name in ("prompt", "negative_prompt"):
         if len(getattr(job, name)) > MAX_PROMPT:
             raise UserError(
@@ -99,7 +97,7 @@ def _check(job: Job) -> None:
         raise UserError(f"There is no uv mode {job.uv!r}.", f"Take {' or '.join(UV_MODES)}.")
     if job.base_color and job.command != "texture":
         raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
-    if not 0 <= job.guide_strength <= 1:
+    if not 0 <= job.guide_strength <= 1:  # false for NaN too
         raise UserError(f"The guide strength is {job.guide_strength}.", "It takes 0 to 1.")
     if not 0 <= job.seed < 2**63:
         raise UserError(f"The seed is {job.seed}.", "It takes a whole number from 0 to 2**63 - 1.")
@@ -107,6 +105,17 @@ def _check(job: Job) -> None:
         raise UserError(f"The texture size is {job.texture_size}.", "It takes 64 to 8192 texels.")
     if job.max_faces and job.max_faces < 100:
         raise UserError(f"The face budget is {job.max_faces}.", "It takes 100 faces or more.")
+
+
+def _check_text(name: str, value: Any) -> None:
+    """Text that UTF-8 cannot hold comes from a terminal of another encoding."""
+    try:
+        str(value).encode("utf-8")
+    except UnicodeEncodeError:
+        raise UserError(
+            f"The {name.replace('_', ' ')} holds a byte that is no text.",
+            "Type it again, in a terminal that uses UTF-8.",
+        ) from None
 
 
 class EventWriter:

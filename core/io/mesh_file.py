@@ -17,6 +17,7 @@ from core.ops import srgb_to_linear
 # Formats whose files stand +Y up; Blender's importers turn them, and leave the others alone.
 Y_UP = {".obj", ".glb", ".gltf"}
 Z_UP = {".ply", ".stl"}
+MAX_COORDINATE = 1e15  # its square, and the sum of many, is a float32 still
 EXPORT_AGAIN = "Open it in Blender and export it as OBJ, PLY, STL or GLB without compression."
 
 
@@ -40,8 +41,10 @@ def load_mesh(path: "str | Path") -> Mesh:
             f"{path.name} holds no faces.", "Give a mesh with faces, not points or curves."
         )
     verts, faces = _join([(p.verts, p.faces) for p in parts])
-    if not np.isfinite(verts).all():
-        raise UserError(f"{path.name} has vertices that are not finite numbers.", EXPORT_AGAIN)
+    if not (np.abs(verts) < MAX_COORDINATE).all():  # false for NaN too
+        raise UserError(
+            f"{path.name} has vertices that are not finite numbers, or too large.", EXPORT_AGAIN
+        )
     if path.suffix.lower() in Y_UP:
         verts = np.stack([verts[:, 0], -verts[:, 2], verts[:, 1]], 1)
     # In float32 as they will be used: what falls together then is welded.
@@ -70,15 +73,16 @@ def _read_parts(path: Path) -> list[_Part]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # numpy's, from the depths of a parser
             scene = trimesh.load_scene(path, process=False)
+            placed = [scene.graph[node] for node in scene.graph.nodes_geometry]
     except Exception as error:  # whatever a broken file makes a parser raise
-        said = str(error).rstrip(".! ") or type(error).__name__
-        raise UserError(f"{path.name} cannot be read: {said}.", EXPORT_AGAIN) from error
+        reason = str(error).rstrip(".! ") or type(error).__name__
+        raise UserError(f"{path.name} cannot be read: {reason}.", EXPORT_AGAIN) from error
     parts = []
-    for node in scene.graph.nodes_geometry:
-        matrix, name = scene.graph[node]
+    for matrix, name in placed:
         part = scene.geometry[name]
         if not isinstance(part, trimesh.Trimesh) or not len(part.faces):
             continue
+        _check_indices(path, part)
         verts = np.asarray(part.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
         mirrored = np.linalg.det(matrix[:3, :3]) < 0
         faces = np.asarray(part.faces)[:, ::-1] if mirrored else np.asarray(part.faces)
@@ -86,6 +90,12 @@ def _read_parts(path: Path) -> list[_Part]:
         usable = uv is not None and len(uv) == len(verts) and np.isfinite(uv).all()
         parts.append(_Part(verts, faces, np.asarray(uv) if usable else None, material))
     return parts
+
+
+def _check_indices(path: Path, part: trimesh.Trimesh) -> None:
+    faces = np.asarray(part.faces)
+    if faces.min() < 0 or faces.max() >= len(part.vertices):
+        raise UserError(f"{path.name} has a face without one of its vertices.", EXPORT_AGAIN)
 
 
 def _join(meshes: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:

@@ -1,8 +1,8 @@
 """Make the built-in prior: ``python -m core.prior data | train | evaluate | ship``.
 
 From nothing, on two CPU cores: ``data`` for some minutes, then ``train geometry`` and
-``train appearance`` beside each other, then ``evaluate``. The shipped weights were made so; how
-long each step ran stands in docs/model_card.md.
+``train appearance`` side by side, then ``evaluate``. The shipped weights were made so; how
+long each step ran is in docs/model_card.md.
 """
 
 import argparse
@@ -13,8 +13,8 @@ from pathlib import Path
 import torch
 
 from core.errors import UserError
-from core.guidance.builtin.guidance import WEIGHTS
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.builtin.weights import load_weights, save_weights
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
@@ -33,7 +33,7 @@ PATTERNED = 32  # objects, of each pattern
 
 
 def parser() -> argparse.ArgumentParser:
-    """The three commands."""
+    """The four commands."""
     top = argparse.ArgumentParser("core.prior", description=__doc__)
     commands = top.add_subparsers(dest="command", required=True)
 
@@ -138,8 +138,8 @@ def evaluate(options: argparse.Namespace) -> None:
         return
     paint_summary(scores)
     for pattern in SLOTS["pattern"]:
-        share = score_pattern(net, pattern, PATTERNED, generator)
-        print(f"{pattern}: {share:.2f} of the colours' variance explained, {PATTERNED} objects")
+        fraction = score_pattern(net, pattern, PATTERNED, generator)
+        print(f"{pattern}: {fraction:.2f} of the colours' variance explained, {PATTERNED} objects")
 
 
 def summary(scores: list[Score]) -> None:
@@ -155,7 +155,7 @@ def summary(scores: list[Score]) -> None:
 
 
 def paint_summary(scores: list[PaintScore]) -> None:
-    """Print the median and the share of near colours over all views."""
+    """Print the median and the fraction of near colours over all views."""
     away = sorted(value for score in scores for value in score.delta_e)
     near = sum(value <= 20 for value in away) / len(away)
     print(f"dE median {away[len(away) // 2]:.1f}, within 20 in {near:.3f} of {len(away)} views")

@@ -11,18 +11,18 @@ from torch.nn.functional import interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.shade import shade
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.lexicon import SLOTS
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
 from core.prior.draw import Draw
-from core.prior.paint import Said, coat, paint
+from core.prior.paint import Caption, coat, paint
 
-UNSAID_COLOR = 0.35  # share of captions without a colour
-UNSAID_MATERIAL = 0.55
-UNSAID_PATTERN = 0.55
-UNSAID_SECOND = 0.35  # of those with a pattern
-DENTS = 0.35  # the deepest, as the normal's way
-SAID = ("color", "material", "pattern", "second")
+NO_COLOR = 0.35  # fraction of captions without a colour
+NO_MATERIAL = 0.55
+NO_PATTERN = 0.55
+NO_SECOND = 0.35  # of those with a pattern
+DENTS = 0.35  # the deepest, as the normal's offset
+CAPTION_SLOTS = ("color", "material", "pattern", "second")
 
 
 class Painter:
@@ -30,16 +30,16 @@ class Painter:
 
     def __init__(self) -> None:
         self.environment = Environment.of(load_light("studio"))
-        self.tables = [["", *SLOTS[slot]] for slot in SAID]
+        self.tables = [["", *SLOTS[slot]] for slot in CAPTION_SLOTS]
 
     def words(self, count: int, generator: torch.Generator) -> Tensor:
-        """Random captions (N, 4): rows of the embeddings of ``SAID``."""
+        """Random captions (N, 4): rows of the embeddings of ``CAPTION_SLOTS``."""
         rows = [torch.randint(1, len(t), (count,), generator=generator) for t in self.tables]
         color, _, _, second = rows
-        said = torch.rand(4, count, generator=generator)
-        patterned = said[2] >= UNSAID_PATTERN
-        chosen = (said[0] >= UNSAID_COLOR, said[1] >= UNSAID_MATERIAL, patterned)
-        with_second = patterned & (said[3] >= UNSAID_SECOND) & (second != color)
+        chance = torch.rand(4, count, generator=generator)
+        patterned = chance[2] >= NO_PATTERN
+        chosen = (chance[0] >= NO_COLOR, chance[1] >= NO_MATERIAL, patterned)
+        with_second = patterned & (chance[3] >= NO_SECOND) & (second != color)
         return torch.stack(rows, 1) * torch.stack([*chosen, with_second], 1)
 
     def pictures(
@@ -66,8 +66,8 @@ class Painter:
 
         surface = []
         for k, row in enumerate(index.tolist()):
-            said = [table[i] for table, i in zip(self.tables, words[k].tolist(), strict=True)]
-            paints = coat(NOUNS[int(samples.noun[row])], Said(*said), draw)
+            caption = [table[i] for table, i in zip(self.tables, words[k].tolist(), strict=True)]
+            paints = coat(NOUNS[int(samples.noun[row])], Caption(*caption), draw)
             mine = which == k
             surface.append(paint(paints, part[mine], point[mine], normal[mine]))
         kd, roughness, metallic = (torch.cat(column) for column in zip(*surface, strict=True))

@@ -1,8 +1,9 @@
 """The training set: shards of rendered families (and of real models, see ``core.prior.models``),
 written once, read as 8-bit tensors.
 
-One shard is a safetensors file of ``VIEWS`` views each of random objects. Files are written aside
-and renamed, so that a training may read the folder while more shards are being made.
+One shard is a safetensors file of ``VIEWS`` views each of random objects. Files are written
+under a temporary name and renamed, so that a training may read the folder while more shards are
+being made.
 """
 
 import math
@@ -30,12 +31,14 @@ CAMERAS = CameraConfig(distance=(2.9, 3.1), elevation_deg=(-60.0, 78.0))  # bott
 
 NOUNS = list(FAMILIES)
 ADJECTIVES = ["", *STRETCH]
-TOLD = ["", *PARTS]
+PART_STATES = ["", *PARTS]
 # The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.
-SHARES = dict.fromkeys(("ball", "cube", "cylinder", "cone", "bottle", "tree", "bowling pin"), 0.5)
-SHARES |= dict.fromkeys(("chair", "mug", "table", "stool", "bench", "house", "bucket"), 1.6)
-PLAIN = 0.75  # share of objects that no adjective describes
-UNTOLD = 0.4  # share of objects with options of which nothing is said
+NOUN_WEIGHTS = dict.fromkeys(
+    ("ball", "cube", "cylinder", "cone", "bottle", "tree", "bowling pin"), 0.5
+)
+NOUN_WEIGHTS |= dict.fromkeys(("chair", "mug", "table", "stool", "bench", "house", "bucket"), 1.6)
+NO_ADJECTIVE = 0.75  # fraction of objects that no adjective describes
+NO_PART_STATE = 0.4  # fraction of objects with options of which the caption states none
 
 
 @dataclass(frozen=True)
@@ -48,14 +51,14 @@ class Samples:
     point: Tensor  # (N, 3, s, s) int8, × 120
     noun: Tensor  # (N,) index into NOUNS
     adjective: Tensor  # (N,) index into ADJECTIVES
-    told: Tensor  # (N,) index into TOLD
+    part_state: Tensor  # (N,) index into PART_STATES
     camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy
 
     @classmethod
     def of(
-        cls, seen: Pictures, cameras: Cameras, noun: int, adjective: int = 0, told: int = 0
+        cls, seen: Pictures, cameras: Cameras, noun: int, adjective: int = 0, part_state: int = 0
     ) -> "Samples":
-        """One object's pictures; ``noun``, ``adjective`` and ``told`` are indices."""
+        """One object's pictures; ``noun``, ``adjective`` and ``part_state`` are indices."""
         count = len(cameras)
         facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
         return cls(
@@ -65,7 +68,7 @@ class Samples:
             point=(seen.point * 120).round().clamp(-127, 127).to(torch.int8),
             noun=torch.full((count,), noun),
             adjective=torch.full((count,), adjective),
-            told=torch.full((count,), told),
+            part_state=torch.full((count,), part_state),
             camera=torch.stack(facts, 1),
         )
 
@@ -87,27 +90,28 @@ class Samples:
 
 
 def make(seed: int, objects: int = OBJECTS, noun: str = "") -> Samples:
-    """``objects`` random objects, ``VIEWS`` views of each; all of one ``noun`` if it is said."""
+    """``objects`` random objects, ``VIEWS`` views of each; all of one ``noun`` if it is given."""
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
-    shares = torch.tensor([SHARES.get(noun, 1.0) for noun in NOUNS])
+    weights = torch.tensor([NOUN_WEIGHTS.get(noun, 1.0) for noun in NOUNS])
     rows = []
     for _ in range(objects):
-        kind = int(torch.multinomial(shares, 1, generator=generator))
+        kind = int(torch.multinomial(weights, 1, generator=generator))
         kind = NOUNS.index(noun) if noun else kind
-        plain = draw.chance(PLAIN)
+        plain = draw.chance(NO_ADJECTIVE)
         adjective = 0 if plain else 1 + int(draw(0, len(ADJECTIVES) - 1))
         options = OPTIONS.get(NOUNS[kind], ())
-        untold = draw.chance(UNTOLD) or not options
-        told = 0 if untold else TOLD.index(options[int(draw(0, len(options)))])
-        rows.append(_views(kind, adjective, told, draw))
+        unstated = draw.chance(NO_PART_STATE) or not options
+        state = 0 if unstated else PART_STATES.index(options[int(draw(0, len(options)))])
+        rows.append(_views(kind, adjective, state, draw))
     return joined(rows)
 
 
-def _views(noun: int, adjective: int, told: int, draw: Draw) -> Samples:
-    shape = build(NOUNS[noun], ADJECTIVES[adjective], Draw(draw.generator, TOLD[told]))
+def _views(noun: int, adjective: int, part_state: int, draw: Draw) -> Samples:
+    own = Draw(draw.generator, PART_STATES[part_state])
+    shape = build(NOUNS[noun], ADJECTIVES[adjective], own)
     cameras = sample_cameras(VIEWS, CAMERAS, draw.generator)
-    return Samples.of(render(shape, cameras, SIZE), cameras, noun, adjective, told)
+    return Samples.of(render(shape, cameras, SIZE), cameras, noun, adjective, part_state)
 
 
 def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
@@ -119,10 +123,10 @@ def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
 
 
 def write_samples(path: Path, samples: Samples) -> None:
-    """One file of samples, written aside."""
-    aside = path.with_suffix(".part")
-    save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, aside)
-    aside.rename(path)
+    """One file of samples, written under a temporary name and renamed."""
+    temporary = path.with_suffix(".part")
+    save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, temporary)
+    temporary.rename(path)
 
 
 def _work(job: tuple[Path, int]) -> Path:
@@ -139,7 +143,14 @@ def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
 
 def read_shards(paths: list[Path]) -> Samples:
     """Shards, joined."""
-    return joined([Samples(**load_file(path)) for path in paths])
+    return joined([_read(path) for path in paths])
+
+
+def _read(path: Path) -> Samples:
+    tensors = load_file(path)
+    if "told" in tensors:  # what files of earlier versions call the state of the parts
+        tensors["part_state"] = tensors.pop("told")
+    return Samples(**tensors)
 
 
 def joined(parts: list[Samples]) -> Samples:

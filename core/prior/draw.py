@@ -6,10 +6,12 @@ from core.guidance.builtin.words import LEGS
 
 
 class Draw:
-    """Random numbers for proportions, from one generator; ``said`` is a word of ``PARTS`` or ""."""
+    """Random numbers for proportions, from one generator; ``part_state`` is of ``PARTS`` or ""."""
 
-    def __init__(self, generator: torch.Generator, said: str = "", adjective: str = "") -> None:
-        self.generator, self.said, self.adjective = generator, said, adjective
+    def __init__(
+        self, generator: torch.Generator, part_state: str = "", adjective: str = ""
+    ) -> None:
+        self.generator, self.part_state, self.adjective = generator, part_state, adjective
 
     def __call__(self, low: float, high: float) -> float:
         """Uniform in [low, high)."""
@@ -20,11 +22,13 @@ class Draw:
         return self(0, 1) < probability
 
     def has(self, part: str, probability: float) -> bool:
-        """Whether the thing has ``part``: as it was said, or by chance."""
+        """Whether the thing has ``part``: as the caption states, or by chance."""
+        # Drawn in any case: the draws that follow do not depend on the caption.
         by_chance = self.chance(probability)
-        return by_chance if self.said not in (part, f"no {part}") else self.said == part
+        stated = self.part_state in (part, f"no {part}")
+        return self.part_state == part if stated else by_chance
 
     def legs(self, *counts: int) -> int:
-        """How many legs: as it was said, or one of ``counts`` by chance."""
+        """How many legs: as the caption states, or one of ``counts`` by chance."""
         by_chance = counts[int(self(0, len(counts)))]
-        return LEGS.get(self.said, by_chance)
+        return LEGS.get(self.part_state, by_chance)

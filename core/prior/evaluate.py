@@ -1,10 +1,10 @@
 """What the networks know, measured on fresh renders.
 
 Of the geometry: a diffusion classifier (Li et al., 2023) asks under which condition the network
-removes the noise best. Nouns are told apart at the true camera. Azimuths are told apart by a paired
-test: for each hypothesis the picture's normals, and the noise with them, are turned about the
-vertical so that they belong to the hypothesised camera. Without that turn the colours alone would
-tell the camera and even a ball would score full marks; with it a ball must score chance.
+removes the noise best. Nouns are distinguished at the true camera. Azimuths are distinguished by a
+paired test: for each hypothesis the picture's normals, and the noise with them, are turned about
+the vertical so that they belong to the hypothesised camera. Without that turn the colours alone
+would give the camera away and even a ball would score full marks; with it a ball must score chance.
 
 Of the appearance: how far the mean picture that it sees in much noise is from the painted one, in
 the mean colour of a plain thing, and pixel by pixel on a patterned one.
@@ -16,12 +16,12 @@ import torch
 from torch import Tensor
 
 from core.camera import Cameras
-from core.guidance.builtin.diffusion import alpha_bar_schedule, x_from_v
+from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import hint
+from core.guidance.builtin.lexicon import SLOTS as WORDS
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import COLOR_VALUES, looks
-from core.guidance.builtin.vocabulary import SLOTS as WORDS
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter
@@ -29,6 +29,7 @@ from core.prior.data import NOUNS, SIZE, VIEWS, Samples, make
 from core.prior.draw import Draw
 from core.prior.families import build
 from core.prior.tracer import render
+from core.prior.velocity import x_from_v
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8
@@ -55,7 +56,7 @@ class Score:
 
     @property
     def has_front(self) -> bool:
-        """Whether the azimuth can be told at all."""
+        """Whether the azimuth can be known at all."""
         return self.noun.replace(" ", "-") in WITH_FRONT
 
     def __str__(self) -> str:
@@ -146,16 +147,16 @@ PAINT_TIME = 900
 
 
 def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) -> PaintScore:
-    """``views`` fresh objects of the noun, each with a colour said, from a random side.
+    """``views`` fresh objects of the noun, each with a colour in its caption, from a random side.
 
-    The network is shown nearly nothing but noise, and says in one step what may be behind it.
+    The network is shown nearly nothing but noise, and predicts in one step what may be behind it.
     """
     samples = fresh(views, generator, noun)
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
-    said = Painter().words(len(index), generator)
-    said[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
-    said[:, 2:] = 0  # no pattern
-    true, guess = guessed(net, samples, index, said, generator)
+    captions = Painter().words(len(index), generator)
+    captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
+    captions[:, 2:] = 0  # no pattern
+    true, guess = guessed(net, samples, index, captions, generator)
     main = torch.tensor([look.role in "*&" for look in looks(noun).values()])
     painted = (samples.coverage[index, 0] == 255) & main[samples.part[index].long().clamp_min(0)]
     away = [
@@ -167,20 +168,20 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
 
 
 def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generator) -> float:
-    """The median, over ``views`` fresh objects in two far colours, of the share of the painted
+    """The median, over ``views`` fresh objects in two far colours, of the fraction of the painted
     colours' variance that the mean picture explains; 1 is all, 0 an even colour."""
     samples = fresh(views, generator)
     index = torch.arange(0, len(samples), VIEWS)
     row = lambda slot, word: 1 + list(WORDS[slot]).index(word)  # noqa: E731
     words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"))
-    said = torch.tensor([words]).expand(len(index), -1)
-    true, guess = guessed(net, samples, index, said, generator)
-    shares = []
+    captions = torch.tensor([words]).expand(len(index), -1)
+    true, guess = guessed(net, samples, index, captions, generator)
+    fractions = []
     for k, sure in enumerate(samples.coverage[index, 0] == 255):
         x = true[k, :3, sure]
         rest = (guess[k, :3, sure] - x).square().sum()
-        shares.append(1 - (rest / (x - x.mean(1, keepdim=True)).square().sum()).item())
-    return sorted(shares)[len(shares) // 2]
+        fractions.append(1 - (rest / (x - x.mean(1, keepdim=True)).square().sum()).item())
+    return sorted(fractions)[len(fractions) // 2]
 
 
 def fresh(objects: int, generator: torch.Generator, noun: str = "") -> Samples:
@@ -189,11 +190,11 @@ def fresh(objects: int, generator: torch.Generator, noun: str = "") -> Samples:
 
 
 def guessed(
-    net: UNet, samples: Samples, index: Tensor, said: Tensor, generator: torch.Generator
+    net: UNet, samples: Samples, index: Tensor, captions: Tensor, generator: torch.Generator
 ) -> tuple[Tensor, Tensor]:
     """The painted pictures (N, 4, s, s) and what one step makes of nearly nothing but noise."""
-    true = Painter().pictures(samples, index, said, Draw(generator))
-    words = torch.cat([samples.noun[index][:, None] + 1, said], 1)
+    true = Painter().pictures(samples, index, captions, Draw(generator))
+    words = torch.cat([samples.noun[index][:, None] + 1, captions], 1)
     surface = torch.cat([samples.pictures(index), samples.points(index)], 1)
     alpha_bar = alpha_bar_schedule()[torch.full((len(index),), PAINT_TIME)]
     z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)

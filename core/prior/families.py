@@ -14,12 +14,12 @@ from core.prior.things.basics import BASICS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
 from core.prior.things.tools import TOOLS
-from core.prior.things.works import WORKS
+from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 
 
 @dataclass(frozen=True)
 class Shape:
-    """A normalised object: its parts, and where they stand in the family's own units."""
+    """A normalised object: its parts, and their frame in the family's own units."""
 
     parts: Parts
     center: tuple[float, float, float]
@@ -48,7 +48,9 @@ class Shape:
         return self.distances(points).argmin(1)
 
 
-FAMILIES: dict[str, Callable[[Draw], Parts]] = BASICS | HOUSEHOLD | NATURE | WORKS | TOOLS
+FAMILIES: dict[str, Callable[[Draw], Parts]] = (
+    BASICS | HOUSEHOLD | NATURE | VEHICLES_BUILDINGS | TOOLS
+)
 
 # Factors along x, y and z, and a move of the surface outwards in training units.
 STRETCH = {
@@ -68,7 +70,7 @@ def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
     """
     factors, swell = STRETCH.get(adjective, ((1.0, 1.0, 1.0), 0.0))
-    parts = FAMILIES[noun](Draw(draw.generator, draw.said, adjective))
+    parts = FAMILIES[noun](Draw(draw.generator, draw.part_state, adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
         factors = (x, y, z)

@@ -16,9 +16,10 @@ from core.guidance.builtin.palette import (
     has_accents,
     looks,
 )
-from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.patterns import Place
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
+from core.prior.natural_patterns import ALL_PATTERNS
 
 JITTER = 0.06  # spread of a colour's channels between objects, and of its brightness
 
@@ -30,12 +31,12 @@ class Coat(NamedTuple):
     second: Float[Tensor, "k 3"]  # sRGB, what the pattern is drawn with
     roughness: Float[Tensor, "k 1"]
     metallic: Float[Tensor, "k 1"]
-    pattern: Int[Tensor, " k"]  # index into PATTERNS; -1 is none
+    pattern: Int[Tensor, " k"]  # index into ALL_PATTERNS; -1 is none
 
 
 @dataclass(frozen=True)
-class Said:
-    """The words of a caption that the paint depends on; empty is not said."""
+class Caption:
+    """The words of a caption that the paint depends on; empty is not stated."""
 
     color: str = ""
     material: str = ""
@@ -43,38 +44,38 @@ class Said:
     second: str = ""
 
 
-def coat(noun: str, said: Said, draw: Draw) -> Coat:
-    """The paint of one object whose caption says these words."""
+def coat(noun: str, caption: Caption, draw: Draw) -> Coat:
+    """The paint of one object with this caption."""
     shift = 1 + draw(-JITTER, JITTER)
     tint = torch.tensor([1 + draw(-JITTER, JITTER) / 2 for _ in range(3)]) * shift
     gloss = draw(-0.05, 0.05)
-    colors, seconds, roughness, metallic, patterns = zip(*_rows(noun, said), strict=True)
+    colors, seconds, roughness, metallic, patterns = zip(*_rows(noun, caption), strict=True)
     return Coat(
         (torch.tensor(colors) * tint).clamp(0.02, 1),
         (torch.tensor(seconds) * tint).clamp(0.02, 1),
         torch.tensor(roughness)[:, None] + gloss,
         torch.tensor(metallic)[:, None],
-        torch.tensor([[*PATTERNS].index(name) if name else -1 for name in patterns]),
+        torch.tensor([[*ALL_PATTERNS].index(name) if name else -1 for name in patterns]),
     )
 
 
-def _rows(noun: str, said: Said) -> Iterator[tuple[Color, Color, float, float, str]]:
+def _rows(noun: str, caption: Caption) -> Iterator[tuple[Color, Color, float, float, str]]:
     """Colour, second colour, roughness, metallic and pattern of each part."""
-    two_tone = said.pattern == "two-tone" and has_accents(noun)
+    two_tone = caption.pattern == "two-tone" and has_accents(noun)
     for look in looks(noun).values():
         finish, color, pattern = look.finish, look.color, look.pattern
-        if said.material and look.role != "-":
-            finish = FINISHES[said.material]
+        if caption.material and look.role != "-":
+            finish = FINISHES[caption.material]
             color, pattern = finish.color or color, finish.pattern
-        if said.color and look.role in "*&":
-            color, pattern = COLOR_VALUES[said.color], finish.pattern
-        second = COLOR_VALUES[said.second] if said.second else companion(color)
+        if caption.color and look.role in "*&":
+            color, pattern = COLOR_VALUES[caption.color], finish.pattern
+        second = COLOR_VALUES[caption.second] if caption.second else companion(color)
         if two_tone and look.role in "+&":
-            first = COLOR_VALUES[said.color] if said.color else look.color
-            color = COLOR_VALUES[said.second] if said.second else companion(first)
+            first = COLOR_VALUES[caption.color] if caption.color else look.color
+            color = COLOR_VALUES[caption.second] if caption.second else companion(first)
             pattern = finish.pattern
-        elif said.pattern and look.role in "*&" and not two_tone:
-            pattern = said.pattern
+        elif caption.pattern and look.role in "*&" and not two_tone:
+            pattern = caption.pattern
         yield color, second, finish.roughness, finish.metallic, pattern
 
 
@@ -86,6 +87,6 @@ def paint(
     for index in coat.pattern.unique().tolist():
         if index >= 0:
             mine = pattern == index
-            draw = list(PATTERNS.values())[index]
+            draw = list(ALL_PATTERNS.values())[index]
             color[mine] = draw(color[mine], second[mine], Place(point[mine], normal[mine]))
     return srgb_to_linear(color.clamp(0, 1)), coat.roughness[part], coat.metallic[part]

@@ -1,6 +1,6 @@
 """Training of the prior's two networks, on one CPU thread or a GPU, for a budget of minutes.
 
-The learning rate follows the share of the budget that is spent, so the budget is the whole
+The learning rate follows the fraction of the budget that is spent, so the budget is the whole
 schedule. A checkpoint is written every few minutes; a stopped run goes on from it, with the
 remaining budget or a new one.
 """
@@ -19,24 +19,25 @@ from safetensors import safe_open
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
-from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule, v_target
+from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.hint import CHANNELS, hint
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNet, UNetConfig, camera_map
-from core.guidance.builtin.vocabulary import SLOTS
 from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
-from core.prior.colored import SAID, Painter, lumpy
+from core.prior.colored import CAPTION_SLOTS, Painter, lumpy
 from core.prior.data import (
     ADJECTIVES,
     MODEL_VIEWS,
     NOUNS,
+    PART_STATES,
     SHARDS,
-    TOLD,
     Samples,
     joined,
     read_shards,
 )
 from core.prior.draw import Draw
+from core.prior.velocity import v_target
 
 # Things whose parts are many or alike, so that their colours are mixed up most.
 MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")
@@ -53,13 +54,13 @@ class TrainConfig:
     minutes: float = 95.0
     batch: int = 32
     learning_rate: float = 8e-4
-    last_share: float = 0.02  # of the learning rate, when the budget is spent
+    last_fraction: float = 0.02  # of the learning rate, when the budget is spent
     warm_up: int = 200  # steps
     ema: float = 0.999
-    drop_both: float = 0.10  # words and camera unsaid
+    drop_both: float = 0.10  # neither words nor camera
     drop_words: float = 0.05
     drop_camera: float = 0.05
-    late_share: float = 0.5  # of the batch has its time drawn from the noisier steps only
+    late_fraction: float = 0.5  # of the batch has its time drawn from the noisier steps only
     late_from: int = 600
     checkpoint_minutes: float = 2.5
     rescan_minutes: float = 1.0  # look for new shards
@@ -67,20 +68,20 @@ class TrainConfig:
 
 
 GEOMETRY = UNetConfig(
-    words=(len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1), widths=(48, 96, 128, 192)
+    words=(len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1), widths=(48, 96, 128, 192)
 )
 APPEARANCE = UNetConfig(
-    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in SAID)),
+    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in CAPTION_SLOTS)),
     widths=(32, 64, 96, 128),
     hint=CHANNELS,
 )
 
 
-def learning_rate(step: int, share: float, config: TrainConfig) -> float:
-    """Warm-up, then half a cosine over the share of the budget spent."""
+def learning_rate(step: int, progress: float, config: TrainConfig) -> float:
+    """Warm-up, then half a cosine over the fraction of the budget spent."""
     warm = min(1.0, (step + 1) / config.warm_up)
-    decay = 0.5 * (1 + math.cos(math.pi * min(share, 1.0)))
-    return config.learning_rate * warm * (config.last_share + (1 - config.last_share) * decay)
+    decay = 0.5 * (1 + math.cos(math.pi * min(progress, 1.0)))
+    return config.learning_rate * warm * (config.last_fraction + (1 - config.last_fraction) * decay)
 
 
 def drop_conditions(
@@ -96,7 +97,7 @@ def drop_conditions(
 
 def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> Tensor:
     """Time steps: some uniform, some from the noisy end, where the layout is decided."""
-    late = torch.rand(count, generator=generator) < config.late_share
+    late = torch.rand(count, generator=generator) < config.late_fraction
     low = torch.where(late, config.late_from, 0)
     return (low + torch.rand(count, generator=generator) * (TIMES - low)).long()
 
@@ -105,7 +106,7 @@ class Source(ABC):
     """The data folder's samples; more shards are read as they come."""
 
     names = (SHARDS,)
-    shares: ClassVar[dict[str, float]] = {}  # of nouns, where not 1
+    noun_weights: ClassVar[dict[str, float]] = {}  # in the draw, where not 1
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -124,7 +125,7 @@ class Source(ABC):
 
     def _take(self, samples: Samples) -> None:
         self.samples = samples
-        self._weights = torch.tensor([self.shares.get(n, 1.0) for n in NOUNS])[samples.noun]
+        self._weights = torch.tensor([self.noun_weights.get(n, 1.0) for n in NOUNS])[samples.noun]
 
     def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
         """Rows of random samples, their geometry pictures, their camera maps."""
@@ -138,7 +139,7 @@ class Source(ABC):
 
 
 class Geometry(Source):
-    """Batches of geometry pictures with the noun, the shape adjective and what is told of parts."""
+    """Batches of geometry pictures with the noun, the shape adjective and the parts' state."""
 
     names = (SHARDS, MODEL_VIEWS)  # the models' parts are not known, so they have no painter
 
@@ -146,15 +147,15 @@ class Geometry(Source):
         """Pictures, words, camera maps and no surface."""
         index, pictures, camera = self.draw(count, generator)
         s = self.samples
-        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.told[index]], 1)
+        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
         return pictures, words, camera, None
 
 
 class Appearance(Source):
-    """Batches of painted pictures with the noun and ``SAID``, and the surface: normals and coverage
-    as in ``Samples.pictures``, and points weighted by coverage."""
+    """Batches of painted pictures with the noun and ``CAPTION_SLOTS``, and the surface: normals and
+    coverage as in ``Samples.pictures``, and points weighted by coverage."""
 
-    shares: ClassVar = dict.fromkeys(MIXED, 2.5)
+    noun_weights: ClassVar = dict.fromkeys(MIXED, 2.5)
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
@@ -163,22 +164,22 @@ class Appearance(Source):
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and surfaces."""
         index, shape, camera = self.draw(count, generator)
-        said = self.painter.words(count, generator)
+        captions = self.painter.words(count, generator)
         normals = lumpy(shape[:, :3], generator)
         surface = torch.cat([normals, shape[:, 3:], self.samples.points(index)], 1)
-        pictures = self.painter.pictures(self.samples, index, said, Draw(generator), normals)
-        words = torch.cat([self.samples.noun[index][:, None] + 1, said], 1)
+        pictures = self.painter.pictures(self.samples, index, captions, Draw(generator), normals)
+        words = torch.cat([self.samples.noun[index][:, None] + 1, captions], 1)
         return pictures, words, camera, surface
 
 
 class Training:
-    """A network on its way: weights, their moving average, the optimiser, the time spent."""
+    """A network in training: weights, their moving average, the optimiser, the time spent."""
 
     def __init__(
         self, unet: UNetConfig, config: TrainConfig, device: "torch.device | str" = "cpu"
     ) -> None:
         self.config, self.unet, self.device = config, unet, torch.device(device)
-        torch.manual_seed(config.seed)
+        torch.manual_seed(config.seed)  # the network's first weights
         self.net = UNet(unet).to(self.device)
         self.params = list(self.net.parameters())
         self.ema = [p.detach().clone() for p in self.params]
@@ -190,8 +191,8 @@ class Training:
         self.step, self.seconds, self.loss = 0, 0.0, float("nan")
 
     @property
-    def share(self) -> float:
-        """Of the budget, spent."""
+    def progress(self) -> float:
+        """The fraction of the budget that is spent."""
         return self.seconds / (60 * self.config.minutes)
 
     def advance(self, source: Source) -> None:
@@ -203,21 +204,22 @@ class Training:
         t = draw_times(config.batch, config, g).to(self.device)
         eps = torch.randn(x.shape, generator=g).to(self.device)
         x, words, camera = (tensor.to(self.device) for tensor in (x, words, camera))
-        told = None
-        if surface is not None:  # of what the caption says after some of it was dropped
-            told = hint(surface.to(self.device), words)
+        given = None
+        if surface is not None:  # of the words that are left after some captions were dropped
+            given = hint(surface.to(self.device), words)
         alpha_bar = self.alpha_bar[t]
         z_t = add_noise(x, eps, alpha_bar)
         with torch.autocast(self.device.type, torch.bfloat16):
-            v = self.net(z_t, t, words, camera, told)
+            v = self.net(z_t, t, words, camera, given)
         loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
         self.optimizer.zero_grad()
         loss.backward()
         nn.utils.clip_grad_norm_(self.params, 1.0)
         for group in self.optimizer.param_groups:
-            group["lr"] = learning_rate(self.step, self.share, config)
+            group["lr"] = learning_rate(self.step, self.progress, config)
         self.optimizer.step()
         self.step += 1
+        # Shorter at first, so that the average forgets the random weights it starts from.
         keep = min(config.ema, (self.step + 1) / (self.step + 10))
         for mean, parameter in zip(self.ema, self.params, strict=True):
             mean.lerp_(parameter.detach(), 1 - keep)
@@ -227,7 +229,7 @@ class Training:
     def start_from(self, path: Path) -> None:
         """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
 
-        A new word starts as the mean of its slot's words, a new slot as silent.
+        A new word starts as the mean of its slot's words, a new slot as zeros.
         """
         old = load_file(path)
         with torch.no_grad():
@@ -243,7 +245,7 @@ class Training:
                 mean.copy_(p)
 
     def save(self, path: Path) -> None:
-        """Everything that ``resume`` needs, in one file; and the averaged weights beside it."""
+        """Everything that ``resume`` needs, in one file; and the averaged weights next to it."""
         tensors = {}
         for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
             state = self.optimizer.state[p]
@@ -284,7 +286,7 @@ def run(training: Training, source: Source, checkpoint: Path) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
     saved = scanned = training.seconds
     try:
-        while training.share < 1:
+        while training.progress < 1:
             training.advance(source)
             if training.step % 100 == 0:
                 print(

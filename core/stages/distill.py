@@ -62,7 +62,6 @@ def distill(
     grad = sds_grad(
         setup.guidance,
         z,
-        setup.embedding,
         views,
         t=draw.t,
         eps=draw.eps.to(z),

@@ -11,7 +11,7 @@ from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import Shaded, UvMesh, render_shaded
 from core.camera import Cameras
-from core.guidance.guidance import Guidance, Views, coarse_latent
+from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
 from core.io.run_folder import RunFolder
 from core.stages.preview import SIZE, VIEW, over_grey, show_color
 from core.stages.scene import Scene, gather
@@ -27,7 +27,7 @@ class LitScene(Scene):
         net: MaterialNet,
         mesh: UvMesh,
         lit: Environment,
-        guidance: Guidance,
+        guidance: PromptedGuidance,
         *,
         still: Environment,
         shares: Float[Tensor, "v s"] | None = None,

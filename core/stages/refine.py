@@ -85,7 +85,7 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
 
     # DENOISED: what the guidance means by them
     scale, steps = rounds.guidance_scale, rounds.denoise_steps
-    clean = denoise(guidance, z_t, t, setup.embedding, views, scale, steps)
+    clean = denoise(guidance, z_t, t, views, scale, steps)
     return Targets(cameras, clean)
 
 

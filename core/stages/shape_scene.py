@@ -11,7 +11,7 @@ from core.errors import NoSurfaceError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.sdf_net import Band, SdfNet, extract, sdf_on_grid
 from core.geometry.tet_grid import TetGrid
-from core.guidance.guidance import Guidance, Views
+from core.guidance.guidance import PromptedGuidance, Views
 from core.io.run_folder import RunFolder
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
@@ -40,7 +40,7 @@ class ShapeScene(Scene):
         self,
         net: SdfNet,
         grid: TetGrid,
-        guidance: Guidance,
+        guidance: PromptedGuidance,
         *,
         lattice: bool = False,
         band: Band | None = None,

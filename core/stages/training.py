@@ -11,7 +11,7 @@ from torch import Tensor
 
 from core.config import AppearanceConfig, GeometryConfig
 from core.errors import NoSurfaceError
-from core.guidance.guidance import Embedding, Guidance
+from core.guidance.guidance import PromptedGuidance
 from core.guidance.sds import NotFiniteError
 from core.io.progress import Progress
 from core.stages.guard import Guard, healthy_gradients
@@ -29,8 +29,7 @@ class Setup(Generic[Net, Settings]):
     """What all phases of one training share: the network, its guidance, its settings."""
 
     training: Training[Net]
-    guidance: Guidance
-    embedding: Embedding
+    guidance: PromptedGuidance
     config: Settings
 
 

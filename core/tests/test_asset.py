@@ -248,7 +248,7 @@ def break_asset(folder: Path, what: str) -> None:
 @pytest.mark.parametrize(
     ("what", "words"),
     [
-        ("json", "cannot be read"),
+        ("json", "is no JSON"),
         ("version", "version 9"),
         ("gone", "no picture"),
         ("cut", "asset.json says"),
@@ -261,6 +261,25 @@ def test_broken_assets_are_told(folder: Path, what: str, words: str) -> None:
     with pytest.raises(UserError, match=words) as caught:
         read_asset(folder)
     assert caught.value.fix
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[" * 100_000,
+        "[]",
+        '{"version": 1, "mesh": 3}',
+        '{"version": [1]}',
+        b"\xff\xfe{}",
+        "1" * 9000,
+    ],
+)
+def test_a_strange_asset_json_is_one_sentence(folder: Path, text: "str | bytes") -> None:
+    data = text if isinstance(text, bytes) else text.encode()
+    (folder / "asset.json").write_bytes(data)
+    with pytest.raises(UserError, match=r"asset\.json") as error:
+        read_asset(folder)
+    assert error.value.fix
 
 
 def test_no_asset_is_told(tmp_path: Path) -> None:

@@ -139,7 +139,7 @@ def test_a_missing_tokenizer_is_refused(broken):
         load(broken)
 
 
-def test_sdxl_inpainting_and_sample_prediction_are_refused_by_name(broken):
+def test_other_encoders_inpainting_and_sample_prediction_are_refused_by_name(broken):
     index = json.loads((broken / "model_index.json").read_text())
     edit(broken / "model_index.json", text_encoder=["transformers", "T5EncoderModel"])
     with pytest.raises(UserError, match="text_encoder is T5EncoderModel; expected CLIPTextModel"):
@@ -151,6 +151,65 @@ def test_sdxl_inpainting_and_sample_prediction_are_refused_by_name(broken):
     edit(broken / "unet" / "config.json", in_channels=9)
     with pytest.raises(UserError, match=r"inpainting.*9 channels"):
         load(broken)
+
+
+def test_sdxl_is_refused_by_its_second_encoder_and_by_its_unet(broken):
+    """The two entries that the published SDXL folders have and Stable Diffusion 1.x has not."""
+    second = ["transformers", "CLIPTextModelWithProjection"]
+    edit(broken / "model_index.json", text_encoder_2=second)
+    with pytest.raises(UserError, match="SDXL, which has a second text encoder") as error:
+        load(broken)
+    assert "Stable Diffusion 1.x or 2.x" in error.value.fix
+    edit(broken / "model_index.json", text_encoder_2=[None, None])
+    assert find_checkpoint(str(broken)) == broken
+    # As in SDXL: projection_class_embeddings_input_dim goes with it.
+    edit(
+        broken / "unet" / "config.json",
+        addition_embed_type="text_time",
+        addition_time_embed_dim=256,
+        projection_class_embeddings_input_dim=2816,
+    )
+    with pytest.raises(UserError, match="SDXL, whose U-Net"):
+        load(broken)
+
+
+def test_unclip_is_refused_by_its_class_embedding(broken):
+    edit(
+        broken / "unet" / "config.json",
+        class_embed_type="projection",
+        projection_class_embeddings_input_dim=2048,
+    )
+    with pytest.raises(UserError, match="unCLIP, whose U-Net also takes a picture's embedding"):
+        load(broken)
+
+
+def test_models_distilled_to_a_few_steps_are_refused(broken):
+    """A latent consistency model by its U-Net or its scheduler, SD-Turbo by its scheduler."""
+    path = broken / "scheduler" / "scheduler_config.json"
+    edit(path, _class_name="LCMScheduler")
+    with pytest.raises(UserError, match=r"latent consistency model.*LCMScheduler.*no score"):
+        load(broken)
+    edit(path, _class_name="EulerDiscreteScheduler", timestep_spacing="trailing")
+    with pytest.raises(UserError, match=r"turbo model.*trailing") as error:
+        load(broken)
+    assert "DDIMScheduler" in error.value.fix
+    edit(path, timestep_spacing="leading")
+    edit(broken / "unet" / "config.json", time_cond_proj_dim=256)
+    with pytest.raises(UserError, match="LCM"):
+        load(broken)
+
+
+@pytest.mark.parametrize(
+    "scheduler",
+    [
+        {"_class_name": "EulerDiscreteScheduler", "timestep_spacing": "leading"},
+        {"_class_name": "EulerAncestralDiscreteScheduler", "timestep_spacing": "linspace"},
+        {"_class_name": "DDIMScheduler", "timestep_spacing": "trailing"},
+    ],
+)
+def test_plain_checkpoints_may_have_any_other_scheduler(broken, scheduler):
+    edit(broken / "scheduler" / "scheduler_config.json", **scheduler)
+    assert load(broken).latent_size == 8
 
 
 @pytest.mark.parametrize(
@@ -178,4 +237,4 @@ def test_a_16_bit_variant_loads(broken):
     pipeline.to(torch.float16).save_pretrained(folder, variant="fp16")
     guidance = load(folder)
     assert guidance.unet.dtype == torch.float32
-    assert guidance.embed("a chair", "").views.isfinite().all()
+    assert guidance.prompted("a chair", "").views.isfinite().all()

@@ -13,7 +13,7 @@ from core.geometry.sdf_net import FOURIER, SdfNet, extract, sdf_on_grid, surface
 from core.geometry.tet_grid import tet_grid
 from core.guidance import sds
 from core.guidance.gaussian import GaussianGuidance, mesh_reference, mixture_eps, scaled_linear
-from core.guidance.guidance import Embedding, Views, coarse_latent
+from core.guidance.guidance import Views, coarse_latent
 from core.render.normals import render_normals
 
 SIZE = 32  # of the renders; half of it is the latent's
@@ -51,7 +51,8 @@ def distill_shape(sdf, *, lattice, steps, ray_mask_share, seed):
     """A sphere after ``steps`` of SDS towards the shape ``sdf``, from four views a step."""
     random = generator(seed)
     reference = mesh_of(sdf, 24)
-    guidance = GaussianGuidance(mesh_reference([reference], SIZE // 2, render_size=SIZE), SIZE // 2)
+    means = mesh_reference([reference], SIZE // 2, render_size=SIZE)
+    guidance = GaussianGuidance(means, SIZE // 2).prompted()
     grid = tet_grid(lattice)
     net = SdfNet(grid.cell, FOURIER, generator=random)
     fit(net, ellipsoid((0.6, 0.6, 0.6)), 60, random)
@@ -65,9 +66,7 @@ def distill_shape(sdf, *, lattice, steps, ray_mask_share, seed):
         z = coarse_latent(n, o, guidance.latent_size)
         t = sds.sample_t(len(z), 0.02, sds.anneal(0.98, 0.5, share), 1000, random)
         eps = torch.randn(z.shape, generator=random)
-        grad = sds.sds_grad(
-            guidance, z, Embedding(), Views(cameras), t, eps, "sigma2", 1.0, cap=0.1
-        )
+        grad = sds.sds_grad(guidance, z, Views(cameras), t, eps, "sigma2", 1.0, cap=0.1)
         loss = sds.sds_loss(z, grad)
         if follow_rays:
             shift = torch.rand(len(z), SIZE // 2, SIZE // 2, generator=random)
@@ -138,13 +137,14 @@ def test_the_nearest_reference_pulls():
 def test_a_picture_of_the_reference_itself_has_no_gradient():
     """Same mesh, same camera, one reference without spread: eps_hat is eps."""
     reference = mesh_of(torus, 16)
-    guidance = GaussianGuidance(mesh_reference([reference], 16, render_size=32), 16, std=0.0)
+    means = mesh_reference([reference], 16, render_size=32)
+    guidance = GaussianGuidance(means, 16, std=0.0).prompted()
     cameras = Cameras.orbit([10.0, 130.0, 250.0], [0.0, 40.0, -15.0])
     z = coarse_latent(*render_normals(*reference, cameras, 32, "camera"), 16)
     t, eps = torch.tensor([100, 500, 900]), torch.randn(3, 4, 16, 16, generator=generator())
 
     def grad_at(cameras):
-        return sds.sds_grad(guidance, z, Embedding(), Views(cameras), t, eps, "sigma2", 1.0).abs()
+        return sds.sds_grad(guidance, z, Views(cameras), t, eps, "sigma2", 1.0).abs()
 
     assert grad_at(cameras).max() < 1e-4
     # A torus about z looks the same from every azimuth, so it takes another elevation.

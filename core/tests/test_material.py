@@ -65,11 +65,11 @@ def test_the_words_bound_the_material():
         ("a golden mug", (0.98, 1.0)),
         ("a lamp", (0.0, 1.0)),  # its pole is golden by nature
     ):
-        bounds = guidance.ranges(guidance.embed(prompt, ""))
+        bounds = guidance.prompted(prompt, "").ranges()
         assert bounds.metallic == pytest.approx(metallic)
         config = within(CONFIG, bounds)
         assert config.metallic_range == bounds.metallic
         assert 0 < config.roughness_range[0] < config.roughness_range[1] < 1
-    rough = guidance.ranges(guidance.embed("a rubber ball", "")).roughness
-    assert rough[0] > guidance.ranges(guidance.embed("a metal ball", "")).roughness[1]
+    rough = guidance.prompted("a rubber ball", "").ranges().roughness
+    assert rough[0] > guidance.prompted("a metal ball", "").ranges().roughness[1]
     assert within(CONFIG, None) == CONFIG

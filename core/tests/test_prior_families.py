@@ -34,8 +34,8 @@ from core.prior.solids import (
 )
 
 
-def _draw(seed: int = 0, said: str = "") -> Draw:
-    return Draw(torch.Generator().manual_seed(seed), said)
+def _draw(seed: int = 0, stated: str = "") -> Draw:
+    return Draw(torch.Generator().manual_seed(seed), stated)
 
 
 def _points(count: int, reach: float = 1.5, seed: int = 0) -> torch.Tensor:
@@ -67,15 +67,15 @@ def test_a_distance_never_changes_faster_than_the_way(noun):
 
 
 @pytest.mark.parametrize(
-    ("noun", "said", "genus"),
+    ("noun", "stated", "genus"),
     [
         *(("torus", "", 1), ("mug", "handle", 1), ("mug", "no handle", 0), ("ball", "", 0)),
         *(("chair", "no armrests", 0), ("chair", "armrests", 2), ("bucket", "handle", 1)),
         *(("teapot", "", 1), ("crown", "", 1), ("trophy", "", 2), ("arch", "", 0)),
     ],
 )
-def test_a_family_has_the_topology_of_its_word(noun, said, genus):
-    shape = build(noun, "", _draw(2, said))
+def test_a_family_has_the_topology_of_its_word(noun, stated, genus):
+    shape = build(noun, "", _draw(2, stated))
     grid = tet_grid(40)
     report = health(*marching_tets(grid.tet_verts, shape.sdf(grid.tet_verts), grid))
     assert report["genus"] == genus
@@ -123,9 +123,9 @@ def test_round_and_thick_things_are_fuller_and_round_ones_nearer_to_a_ball():
 @pytest.mark.parametrize("noun", FAMILIES)
 def test_the_parts_are_those_that_have_a_look_in_their_order(noun):
     """A part that a thing may lack comes last, so that the others keep their index."""
-    for said in ("", *OPTIONS.get(noun, ())):
+    for stated in ("", *OPTIONS.get(noun, ())):
         for seed in range(4):
-            names = list(FAMILIES[noun](_draw(seed, said)))
+            names = list(FAMILIES[noun](_draw(seed, stated)))
             assert names == list(LOOKS[noun])[: len(names)]
 
 
@@ -133,8 +133,8 @@ def test_the_parts_are_those_that_have_a_look_in_their_order(noun):
 def test_a_part_is_there_if_and_only_if_it_is_said(noun):
     part = OPTIONS[noun][0]
     volumes = []
-    for said in (part, f"no {part}"):
-        solids = FAMILIES[noun](_draw(6, said)).values()
+    for stated in (part, f"no {part}"):
+        solids = FAMILIES[noun](_draw(6, stated)).values()
         points = _points(60000, 2.4, seed=7)
         points[:, 2] += 0.8
         volumes.append((join(*solids)(points) < 0).float().mean())
@@ -142,8 +142,8 @@ def test_a_part_is_there_if_and_only_if_it_is_said(noun):
 
 
 def test_legs_are_as_many_as_are_said():
-    for noun, said, count in (("stool", "three legs", 3), ("stool", "four legs", 4)):
-        shape = build(noun, "", _draw(1, said), jitter=0)
+    for noun, stated, count in (("stool", "three legs", 3), ("stool", "four legs", 4)):
+        shape = build(noun, "", _draw(1, stated), jitter=0)
         surface = surface_points(shape.sdf, 2.4)
         feet = surface[surface[:, 2] < surface[:, 2].min() + 0.08, :2]
         near = torch.cdist(feet, feet) < 0.25

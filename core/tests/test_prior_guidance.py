@@ -10,26 +10,26 @@ from core.errors import MissingError, UserError
 from core.generate import prepare
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin import hint as hint_module
-from core.guidance.builtin.diffusion import x_from_v
 from core.guidance.builtin.guidance import (
     APPEARANCE_SLOTS,
     GEOMETRY_SLOTS,
-    WEIGHTS,
     BuiltinGuidance,
     load_builtin,
 )
 from core.guidance.builtin.hint import CHANNELS
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
-from core.guidance.builtin.vocabulary import SLOTS
+from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
-from core.guidance.sds import add_noise
+from core.guidance.sds import add_noise, predict_eps
 from core.io.job import Job
 from core.prior.data import CAMERAS
 from core.prior.draw import Draw
 from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
 from core.prior.tracer import render
+from core.prior.velocity import x_from_v
 
 
 @pytest.fixture(scope="module")
@@ -38,14 +38,14 @@ def guidance() -> BuiltinGuidance:
     return load_builtin("cpu")
 
 
-def _surface(noun: str, cameras: Cameras, said: str = "", adjective: str = "") -> torch.Tensor:
-    draw = Draw(torch.Generator().manual_seed(0), said)
+def _surface(noun: str, cameras: Cameras, stated: str = "", adjective: str = "") -> torch.Tensor:
+    draw = Draw(torch.Generator().manual_seed(0), stated)
     seen = render(build(noun, adjective, draw), cameras, 64)
     return torch.cat([seen.normal, 2 * seen.coverage - 1, seen.point * seen.coverage], 1)
 
 
-def _picture(noun: str, cameras: Cameras, said: str = "", adjective: str = "") -> torch.Tensor:
-    return _surface(noun, cameras, said, adjective)[:, :4]
+def _picture(noun: str, cameras: Cameras, stated: str = "", adjective: str = "") -> torch.Tensor:
+    return _surface(noun, cameras, stated, adjective)[:, :4]
 
 
 def _noise(seed: int, count: int = 1) -> torch.Tensor:
@@ -56,8 +56,7 @@ def _error(guidance, x, prompt, cameras, t=700, scale=1.0):
     eps = torch.randn(x.shape, generator=torch.Generator().manual_seed(1))
     times = torch.full((len(x),), t)
     z_t = add_noise(x, eps, guidance.alpha_bar[times])
-    embedding = guidance.embed(prompt, "")
-    eps_hat = guidance.eps_hat(z_t, times, embedding, Views(cameras), scale)
+    eps_hat = predict_eps(guidance.prompted(prompt, ""), z_t, times, Views(cameras), scale)
     return (eps_hat - eps).square().mean().item()
 
 
@@ -82,16 +81,16 @@ def test_a_picture_is_denoised_best_under_its_own_word(guidance, noun, other):
 
 
 @pytest.mark.parametrize(
-    ("noun", "said", "right", "wrong"),
+    ("noun", "stated", "right", "wrong"),
     [
         ("mug", "no handle", "a mug without a handle", "a mug with a handle"),
         ("bench", "no backrest", "a bench without a backrest", "a bench with a backrest"),
         ("stool", "one leg", "a stool with one leg", "a stool with four legs"),
     ],
 )
-def test_a_picture_is_denoised_best_with_its_parts_told(guidance, noun, said, right, wrong):
+def test_a_picture_is_denoised_best_with_its_parts_stated(guidance, noun, stated, right, wrong):
     cameras = Cameras.orbit([20.0, 70.0, 140.0], [15.0, 30.0, 5.0])
-    x = _picture(noun, cameras, said)
+    x = _picture(noun, cameras, stated)
     assert _error(guidance, x, right, cameras) < 0.9 * _error(guidance, x, wrong, cameras)
 
 
@@ -139,8 +138,8 @@ def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
     alpha_bar = guidance.alpha_bar[t]
     z_t = _noise(2, 2)
     for color, channel in (("red", 0), ("green", 1), ("blue", 2)):
-        embedding = guidance.embed(f"a {color} mug", "")
-        eps_hat = guidance.eps_hat(z_t, t, embedding, Views(cameras, surface), 1.0)
+        prompted = guidance.prompted(f"a {color} mug", "")
+        eps_hat = predict_eps(prompted, z_t, t, Views(cameras, surface), 1.0)
         a = alpha_bar[:, None, None, None]
         painted = (z_t - (1 - a).sqrt() * eps_hat) / a.sqrt()
         assert (painted[:, 3] > 0)[inside].float().mean() > 0.8  # the coverage is the hint's
@@ -150,10 +149,10 @@ def test_the_appearance_network_paints_the_word_onto_the_given_shape(guidance):
 def test_the_guidance_scale_extrapolates_from_the_negative_prompt(guidance):
     cameras = Cameras.orbit([20.0], [10.0])
     z_t, t = _noise(3), torch.tensor([800])
-    chair = guidance.embed("chair", "mug")
-    at = {s: guidance.eps_hat(z_t, t, chair, Views(cameras), s) for s in (0.0, 1.0, 3.0)}
+    chair = guidance.prompted("chair", "mug")
+    at = {s: predict_eps(chair, z_t, t, Views(cameras), s) for s in (0.0, 1.0, 3.0)}
     torch.testing.assert_close(at[3.0], at[0.0] + 3 * (at[1.0] - at[0.0]), atol=1e-4, rtol=1e-3)
-    mug = guidance.eps_hat(z_t, t, guidance.embed("mug", ""), Views(cameras), 1.0)
+    mug = predict_eps(guidance.prompted("mug", ""), z_t, t, Views(cameras), 1.0)
     torch.testing.assert_close(at[0.0], mug, atol=1e-4, rtol=1e-3)
 
 
@@ -170,7 +169,7 @@ def test_eps_hat_is_the_networks_v(guidance, monkeypatch):
             or answers[-1]
         ),
     )
-    eps_hat = guidance.eps_hat(z_t, t, guidance.embed("cone", ""), Views(cameras), 1.0)
+    eps_hat = predict_eps(guidance.prompted("cone", ""), z_t, t, Views(cameras), 1.0)
     alpha_bar = guidance.alpha_bar[t]
     x = x_from_v(answers[0][:1].float(), z_t, alpha_bar)
     torch.testing.assert_close(add_noise(x, eps_hat, alpha_bar), z_t, atol=1e-4, rtol=1e-4)
@@ -198,9 +197,9 @@ def test_encoding_carries_the_gradient(guidance):
 
 def test_unknown_words_are_refused_in_both_prompts(guidance):
     with pytest.raises(UserError, match="'gnome'"):
-        guidance.embed("a gnome", "")
+        guidance.prompted("a gnome", "")
     with pytest.raises(UserError, match="'blurry'"):
-        guidance.embed("a chair", "blurry")
+        guidance.prompted("a chair", "blurry")
 
 
 def test_what_was_not_taken_to_the_letter_is_a_warning():
@@ -209,7 +208,7 @@ def test_what_was_not_taken_to_the_letter_is_a_warning():
     with pytest.raises(UserError, match="ignore_unknown_words is 1"):
         Job(prompt="a chair", ignore_unknown_words=1)
     inputs = prepare(job)
-    assert inputs.embedding.words.noun == "chair"
+    assert inputs.guidance.words.noun == "chair"
     assert inputs.warnings == (
         "'chiar' is read as 'chair'.",
         "The built-in prior does not know 'gnome': left out.",
@@ -226,17 +225,17 @@ def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("noun", ["chair", "hamburger", "car"])
-def test_the_said_colour_is_seen_in_much_noise(guidance, noun):
+def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
     score = score_paint(guidance.appearance, noun, 4, torch.Generator().manual_seed(3))
     assert len(score.delta_e) == 4
     assert max(score.delta_e) < 25
-    blind = UNet(guidance.appearance.config).eval()  # untrained: it says nothing of colours
+    blind = UNet(guidance.appearance.config).eval()  # untrained: it knows nothing of colours
     unseen = score_paint(blind, noun, 4, torch.Generator().manual_seed(3))
     assert sum(unseen.delta_e) > 2 * sum(score.delta_e)
 
 
 @pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
-def test_a_said_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
+def test_a_stated_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
     score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
     assert score > 0.35
     monkeypatch.setattr(hint_module, "stencil", lambda s, _: torch.zeros_like(s[:, :1]) > 0)

@@ -1,12 +1,13 @@
-"""The hint: what the appearance network is told of the surface and of the words."""
+"""The hint: what the appearance network is given of the surface and of the words."""
 
 import pytest
 import torch
 
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint, stencil
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import swatches
 from core.guidance.builtin.patterns import PATTERNS, Place
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 
 NAMES = list(SLOTS["pattern"])
 
@@ -41,7 +42,7 @@ def test_the_stencil_is_where_the_pattern_puts_the_second_colour(name: str):
     assert 0.1 < seen.float().mean() < 0.9
 
 
-def test_no_stencil_where_no_pattern_is_said_or_it_is_for_accents_alone():
+def test_no_stencil_where_no_pattern_is_stated_or_it_is_for_accents_alone():
     assert not laid("a red ball").any()
     assert not laid("a striped ball").any()  # in which colours?
     assert laid("a red striped ball").any()  # and white, as it is painted
@@ -52,14 +53,14 @@ def test_no_stencil_where_no_pattern_is_said_or_it_is_for_accents_alone():
 def test_the_first_swatch_is_laid_as_the_pattern_has_it_and_the_second_is_even():
     points, words = some_points(), words_of("a red and white striped ball")
     surface = surface_of(points)[:, :, :20, :20]
-    told = hint(surface, words)
-    assert told.shape == (1, CHANNELS, 20, 20)
-    assert torch.equal(told[:, :SURFACE], surface)
+    given = hint(surface, words)
+    assert given.shape == (1, CHANNELS, 20, 20)
+    assert torch.equal(given[:, :SURFACE], surface)
     red, white = swatches(words)[0].split(4)
     mask = stencil(surface, words)[0]
     expected = torch.where(mask, white[:, None, None], red[:, None, None])
-    assert torch.equal(told[0, SURFACE : SURFACE + 4], expected)
-    assert torch.equal(told[0, SURFACE + 4 :], white[:, None, None].expand(4, 20, 20))
+    assert torch.equal(given[0, SURFACE : SURFACE + 4], expected)
+    assert torch.equal(given[0, SURFACE + 4 :], white[:, None, None].expand(4, 20, 20))
 
 
 def test_each_picture_of_a_batch_has_its_own_pattern_or_none():

@@ -5,6 +5,7 @@ import colorsys
 import pytest
 import torch
 
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import (
     COLOR_VALUES,
     FINISHES,
@@ -14,15 +15,15 @@ from core.guidance.builtin.palette import (
     looks,
     swatches,
 )
-from core.guidance.builtin.patterns import PATTERNS as PAINTED
 from core.guidance.builtin.patterns import Place
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb
 from core.prior.colored import Painter, lumpy
 from core.prior.data import NOUNS, make
 from core.prior.draw import Draw
-from core.prior.paint import Said, coat, paint
+from core.prior.natural_patterns import ALL_PATTERNS as PAINTED
+from core.prior.paint import Caption, coat, paint
 
 
 def _draw(seed: int = 0) -> Draw:
@@ -48,7 +49,7 @@ def test_every_noun_has_a_main_part_and_known_patterns(noun):
 
 
 def test_a_colour_word_paints_the_main_parts_only():
-    blue = coat("snowman", Said("blue"), _draw())
+    blue = coat("snowman", Caption("blue"), _draw())
     body, nose = (blue.color[_index("snowman", part)] for part in ("body", "nose"))
     assert body.argmax() == 2
     assert body[2] > 3 * body[0]
@@ -56,26 +57,26 @@ def test_a_colour_word_paints_the_main_parts_only():
     assert nose[0] > 2 * nose[2]
 
 
-def test_a_red_mug_has_a_red_handle_until_a_second_colour_is_said():
-    red = coat("mug", Said("red"), _draw()).color
+def test_a_red_mug_has_a_red_handle_until_a_second_colour_is_stated():
+    red = coat("mug", Caption("red"), _draw()).color
     assert torch.equal(red[0], red[1])
-    both = coat("mug", Said("red", "", "two-tone", "blue"), _draw()).color
+    both = coat("mug", Caption("red", "", "two-tone", "blue"), _draw()).color
     assert torch.equal(both[0], red[0])
     assert both[1].argmax() == 2
 
 
 def test_a_metal_is_a_metal_and_a_wood_has_grain():
-    golden = coat("ball", Said("", "golden"), _draw())
+    golden = coat("ball", Caption("", "golden"), _draw())
     assert golden.metallic.item() == 1
     assert golden.color[0, 0] > golden.color[0, 2] * 2
-    wooden = coat("ball", Said("red", "wooden"), _draw())
+    wooden = coat("ball", Caption("red", "wooden"), _draw())
     assert list(PAINTED)[wooden.pattern[0]] == "grain"
     assert wooden.metallic.item() == 0
     assert wooden.color[0, 0] > 3 * wooden.color[0, 1]
 
 
 def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
-    golden = coat("car", Said("", "golden"), _draw())
+    golden = coat("car", Caption("", "golden"), _draw())
     metallic = dict(zip(looks("car"), golden.metallic[:, 0].tolist(), strict=True))
     assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1}
 
@@ -86,16 +87,16 @@ def test_a_material_word_bounds_the_whole_thing_and_nature_each_part():
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
-def test_a_pattern_shows_both_colours_in_fair_shares(pattern):
+def test_a_pattern_shows_both_colours_in_fair_fractions(pattern):
     points = torch.nn.functional.normalize(torch.randn(4000, 3, generator=_draw().generator), dim=1)
-    said = coat("ball", Said("red", "", pattern, "blue"), _draw())
-    kd, _, _ = paint(said, torch.zeros(4000, dtype=torch.long), points * 0.8, points)
+    stated = coat("ball", Caption("red", "", pattern, "blue"), _draw())
+    kd, _, _ = paint(stated, torch.zeros(4000, dtype=torch.long), points * 0.8, points)
     red = (kd[:, 0] > kd[:, 2]).float().mean().item()
     assert 0.35 < red < 0.85
     assert len(kd.unique(dim=0)) == 2
 
 
-def test_the_unsaid_second_colour_stands_out():
+def test_the_second_colour_of_a_pattern_alone_stands_out():
     for value in COLOR_VALUES.values():
         other = torch.tensor(companion(value))
         assert (other - torch.tensor(value)).abs().max() > 0.25
@@ -118,12 +119,12 @@ def test_jitter_stays_within_the_word(color):
     """No draw is nearer to another colour word than to its own."""
     values = torch.tensor([COLOR_VALUES[name] for name in COLORS])
     for seed in range(20):
-        drawn = coat("ball", Said(color), _draw(seed)).color[0]
+        drawn = coat("ball", Caption(color), _draw(seed)).color[0]
         assert list(COLORS)[int((values - drawn).norm(dim=1).argmin())] == color
 
 
 def test_patterns_repaint_only_their_own_parts():
-    mushroom = coat("mushroom", Said(), _draw())
+    mushroom = coat("mushroom", Caption(), _draw())
     up = torch.tensor([[0.0, 0.0, 1.0]]).expand(2, 3)
     part = torch.tensor([_index("mushroom", "cap"), _index("mushroom", "stem")])
     kd, roughness, metallic = paint(mushroom, part, torch.zeros(2, 3), up)
@@ -136,8 +137,8 @@ def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
     samples = make(11, 6)
     painter = Painter()
     index = torch.arange(len(samples))
-    said = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
-    x = painter.pictures(samples, index, said, _draw())
+    stated = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
+    x = painter.pictures(samples, index, stated, _draw())
     assert x.shape == (len(samples), 4, 64, 64)
     coverage = samples.coverage.float() / 255
     torch.testing.assert_close(x[:, 3:], 2 * coverage - 1)
@@ -159,7 +160,7 @@ def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_pattern()
     assert (words[words[:, 3] > 0, 3] != words[words[:, 3] > 0, 0]).all()
 
 
-def test_swatches_are_the_colours_that_are_said():
+def test_swatches_are_the_colours_that_are_stated():
     slots = ("noun", "color", "material", "pattern", "second")
     prompts = ("a blue golden mug", "a golden mug", "a mug", "a red mug with a blue handle")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
@@ -175,7 +176,7 @@ def test_swatches_are_the_colours_that_are_said():
     assert (blue[4:] == 0).all()
 
 
-def test_where_only_a_pattern_is_said_the_second_swatch_goes_with_the_first():
+def test_where_only_a_pattern_is_stated_the_second_swatch_goes_with_the_first():
     slots = ("noun", "color", "material", "pattern", "second")
     prompts = ("a striped red mug", "a striped stone mug", "a striped mug", "a striped white ball")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])

@@ -6,8 +6,9 @@ import torch
 from core.benchmarks.bench_prior import ADDED, GENUS, line, main_delta_e, summary, words_for
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import COLOR_VALUES
-from core.guidance.builtin.vocabulary import SLOTS, parse
+from core.guidance.builtin.vocabulary import parse
 from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
@@ -66,10 +67,10 @@ def test_the_colour_is_judged_on_the_main_parts_share():
 
 def test_words_of_the_runs_can_be_read_and_go_round():
     known = {slot: list(words) for slot, words in SLOTS.items()}
-    said = [words_for(noun, seed, known) for noun in NOUNS for seed in (0, 1)]
-    assert {color for color, _ in said} == set(known["color"])
-    assert {material for _, material in said} == set(known["material"])
-    for noun, (color, material) in zip(NOUNS, said[::2], strict=True):
+    stated = [words_for(noun, seed, known) for noun in NOUNS for seed in (0, 1)]
+    assert {color for color, _ in stated} == set(known["color"])
+    assert {material for _, material in stated} == set(known["material"])
+    for noun, (color, material) in zip(NOUNS, stated[::2], strict=True):
         words = parse(f"{color} {material} {noun}{ADDED.get(noun, '')}")
         assert words.part == ADDED.get(noun, "").removeprefix(" with a ")
         assert (words.noun, words.color, words.material) == (noun, color, material)

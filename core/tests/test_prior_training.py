@@ -6,11 +6,11 @@ import pytest
 import torch
 
 from core.camera import Cameras
-from core.guidance.builtin.diffusion import alpha_bar_schedule, v_target, x_from_v
+from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
 from core.guidance.builtin.weights import load_weights, load_words, save_weights
 from core.guidance.sds import add_noise, eps_from_v
-from core.prior.data import ADJECTIVES, NOUNS, TOLD, make, read_shards, write_shard
+from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, make, read_shards, write_shard
 from core.prior.evaluate import turn_normals
 from core.prior.train import (
     Geometry,
@@ -20,8 +20,9 @@ from core.prior.train import (
     drop_conditions,
     learning_rate,
 )
+from core.prior.velocity import v_target, x_from_v
 
-WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(TOLD) - 1)
+WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1)
 TINY = UNetConfig(words=WORDS, widths=(8, 8, 16, 16), code=16)
 
 
@@ -86,7 +87,7 @@ def test_the_network_starts_blind_to_words_but_takes_all_inputs():
     assert (turned - out).abs().mean() > 1e-3
 
 
-def test_unsaid_words_and_cameras_are_zeros_at_the_configured_rates():
+def test_unstated_words_and_cameras_are_zeros_at_the_configured_rates():
     config = TrainConfig(drop_both=0.1, drop_words=0.2, drop_camera=0.3)
     words, camera = torch.ones(20000, 2, dtype=torch.long), torch.ones(20000, 6, 1, 1)
     words, camera = drop_conditions(words, camera, config, _generator())
@@ -98,15 +99,15 @@ def test_unsaid_words_and_cameras_are_zeros_at_the_configured_rates():
 
 
 def test_half_of_the_times_come_from_the_noisy_end():
-    t = draw_times(20000, TrainConfig(late_share=0.5, late_from=600), _generator())
+    t = draw_times(20000, TrainConfig(late_fraction=0.5, late_from=600), _generator())
     assert t.min() >= 0
     assert t.max() < 1000
     error = 3 * math.sqrt(0.25 / 20000)
     assert (t >= 600).float().mean().item() == pytest.approx(0.7, abs=error)
 
 
-def test_the_learning_rate_warms_up_and_ends_at_its_last_share():
-    config = TrainConfig(learning_rate=1.0, last_share=0.1, warm_up=10)
+def test_the_learning_rate_warms_up_and_ends_at_its_last_fraction():
+    config = TrainConfig(learning_rate=1.0, last_fraction=0.1, warm_up=10)
     assert learning_rate(0, 0.0, config) == pytest.approx(0.1)
     assert learning_rate(10, 0.0, config) == 1.0
     assert learning_rate(10, 0.5, config) == pytest.approx(0.55)
@@ -133,9 +134,9 @@ def test_a_shard_is_its_seed_and_reads_back(folder):
     assert pictures[:, :3].norm(dim=1).max() < 1.02
 
 
-def test_a_noun_is_drawn_by_its_share(folder, monkeypatch):
+def test_a_noun_is_drawn_by_its_weight(folder, monkeypatch):
     noun = int(read_shards(list(folder.glob("*.safetensors"))).noun[0])
-    monkeypatch.setattr(Geometry, "shares", {NOUNS[noun]: 0.0})
+    monkeypatch.setattr(Geometry, "noun_weights", {NOUNS[noun]: 0.0})
     source = Geometry(folder)
     index, _, _ = source.draw(64, _generator())
     assert not (source.samples.noun[index] == noun).any()

@@ -1,26 +1,27 @@
-"""The built-in prior's parser: what it reads, what it mends, what it refuses by name."""
+"""The built-in prior's parser: what it reads, what it corrects, what it refuses by name."""
 
 import re
 
 import pytest
 
 from core.errors import UserError
+from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.looks import LOOKS
-from core.guidance.builtin.vocabulary import LEXICON, SLOTS, Words, corrected, parse
+from core.guidance.builtin.nearest import NEAREST, REAL
+from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
     COLORS,
     FILLER,
+    IGNORED_ADJECTIVES,
     MATERIALS,
-    NEAREST,
     NOUNS,
     OPTIONS,
     PART_WORDS,
     PATTERNS,
-    REAL,
+    PHRASE_ENDS,
     SHAPES,
-    UNHEARD,
 )
-from core.prior.data import ADJECTIVES, TOLD
+from core.prior.data import ADJECTIVES, PART_STATES
 from core.prior.data import NOUNS as DRAWN
 from core.prior.families import STRETCH
 
@@ -100,7 +101,7 @@ def test_two_colours_are_a_pattern_or_belong_to_parts(prompt, words):
         ("a car with wheels", ""),
     ],
 )
-def test_parts_are_told_where_a_thing_may_lack_them(prompt, part):
+def test_the_state_of_a_part_is_read_where_a_thing_may_lack_it(prompt, part):
     assert parse(prompt).part == part
 
 
@@ -138,14 +139,15 @@ def test_the_order_of_words_does_not_matter():
 @pytest.mark.parametrize("table", [NOUNS, SHAPES, COLORS, MATERIALS, PATTERNS, PART_WORDS])
 def test_every_synonym_means_its_word(table):
     for word, synonyms in table.items():
-        for form in filter(None, [word, *synonyms.split(", ")]):
+        for form in [word, *forms_of(synonyms)]:
             assert LEXICON[form.replace("-", " ")][1] in (word, "hat"), f"{form} means two words"
 
 
 def test_the_tables_hide_nothing_from_each_other():
     assert FILLER.isdisjoint(LEXICON)
-    assert UNHEARD.isdisjoint(LEXICON)
-    assert UNHEARD.isdisjoint(FILLER)
+    assert IGNORED_ADJECTIVES.isdisjoint(LEXICON)
+    assert IGNORED_ADJECTIVES.isdisjoint(FILLER)
+    assert PHRASE_ENDS <= FILLER
     assert REAL - {"plane", "pine"} == REAL.difference(LEXICON)
     for word, forms in NEAREST.items():
         assert word in LEXICON
@@ -155,8 +157,8 @@ def test_the_tables_hide_nothing_from_each_other():
 def test_the_words_are_those_that_were_drawn_in_their_order():
     assert list(NOUNS) == DRAWN == list(LOOKS)
     assert ["", *SHAPES] == ADJECTIVES == ["", *STRETCH]
-    assert ["", *SLOTS["part"]] == TOLD
-    assert all(said in SLOTS["part"] for options in OPTIONS.values() for said in options)
+    assert ["", *SLOTS["part"]] == PART_STATES
+    assert all(state in SLOTS["part"] for options in OPTIONS.values() for state in options)
 
 
 @pytest.mark.parametrize(
@@ -166,11 +168,11 @@ def test_the_words_are_those_that_were_drawn_in_their_order():
         *(("armchiars", "armchair"), ("whithout", "without"), ("stripped", "striped")),
     ],
 )
-def test_a_slip_is_mended_and_said(typed, meant):
+def test_a_slip_is_corrected(typed, meant):
     assert corrected(typed) == meant
 
 
-def test_what_was_mended_is_in_the_notes():
+def test_what_was_corrected_is_in_the_notes():
     words = parse("a read chiar without armrsts".replace("read", "red"))
     assert (words.noun, words.color, words.part) == ("chair", "red", "no armrests")
     assert words.notes == ("'chiar' is read as 'chair'.", "'armrsts' is read as 'armrests'.")
@@ -182,7 +184,7 @@ def test_a_word_of_another_thing_is_no_slip(word):
     assert corrected(word) == ""
 
 
-def test_an_adjective_that_changes_nothing_is_left_out_and_said():
+def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
     words = parse("a worn leather armchair")
     assert (words.noun, words.material) == ("armchair", "leather")
     assert words.notes == ("The built-in prior does not know 'worn': left out.",)
@@ -209,7 +211,7 @@ def test_all_known_words_are_listed_when_one_is_unknown():
     assert "did you mean" not in caught.value.text
 
 
-def test_unknown_words_can_be_left_out_and_that_is_said():
+def test_unknown_words_can_be_left_out_and_that_is_reported():
     words = parse("a baroque red chair, xyzzy", ignore_unknown=True)
     assert words == Words("chair", color="red")
     assert "'baroque', 'xyzzy'" in words.notes[0]
@@ -248,7 +250,7 @@ def test_a_negative_prompt_needs_no_noun_but_only_known_words():
         parse("ugly", noun_needed=False)
 
 
-def test_indices_start_at_one_and_zero_is_unsaid():
+def test_indices_start_at_one_and_zero_is_not_stated():
     words = parse("a wooden ball")
     assert words.indices() == [1, 0, 0, 0, 1, 0, 0]
     assert words.indices(("material", "noun")) == [1, 1]

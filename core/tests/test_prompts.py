@@ -9,16 +9,16 @@ from core.guidance.stable_diffusion.prompts import (
     PromptCutWarning,
     clean_prompt,
     fit_tokens,
-    opposing_shares,
+    opposing_weights,
     require_prompt,
-    view_shares,
+    view_weights,
     view_words,
     warn_cut,
 )
 
 
 def view_at(azimuth_deg, elevation_deg=0.0):
-    shares = view_shares(Cameras.orbit([azimuth_deg], [elevation_deg]))[0]
+    shares = view_weights(Cameras.orbit([azimuth_deg], [elevation_deg]))[0]
     assert sorted(shares.tolist()) == [0, 0, 0, 0, 1]
     return VIEWS[int(shares.argmax())]
 
@@ -47,29 +47,29 @@ def test_soft_shares_are_continuous_sum_to_one_and_agree_with_the_hard_ones():
     azimuth = torch.arange(-360, 360, 0.5)
     for elevation in (-80.0, 0.0, 58.0, 62.0, 89.0):
         cameras = Cameras.orbit(azimuth, torch.tensor(elevation))
-        soft, hard = view_shares(cameras, soft=True), view_shares(cameras)
+        soft, hard = view_weights(cameras, soft=True), view_weights(cameras)
         torch.testing.assert_close(soft.sum(1), torch.ones(len(azimuth)))
         assert soft.min() >= 0
         # 0.5 degrees of 90 to go from one view to the next
         assert (soft[1:] - soft[:-1]).abs().max() < 0.5 / 90 + 1e-4
         if elevation == 0:
             assert soft.gather(1, hard.argmax(1, keepdim=True)).min() >= 0.5 - 1e-4
-    rise = view_shares(Cameras.orbit([0.0] * 91, torch.arange(91.0)), soft=True)[:, 3]
+    rise = view_weights(Cameras.orbit([0.0] * 91, torch.arange(91.0)), soft=True)[:, 3]
     assert rise[45] == 0
     assert rise[60] == pytest.approx(0.5, abs=1e-5)
     assert rise[75] == pytest.approx(1)
 
 
 def test_the_middle_between_two_views_is_half_of_each():
-    shares = view_shares(Cameras.orbit([45.0, 112.5], [0.0, 0.0]), soft=True)
+    shares = view_weights(Cameras.orbit([45.0, 112.5], [0.0, 0.0]), soft=True)
     expected = torch.tensor([[0.5, 0.5, 0, 0, 0], [0, 0.75, 0.25, 0, 0]])
     torch.testing.assert_close(shares, expected)
 
 
 def test_perp_neg_opposes_the_sides_that_are_not_seen():
-    shares = view_shares(Cameras.orbit([180.0, 0.0], [0.0, 90.0]))
+    shares = view_weights(Cameras.orbit([180.0, 0.0], [0.0, 90.0]))
     expected = torch.tensor([[1.0, 1, 0, 0, 0], [1, 1, 1, 0, 0]])
-    torch.testing.assert_close(opposing_shares(shares), expected)
+    torch.testing.assert_close(opposing_weights(shares), expected)
 
 
 def test_view_words_follow_the_prompt():

@@ -56,3 +56,20 @@ def test_a_half_written_event_waits(tmp_path):
     events = read_events(tmp_path)
     assert [(e["type"], e["pid"]) for e in events] == [("started", 1)]
     assert "text" not in events[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[" * 100_000 + "]" * 100_000, "nested too deeply"),
+        ('{"version": 1, "prompt": "a chair", "seed": ' + "9" * 5000 + "}", "no JSON"),
+        ('{"version": 1, "prompt": "a chair", "guide_strength": NaN}', "NaN is no number"),
+        ('{"version": 1, "prompt": "a chair", "seed": 1' + "0" * 400 + "}", "The seed is"),
+        ('{"version": 1, "prompt": "a \\ud800"}', "a byte that is no text"),
+        ('["prompt"]', "holds no object"),
+    ],
+)
+def test_a_strange_job_is_one_sentence(text, words):
+    with pytest.raises(UserError, match=words) as error:
+        Job.from_json(text)
+    assert error.value.fix

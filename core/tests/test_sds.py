@@ -4,7 +4,7 @@ import torch
 from core.camera import Cameras
 from core.errors import UserError
 from core.guidance import sds
-from core.guidance.guidance import Embedding, Guidance, Views, coarse_latent
+from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views, coarse_latent
 
 
 def generator(seed=0):
@@ -21,18 +21,21 @@ class Normal(Guidance):
         self.mu, self.s = mu, s
         self.alpha_bar = torch.linspace(0.999, 0.01, steps, dtype=torch.float64)
 
-    def embed(self, *_):
-        return Embedding()
+    def prompted(self, *_):
+        return PromptedNormal(self)
 
     def encode_normals(self, n, o):
         raise NotImplementedError
 
     encode_color = encode_normals
 
-    def eps_hat(self, z_t, t, *_):
+
+class PromptedNormal(PromptedGuidance):
+    def predict(self, z_t, t, views, *, cond_only=False):
+        normal = self._guidance
         ab = self.alpha_bar[t][:, None, None, None]
         sigma = (1 - ab).sqrt()
-        return sigma * (z_t - ab.sqrt() * self.mu) / (ab * self.s**2 + 1 - ab)
+        return Predictions(sigma * (z_t - ab.sqrt() * normal.mu) / (ab * normal.s**2 + 1 - ab))
 
 
 def views(n):
@@ -45,7 +48,7 @@ def latents(n, value, h=1):
 
 def grad_of(guidance, z, t, eps, **options):
     options = {"weighting": "sigma2", "guidance_scale": 1.0, **options}
-    return sds.sds_grad(guidance, z, Embedding(), views(len(z)), t=t, eps=eps, **options)
+    return sds.sds_grad(guidance.prompted(), z, views(len(z)), t=t, eps=eps, **options)
 
 
 @pytest.mark.parametrize("magnitude", [1.0, 1e4])
@@ -126,6 +129,21 @@ def test_guidance_scale_runs_from_unconditional_through_conditional_outwards():
     torch.testing.assert_close(sds.guide(c, u, 0.0), u)
     torch.testing.assert_close(sds.guide(c, u, 1.0), c)
     torch.testing.assert_close(sds.guide(c, u, 7.5), c + 6.5 * (c - u))
+
+
+def test_predictions_are_combined_as_far_as_they_are_there():
+    """Alone; with an unconditional one; with Perp-Neg, whose part along the prompt does nothing."""
+    c, u, v = torch.randn(3, 2, 4, 2, 2, generator=generator(), dtype=torch.float64)
+    assert torch.equal(sds.guided(Predictions(c), 7.5), c)
+    assert torch.equal(sds.guided(Predictions(c, u), 7.5), sds.guide(c, u, 7.5))
+    weights = torch.tensor([[0.5, 0.0]], dtype=torch.float64)
+    found = sds.guided(Predictions(c, u, v[None], weights), 7.5)
+    expected = sds.guide(c, u, 7.5)
+    expected[0] -= 7.5 * 0.5 * sds.perp_neg(c - u, v - u)[0]
+    torch.testing.assert_close(found, expected)
+    along = u + 0.3 * (c - u)
+    found = sds.guided(Predictions(c, u, along[None], weights), 7.5)
+    torch.testing.assert_close(found, sds.guide(c, u, 7.5))
 
 
 def test_perp_neg_is_perpendicular_and_removes_nothing_else():

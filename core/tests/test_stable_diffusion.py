@@ -4,13 +4,18 @@ import pytest
 import torch
 from diffusers import StableDiffusionPipeline as Pipeline
 
+from core.__main__ import job_of, parse
 from core.camera import Cameras
+from core.config import GuidanceConfig
 from core.errors import MemoryShortError, UserError
+from core.generate import config_of, prepare
 from core.guidance import sds
 from core.guidance.guidance import Views
+from core.guidance.sds import predict_eps
 from core.guidance.stable_diffusion.guidance import StableDiffusion, estimate_memory
 from core.guidance.stable_diffusion.memory import peak_bytes
-from core.guidance.stable_diffusion.prompts import PromptCutWarning
+from core.guidance.stable_diffusion.prompts import DEFAULT_NEGATIVE_PROMPT, PromptCutWarning
+from core.io.job import Job
 
 
 @pytest.fixture(scope="session", params=["1.x", "2.x"])
@@ -67,7 +72,7 @@ def test_the_noise_is_what_diffusers_own_parts_predict(kind, checkpoints):
     alpha_bar = pipeline.scheduler.alphas_cumprod[700]
     if kind == "2.x":
         out = alpha_bar.sqrt() * out + (1 - alpha_bar).sqrt() * z_t[0]
-    ours = guidance.eps_hat(z_t, t, guidance.embed("a red chair", "the x"), views([90.0]), 7.5)
+    ours = predict_eps(guidance.prompted("a red chair", "the x"), z_t, t, views([90.0]), 7.5)
     torch.testing.assert_close(ours[0], out, rtol=1e-4, atol=1e-4)
     torch.testing.assert_close(guidance.alpha_bar[700], alpha_bar)
 
@@ -99,20 +104,22 @@ def test_a_larger_picture_is_brought_to_the_models_size(one):
 
 
 def test_view_words_follow_the_camera(guidance):
-    embedding = guidance.embed("a chair", "")
+    prompted = guidance.prompted("a chair", "")
     z_t, t = noise(1).expand(4, -1, -1, -1), torch.full((4,), 600)
-    eps = guidance.eps_hat(z_t, t, embedding, views([0.0, 90.0, 180.0, -90.0]), 1.0)
+    eps = predict_eps(prompted, z_t, t, views([0.0, 90.0, 180.0, -90.0]), 1.0)
     torch.testing.assert_close(eps[1], eps[3], rtol=1e-4, atol=1e-5)  # both sides
     for i, j in ((0, 1), (0, 2), (1, 2)):
         assert difference(eps[i], eps[j]) > 1e-3
-    above = guidance.eps_hat(z_t[:1], t[:1], embedding, views([0.0], 80.0), 1.0)
+    above = predict_eps(prompted, z_t[:1], t[:1], views([0.0], 80.0), 1.0)
     assert difference(above[0], eps[0]) > 1e-3
 
 
 def test_soft_views_change_the_noise_between_two_sides(checkpoints):
-    soft = StableDiffusion.load(str(checkpoints["1.x"]), "cpu", soft_views=True)
+    soft = StableDiffusion.load(
+        str(checkpoints["1.x"]), "cpu", config=GuidanceConfig(soft_views=True)
+    )
     z_t, t = noise(1).expand(3, -1, -1, -1), torch.full((3,), 600)
-    eps = soft.eps_hat(z_t, t, soft.embed("a chair", ""), views([0.0, 20.0, 40.0]), 1.0)
+    eps = predict_eps(soft.prompted("a chair", ""), z_t, t, views([0.0, 20.0, 40.0]), 1.0)
     assert difference(eps[1], eps[0]) > 1e-4
     assert difference(eps[2], eps[0]) > difference(eps[1], eps[0])
 
@@ -121,7 +128,7 @@ def test_the_negative_prompt_is_used_only_by_guidance(guidance):
     z_t, t, cameras = noise(2), torch.tensor([300, 800]), views([0.0, 90.0])
     eps = [
         [
-            guidance.eps_hat(z_t, t, guidance.embed("a chair", negative), cameras, scale)
+            predict_eps(guidance.prompted("a chair", negative), z_t, t, cameras, scale)
             for negative in ("", "red", "the overhead x")
         ]
         for scale in (1.0, 7.5)
@@ -131,24 +138,72 @@ def test_the_negative_prompt_is_used_only_by_guidance(guidance):
     assert difference(eps[1][1], eps[1][2]) > 1e-3
 
 
+def test_an_empty_negative_prompt_is_the_default_text_or_none_at_all(checkpoints):
+    """With ``default_negative`` off the comparison is CLIP's empty text: a true unconditional."""
+    folder = str(checkpoints["1.x"])
+    usual = StableDiffusion.load(folder, "cpu")
+    none = StableDiffusion.load(folder, "cpu", config=GuidanceConfig(default_negative=False))
+    empty = usual._encode_text([usual._tokens("", "")[0]])[0]
+    default = usual._encode_text([usual._tokens(DEFAULT_NEGATIVE_PROMPT, "")[0]])[0]
+    torch.testing.assert_close(usual.prompted("a chair", "").negative, default)
+    torch.testing.assert_close(none.prompted("a chair", " ").negative, empty)
+    assert difference(default, empty) > 1e-3
+    written = [guidance.prompted("a chair", "red").negative for guidance in (usual, none)]
+    assert torch.equal(*written)
+
+
+@pytest.mark.parametrize(
+    ("options", "default"),
+    [
+        ([], True),
+        (["--negative", ""], False),
+        (["--negative", "red"], True),
+        (["--negative", "", "--set", "guidance.default_negative=true"], True),
+    ],
+)
+def test_an_empty_negative_prompt_that_is_given_means_none(options, default):
+    """job.json of earlier versions has an empty one where none was given: the default text."""
+    job = job_of(parse(["generate", "a chair", *options]))
+    assert config_of(Job.from_json(job.to_json())).guidance.default_negative is default
+
+
+def test_the_view_settings_of_a_job_reach_the_checkpoint(checkpoints):
+    settings = {"guidance.soft_views": "true", "guidance.perp_neg": "1.5"}
+    job = Job(prompt="a chair", guidance=str(checkpoints["1.x"]), settings=settings)
+    guidance = prepare(job).guidance
+    found = guidance.predict(noise(2), torch.tensor([500, 900]), views([180.0, 90.0]))
+    assert found.opposing.shape == (3, 2, 4, 8, 8)
+    # Behind the object all of front and side is away; at the side all of front and back.
+    torch.testing.assert_close(
+        found.opposing_weight, torch.tensor([[1.5, 1.5], [1.5, 0.0], [0.0, 1.5]]), atol=1e-5, rtol=0
+    )
+
+
+@pytest.mark.parametrize("name", ["soft_views", "perp_neg"])
+def test_the_built_in_prior_refuses_settings_of_view_texts(name):
+    job = Job(prompt="a chair", settings={f"guidance.{name}": {"perp_neg": 1.0}.get(name, True)})
+    with pytest.raises(UserError, match=f"takes no guidance.{name}"):
+        prepare(job)
+
+
 def test_the_prompt_is_used(guidance):
     z_t, t, cameras = noise(1), torch.tensor([800]), views([0.0])
-    chair, red = (guidance.embed(prompt, "") for prompt in ("a chair", "the red"))
-    first = guidance.eps_hat(z_t, t, chair, cameras, 1.0)
-    assert difference(first, guidance.eps_hat(z_t, t, red, cameras, 1.0)) > 1e-3
+    chair, red = (guidance.prompted(prompt, "") for prompt in ("a chair", "the red"))
+    first = predict_eps(chair, z_t, t, cameras, 1.0)
+    assert difference(first, predict_eps(red, z_t, t, cameras, 1.0)) > 1e-3
 
 
 def test_perp_neg_steers_away_from_other_views_but_not_from_the_prompt(checkpoints):
     plain, perp = (
-        StableDiffusion.load(str(checkpoints["1.x"]), "cpu", perp_neg_weight=w) for w in (0.0, 1.0)
+        StableDiffusion.load(
+            str(checkpoints["1.x"]), "cpu", config=GuidanceConfig(perp_neg=w)
+        ).prompted("a chair", "x")
+        for w in (0.0, 1.0)
     )
     z_t, t, cameras = noise(2), torch.tensor([500, 900]), views([180.0, 90.0])
-    embedding = plain.embed("a chair", "x")
-    cond = plain.eps_hat(z_t, t, embedding, cameras, 1.0)
-    uncond = plain.eps_hat(z_t, t, embedding, cameras, 0.0)
-    change = perp.eps_hat(z_t, t, embedding, cameras, 5.0) - plain.eps_hat(
-        z_t, t, embedding, cameras, 5.0
-    )
+    cond, uncond = (predict_eps(plain, z_t, t, cameras, scale) for scale in (1.0, 0.0))
+    guided = [predict_eps(guidance, z_t, t, cameras, 5.0) for guidance in (perp, plain)]
+    change = guided[0] - guided[1]
     cosine = torch.cosine_similarity(change.flatten(1), (cond - uncond).flatten(1))
     assert change.abs().max() > 1e-3
     torch.testing.assert_close(cosine, torch.zeros(2), atol=1e-3, rtol=0)
@@ -160,7 +215,7 @@ def test_chunks_do_not_change_the_result(checkpoints):
     results = []
     for chunk in (1, 2, 8):
         guidance = StableDiffusion.load(str(checkpoints["2.x"]), "cpu", chunk=chunk)
-        eps = guidance.eps_hat(z_t, t, guidance.embed("a chair", ""), cameras, 7.5)
+        eps = predict_eps(guidance.prompted("a chair", ""), z_t, t, cameras, 7.5)
         results.append((eps, guidance.encode_normals(n, o)))
     for eps, z in results[1:]:
         torch.testing.assert_close(eps, results[0][0], rtol=1e-4, atol=1e-4)
@@ -177,9 +232,9 @@ def test_sds_gradient_in_the_picture_is_the_slope_of_its_product_with_the_latent
     n, o = (x.double().requires_grad_() for x in picture(1))
     z = getattr(own, encode)(n, o)
     assert z.dtype == torch.float64
-    embedding = own.embed("a red chair", "x")
+    prompted = own.prompted("a red chair", "x")
     grad = sds.sds_grad(
-        own, z.float(), embedding, views([30.0]), torch.tensor([500]), noise(1), "sigma2", 100.0
+        prompted, z.float(), views([30.0]), torch.tensor([500]), noise(1), "sigma2", 100.0
     ).double()
     sds.sds_loss(z, grad).backward()
     assert n.grad.isfinite().all()
@@ -227,28 +282,28 @@ def test_a_gradient_of_nothing_is_nothing(one):
 def test_a_long_prompt_is_cut_with_a_warning_and_keeps_its_view_words(one):
     long = "very " * 80 + "red"
     with pytest.warns(PromptCutWarning, match='the text encoder.*"very very.*red"'):
-        embedding = one.embed(long, "")
+        prompted = one.prompted(long, "")
     tokens, _ = one._tokens(long, ", back view")
     assert len(tokens) == 77
     assert one._tokenizer.decode(tokens[1:-1]).strip().endswith(", back view")
     z_t, t = noise(1).expand(2, -1, -1, -1), torch.full((2,), 600)
-    eps = one.eps_hat(z_t, t, embedding, views([0.0, 180.0]), 1.0)
+    eps = predict_eps(prompted, z_t, t, views([0.0, 180.0]), 1.0)
     assert difference(eps[0], eps[1]) > 1e-4
 
 
 def test_a_long_negative_prompt_warns_for_itself(one):
     with pytest.warns(PromptCutWarning, match="The negative prompt is too long"):
-        one.embed("a chair", "very " * 90)
+        one.prompted("a chair", "very " * 90)
 
 
 def test_any_script_is_embedded(one):
-    assert one.embed("一把红色的椅子 🦊", "").views.isfinite().all()
+    assert one.prompted("一把红色的椅子 🦊", "").views.isfinite().all()
 
 
 @pytest.mark.parametrize("prompt", ["", "  ", "x" * 5000, "a\x00b"])
 def test_what_is_no_prompt_is_refused(one, prompt):
     with pytest.raises(UserError):
-        one.embed(prompt, "")
+        one.prompted(prompt, "")
 
 
 # ---- memory
@@ -281,15 +336,32 @@ def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkp
     one_view = estimate_memory(folder, chunk=1, dtype=torch.float32)
     name = "core.guidance.stable_diffusion.guidance.available_bytes"
     monkeypatch.setattr(name, lambda _: one_view)
-    assert StableDiffusion.load(str(folder), "cpu")._chunk == 1
+    assert StableDiffusion.load(str(folder), "cpu").chunk == 1
     monkeypatch.setattr(name, lambda _: one_view - 1)
     with pytest.raises(MemoryShortError, match=r"needs about 0\.0 GB of 0\.0 GB") as error:
         StableDiffusion.load(str(folder), "cpu")
     assert error.value.status == 4
 
 
+def test_perp_negs_other_predictions_are_in_the_estimate(checkpoints, monkeypatch):
+    """Five predictions of a picture run together; a small U-Net needs more to outdo the encoder."""
+    folder = checkpoints["1.x"]
+    sizes = [estimate_memory(folder, chunk=4, dtype=torch.float32, texts=n) for n in (2, 5, 50)]
+    assert sizes[0] <= sizes[1] < sizes[2]
+    asked = []
+
+    def estimate(*_, texts, **__):
+        asked.append(texts)
+        return 0
+
+    monkeypatch.setattr("core.guidance.stable_diffusion.guidance.estimate_memory", estimate)
+    for weight in (0.0, 1.0):
+        StableDiffusion.load(str(folder), "cpu", config=GuidanceConfig(perp_neg=weight))
+    assert asked == [2, 5]
+
+
 def test_running_out_of_memory_is_a_sentence_and_other_faults_are_not(own, monkeypatch):
-    embedding = own.embed("a chair", "")
+    prompted = own.prompted("a chair", "")
     n, o = picture(1)
 
     def fail_with(error):
@@ -302,7 +374,7 @@ def test_running_out_of_memory_is_a_sentence_and_other_faults_are_not(own, monke
 
     fail_with(torch.cuda.OutOfMemoryError("CUDA out of memory"))
     with pytest.raises(MemoryShortError, match="U-Net"):
-        own.eps_hat(noise(1), torch.tensor([5]), embedding, views([0.0]), 7.5)
+        predict_eps(prompted, noise(1), torch.tensor([5]), views([0.0]), 7.5)
     with pytest.raises(MemoryShortError, match="encoder"):
         own.encode_normals(n, o)
     fail_with(RuntimeError("a fault of ours"))

@@ -17,7 +17,6 @@ from core.geometry.mesh import Mesh, health, polished, signed_volume
 from core.geometry.sdf_net import FOURIER, SdfNet, band_about
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance, mesh_reference
-from core.guidance.guidance import Embedding
 from core.io.job import Job, read_events
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
@@ -52,7 +51,7 @@ def sphere(resolution=16, radius=0.6):
 
 def guidance(frame="object", size=16):
     return GaussianGuidance(mesh_reference([sphere(radius=0.8)], size, normal_frame=frame), size,
-                            normal_frame=frame)  # fmt: skip
+                            normal_frame=frame).prompted()  # fmt: skip
 
 
 def start_net(config=SHORT, radius=0.5):
@@ -69,7 +68,7 @@ def run_in(path):
 def learn(net, g, config, run, seed=1):
     """The whole geometry training; its mesh."""
     training = Training("geometry", net, torch.Generator().manual_seed(seed), run)
-    return learn_geometry(Setup(training, g, g.embed("", ""), config), Progress(run))
+    return learn_geometry(Setup(training, g, config), Progress(run))
 
 
 def gradient(phase, setup, index):
@@ -81,7 +80,7 @@ def gradient(phase, setup, index):
 
 def setup_of(config, g, run, seed=5):
     training = Training("geometry", start_net(config), torch.Generator().manual_seed(seed), run)
-    return Setup(training, g, Embedding(), config)
+    return Setup(training, g, config)
 
 
 def test_the_rate_ends_at_its_share():
@@ -138,7 +137,7 @@ def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
     grow = RefineConfig(rounds=2, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
     grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
     config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
-    g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32)
+    g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32).prompted()
     config = replace(config, resolution=(24, 24))
     verts, faces = learn(start_net(config), g, config, run_in(tmp_path))
     assert health(verts, faces)["genus"] == (1 if ray_mask else 0)
@@ -316,10 +315,11 @@ SHORT_COLOR = replace(
 def color_setup(config, run):
     """Γ under a guidance that knows red pictures only."""
     red = torch.tensor([0.8, -0.8, -0.8, 1.0])[:, None, None].expand(4, 16, 16)
-    teacher = GaussianGuidance(lambda cameras: red.expand(1, len(cameras), 4, 16, 16), 16)
+    reference = lambda cameras: red.expand(1, len(cameras), 4, 16, 16)  # noqa: E731
+    teacher = GaussianGuidance(reference, 16).prompted()
     net = MaterialNet(config, torch.Generator().manual_seed(0))
     training = Training("appearance", net, torch.Generator().manual_seed(1), run)
-    return Setup(training, teacher, teacher.embed("", ""), config)
+    return Setup(training, teacher, config)
 
 
 def unwrapped_sphere():

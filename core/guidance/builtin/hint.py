@@ -1,12 +1,12 @@
-"""What the appearance network is told as a picture: the surface, and what the words look like."""
+"""What the appearance network is given as a picture: the surface, and what the words look like."""
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import SWATCHES, has_accents, swatches
 from core.guidance.builtin.patterns import PATTERNS, Place
-from core.guidance.builtin.vocabulary import SLOTS
 from core.guidance.builtin.words import NOUNS
 
 SURFACE = 7  # channels: normals, coverage, points
@@ -17,13 +17,13 @@ TWO_TONE = 1 + list(SLOTS["pattern"]).index("two-tone")
 
 def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[Tensor, "b c s s"]:
     """``surface`` ([n, 2o - 1, p], weighted by coverage), then the words' two swatches: the first
-    laid over all of the surface as the said pattern has it, the second even.
+    laid over all of the surface as the stated pattern has it, the second even.
 
-    A network this small learns which parts a word is for, but not to draw a pattern: told the
+    A network this small learns which parts a word is for, but not to draw a pattern: given the
     points, or their Fourier features too, it painted the pattern's mean colour.
 
     Args:
-        words: rows of noun, color, material, pattern, second; 0 is not said.
+        words: rows of noun, color, material, pattern, second; 0 is not stated.
     """
     first, second = swatches(words)[:, :, None, None].split(SWATCHES // 2, 1)
     laid = torch.where(stencil(surface, words), second, first)
@@ -33,8 +33,8 @@ def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[
 def stencil(
     surface: Float[Tensor, "b 7 h w"], words: Int[Tensor, "b 5"]
 ) -> Bool[Tensor, "b 1 h w"]:
-    """Where the said pattern puts the second colour, whatever part is there; nowhere, where no
-    pattern or no second colour is said or taken, or where it is for accent parts alone."""
+    """Where the stated pattern puts the second colour, whatever part is there; nowhere, where no
+    pattern or no second colour is stated or implied, or where it is for accent parts alone."""
     out = torch.zeros_like(surface[:, :1], dtype=torch.bool)
     point = surface[:, 4:] / ((surface[:, 3:4] + 1) / 2).clamp_min(1e-3)
     accents = ACCENTED.to(words.device)[words[:, 0]] & (words[:, 3] == TWO_TONE)

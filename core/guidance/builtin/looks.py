@@ -2,9 +2,9 @@
 
 A part's text is its role, its sRGB colour, and what may follow: a pattern ("." is none) and a
 finish, both by name in ``palette``. Roles: ``*`` is what a colour word is about; ``+`` is an accent
-and keeps its colour until a second one is said; ``&`` is an accent that goes with the first colour
-until then; ``-`` keeps its nature. Material words are about all but the last. The parts' order is
-that of the families' solids, and of the pictures' part index.
+and keeps its colour until a second one is stated; ``&`` is an accent that goes with the first
+colour until then; ``-`` keeps its nature. Material words are about all but the last. The parts'
+order is that of the families' solids, and of the pictures' part index.
 """
 
 LOOKS: dict[str, dict[str, str]] = {

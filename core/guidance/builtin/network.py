@@ -2,7 +2,7 @@
 
 Words, the time step and the camera come in by two ways: as an embedding that scales and shifts
 every block (FiLM; Perez et al., 2018), and, what makes views obeyed, as a map of the camera plane
-laid beside the picture (``camera_map``).
+next to the picture (``camera_map``).
 """
 
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ MAP_CHANNELS = 6
 class UNetConfig:
     """Sizes of one network."""
 
-    words: tuple[int, ...]  # number of words in each slot, not counting "not said"
+    words: tuple[int, ...]  # number of words in each slot, not counting "not stated"
     widths: tuple[int, ...] = (32, 64, 96, 128)  # channels at 32², 16², 8², 4²
     attention: tuple[bool, ...] = (False, False, True, True)
     code: int = 192  # channels of the embedding of time and words
@@ -32,7 +32,7 @@ class UNetConfig:
 
 def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
     """For each pixel its point on the plane through the origin that faces the camera, in object
-    axes, then the direction to the camera. All zeros stand for "camera not said".
+    axes, then the direction to the camera. All zeros stand for "no camera given".
     """
     ndc = (torch.arange(size, device=cameras.azimuth.device) + 0.5) / size * 2 - 1
     half = (cameras.distance * (cameras.fovy / 2).tan())[:, None, None, None]
@@ -43,6 +43,7 @@ def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
 
 def time_features(t: Int[Tensor, " b"], channels: int) -> Float[Tensor, "b c"]:
     """Sines and cosines of the time step (Vaswani et al., 2017, §3.5)."""
+    # From 1 to 1e-4 a step: the slowest wave turns by less than a radian over all of the schedule.
     rate = torch.exp(torch.linspace(0, -9.21, channels // 2, device=t.device))
     angle = t[:, None] * rate
     return torch.cat([angle.sin(), angle.cos()], 1)
@@ -89,8 +90,8 @@ class Attention(nn.Module):
         heads = self.qkv(h).view(b, -1, 3, self.heads, c // self.heads)
         q, k, v = heads.permute(2, 0, 3, 1, 4).flatten(1, 2)
         # Written out: torch's fused kernel is several times slower backward at these sizes.
-        share = (q @ k.transpose(1, 2) * (c // self.heads) ** -0.5).softmax(-1).to(v.dtype)
-        h = (share @ v).view(b, self.heads, -1, c // self.heads).transpose(1, 2).reshape(b, -1, c)
+        weights = (q @ k.transpose(1, 2) * (c // self.heads) ** -0.5).softmax(-1).to(v.dtype)
+        h = (weights @ v).view(b, self.heads, -1, c // self.heads).transpose(1, 2).reshape(b, -1, c)
         return x + self.out(h).transpose(1, 2).reshape(b, c, height, width)
 
 
@@ -129,6 +130,7 @@ class UNet(nn.Module):
             )
             inner = width
         self.middle = Stage(inner, inner, code, config.attention[-1])
+        # Two blocks at each size on the way up, one on the way down.
         self.up, self.refine, self.grow = nn.ModuleList(), nn.ModuleList(), nn.ModuleList()
         for i in reversed(range(len(widths))):
             width, attention = widths[i], config.attention[i]
@@ -143,7 +145,7 @@ class UNet(nn.Module):
         self.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
 
     def code(self, t: Int[Tensor, " b"], words: Int[Tensor, "b n"]) -> Float[Tensor, "b c"]:
-        """The embedding of the time step and the words; word 0 of a slot is "not said"."""
+        """The embedding of the time step and the words; word 0 of a slot is "not stated"."""
         code = self.time(time_features(t, self.config.code))
         for slot, embedding in enumerate(self.words):
             code = code + embedding(words[:, slot])

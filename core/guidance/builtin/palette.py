@@ -10,8 +10,8 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.looks import LOOKS
-from core.guidance.builtin.vocabulary import SLOTS
 
 Color = tuple[float, float, float]
 
@@ -40,7 +40,7 @@ LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 
 
 class Finish(NamedTuple):
-    """A material word: its own colour unless a colour is said, and how it shines."""
+    """A material word: its own colour unless a colour is stated, and how it shines."""
 
     color: Color | None
     roughness: float
@@ -68,21 +68,21 @@ PAINT = Finish(None, 0.2, 0.0)  # of a car: no word, only by nature
 
 
 def swatches(words: Int[Tensor, "b 5"]) -> Float[Tensor, "b 8"]:
-    """The colours that the words say: the first (or the material's own, where no colour is said),
-    then the second (or what goes with the first, where only a pattern is said); each
+    """The colours that the words state: the first (or the material's own, where no colour is),
+    then the second (or what goes with the first, where only a pattern is); each
     [2 srgb - 1, 1], or zeros where there is none.
 
     So the network need not learn what each colour word looks like on each thing.
 
     Args:
-        words: rows of noun, color, material, pattern, second; 0 is not said.
+        words: rows of noun, color, material, pattern, second; 0 is not stated.
     """
     colors, materials = (table.to(words.device) for table in _tables())
-    said = words > 0
-    both = torch.where(said[:, 1:2], colors[words[:, 1]], materials[words[:, 2]])
+    stated = words > 0
+    both = torch.where(stated[:, 1:2], colors[words[:, 1]], materials[words[:, 2]])
     first, goes_with = both.split(4, 1)
-    goes_with = goes_with * said[:, 3:4]
-    second = torch.where(said[:, 4:5], colors[words[:, 4], :4], goes_with)
+    goes_with = goes_with * stated[:, 3:4]
+    second = torch.where(stated[:, 4:5], colors[words[:, 4], :4], goes_with)
     return torch.cat([first, second], 1)
 
 
@@ -132,6 +132,6 @@ def has_accents(noun: str) -> bool:
 
 
 def companion(color: Color) -> Color:
-    """The second colour where none is said: white, or black beside a light colour."""
+    """The second colour where none is stated: white, or black next to a light colour."""
     red, green, blue = color
     return DARK if 0.3 * red + 0.6 * green + 0.1 * blue > 0.65 else LIGHT

@@ -1,56 +1,61 @@
 """The parser of the built-in prior's prompts, which refuses by name what it does not know.
 
 A prompt is read into slots (``Words``). Order is free; articles, plurals, case and filler are
-passed over. A close misspelling is read as what it is close to, and a note says so; so does one
-where an adjective is left out that is no thing's name. Any other word that is not known is an error
+passed over. A note states what was not taken to the letter: a close misspelling that is read as
+what it is close to, a narrower word that is made as a wider one, an adjective that is left out, an
+unknown word before a known noun ("office chair"), also left out. Any other unknown word is an error
 that names it, or, where the user asks for that, is left out too.
+
+Standard library only, so that ``run.py words`` and the panel need not load a network.
 """
 
-import difflib
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass, field
+from typing import Any
 
 from core.errors import UserError
+from core.guidance.builtin.lexicon import (
+    LEXICON,
+    PART_FORMS,
+    SLOTS,
+    Entry,
+    Vocabulary,
+    corrected,
+    look_up,
+    nearest_words,
+)
 from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words import (
-    COLORS,
     FILLER,
+    IGNORED_ADJECTIVES,
     LEGS,
-    MATERIALS,
-    NEAREST,
-    NOUNS,
     OPTIONS,
-    PART_SYNONYMS,
-    PART_WORDS,
-    PARTS,
-    PATTERNS,
-    REAL,
-    SHAPES,
+    PHRASE_ENDS,
     TONES,
-    UNHEARD,
     WITHOUT,
 )
 
-SLOTS: dict[str, Collection[str]] = {
-    "noun": NOUNS,
-    "shape": SHAPES,
-    "part": PARTS,
-    "color": COLORS,
-    "material": MATERIALS,
-    "pattern": PATTERNS,
-    "second": COLORS,
-}
-CALLED = {"color": "colour", "second": "second colour"}  # slots, in a sentence
+SLOT_NAMES = {"color": "colour", "second": "second colour"}  # in a sentence
+MADE_AS = {"color": "painted as", "pattern": "drawn as", "shape": "made"}  # else "made as"
 ELSEWHERE = (
     "For any other wording use Stable Diffusion: --guidance FOLDER, where FOLDER holds its weights."
 )
 LONGEST = 3  # words of a phrase
 
 
+class UnknownWordsError(UserError):
+    """A prompt has words that are not known; ``nearest`` has the nearest known ones of each."""
+
+    def __init__(self, text: str, fix: str, nearest: dict[str, list[str]]) -> None:
+        super().__init__(text, fix)
+        self.nearest = nearest
+
+
 @dataclass(frozen=True)
 class Words:
-    """What a prompt says, by slot; empty is not said."""
+    """A parsed prompt, by slot; an empty slot is not stated."""
 
     noun: str = ""
     shape: str = ""
@@ -60,147 +65,205 @@ class Words:
     pattern: str = ""
     second: str = ""  # colour, of what the pattern or the accent parts are painted with
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
+    left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
-        """Each slot's row in its embedding; 0 is "not said"."""
+        """Each slot's row in its embedding; 0 is "not stated"."""
         return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
 
     def __str__(self) -> str:
-        said = [getattr(self, slot) for slot in ("shape", "pattern", "color", "material", "noun")]
-        return " ".join(word for word in said if word)
+        slots = ("shape", "pattern", "color", "material", "noun")
+        return " ".join(word for slot in slots if (word := getattr(self, slot)))
 
 
-Entry = tuple[str, str]  # a slot and its word
-Known = Mapping[str, Collection[str]]  # words by slot
+def understood(prompt: str, known: Vocabulary | None = None) -> dict[str, Any]:
+    """What the built-in prior makes of ``prompt``, as plain data.
+
+    Args:
+        known: the words that may be asked for; None: those that the shipped weights offer.
+
+    Raises:
+        UserError: as ``parse``; ``UnknownWordsError`` has the nearest known words.
+    """
+    words = parse(prompt, known=offered_words() if known is None else known)
+    return {
+        "prompt": prompt,
+        "thing": words.noun,
+        "shape": words.shape or None,
+        "parts": [words.part] if words.part else [],
+        "colours": [color for color in (words.color, words.second) if color],
+        "materials": [words.material] if words.material else [],
+        "pattern": words.pattern or None,
+        "left_out": list(words.left_out),
+        "notes": list(words.notes),
+    }
 
 
-def _lexicon() -> dict[str, Entry]:
-    lexicon: dict[str, Entry] = {}
-    tables = {"noun": NOUNS, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
-    tables |= {"pattern": PATTERNS, "part": PART_WORDS}
-    for slot, table in tables.items():
-        for word, synonyms in table.items():
-            for form in (word, *synonyms.split(", ")):
-                if form:
-                    lexicon.setdefault(form.replace("-", " "), (slot, word))
-    return lexicon
-
-
-LEXICON = _lexicon()
-MEANT = {form: word for word, forms in NEAREST.items() for form in forms.split(", ")}
-PART_FORMS = {form: part for part, forms in PART_SYNONYMS.items() for form in forms.split(", ")}
+def words_report(prompt: str) -> tuple[dict[str, Any], int]:
+    """``understood`` and exit code 0; or why the prompt is refused, with the nearest known words of
+    each unknown one, and the error's exit code."""
+    try:
+        return understood(prompt), 0
+    except UserError as error:
+        nearest = error.nearest if isinstance(error, UnknownWordsError) else {}
+        report = {"prompt": prompt, "error": error.text, "fix": error.fix, "nearest": nearest}
+        return report, error.status
 
 
 def parse(
     prompt: str,
     *,
     noun_needed: bool = True,
-    known: Known = SLOTS,
+    known: Vocabulary = SLOTS,
     ignore_unknown: bool = False,
 ) -> Words:
-    """Read a prompt into slots; ``known`` are the words that may be said.
+    """Read a prompt into slots; ``known`` are the words that may be asked for.
 
     Raises ``UserError`` that names every word it does not know with the nearest it does (unless
     ``ignore_unknown``), two words for one slot, a part that the thing cannot lack or have, and a
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
-    reading = _Reading(re.findall(r"[^\W_]+", prompt.lower().replace("'s", " ")), known)
-    refused = [token for token in reading.unknown if token not in UNHEARD]
-    if refused and not ignore_unknown:
-        raise _unknown_error(refused, known)
-    if reading.unknown:
-        left_out = ", ".join(repr(token) for token in dict.fromkeys(reading.unknown))
-        reading.notes.append(f"The built-in prior does not know {left_out}: left out.")
+    reading = _Reading(prompt, known)
+    if reading.refused and not ignore_unknown:
+        raise _unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
         raise UserError(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
-            f"Say one of: {', '.join(known['noun'])}. {ELSEWHERE}",
+            f"Use one of: {', '.join(known['noun'])}. {ELSEWHERE}",
         )
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
-    return Words(**words, notes=tuple(dict.fromkeys(reading.notes)))
+    notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
+    return Words(**words, notes=tuple(notes), left_out=tuple(dict.fromkeys(reading.left_out)))
 
 
 class _Reading:
-    """A prompt's tokens, sorted into slots."""
+    """A prompt's words, sorted into slots."""
 
-    def __init__(self, tokens: list[str], known: Known) -> None:
+    def __init__(self, prompt: str, known: Vocabulary) -> None:
         self.known = known
-        self.found: dict[str, list[str]] = {slot: [] for slot in SLOTS}
+        self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
         self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
-        self.unknown: list[str] = []
+        self.left_out: list[str] = []  # all that has no effect, in order
+        self.qualifiers: list[str] = []  # those of them that are before a noun, known or not
+        self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
-        self._without = False
+        self._pending: list[str] = []  # unknown words since the noun phrase began
+        self._without = self._after_color = False
+        self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
+        self._tokens, breaks = _tokens(prompt)
         at = 0
-        while at < len(tokens):
-            at += self._take(tokens[at:])
+        while at < len(self._tokens):
+            if at in breaks:
+                self._end_phrase()
+            at += self._take(at)
+        self._end_phrase()
 
-    def _take(self, tokens: list[str]) -> int:
-        """Read from the front; how many tokens that were."""
+    def _take(self, at: int) -> int:
+        """Read from the token ``at`` on; how many tokens that were."""
+        tokens = self._tokens[at:]
         for count in range(min(LONGEST, len(tokens)), 0, -1):
-            entry = self._entry(" ".join(tokens[:count]))
+            entry = look_up(" ".join(tokens[:count]), self.known)
             if entry is not None:
-                self._put(*entry)
+                self._put(entry, at, at + count)
                 return count
         token = tokens[0]
         if token in WITHOUT:
             self._without = True
+            self._end_phrase()
         elif token in TONES and len(tokens) > 1 and LEXICON.get(tokens[1], ("",))[0] == "color":
             self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
-        elif token in UNHEARD:
-            self.unknown.append(token)
+        elif token in IGNORED_ADJECTIVES:
+            self.left_out.append(token)
+        elif token in PHRASE_ENDS:
+            self._end_phrase()
         elif token not in FILLER:
-            self._mend(token)
+            self._correct(token, at)
         return 1
 
-    def _entry(self, phrase: str) -> Entry | None:
-        forms = singulars(phrase)
-        for form in forms:
-            slot, word = LEXICON.get(form, ("", ""))
-            if slot == "part" or word in self.known.get(slot, ()):
-                return slot, word
-        for form in forms:
-            if form in PART_FORMS or any(form in parts for parts in LOOKS.values()):
-                return "part", PART_FORMS.get(form, form)
-        return None
+    def _end_phrase(self) -> None:
+        """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
+        the phrase's own noun."""
+        self.refused += self._pending
+        self.qualifiers += self._pending[:-1]
+        self._pending, self._noun_end = [], -1
 
-    def _mend(self, token: str) -> None:
+    def _correct(self, token: str, at: int) -> None:
         close = corrected(token)
-        entry = self._entry(close) if close else None
+        entry = look_up(close, self.known) if close else None
         if entry is None:
-            self.unknown.append(token)
+            self.left_out.append(token)
+            self._pending.append(token)
         else:
             self.notes.append(f"{token!r} is read as {close!r}.")
-            self._put(*entry)
+            self._put(entry, at, at + 1)
 
-    def _put(self, slot: str, word: str) -> None:
+    def _put(self, entry: Entry, start: int, end: int) -> None:
+        slot, word = entry.slot, entry.word
         # "with a hat" after the noun is a part; "a hat" is a thing
-        if slot == "noun" and self.found["noun"] and _is_part(word, self.found["noun"][0]):
+        if slot == "noun" and self.found["noun"] and _is_part(word, self.found["noun"][0].word):
             slot = "part"
         if slot == "part":
             color = ""
             if self.found["color"] and self.found["noun"]:
-                color = self.found["color"].pop() if self._colored_last else ""
+                color = self.found["color"].pop().word if self._after_color else ""
             self.parts.append((word, not self._without, color))
+            self._end_phrase()
         else:
-            self.found[slot].append(word)
-        self._colored_last = slot == "color" and bool(self.found["noun"])
+            if slot == "noun":
+                self._head(entry, start, end)
+            self.found[slot].append(entry)
+        self._after_color = slot == "color" and bool(self.found["noun"])
         self._without = False
 
-    _colored_last = False
+    def _head(self, noun: Entry, start: int, end: int) -> None:
+        """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
+        noun right before it ("desk lamp")."""
+        if self._noun_end == start and self.found["noun"][-1].word != noun.word:
+            form = self.found["noun"].pop().form
+            self.left_out.append(form)
+            self.qualifiers.append(form)
+        self.qualifiers += self._pending
+        self._pending, self._noun_end = [], end
+
+    def words(self, slot: str) -> list[str]:
+        """The slot's words, each once."""
+        return list(dict.fromkeys(entry.word for entry in self.found[slot]))
 
     def only(self, slot: str) -> str:
         """The slot's one word, or none."""
-        words = list(dict.fromkeys(self.found[slot]))
+        words = self.words(slot)
         if len(words) > 1:
             raise _two_error(slot, words)
         return words[0] if words else ""
 
+    def narrower(self) -> list[str]:
+        """A note for each word that stands for less than what is made for it."""
+        return [
+            f"{entry.form}: {MADE_AS.get(slot, 'made as')} {_with_article(slot, entry.word)}."
+            for slot, entries in self.found.items()
+            for entry in entries
+            if entry.is_narrower
+        ]
+
+    def omissions(self) -> list[str]:
+        """A note for all that is left out. A qualifier comes with the colour or the like that it
+        may mean; there is nothing to suggest for the rest."""
+        if not self.left_out:
+            return []
+        texts = [
+            _with_hint(token, _near(token, self.qualifiers, self.known))
+            if token in self.qualifiers
+            else repr(token)
+            for token in dict.fromkeys(self.left_out)
+        ]
+        return [f"The built-in prior does not know {', '.join(texts)}: left out."]
+
     def colors(self) -> dict[str, str]:
         """The first colour, the second, and the pattern that a second one implies."""
-        said = list(dict.fromkeys(self.found["color"]))
-        noun = self.found["noun"][0] if self.found["noun"] else ""
-        color, second = (*said, "", "")[:2]
+        colors = self.words("color")
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        color, second = (*colors, "", "")[:2]
         for part, _, painted in self.parts:
             if painted and _role(noun, part) == "*":  # painted as the rest is
                 if color and color != painted:
@@ -210,42 +273,72 @@ class _Reading:
                 raise _two_error("second", [second, painted])
             elif painted:
                 second = painted
-        if len(said) > 2:
-            raise _two_error("color", said)
+        if len(colors) > 2:
+            raise _two_error("color", colors)
         pattern = self.only("pattern") or ("two-tone" if second else "")
         return {"color": color, "second": second, "pattern": pattern}
 
     def options(self, noun: str) -> list[str]:
-        """What may be said of the noun's parts."""
-        return [said for said in OPTIONS.get(noun, ()) if said in self.known["part"]]
+        """What may be stated of the noun's parts."""
+        return [state for state in OPTIONS.get(noun, ()) if state in self.known["part"]]
 
     def part(self, noun: str) -> str:
-        """The one word of ``PARTS`` that is said of the noun, or none."""
-        told = []
+        """The one word of ``PARTS`` that is stated of the noun, or none."""
+        states = []
         for part, there, _ in self.parts:
-            said = part if there else f"no {part}"
-            if said in self.options(noun):
-                told.append(said)
+            state = part if there else f"no {part}"
+            if state in self.options(noun):
+                states.append(state)
             elif noun and not (there and _always_has(noun, part)):
                 raise _part_error(noun, part, there, self.options(noun))
-        if len(set(told)) > 1:
-            raise _two_error("part", told)
-        return told[0] if told else ""
+        if len(set(states)) > 1:
+            raise _two_error("part", states)
+        return states[0] if states else ""
+
+
+def _tokens(prompt: str) -> tuple[list[str], set[int]]:
+    """The words of a prompt in lower case, and the indices of those that punctuation precedes."""
+    tokens: list[str] = []
+    breaks: set[int] = set()
+    for token in re.findall(r"[^\W_]+|[,;:.!?()]", prompt.lower().replace("'s", " ")):
+        if token[0].isalnum():
+            tokens.append(token)
+        else:
+            breaks.add(len(tokens))
+    return tokens, breaks
+
+
+def _with_article(slot: str, word: str) -> str:
+    if slot != "noun":
+        return word
+    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
+
+
+def _near(token: str, qualifiers: list[str], known: Vocabulary) -> list[str]:
+    """The known words nearest to an unknown one; no things for what stands before a noun."""
+    near = nearest_words(token, known)
+    if token not in qualifiers:
+        return near
+    return [word for word in near if LEXICON[word][0] != "noun"]
+
+
+def _with_hint(token: str, near: list[str]) -> str:
+    return f"{token!r} (did you mean {' or '.join(near)}?)" if near else repr(token)
 
 
 def _is_part(word: str, noun: str) -> bool:
-    return word in LOOKS.get(noun, ()) or any(word in said for said in OPTIONS.get(noun, ()))
+    return word in LOOKS.get(noun, ()) or any(word in state for state in OPTIONS.get(noun, ()))
 
 
 def _role(noun: str, part: str) -> str:
-    """The role of a noun's part, see ``nature``; "" where it has none of that name."""
+    """The role of a noun's part, see ``looks``; "" where it has none of that name."""
     looks = LOOKS.get(noun, {})
     name = next((name for name in _names(part) if name in looks), "")
     return looks[name][0] if name else ""
 
 
 def _always_has(noun: str, part: str) -> bool:
-    if any(part in said for said in OPTIONS.get(noun, ())):
+    if any(part in state for state in OPTIONS.get(noun, ())):
         return False
     legs = {"bench", "chair", "pig", "turtle"}
     if part in LEGS:
@@ -259,78 +352,28 @@ def _names(part: str) -> list[str]:
     return [part, f"{part}s", PART_FORMS.get(part, part), own]
 
 
-def singulars(phrase: str) -> list[str]:
-    """The phrase and what it may be the plural of."""
-    forms = [phrase]
-    if phrase.endswith("s"):
-        forms.append(phrase[:-1])
-    if phrase.endswith("es"):
-        forms.append(phrase[:-2])
-    return forms
-
-
-def corrected(token: str) -> str:
-    """The known word of which ``token`` is surely a misspelling, or "".
-
-    One letter missing, doubled, or changed places with its neighbour; in words of six letters and
-    more also one wrong letter after the first. Words of other things are no misspellings.
-    """
-    forms = [form for form in singulars(token) if len(form) > 3]
-    if any(form in MEANT or form in REAL for form in forms):
-        return ""
-    known = [form for form in (*LEXICON, *WITHOUT) if " " not in form and len(form) > 3]
-    close = (word for form in forms for word in known if _one_slip(form, word))
-    return next(close, "")
-
-
-def _one_slip(token: str, word: str) -> bool:
-    a, b = sorted((token, word), key=len)
-    if len(b) == len(a) + 1:
-        return any(b[:i] + b[i + 1 :] == a for i in range(len(b)))
-    if len(a) != len(b) or a == b:
-        return False
-    wrong = [i for i in range(len(a)) if a[i] != b[i]]
-    if len(wrong) == 2 and wrong[1] == wrong[0] + 1:
-        return a[wrong[0]] == b[wrong[1]] and a[wrong[1]] == b[wrong[0]]
-    return len(wrong) == 1 and wrong[0] > 0 and len(a) >= 6
-
-
-def nearest_words(token: str, known: Known = SLOTS) -> list[str]:
-    """Known words that look or mean nearly the same, best first; at most three."""
-    meant = [MEANT[form] for form in singulars(token) if form in MEANT]
-    alike = difflib.get_close_matches(token, LEXICON, n=3, cutoff=0.7)
-    said = [form for form in (*meant, *alike) if _is_known(form, known)]
-    return list(dict.fromkeys(said))[:3]
-
-
-def _is_known(form: str, known: Known) -> bool:
-    slot, word = LEXICON[form]
-    return slot == "part" or word in known.get(slot, ())
-
-
-def _unknown_error(unknown: list[str], known: Known) -> UserError:
-    told = []
-    for token in dict.fromkeys(unknown):
-        close = nearest_words(token, known)
-        told.append(f"{token!r} (did you mean {' or '.join(close)}?)" if close else repr(token))
-    return UserError(
-        f"The built-in prior does not know {'; '.join(told)}.",
+def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
+    nearest = {token: _near(token, qualifiers, known) for token in unknown}
+    texts = "; ".join(_with_hint(token, near) for token, near in nearest.items())
+    return UnknownWordsError(
+        f"The built-in prior does not know {texts}.",
         f"It knows the things {', '.join(known['noun'])}; the shapes {', '.join(known['shape'])}; "
         f"the colours {', '.join(known['color'])}; the materials {', '.join(known['material'])}; "
         f"the patterns {', '.join(known['pattern'])}. --ignore-unknown-words leaves out what it "
         f"does not know. {ELSEWHERE}",
+        nearest,
     )
 
 
 def _two_error(slot: str, words: list[str]) -> UserError:
     return UserError(
-        f"The built-in prior takes one {CALLED.get(slot, slot)} in a prompt and got "
+        f"The built-in prior takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
         f"Keep one of them. {ELSEWHERE}",
     )
 
 
 def _part_error(noun: str, part: str, there: bool, options: list[str]) -> UserError:
-    choice = f"Of a {noun} you can say: {', '.join(options)}." if options else "Leave that out."
-    told = f"with {part}" if there else f"without {part}"
-    return UserError(f"The built-in prior cannot make a {noun} {told}.", choice)
+    choice = f"Use one of: {', '.join(options)}." if options else "Leave that out."
+    state = f"with {part}" if there else f"without {part}"
+    return UserError(f"The built-in prior cannot make a {noun} {state}.", choice)

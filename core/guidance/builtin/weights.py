@@ -1,37 +1,37 @@
-"""Files of weights: safetensors, written aside and renamed, the network's sizes in the metadata."""
+"""Files of weights: safetensors, with the network's sizes and words in the metadata."""
 
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
-from safetensors import safe_open
 from safetensors.torch import load_file, save_file
 from torch import Tensor
 
+from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
-from core.guidance.builtin.vocabulary import Known
+from core.guidance.builtin.offered import read_metadata
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
     """A safetensors file that is either the old one or the whole new one."""
-    aside = path.with_suffix(".part")
-    save_file({name: t.detach().contiguous() for name, t in tensors.items()}, aside, metadata)
-    aside.replace(path)
+    temporary = path.with_suffix(".part")
+    save_file({name: t.detach().contiguous() for name, t in tensors.items()}, temporary, metadata)
+    temporary.replace(path)
 
 
 def save_weights(
-    path: Path, config: UNetConfig, tensors: dict[str, Tensor], words: Known | None = None
+    path: Path, config: UNetConfig, tensors: dict[str, Tensor], words: Vocabulary | None = None
 ) -> None:
     """The shipped form, in half precision; ``words`` are those by slot that are good enough."""
     half = {name: tensor.half() for name, tensor in tensors.items()}
-    said = {slot: list(known) for slot, known in (words or {}).items()}
-    write_tensors(path, half, {"config": json.dumps(asdict(config)), "words": json.dumps(said)})
+    offered = {slot: list(known) for slot, known in (words or {}).items()}
+    metadata = {"config": json.dumps(asdict(config)), "words": json.dumps(offered)}
+    write_tensors(path, half, metadata)
 
 
 def load_weights(path: Path) -> UNet:
-    """A network from ``save_weights``, in single precision, ready to be asked."""
-    facts = _metadata(path, "config")
+    """A network from ``save_weights``, in single precision, ready for use."""
+    facts = read_metadata(path)["config"]
     for name in ("words", "widths", "attention"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
     net = UNet(UNetConfig(**facts))
@@ -41,9 +41,4 @@ def load_weights(path: Path) -> UNet:
 
 def load_words(path: Path) -> dict[str, list[str]]:
     """The words by slot that the file's network may be asked for."""
-    return _metadata(path, "words")
-
-
-def _metadata(path: Path, key: str) -> dict[str, Any]:
-    with safe_open(path, "pt") as file:
-        return json.loads(file.metadata()[key])
+    return read_metadata(path)["words"]

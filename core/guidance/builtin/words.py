@@ -1,41 +1,45 @@
-"""The words of the built-in prior, as data: each with its synonyms, which commas part.
+"""The words of the built-in prior, as data.
 
 The order within a table is that of the networks' embeddings; new words go to the end.
 """
 
+# A row's text has two parts. Before the semicolon: other names of the same thing, of which nothing
+# is reported. After it: narrower or neighbouring things, which are made as the row's word; a note
+# states that.
+
 NOUNS = {
     # Plain solids and the first things
-    "ball": "sphere, globe, orb",
-    "cube": "box, block, dice",
-    "torus": "donut, doughnut, ring, bagel",
-    "cylinder": "barrel",
+    "ball": "sphere, orb; globe",
+    "cube": "box, block; dice",
+    "torus": "donut, doughnut; ring, bagel",
+    "cylinder": "; barrel",
     "cone": "traffic cone",
-    "table": "desk",
+    "table": "; desk",
     "chair": "dining chair",
-    "armchair": "recliner",
-    "mug": "cup, teacup, coffee cup, coffee mug, beer mug",
-    "vase": "urn",
-    "bottle": "flask",
-    "lamp": "table lamp, lampshade",
+    "armchair": "; recliner",
+    "mug": "cup, coffee cup, coffee mug; teacup, beer mug",
+    "vase": "; urn",
+    "bottle": "; flask",
+    "lamp": "table lamp; lampshade",
     "snowman": "snowmen",
     "mushroom": "toadstool",
     "house": "home",
-    "dumbbell": "barbell",
-    "rocket": "spaceship, rocket ship, space rocket",
-    "tree": "fir, pine, conifer, fir tree, pine tree, christmas tree",
+    "dumbbell": "; barbell",
+    "rocket": "rocket ship, space rocket; spaceship",
+    "tree": "fir, pine, conifer, fir tree, pine tree; christmas tree",
     # Household
-    "sofa": "couch, settee, loveseat",
-    "stool": "bar stool, barstool",
+    "sofa": "couch, settee; loveseat",
+    "stool": "; bar stool, barstool",
     "bench": "park bench",
     "bed": "",
     "bookshelf": "bookcase, bookshelves, book shelf",
     "teapot": "tea pot",
     "bowl": "",
-    "pan": "frying pan, skillet, saucepan, wok",
-    "goblet": "chalice, wine glass, wineglass",
+    "pan": "frying pan, skillet; saucepan, wok",
+    "goblet": "chalice; wine glass, wineglass",
     "bucket": "pail",
-    "candle": "candlestick",
-    "crown": "tiara",
+    "candle": "; candlestick",
+    "crown": "; tiara",
     "hat": "top hat",
     "bell": "church bell",
     "bust": "head bust, statue head",
@@ -43,35 +47,35 @@ NOUNS = {
     "bowling pin": "skittle, pin",
     # Food, plants, animals
     "hamburger": "burger, cheeseburger",
-    "ice cream": "icecream, ice cream cone, gelato",
+    "ice cream": "icecream, ice cream cone; gelato",
     "pineapple": "",
     "apple": "",
     "carrot": "",
-    "cupcake": "muffin, cup cake",
+    "cupcake": "cup cake; muffin",
     "pumpkin": "",
     "cactus": "cacti",
     "flower": "daisy, potted flower",
     "palm": "palm tree",
-    "pig": "piglet, piggy, piggy bank",
-    "fish": "goldfish, clownfish",
+    "pig": "piggy; piglet, piggy bank",
+    "fish": "; goldfish, clownfish",
     "rabbit": "bunny, bunnies",
-    "turtle": "tortoise",
+    "turtle": "; tortoise",
     "duck": "rubber duck, bath duck",
-    "teddy bear": "teddy, bear",
+    "teddy bear": "teddy; bear",
     # Vehicles, buildings, tools, instruments, toys
-    "car": "automobile, sports car, race car",
-    "bus": "coach, school bus",
+    "car": "automobile; sports car, race car",
+    "bus": "coach; school bus",
     "truck": "lorry, lorries",
     "airplane": "plane, aeroplane, aircraft",
-    "boat": "sailboat, sailing boat, ship, yacht, rowboat, rowing boat, fishing boat",
+    "boat": "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat",
     "train": "locomotive, steam engine, steam train",
-    "cottage": "hut, cabin",
-    "tower": "castle tower, castle",
+    "cottage": "; hut, cabin",
+    "tower": "castle tower; castle",
     "lighthouse": "light house",
-    "church": "chapel",
-    "arch": "archway, gate",
+    "church": "; chapel",
+    "arch": "archway; gate",
     "hammer": "",
-    "axe": "ax, hatchet",
+    "axe": "ax; hatchet",
     "anvil": "",
     "guitar": "",
     "drum": "snare drum",
@@ -79,54 +83,55 @@ NOUNS = {
 }
 SHAPES = {
     "tall": "lofty",
-    "flat": "low, short, squat, flattened",
-    "wide": "long, broad",
+    "flat": "flattened; low, short, squat",
+    "wide": "broad; long",
     "thick": "chunky, bulky, stout, fat",
-    "thin": "slim, narrow, slender, shallow",
-    "round": "rounded, chubby, plump, circular",
+    "thin": "slim, narrow, slender; shallow",
+    "round": "rounded, circular; chubby, plump",
 }
 COLORS = {
-    "red": "cherry red, crimson, scarlet, ruby red, blood red, bright red",
+    "red": "bright red; cherry red, crimson, scarlet, ruby red, blood red",
     "orange": "bright orange",
-    "yellow": "lemon yellow, golden yellow, bright yellow",
-    "green": "grass green, bright green",
-    "cyan": "turquoise, teal",
-    "blue": "royal blue, cobalt blue, bright blue",
-    "purple": "violet",
-    "pink": "rose pink, light red",
-    "brown": "chocolate brown, light brown, chestnut, cognac",
+    "yellow": "bright yellow; lemon yellow, golden yellow",
+    "green": "bright green; grass green, olive, emerald",
+    "cyan": "; turquoise, teal",
+    "blue": "bright blue; royal blue, cobalt blue",
+    "purple": "violet; lilac, lavender, indigo",
+    "pink": "light red; rose pink, magenta, fuchsia",
+    "brown": "; chocolate brown, light brown, chestnut, cognac, ochre, amber",
     "black": "jet black, coal black",
     "white": "snow white",
     "grey": "gray",
-    "dark red": "maroon, burgundy, wine red",
-    "dark green": "forest green, bottle green",
-    "navy": "navy blue, dark blue, midnight blue",
-    "light blue": "sky blue, baby blue, pale blue",
-    "lime": "lime green, light green, pale green",
-    "beige": "cream, cream coloured, cream colored, ivory, tan",
+    "dark red": "; maroon, burgundy, wine red",
+    "dark green": "; forest green, bottle green",
+    "navy": "navy blue, dark blue; midnight blue",
+    "light blue": "pale blue; sky blue, baby blue",
+    "lime": "lime green; light green, pale green",
+    "beige": "; cream, cream coloured, cream colored, ivory, tan",
 }
 MATERIALS = {
-    "wooden": "wood, timber, oak, walnut",
-    "metal": "polished metal, shiny metal, metallic, steel, iron, silver, silvery, "
-    "cast iron, chrome, aluminium, aluminum, polished steel, polished",
-    "golden": "gold, brass, polished gold, polished brass",
+    "wooden": "wood, timber; oak, walnut, bamboo, mahogany",
+    "metal": "polished metal, shiny metal, metallic, polished; steel, iron, silver, silvery, "
+    "cast iron, chrome, aluminium, aluminum, polished steel",
+    "golden": "gold, polished gold; brass, polished brass",
     "plastic": "",
     "rubber": "",
-    "stone": "marble, granite, concrete, rock",
+    "stone": "rock; marble, granite, concrete",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
-    "ceramic": "porcelain, china, glazed, glazed ceramic, clay",
+    "ceramic": "porcelain, china, glazed, glazed ceramic; clay",
     "leather": "",
-    "glass": "glassy, glass like, glossy, crystal",
-    "copper": "bronze, polished copper",
-    "fabric": "cloth, felt, wool, woollen, woolen, velvet, cotton, textile, upholstered",
+    "glass": "glassy, glass like; glossy, crystal",
+    "copper": "polished copper; bronze",
+    "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
+    "denim",
 }
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
     "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
-    "checkered": "checked, chequered, checkerboard, chessboard, check, plaid, tartan",
+    "checkered": "checked, chequered, checkerboard, chessboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
-# How a caption calls the parts that it may tell of (``draw.CHOICES`` and ``draw.LEGS``).
+# The names of the parts that a caption may state (``CHOICES`` and ``LEGS``).
 PART_WORDS = {
     "armrests": "armrest, arm, arm rest, arm rests",
     "backrest": "back, back rest",
@@ -138,7 +143,7 @@ PART_WORDS = {
     "three legs": "3 legs, three legged, 3 legged",
     "four legs": "4 legs, four legged, 4 legged",
 }
-# Words for the parts that a noun always has: said of it, they change nothing but a colour's place.
+# Words for the parts that a noun always has: they change nothing but where a colour goes.
 PART_SYNONYMS = {
     "legs": "leg, feet, foot",
     "wheels": "wheel, tyres, tyre, tires, tire",
@@ -154,7 +159,7 @@ PART_SYNONYMS = {
     "stem": "stalk",
     "handles": "handle, ears",
 }
-# What people write around the subject and what says nothing about it.
+# What people write around the subject and what describes nothing of it.
 FILLER = frozenset(
     """a an the of in on with and is it its one single some made from out color colour colored
     coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model object
@@ -163,8 +168,12 @@ FILLER = frozenset(
     shaped asset game ready material s has have that which for texture textured pattern patterned
     old new classic modern traditional elegant lovely pretty""".split()
 )
-# Said of a thing's age, finish or mood: no thing, so a prompt need not be refused for them.
-UNHEARD = frozenset(
+# Fillers that end a noun phrase: what is unknown before them describes no noun after them.
+PHRASE_ENDS = frozenset(
+    "a an the of in on with and is it its made from out has have which that for".split()
+)
+# Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
+IGNORED_ADJECTIVES = frozenset(
     """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate
     cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining dirty clean dusty
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
@@ -174,67 +183,12 @@ UNHEARD = frozenset(
 )
 TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
 WITHOUT = ("without", "no", "lacking")
-# Nearest known words for common ones that no spelling leads to.
-NEAREST = {
-    "armchair": "throne, seat",
-    "bookshelf": "cabinet, wardrobe, cupboard, shelf, drawer, dresser",
-    "vase": "pot, jar, pitcher, jug, amphora",
-    "teapot": "kettle",
-    "goblet": "tumbler",
-    "bucket": "basket, bin",
-    "house": "building, barn, shed, school, villa",
-    "tower": "skyscraper, pillar, column, obelisk",
-    "flower": "rose, tulip, plant, sunflower",
-    "tree": "bush, shrub",
-    "car": "taxi, van, jeep, cart",
-    "truck": "tractor, tank",
-    "airplane": "jet, helicopter",
-    "boat": "canoe, submarine",
-    "train": "tram, rain",
-    "ball": "planet, moon, earth, football, basketball, egg, beach",
-    "snowman": "man, person, figure, doll, woman",
-    "bust": "head, face, statue",
-    "lamp": "light, lantern, streetlight, lamb",
-    "cone": "pyramid, corn",
-    "torus": "wheel, tyre, tire",
-    "pig": "cow, sheep, horse, elephant, dog, cat, goat, wolf, lion",
-    "duck": "bird, chicken, penguin, swan, owl, crow, goose",
-    "fish": "shark, whale, dolphin, trout",
-    "rabbit": "mouse, hamster, squirrel, hare",
-    "turtle": "snail, frog, crab",
-    "hammer": "wrench, screwdriver, mallet, spanner",
-    "axe": "sword, knife, saw, spade, shovel",
-    "guitar": "violin, piano, cello, banjo",
-    "drum": "trumpet, tambourine",
-    "apple": "pear, peach, orange fruit, tomato, cherry",
-    "cupcake": "cake, pie, cookie, bread",
-    "hamburger": "sandwich, hotdog, pizza",
-    "cottage": "tent, igloo",
-    "arch": "bridge, door",
-    "crown": "helmet, jewel",
-    "bottle": "battle, can",
-    "brown": "ochre, amber",
-    "purple": "lilac, lavender, indigo",
-    "pink": "magenta, fuchsia, salmon",
-    "green": "olive, emerald, mint",
-    "glass": "transparent, translucent",
-    "plastic": "vinyl, nylon",
-    "fabric": "silk, denim, fur, fluffy",
-}
-# Words of other things, one slip away from a known word: no misspellings.
-REAL = frozenset(
-    """three bead bread hose rain crow beard cart cape goat coat boot beat horse moose mouse stove
-    lamb bull hall well wall pants plant plate plane play pine spine moth math lame comb core
-    stale cable able stable tale tools pools sport port card cars scar bush burn bowel flow floor
-    hair stair fair pair clamp stamp whale wail snail sail rail tail""".split()
-)
-
-# Parts that a thing may have or lack, as a caption may say; "no hat" is told like "hat". Of the
-# legs a caption says how many.
+# Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
+# Of the legs a caption states how many.
 CHOICES = ("armrests", "backrest", "handle", "cap", "hat", "chimney")
 LEGS = {"one leg": 1, "three legs": 3, "four legs": 4}
-PARTS = (*(said for choice in CHOICES for said in (choice, f"no {choice}")), *LEGS)
-# What a caption may say of each noun's parts.
+PARTS = (*(state for part in CHOICES for state in (part, f"no {part}")), *LEGS)
+# What a caption may state of each noun's parts.
 OPTIONS: dict[str, tuple[str, ...]] = {
     "chair": ("armrests", "no armrests"),
     "table": ("one leg", "four legs"),

@@ -1,7 +1,7 @@
-"""Find a Stable Diffusion checkpoint in diffusers' format, and refuse what is none before it loads.
+"""Find a Stable Diffusion checkpoint in diffusers' format; any other folder is refused unloaded.
 
 A checkpoint is a folder with model_index.json and one folder per part. It is named by its path or
-by its hub id. The network is asked only where the user allows it with HF_HUB_OFFLINE=0.
+by its hub id. The hub is reached only where the user allows it with HF_HUB_OFFLINE=0.
 """
 
 import json
@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from core.errors import MissingError, UserError
 
-# What Stable Diffusion 1.x and 2.x are made of; SDXL, SD 3 and Flux differ in one of them.
+# What Stable Diffusion 1.x and 2.x are made of; SD 3 and Flux differ in one of them.
 PARTS: Final = {
     "unet": "UNet2DConditionModel",
     "vae": "AutoencoderKL",
@@ -25,6 +25,14 @@ WEIGHTS: Final = {
     "vae": "diffusion_pytorch_model",
     "text_encoder": "model",
 }
+# What other families' U-Nets take in addition to time and text, by its entry in the configuration.
+OTHER_CONDITIONS: Final = {
+    "addition_embed_type": "SDXL, whose U-Net also takes a pooled text and sizes",
+    "class_embed_type": "unCLIP, whose U-Net also takes a picture's embedding",
+    "time_cond_proj_dim": "a latent consistency model (LCM), whose U-Net takes a guidance scale",
+}
+# Schedulers of models distilled to a few steps.
+DISTILLED: Final = {"LCMScheduler": "latent consistency model (LCM)", "TCDScheduler": "TCD model"}
 _EXPECTED: Final = "a Stable Diffusion 1.x or 2.x text-to-image checkpoint in diffusers' format"
 _HUB_ID: Final = re.compile(r"[\w.-]+/[\w.-]+")
 
@@ -66,7 +74,7 @@ def read_json(path: Path) -> dict[str, Any]:
     except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise UserError(
             f'"{path}" cannot be read ({type(error).__name__}).',
-            "Download or convert the checkpoint anew.",
+            "Download or convert the checkpoint again.",
         ) from error
 
 
@@ -95,7 +103,7 @@ def weight_variant(folder: Path, part: str, *, half: bool) -> str | None:
         )
     raise UserError(
         f'"{folder / part}" holds no weights ({WEIGHTS[part]}.safetensors).',
-        "Download the checkpoint anew.",
+        "Download the checkpoint again.",
     )
 
 
@@ -116,14 +124,59 @@ def _require_text_to_image(folder: Path) -> Path:
                 f"{found or 'missing'}; expected {expected or 'one'}.",
                 f"Give {_EXPECTED}.",
             )
-    channels = read_json(folder / "unet" / "config.json").get("in_channels", 4)
+    if (parts.get("text_encoder_2") or [None, None])[1]:
+        raise _other_family(folder, "SDXL, which has a second text encoder")
+    _require_plain_unet(folder)
+    _require_no_distilled(folder)
+    return folder
+
+
+def _require_plain_unet(folder: Path) -> None:
+    """Refuse a U-Net that takes more than a noisy latent, the time and CLIP's states."""
+    unet = read_json(folder / "unet" / "config.json")
+    channels = unet.get("in_channels", 4)
     if channels != 4:
         raise UserError(
             f'"{folder}" is for inpainting, depth or editing: its U-Net takes {channels} channels, '
             "not 4.",
             f"Give {_EXPECTED}.",
         )
-    return folder
+    for key, family in OTHER_CONDITIONS.items():
+        if unet.get(key) is not None:
+            raise _other_family(folder, family)
+
+
+def _require_no_distilled(folder: Path) -> None:
+    """Refuse models that were distilled to a few steps: they jump to a picture and predict no
+    score at most noise levels, so that score distillation has nothing to follow.
+
+    SD-Turbo is recognised by its scheduler: Euler, predicting noise, with "trailing" timesteps.
+    The plain Euler checkpoints have "leading" or "linspace", those that predict v may trail.
+    """
+    path = folder / "scheduler" / "scheduler_config.json"
+    if not path.is_file():  # the scheduler's own loader names what is missing
+        return
+    scheduler = read_json(path)
+    kind = scheduler.get("_class_name", "")
+    if kind in DISTILLED:
+        raise _distilled(folder, DISTILLED[kind], f"its scheduler is {kind}")
+    trailing = scheduler.get("timestep_spacing") == "trailing"
+    predicts_noise = scheduler.get("prediction_type", "epsilon") == "epsilon"
+    if str(kind).startswith("Euler") and trailing and predicts_noise:
+        raise _distilled(folder, "turbo model", f'its {kind} has timestep_spacing "trailing"')
+
+
+def _other_family(folder: Path, family: str) -> UserError:
+    return UserError(f'"{folder}" is {family}.', f"Give {_EXPECTED}.")
+
+
+def _distilled(folder: Path, kind: str, sign: str) -> UserError:
+    return UserError(
+        f'"{folder}" is a {kind}, distilled to a few steps ({sign}): it predicts no score to '
+        "follow, at any guidance scale.",
+        f"Give {_EXPECTED} that is not distilled. If it is not, save it with another scheduler, "
+        "such as DDIMScheduler.",
+    )
 
 
 def _from_hub(hub_id: str) -> Path:

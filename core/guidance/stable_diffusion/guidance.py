@@ -8,7 +8,6 @@ on its seed through that noise alone.
 import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,37 +19,31 @@ from torch import Tensor
 from torch.nn.functional import interpolate
 from transformers import CLIPTextModel, CLIPTokenizer
 
+from core.config import GUIDANCE, GuidanceConfig
 from core.errors import UserError
-from core.guidance.guidance import Embedding, Guidance, Views
-from core.guidance.sds import eps_from_v, guide, perp_neg
+from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views
+from core.guidance.sds import eps_from_v
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint, read_json, weight_variant
 from core.guidance.stable_diffusion.memory import available_bytes, memory_short, peak_bytes
 from core.guidance.stable_diffusion.prompts import (
+    AROUND,
     DEFAULT_NEGATIVE_PROMPT,
     VIEWS,
     clean_prompt,
     fit_tokens,
-    opposing_shares,
+    opposing_weights,
     require_prompt,
-    view_shares,
+    view_weights,
     view_words,
     warn_cut,
 )
 
-# Grey is a normal of length 0, so an empty picture says nothing of a direction; white is what a
+# Grey is a normal of length 0, so an empty picture states no direction; white is what a
 # text-to-image model's object shots have behind them.
 NORMAL_BACKGROUND: Final = 0.5
 COLOR_BACKGROUND: Final = 1.0
 
 _RESERVE: Final = 1.25  # fragments, the kernels' work space, the renderer
-
-
-@dataclass(frozen=True)
-class TextEmbedding(Embedding):
-    """CLIP's last hidden states: one text for each of ``VIEWS``, and the negative prompt."""
-
-    views: Float[Tensor, "5 l d"]
-    negative: Float[Tensor, "l d"]
 
 
 class _Encode(torch.autograd.Function):
@@ -69,6 +62,7 @@ class _Encode(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor, None]:
         (picture,) = ctx.saved_tensors
+        # ``tiny`` keeps a gradient of nothing at 0 / tiny = 0.
         size = grads[0].abs().amax().clamp(min=torch.finfo(grads[0].dtype).tiny)
         with torch.enable_grad(), _out_of_memory("the gradient of the encoder"):
             picture = picture.detach().requires_grad_()
@@ -91,29 +85,29 @@ class StableDiffusion(Guidance):
         tokenizer: CLIPTokenizer,
         *,
         chunk: int = 4,
-        soft_views: bool = False,
-        perp_neg_weight: float = 0.0,
+        config: GuidanceConfig = GUIDANCE,
     ) -> None:
         """Wire the parts together; ``load`` is the usual way.
 
         Args:
             chunk: pictures that go through the U-Net or the encoder at a time. The result does
                 not depend on it.
-            soft_views: mix the embeddings of neighbouring views by the camera's angle.
-            perp_neg_weight: how strongly to steer away from the views that are not in the picture
-                (Perp-Neg, Armandpour et al. 2023), against several faces. 0 is off; it costs three
-                more U-Net runs a picture.
         """
         self.unet, self.vae = unet.requires_grad_(False).eval(), vae.requires_grad_(False).eval()
         self.prediction_type = _prediction_type(scheduler)
         self.alpha_bar = scheduler.alphas_cumprod.float()
         self.latent_size = int(unet.config.sample_size)
         self._encode_text, self._tokenizer = encode_text, tokenizer
-        self._chunk, self._soft_views, self._perp_neg = chunk, soft_views, perp_neg_weight
+        self.chunk, self.config = chunk, config
 
     @classmethod
     def load(
-        cls, spec: str, device: "torch.device | str", *, chunk: int = 4, **options: Any
+        cls,
+        spec: str,
+        device: "torch.device | str",
+        *,
+        chunk: int = 4,
+        config: GuidanceConfig = GUIDANCE,
     ) -> "StableDiffusion":
         """The checkpoint that ``spec`` names: in 16 bit on CUDA, in 32 bit elsewhere.
 
@@ -127,7 +121,8 @@ class StableDiffusion(Guidance):
         """
         folder, device = find_checkpoint(spec), torch.device(device)
         dtype = torch.float16 if device.type == "cuda" else torch.float32
-        chunk = _chunk_that_fits(folder, device, dtype, chunk)
+        texts = 2 + AROUND if config.perp_neg else 2
+        chunk = _chunk_that_fits(folder, device, dtype, chunk, texts)
         unet = _load(UNet2DConditionModel, folder, "unet", dtype)
         vae = _load(AutoencoderKL, folder, "vae", dtype)
         text_encoder = _load(CLIPTextModel, folder, "text_encoder", torch.float32).eval()
@@ -143,16 +138,19 @@ class StableDiffusion(Guidance):
         vae.decoder = None  # pictures are never decoded
         with _out_of_memory("the checkpoint"):
             unet, vae = unet.to(device), vae.to(device)
-        return cls(unet, vae, scheduler, encode_text, tokenizer, chunk=chunk, **options)
+        return cls(unet, vae, scheduler, encode_text, tokenizer, chunk=chunk, config=config)
 
-    def embed(self, prompt: str, negative_prompt: str) -> TextEmbedding:
+    def prompted(self, prompt: str, negative_prompt: str) -> "PromptedStableDiffusion":
         """CLIP's states of the prompt seen from each side, and of the negative prompt.
 
-        An empty negative prompt stands for DEFAULT_NEGATIVE_PROMPT. What exceeds the encoder's 77
-        tokens is cut, with a ``PromptCutWarning``.
+        An empty negative prompt is DEFAULT_NEGATIVE_PROMPT, unless that is switched off: then it
+        is CLIP's empty text, the true unconditional. What exceeds the encoder's 77 tokens is cut,
+        with a ``PromptCutWarning``.
         """
         prompt = require_prompt(prompt)
-        negative = clean_prompt(negative_prompt, "negative prompt") or DEFAULT_NEGATIVE_PROMPT
+        negative = clean_prompt(negative_prompt, "negative prompt")
+        if not negative and self.config.default_negative:
+            negative = DEFAULT_NEGATIVE_PROMPT
         tokens, cuts = zip(*(self._tokens(prompt, view_words(view)) for view in VIEWS), strict=True)
         negative_tokens, negative_cut = self._tokens(negative, "")
         if any(cuts):
@@ -160,7 +158,7 @@ class StableDiffusion(Guidance):
         if negative_cut:
             warn_cut(negative_cut, "negative prompt")
         states = self._encode_text([*tokens, negative_tokens])
-        return TextEmbedding(states[:-1], states[-1])
+        return PromptedStableDiffusion(self, states[:-1], states[-1])
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -174,47 +172,10 @@ class StableDiffusion(Guidance):
         """z of the shaded picture, laid over white (§4.3)."""
         return self._encode(srgb + (1 - o) * COLOR_BACKGROUND)
 
-    @torch.no_grad()
-    def eps_hat(
-        self,
-        z_t: Float[Tensor, "b 4 s s"],
-        t: Int[Tensor, " b"],
-        embedding: Embedding,
-        views: Views,
-        guidance_scale: float,
+    def eps(
+        self, z_t: Float[Tensor, "b 4 s s"], t: Int[Tensor, " b"], text: Float[Tensor, "b l d"]
     ) -> Float[Tensor, "b 4 s s"]:
-        """ε̂_φ with the negative prompt in the place of the unconditional one."""
-        assert isinstance(embedding, TextEmbedding)
-        shares = view_shares(views.cameras, soft=self._soft_views).to(z_t.device)
-        chunks = (x.split(self._chunk) for x in (z_t, t.to(z_t.device), shares))
-        with _out_of_memory("the U-Net"):
-            parts = [
-                self._guided(*chunk, embedding, guidance_scale)
-                for chunk in zip(*chunks, strict=True)
-            ]
-        return torch.cat(parts)
-
-    def _guided(
-        self, z_t: Tensor, t: Tensor, shares: Tensor, embedding: TextEmbedding, scale: float
-    ) -> Tensor:
-        texts = [torch.einsum("bv,vld->bld", shares.to(embedding.views), embedding.views)]
-        if scale != 1 or self._perp_neg:
-            texts.append(embedding.negative.expand_as(texts[0]))
-        if self._perp_neg:
-            texts.extend(view.expand_as(texts[0]) for view in embedding.views[:3])
-        n = len(texts)
-        eps = self._eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
-        if n == 1:
-            return eps[0]
-        eps_cond, eps_uncond, *eps_views = eps
-        out = guide(eps_cond, eps_uncond, scale)
-        opposing = self._perp_neg * opposing_shares(shares)
-        for eps_view, share in zip(eps_views, opposing.T, strict=False):
-            perpendicular = perp_neg(eps_cond - eps_uncond, eps_view - eps_uncond)
-            out = out - scale * share[:, None, None, None] * perpendicular
-        return out
-
-    def _eps(self, z_t: Tensor, t: Tensor, text: Tensor) -> Tensor:
+        """ε̂ of the U-Net for a text of each picture."""
         out = self.unet(z_t.to(self.unet.dtype), t, encoder_hidden_states=text).sample.to(z_t)
         if self.prediction_type == "epsilon":
             return out
@@ -227,7 +188,7 @@ class StableDiffusion(Guidance):
         if picture.shape[-2:] != (side, side):
             picture = interpolate(picture, (side, side), mode="bilinear", antialias=True)
         with _out_of_memory("the encoder"):
-            return torch.cat([_Encode.apply(x, self._mean) for x in picture.split(self._chunk)])
+            return torch.cat([_Encode.apply(x, self._mean) for x in picture.split(self.chunk)])
 
     def _mean(self, picture: Tensor) -> Tensor:
         posterior = self.vae.encode(picture.to(self.vae.dtype)).latent_dist
@@ -251,12 +212,74 @@ class StableDiffusion(Guidance):
         return tokens, tokenizer.decode(cut).strip()
 
 
-def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
+class PromptedStableDiffusion(PromptedGuidance):
+    """ε̂_φ for one prompt; the negative prompt takes the place of the unconditional one."""
+
+    def __init__(
+        self,
+        guidance: StableDiffusion,
+        views: Float[Tensor, "5 l d"],
+        negative: Float[Tensor, "l d"],
+    ) -> None:
+        """
+        Args:
+            views: CLIP's last hidden states of the prompt, for each of ``VIEWS``.
+            negative: those of the negative prompt.
+        """
+        super().__init__(guidance)
+        self.diffusion, self.views, self.negative = guidance, views, negative
+        self._soft_views = guidance.config.soft_views
+        self._perp_neg = guidance.config.perp_neg
+
+    @torch.no_grad()
+    def predict(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        views: Views,
+        *,
+        cond_only: bool = False,
+    ) -> Predictions:
+        """The U-Net's predictions, ``chunk`` pictures at a time."""
+        weights = view_weights(views.cameras, soft=self._soft_views).to(z_t.device)
+        chunks = (x.split(self.diffusion.chunk) for x in (z_t, t.to(z_t.device), weights))
+        with _out_of_memory("the U-Net"):
+            parts = [self._predict(*chunk, cond_only) for chunk in zip(*chunks, strict=True)]
+        cond, uncond, opposing = zip(*parts, strict=True)
+        if uncond[0] is None:
+            return Predictions(torch.cat(cond))
+        if opposing[0] is None:
+            return Predictions(torch.cat(cond), torch.cat(uncond))
+        opposing_weight = self._perp_neg * opposing_weights(weights)[:, :AROUND].T
+        return Predictions(
+            torch.cat(cond), torch.cat(uncond), torch.cat(opposing, 1), opposing_weight
+        )
+
+    def _predict(
+        self, z_t: Tensor, t: Tensor, weights: Tensor, cond_only: bool
+    ) -> tuple[Tensor, Tensor | None, Tensor | None]:
+        """For the prompt, for the negative prompt, and for Perp-Neg's other sides (K, B, ...)."""
+        texts = [torch.einsum("bv,vld->bld", weights.to(self.views), self.views)]
+        # One text is half of the work. Perp-Neg acts at guidance scale 1 too, and needs the others.
+        if not cond_only or self._perp_neg:
+            texts.append(self.negative.expand_as(texts[0]))
+        if self._perp_neg:
+            texts.extend(view.expand_as(texts[0]) for view in self.views[:AROUND])
+        n = len(texts)
+        eps = self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
+        opposing = torch.stack(eps[2:]) if n > 2 else None
+        return eps[0], eps[1] if n > 1 else None, opposing
+
+
+def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype, texts: int = 2) -> int:
     """Bytes that guidance by this checkpoint takes, from its configuration alone.
 
     The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
     encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
     kernels know.
+
+    Args:
+        texts: predictions of a picture that run together; Perp-Neg has more than two.
     """
     with _readable(folder), torch.device("meta"):
         unet = UNet2DConditionModel.from_config(read_json(folder / "unet" / "config.json"))
@@ -268,10 +291,11 @@ def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
     side = size * _downscale(vae.config)
 
     def predict() -> None:
-        z = torch.empty(2 * chunk, 4, size, size, dtype=dtype)
-        text = torch.empty(2 * chunk, 77, width, dtype=dtype)
+        batch = texts * chunk
+        z = torch.empty(batch, 4, size, size, dtype=dtype)
+        text = torch.empty(batch, 77, width, dtype=dtype)
         with torch.no_grad():
-            unet(z, torch.empty(2 * chunk), encoder_hidden_states=text)
+            unet(z, torch.empty(batch), encoder_hidden_states=text)
 
     def encode() -> None:
         picture = torch.empty(chunk, 3, side, side, dtype=dtype, requires_grad=True)
@@ -281,10 +305,12 @@ def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype) -> int:
     return int(_RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
 
 
-def _chunk_that_fits(folder: Path, device: torch.device, dtype: torch.dtype, chunk: int) -> int:
+def _chunk_that_fits(
+    folder: Path, device: torch.device, dtype: torch.dtype, chunk: int, texts: int
+) -> int:
     available, needed = available_bytes(device), 0
     while chunk >= 1:
-        needed = estimate_memory(folder, chunk=chunk, dtype=dtype)
+        needed = estimate_memory(folder, chunk=chunk, dtype=dtype, texts=texts)
         if needed <= available:
             return chunk
         chunk //= 2
@@ -306,7 +332,7 @@ def _load(kind: Any, folder: Path, part: str, dtype: torch.dtype) -> Any:
         raise UserError(
             f'"{folder / part}" is incomplete: {len(report["missing_keys"])} of its weights are '
             f"missing, the first {min(report['missing_keys'])}.",
-            "Download the checkpoint anew.",
+            "Download the checkpoint again.",
         )
     return model
 
@@ -344,7 +370,7 @@ def _readable(path: Path) -> Iterator[None]:
         reason = str(error).strip().splitlines()
         raise UserError(
             f'"{path}" cannot be loaded ({reason[0] if reason else type(error).__name__}).',
-            "Download or convert the checkpoint anew.",
+            "Download or convert the checkpoint again.",
         ) from error
 
 

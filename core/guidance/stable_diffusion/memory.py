@@ -81,7 +81,7 @@ def memory_short(what: str, needed: int | None = None, available: int | None = N
     if needed is not None and available is not None:
         numbers = f": it needs about {needed / 1e9:.1f} GB of {available / 1e9:.1f} GB"
     return MemoryShortError(
-        f"The memory is too short for {what}{numbers}.",
-        "Close other programs that use the GPU, take fewer views at once, use a smaller "
+        f"There is not enough memory for {what}{numbers}.",
+        "Close other programs that use the GPU, render fewer views at once, use a smaller "
         "checkpoint, --device cpu, or --guidance builtin.",
     )

@@ -1,4 +1,4 @@
-"""What a prompt becomes: clean text, a text per side of the object, each camera's share in them.
+"""What a prompt becomes: clean text, a text per side of the object, each camera's weights of them.
 
 View words after DreamFusion (§3.2, "view-dependent conditioning") and the released Fantasia3D code:
 front and back within 45 degrees of the axis, side between them, overhead above 60 degrees of
@@ -18,6 +18,7 @@ from core.errors import UserError
 from core.guidance.guidance import PromptWarning
 
 VIEWS: Final = ("front", "side", "back", "overhead", "bottom")
+AROUND: Final = 3  # the first of them, which lie around the vertical
 MAX_CHARACTERS: Final = 1000  # about three times what CLIP's 77 tokens hold
 # What SDS at a high guidance scale tends to; used where the user gives no negative prompt.
 DEFAULT_NEGATIVE_PROMPT: Final = "oversaturated, flat color, blurry, low quality, deformed"
@@ -43,14 +44,14 @@ def clean_prompt(text: str, what: str = "prompt") -> str:
     if len(line) > MAX_CHARACTERS:
         raise UserError(
             f"The {what} has {len(line)} characters; at most {MAX_CHARACTERS} are read.",
-            "Say it in a sentence or two.",
+            "Shorten it to a sentence or two.",
         )
     # Cc: control, Cs: half of a surrogate pair, Co and Cn: no character that others know.
     bad = [c for c in line if unicodedata.category(c) in ("Cc", "Cs", "Co", "Cn")]
     if bad:
         raise UserError(
             f"The {what} holds a character that is no text (U+{ord(bad[0]):04X}).",
-            "Type it anew, without control characters.",
+            "Type it again, without control characters.",
         )
     return line
 
@@ -61,7 +62,7 @@ def require_prompt(text: str) -> str:
     if not any(unicodedata.category(c)[0] in "LNS" for c in line):  # letter, number or symbol
         raise UserError(
             "The prompt is empty." if not line else f'The prompt "{line}" holds no word.',
-            'Say what to make, for instance "a wooden chair".',
+            'Write what to make, for instance "a wooden chair".',
         )
     return line
 
@@ -71,11 +72,11 @@ def view_words(view: str) -> str:
     return f", {view} view"
 
 
-def view_shares(cameras: Cameras, *, soft: bool = False) -> Float[Tensor, "b 5"]:
+def view_weights(cameras: Cameras, *, soft: bool = False) -> Float[Tensor, "b 5"]:
     """How much of each camera's picture belongs to each of ``VIEWS``; rows sum to 1.
 
     Args:
-        soft: shares that change linearly with the angles. False: the nearest view alone, front up
+        soft: weights that change linearly with the angles. False: the nearest view alone, front up
             to 45 degrees of azimuth.
     """
     azimuth = _wrapped_deg(cameras.azimuth).abs()
@@ -93,13 +94,13 @@ def view_shares(cameras: Cameras, *, soft: bool = False) -> Float[Tensor, "b 5"]
     return torch.cat([around * (1 - pole.sum(-1, keepdim=True)), pole], -1)
 
 
-def opposing_shares(shares: Float[Tensor, "b 5"]) -> Float[Tensor, "b 5"]:
+def opposing_weights(weights: Float[Tensor, "b 5"]) -> Float[Tensor, "b 5"]:
     """How strongly Perp-Neg steers away from each view: as far as a side is not in the picture.
 
     Only front, side and back: nobody meets a second object's overhead view on its flank.
     """
-    around = torch.ones_like(shares) - shares
-    around[:, 3:] = 0
+    around = torch.ones_like(weights) - weights
+    around[:, AROUND:] = 0
     return around
 
 
@@ -108,7 +109,7 @@ def fit_tokens(
 ) -> tuple[list[int], list[int]]:
     """``length`` tokens [bos, prompt, suffix, eos, pad ...], and those of the prompt that were cut.
 
-    The prompt gives way, never the suffix: a prompt that is cut still says from where it is seen.
+    The prompt gives way, never the suffix: a prompt that is cut still states from where it is seen.
     """
     room = length - 2 - len(suffix)
     tokens = [bos, *prompt[:room], *suffix, eos]
@@ -116,7 +117,7 @@ def fit_tokens(
 
 
 def warn_cut(cut: str, what: str = "prompt") -> None:
-    """Say which end of the prompt the text encoder will not see."""
+    """Warn which end of the prompt the text encoder will not see."""
     warnings.warn(
         f'The {what} is too long for the text encoder, which does not see its end: "{cut}". '
         "Shorten it, most important words first.",

@@ -105,8 +105,8 @@ def cupcake(draw: Draw) -> Parts:
     cup = lathe([(low, 0), (wide, high)], 0.02)
     pleat = taper((low, 0, 0.06), (wide, 0, high - 0.04), 0.08, 0.1)
     swirl, z = [], high + 0.1
-    for share in (1.02, 0.74, 0.45):
-        swirl.append(egg((0, 0, z), (wide * share + 0.06, wide * share + 0.06, 0.27)))
+    for width in (1.02, 0.74, 0.45):
+        swirl.append(egg((0, 0, z), (wide * width + 0.06, wide * width + 0.06, 0.27)))
         z += draw(0.25, 0.29)
     return {
         "icing": join(*swirl),

@@ -265,7 +265,7 @@ def arch(draw: Draw) -> Parts:
     }
 
 
-WORKS = {
+VEHICLES_BUILDINGS = {
     "car": car,
     "bus": bus,
     "truck": truck,

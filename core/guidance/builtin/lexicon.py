@@ -1,0 +1,137 @@
+"""The forms under which words are known, what misspellings are read as, and hints for the rest.
+
+Standard library only: what a prompt means is known without loading a network.
+"""
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.nearest import NEAREST, REAL
+from core.guidance.builtin.words import (
+    COLORS,
+    MATERIALS,
+    NOUNS,
+    PART_SYNONYMS,
+    PART_WORDS,
+    PARTS,
+    PATTERNS,
+    SHAPES,
+    WITHOUT,
+)
+
+SLOTS: dict[str, Collection[str]] = {
+    "noun": NOUNS,
+    "shape": SHAPES,
+    "part": PARTS,
+    "color": COLORS,
+    "material": MATERIALS,
+    "pattern": PATTERNS,
+    "second": COLORS,
+}
+Vocabulary = Mapping[str, Collection[str]]  # words by slot
+
+
+class Entry(NamedTuple):
+    """A word of a slot, and the form of it that was written."""
+
+    slot: str
+    word: str
+    form: str
+
+    @property
+    def is_narrower(self) -> bool:
+        """Whether the form means less than, or something next to, what is made for it."""
+        return self.form in NARROWER
+
+
+def forms_of(text: str) -> list[str]:
+    """The forms of a table's row, of which commas part synonyms and a semicolon narrower words."""
+    return [form for form in re.split(r"[,;] ", text) if form]
+
+
+def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
+    """The word of each form, with its slot; and the forms that are narrower than their word."""
+    lexicon: dict[str, tuple[str, str]] = {}
+    narrower = []
+    tables = {"noun": NOUNS, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
+    tables |= {"pattern": PATTERNS, "part": PART_WORDS}
+    for slot, table in tables.items():
+        for word, text in table.items():
+            for form in (word, *forms_of(text)):
+                lexicon.setdefault(form.replace("-", " "), (slot, word))
+            narrower += forms_of(text.partition("; ")[2])
+    return lexicon, frozenset(narrower)
+
+
+LEXICON, NARROWER = _lexicon()
+MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
+PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
+
+
+def look_up(phrase: str, known: Vocabulary) -> Entry | None:
+    """What a phrase means among the ``known`` words: itself, or what it may be the plural of."""
+    forms = singulars(phrase)
+    for form in forms:
+        slot, word = LEXICON.get(form, ("", ""))
+        if slot == "part" or word in known.get(slot, ()):
+            return Entry(slot, word, form)
+    for form in forms:
+        if form in PART_FORMS or any(form in parts for parts in LOOKS.values()):
+            return Entry("part", PART_FORMS.get(form, form), form)
+    return None
+
+
+def singulars(phrase: str) -> list[str]:
+    """The phrase and what it may be the plural of."""
+    forms = [phrase]
+    if phrase.endswith("s"):
+        forms.append(phrase[:-1])
+    if phrase.endswith("es"):
+        forms.append(phrase[:-2])
+    return forms
+
+
+def corrected(token: str) -> str:
+    """The known word of which ``token`` is surely a misspelling, or "".
+
+    One letter missing, doubled, or changed places with its neighbour; in words of six letters and
+    more also one wrong letter after the first. Words of other things are no misspellings.
+    """
+    return next(_one_slip_away(token, (*LEXICON, *WITHOUT), 6), "")
+
+
+def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:
+    """Known words near to ``token``, best first, at most three: near in meaning where the table of
+    meanings has it, else in spelling, as one slip away."""
+    forms = [form for form in singulars(token) if form in MEANT]
+    # A wrong letter in a word of five may be a slip, or another word: enough for a hint alone.
+    near = [MEANT[form] for form in forms] or list(_one_slip_away(token, LEXICON, 5))
+    return [form for form in dict.fromkeys(near) if _is_known(form, known)][:3]
+
+
+def _one_slip_away(token: str, words: Iterable[str], length: int) -> Iterator[str]:
+    """``words`` that ``token`` may be a misspelling of; a wrong letter from ``length`` letters."""
+    forms = [form for form in singulars(token) if len(form) > 3]
+    if any(form in MEANT or form in REAL for form in forms):
+        return
+    known = [word for word in words if " " not in word and len(word) > 3]
+    yield from (word for form in forms for word in known if _one_slip(form, word, length))
+
+
+def _one_slip(token: str, word: str, length: int) -> bool:
+    a, b = sorted((token, word), key=len)
+    if len(b) == len(a) + 1:
+        return any(b[:i] + b[i + 1 :] == a for i in range(len(b)))
+    if len(a) != len(b) or a == b:
+        return False
+    wrong = [i for i in range(len(a)) if a[i] != b[i]]
+    if len(wrong) == 2 and wrong[1] == wrong[0] + 1:
+        return a[wrong[0]] == b[wrong[1]] and a[wrong[1]] == b[wrong[0]]
+    return len(wrong) == 1 and wrong[0] > 0 and len(a) >= length
+
+
+def _is_known(form: str, known: Vocabulary) -> bool:
+    slot, word = LEXICON[form]
+    return slot == "part" or word in known.get(slot, ())

@@ -1,0 +1,43 @@
+"""JSON files that somebody else may have written or changed. Standard library only."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from core.errors import UserError
+
+MAX_BYTES = 8 << 20  # job.json and asset.json are a few kilobytes
+
+
+def read_object(path: Path, fix: str) -> dict[str, Any]:
+    """The object in a JSON file.
+
+    Raises:
+        UserError: the file cannot be read, is no UTF-8 or no JSON, is nested too deeply, has a
+            number beyond any machine's, or holds something other than an object.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise UserError(f"{path} is larger than {MAX_BYTES >> 20} MB.", fix)
+        return parse_object(path.read_text(encoding="utf-8"), str(path), fix)
+    except UnicodeDecodeError:
+        raise UserError(f"{path} is no UTF-8 text.", fix) from None
+    except OSError as error:
+        raise UserError(f"{path} cannot be read ({error.strerror}).", fix) from error
+
+
+def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
+    """The object in ``text``; ``name`` stands for it in what is raised, as by read_object."""
+    try:
+        data = json.loads(text, parse_constant=_refuse)
+    except ValueError as error:  # also a number of more digits than Python converts
+        raise UserError(f"{name} is no JSON ({str(error).split(';')[0]}).", fix) from None
+    except RecursionError:
+        raise UserError(f"{name} is nested too deeply.", fix) from None
+    if not isinstance(data, dict):
+        raise UserError(f"{name} holds no object.", fix)
+    return data
+
+
+def _refuse(constant: str) -> None:
+    raise ValueError(f"{constant} is no number of JSON")

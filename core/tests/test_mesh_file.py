@@ -1,0 +1,80 @@
+"""Mesh files that are broken, or made to break: one sentence each, and never a wrong mesh."""
+
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.errors import UserError
+from core.io.mesh_file import load_mesh
+
+TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
+OBJ = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+PLY = (
+    b"ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+    b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+)
+
+
+def glb(indices: list[int], nodes: list[dict] | None = None, count: int = 3) -> bytes:
+    """One triangle, unless ``indices``, ``nodes`` or the vertices' ``count`` say otherwise."""
+    tree = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": nodes or [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5125, "count": 3, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": 36},
+            {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+        ],
+        "buffers": [{"byteLength": 48}],
+    }
+    text = json.dumps(tree).encode()
+    text += b" " * (-len(text) % 4)
+    data = TRIANGLE + np.array(indices, np.uint32).tobytes()
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text
+    chunks += struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("index.obj", OBJ + b"f 1 2 9\n"),
+        ("beyond 64 bits.obj", OBJ + b"f 1 2 99999999999999999999999\n"),
+        ("negative.obj", OBJ + b"f 1 2 -9\n"),
+        ("large.obj", b"v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("nan.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("index.ply", PLY % (b"ascii", 3) + b"0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
+        ("count.ply", PLY % (b"binary_little_endian", 3_000_000_000) + b"0"),
+        ("count.stl", bytes(80) + struct.pack("<I", 4_000_000_000) + bytes(50)),
+        ("empty.stl", b""),
+        ("index.glb", glb([0, 1, 9])),
+        ("count.glb", glb([0, 1, 2], count=10**12)),
+        ("cut.glb", glb([0, 1, 2])[:60]),
+    ],
+)
+def test_a_broken_mesh_is_one_sentence(tmp_path: Path, name: str, data: bytes) -> None:
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(UserError, match=name.replace(".", r"\.")) as error:
+        load_mesh(tmp_path / name)
+    assert error.value.fix
+
+
+@pytest.mark.parametrize(
+    "nodes",
+    [
+        [{"mesh": 0, "children": [0]}],
+        [{"mesh": 0, "children": [1]}, {"children": [0]}],
+    ],
+)
+def test_nodes_in_a_circle_end(tmp_path: Path, nodes: list[dict]) -> None:
+    (tmp_path / "a.glb").write_bytes(glb([0, 1, 2], nodes))
+    assert len(load_mesh(tmp_path / "a.glb").faces) == 1

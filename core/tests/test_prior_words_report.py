@@ -1,0 +1,276 @@
+"""What a prompt is made as, what is left out of it and why: compounds, narrower words, hints."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from core.errors import MissingError, UserError
+from core.guidance.builtin import offered
+from core.guidance.builtin.lexicon import LEXICON, MEANT, NARROWER, SLOTS, nearest_words
+from core.guidance.builtin.nearest import NEAREST
+from core.guidance.builtin.offered import offered_words, read_metadata
+from core.guidance.builtin.vocabulary import (
+    UnknownWordsError,
+    Words,
+    parse,
+    understood,
+    words_report,
+)
+
+ROOT = Path(__file__).parents[2]
+
+# Everyday prompts: what each is made as, and what is left out of it.
+EVERYDAY = {
+    "an acoustic guitar": ("guitar", ["acoustic"]),
+    "an office chair": ("chair", ["office"]),
+    "a wine bottle": ("bottle", ["wine"]),
+    "a pirate hat": ("hat", ["pirate"]),
+    "a desk lamp": ("lamp", ["desk"]),
+    "a kitchen table": ("table", ["kitchen"]),
+    "a wooden rocking chair": ("chair", ["rocking"]),
+    "a police car": ("car", ["police"]),
+    "a yellow school bus": ("bus", []),
+    "a pickup truck": ("truck", ["pickup"]),
+    "a fire truck": ("truck", ["fire"]),
+    "a hot air balloon": ("", []),
+    "a street lamp": ("lamp", ["street"]),
+    "a birthday cupcake": ("cupcake", ["birthday"]),
+    "a halloween pumpkin": ("pumpkin", ["halloween"]),
+    "a wizard hat": ("hat", ["wizard"]),
+    "a garden bench": ("bench", ["garden"]),
+    "a park bench": ("bench", []),
+    "a coffee mug": ("mug", []),
+    "a coffee table": ("table", ["coffee"]),
+    "a picnic table": ("table", ["picnic"]),
+    "a tennis ball": ("ball", ["tennis"]),
+    "a golf ball": ("ball", ["golf"]),
+    "a disco ball": ("ball", ["disco"]),
+    "a viking boat": ("boat", ["viking"]),
+    "a house boat": ("boat", ["house"]),
+    "a tree house": ("house", ["tree"]),
+    "a greek vase": ("vase", ["greek"]),
+    "a haunted house": ("house", ["haunted"]),
+    "a polar bear": ("teddy bear", ["polar"]),
+    "a king size bed": ("bed", ["king", "size"]),
+    "a leather office chair": ("chair", ["office"]),
+    "an oak piano bench": ("bench", ["piano"]),
+    "a toy train": ("train", ["toy"]),
+    "a battle axe": ("axe", ["battle"]),
+    "a blue robot with yellow eyes": ("robot", []),
+    "a spaceship": ("rocket", []),
+    "a stone castle": ("tower", []),
+    "a treasure chest": ("", []),
+    "a dragon": ("", []),
+    "a mushroom soup": ("", []),
+    "a fish tank": ("", []),
+}
+
+
+@pytest.mark.parametrize("prompt", EVERYDAY)
+def test_everyday_prompts_are_taken_by_their_head_noun_or_refused(prompt):
+    noun, left_out = EVERYDAY[prompt]
+    if not noun:
+        with pytest.raises(UnknownWordsError):
+            understood(prompt)
+        return
+    found = understood(prompt)
+    assert (found["thing"], found["left_out"]) == (noun, left_out)
+    for word in left_out:  # nothing is left out silently
+        assert any(repr(word) in note and "left out" in note for note in found["notes"])
+
+
+def test_most_everyday_prompts_are_taken():
+    taken = sum(bool(noun) for noun, _ in EVERYDAY.values())
+    assert len(EVERYDAY) >= 40
+    assert taken / len(EVERYDAY) > 0.85
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("a red office chair", Words("chair", color="red")),
+        ("an office chair, red", Words("chair", color="red")),
+        ("a striped beach ball without a handle", None),  # the refusal of parts stays
+        ("an old zebra striped chair", Words("chair", pattern="striped")),
+        ("a desk lamp with a red shade", Words("lamp", color="red")),
+    ],
+)
+def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
+    if words is None:
+        with pytest.raises(UserError, match="cannot make a ball"):
+            parse(prompt)
+    else:
+        assert parse(prompt) == words
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a zebra with a chair",  # another phrase
+        "a zebra, chair",
+        "a zebra and a chair",
+        "a chair zebra",  # the head is the unknown one
+        "a chair and a zebra",
+        "zebra of a chair",
+        "zebra for chair",
+        "a zebra wearing a hat",
+    ],
+)
+def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
+    with pytest.raises(UnknownWordsError, match="'zebra'"):
+        parse(prompt)
+
+
+@pytest.mark.parametrize("prompt", ["a table and a lamp", "a chair, lamp", "table with lamp"])
+def test_two_things_are_no_compound(prompt):
+    with pytest.raises(UserError, match="one noun"):
+        parse(prompt)
+
+
+def test_a_part_of_the_thing_is_no_compound():
+    assert parse("a snowman hat").part == "hat"
+    assert parse("a snowman hat").noun == "snowman"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "note"),
+    [
+        ("a spaceship", "spaceship: made as a rocket."),
+        ("woks", "wok: made as a pan."),
+        ("a gate", "gate: made as an arch."),
+        ("a piggy bank", "piggy bank: made as a pig."),
+        ("a desk", "desk: made as a table."),
+        ("a barrel", "barrel: made as a cylinder."),
+        ("a castle", "castle: made as a tower."),
+        ("a bear", "bear: made as a teddy bear."),
+        ("a teal mug", "teal: painted as cyan."),
+        ("an oak chair", "oak: made as wooden."),
+        ("a tartan sofa", "tartan: drawn as checkered."),
+        ("a long table", "long: made wide."),
+    ],
+)
+def test_a_narrower_word_is_reported(prompt, note):
+    assert parse(prompt).notes == (note,)
+
+
+@pytest.mark.parametrize("prompt", ["a donut", "a couch", "an automobile", "a grey bunny", "a cup"])
+def test_a_true_synonym_is_not(prompt):
+    assert parse(prompt).notes == ()
+
+
+def test_a_narrower_word_that_is_left_out_is_not_made_as_anything():
+    assert parse("a desk lamp").notes == ("The built-in prior does not know 'desk': left out.",)
+
+
+def test_narrower_words_are_known_words_and_no_slot_is_all_narrower():
+    assert set(LEXICON) >= NARROWER
+    assert not any(word in NARROWER for slot in SLOTS for word in SLOTS[slot])
+
+
+def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
+    note = parse("a vinyl sofa").notes[-1]
+    assert note == "The built-in prior does not know 'vinyl' (did you mean plastic?): left out."
+    assert "(did you mean green?)" in parse("a grren chair").notes[-1]
+
+
+@pytest.mark.parametrize(
+    ("word", "near"),
+    [
+        ("chest", ["cube"]),  # not chestnut
+        ("crate", ["cube"]),
+        ("sword", ["axe"]),
+        ("swords", ["axe"]),
+        ("dragon", ["turtle"]),
+        ("bicycle", ["car"]),
+        ("horse", ["pig"]),  # not house
+        ("tent", ["cottage"]),
+        ("skull", ["bust"]),
+        ("lantern", ["lamp"]),
+        ("kettle", ["teapot"]),
+        ("plum", ["purple"]),  # not plump
+        ("phone", []),  # near to nothing
+        ("saxophone", []),
+        ("xyzzy", []),
+        ("grren", ["green"]),  # a misspelling
+        ("ceramix", ["ceramic"]),
+    ],
+)
+def test_hints_are_near_in_meaning_and_in_letters_only_for_misspellings(word, near):
+    assert nearest_words(word) == near
+
+
+def test_each_unknown_word_has_one_meaning_and_hints_with_it_first():
+    forms = [form for row in NEAREST.values() for form in row.split(", ")]
+    assert len(forms) == len(set(forms)) == len(MEANT)
+    for word, row in NEAREST.items():
+        assert all(nearest_words(form)[0] == word for form in row.split(", "))
+
+
+def test_what_is_understood_is_plain_data():
+    found = understood("a tall two-tone oak house without a chimney, red and white")
+    assert json.loads(json.dumps(found)) == found == {
+        "prompt": "a tall two-tone oak house without a chimney, red and white",
+        "thing": "house",
+        "shape": "tall",
+        "parts": ["no chimney"],
+        "colours": ["red", "white"],
+        "materials": ["wooden"],
+        "pattern": "two-tone",
+        "left_out": [],
+        "notes": ["oak: made as wooden."],
+    }  # fmt: skip
+
+
+def test_the_report_of_a_refused_prompt_has_the_nearest_meanings_and_exit_code_2():
+    report, code = words_report("a chest and a phone")
+    assert code == 2
+    assert report["nearest"] == {"chest": ["cube"], "phone": []}
+    assert "'chest' (did you mean cube?)" in report["error"]
+    assert "--guidance FOLDER" in report["fix"]
+    # Of an unknown compound the head noun has the nearest thing.
+    assert words_report("a treasure chest")[0]["nearest"] == {"treasure": [], "chest": ["cube"]}
+    assert words_report("a vinyl office cabinet")[0]["nearest"] == {
+        "vinyl": ["plastic"],
+        "office": [],
+        "cabinet": ["bookshelf"],
+    }
+    assert words_report("a red chair") == (understood("a red chair"), 0)
+    assert words_report("a chair and a table")[1] == 2
+
+
+def test_the_words_are_read_without_torch_within_two_seconds():
+    code = (
+        "import sys, json\n"
+        "from core.guidance.builtin.vocabulary import words_report\n"
+        "print(json.dumps([words_report('an office chair'), sorted(sys.modules)]))"
+    )
+    start = time.monotonic()
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    seconds = time.monotonic() - start
+    (report, exit_code), modules = json.loads(done.stdout)
+    assert (report["thing"], exit_code) == ("chair", 0)
+    assert not {"torch", "numpy", "safetensors", "core.prior"} & set(modules)
+    assert seconds < 2
+
+
+def test_the_offered_words_are_those_of_the_weights():
+    found = offered_words()
+    assert set(found) == set(SLOTS)
+    assert all(set(found[slot]) <= set(SLOTS[slot]) for slot in SLOTS)
+
+
+def test_broken_weights_are_named(tmp_path, monkeypatch):
+    monkeypatch.setattr(offered, "WEIGHTS", tmp_path)
+    with pytest.raises(MissingError, match=r"geometry\.safetensors"):
+        offered_words()
+    for content in (b"short", b"\xff" * 16, (2).to_bytes(8, "little") + b"[}"):
+        (tmp_path / "geometry.safetensors").write_bytes(content)
+        with pytest.raises(MissingError, match="broken"):
+            offered_words()
+    (tmp_path / "x").write_bytes((10**6).to_bytes(8, "little"))
+    with pytest.raises(ValueError, match="cut"):
+        read_metadata(tmp_path / "x")
