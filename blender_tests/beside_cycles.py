@@ -34,8 +34,8 @@ from core.picture import maps_source
 from core.render.rasterizer import interpolate, rasterize
 from core.render.shade import shade
 from core.render.shaded import UvMesh, surface_at
-from fantasia3d_addon import light, scene
-from fantasia3d_addon.import_asset import import_asset
+from fantasia3d_addon.asset.import_asset import import_asset
+from fantasia3d_addon.scene import light, render
 
 CAMERA = Cameras.orbit([35.0], [25.0])
 KD = (0.8, 0.35, 0.1)
@@ -46,7 +46,7 @@ def empty_scene(lit_by: Path, size: int, samples: int, bounces: int = 1) -> None
     """A new file with the light ``lit_by`` and CAMERA, as the add-on sets it up but for pixels."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     here = bpy.context.scene
-    scene.set_up_cycles(here, size, samples)
+    render.set_up_cycles(here, size, samples)
     cycles = here.cycles
     cycles.use_denoising = cycles.use_adaptive_sampling = False
     cycles.max_bounces = bounces

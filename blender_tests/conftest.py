@@ -59,11 +59,12 @@ def ready(addon, tmp_path, monkeypatch):
     """The settings of the add-on with the fake core, an asset to make, and a folder for runs."""
     import bpy
 
-    from fantasia3d_addon import environment, preferences
+    from fantasia3d_addon import environment
+    from fantasia3d_addon.jobs import paths
 
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
     monkeypatch.setattr(environment, "project_root", lambda: FAKE_CORE)
-    monkeypatch.setattr(preferences.Machine, "runs", tmp_path / "runs")
+    monkeypatch.setattr(paths.Paths, "runs", tmp_path / "runs")
     settings = bpy.context.scene.fantasia3d
     settings.prompt = "a red wooden chair"
     settings.negative_prompt = str(write_asset(tmp_path / "made"))  # the fake core hands it out
@@ -73,7 +74,7 @@ def ready(addon, tmp_path, monkeypatch):
 @pytest.fixture
 def wait() -> Callable[..., None]:
     """Calls the session's tick as a timer would, until all has ended or ``until`` says so."""
-    from fantasia3d_addon.session import session
+    from fantasia3d_addon.jobs.session import session
 
     def until_the_end(until: Callable[[], bool] = lambda: False) -> None:
         deadline = time.monotonic() + 60

@@ -22,9 +22,9 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 import fantasia3d_addon  # noqa: E402
-from fantasia3d_addon.layout import TAB  # noqa: E402
-from fantasia3d_addon.registration import CLASSES  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.ui.registration import CLASSES  # noqa: E402
+from fantasia3d_addon.ui.text import TAB  # noqa: E402
 
 ROW = 8  # pixels between two tries of a click
 BEAT = 0.005  # seconds between two beats of the clock that sees the main loop held up

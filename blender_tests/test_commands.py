@@ -9,8 +9,10 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import lobe, read, write_hdr  # noqa: E402
 from blender_tests.processes import ROOT  # noqa: E402
-from fantasia3d_addon import commands, compat, headless, scene  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
+from fantasia3d_addon.cli import commands, headless  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
+from fantasia3d_addon.scene import render  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -23,7 +25,7 @@ pytestmark = [
 @pytest.fixture
 def quick(monkeypatch):
     """Pictures of 32 pixels and two samples, whatever is asked for."""
-    set_up = scene.set_up_cycles
+    set_up = render.set_up_cycles
 
     def small(target, size=0, samples=None):
         set_up(target, 32, 2)
@@ -32,7 +34,7 @@ def quick(monkeypatch):
             target.world.cycles.sampling_method = "MANUAL"
             target.world.cycles.sample_map_resolution = 32
 
-    monkeypatch.setattr(scene, "set_up_cycles", small)
+    monkeypatch.setattr(render, "set_up_cycles", small)
 
 
 def test_relight_makes_a_picture_a_turntable_and_a_file(asset, tmp_path, quick, capfd):
@@ -56,10 +58,10 @@ def test_physics_saves_the_baked_cloth(asset, tmp_path, quick):
     assert headless.command(argv) == 0
     assert (tmp_path / "a.png").is_file()
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
-    from fantasia3d_addon import bake_physics, physics
+    from fantasia3d_addon.physics import bake, simulation
 
-    owner = physics.owner_of(bpy.data.objects["a red wooden chair"])
-    assert bake_physics.cache_of(owner).is_baked
+    owner = simulation.owner_of(bpy.data.objects["a red wooden chair"])
+    assert bake.cache_of(owner).is_baked
     assert bpy.context.scene.frame_current == 5
 
 

@@ -6,8 +6,8 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block  # noqa: E402
+from fantasia3d_addon.asset.export_shape import export_shape  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
-from fantasia3d_addon.export_shape import export_shape  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 

@@ -14,7 +14,8 @@ bpy = pytest.importorskip("bpy")
 from blender_tests.asset_fixture import write_asset  # noqa: E402
 from blender_tests.pictures import read  # noqa: E402
 from blender_tests.processes import blender_command  # noqa: E402
-from fantasia3d_addon import headless, scene  # noqa: E402
+from fantasia3d_addon.cli import headless  # noqa: E402
+from fantasia3d_addon.scene import render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 FAKE_CORE = Path(__file__).parent / "fake_core"
@@ -24,7 +25,7 @@ PYTHON = Path(sys.executable)
 @pytest.fixture
 def quick(monkeypatch):
     """Pictures of 32 pixels and two samples."""
-    set_up = scene.set_up_cycles
+    set_up = render.set_up_cycles
 
     def small(target):
         set_up(target, 32, 2)
@@ -32,7 +33,7 @@ def quick(monkeypatch):
         target.world.cycles.sampling_method = "MANUAL"
         target.world.cycles.sample_map_resolution = 64
 
-    monkeypatch.setattr(scene, "set_up_cycles", small)
+    monkeypatch.setattr(render, "set_up_cycles", small)
 
 
 def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch, capfd):
@@ -77,7 +78,7 @@ def test_a_core_that_dies_has_the_status_of_its_signal(tmp_path):
 def test_ctrl_c_is_the_cores_to_answer(tmp_path):
     """In a terminal both processes get it: the core stops cleanly, and Blender passes that on."""
     code = (
-        "import os; from pathlib import Path; from fantasia3d_addon import headless\n"
+        "import os; from pathlib import Path; from fantasia3d_addon.cli import headless\n"
         f"argv = ['generate', 'long', '--out', {str(tmp_path / 'run')!r}, '--blend', 'x.blend']\n"
         f"os._exit(headless.main(argv, Path({sys.executable!r}), Path({str(FAKE_CORE)!r})))"
     )

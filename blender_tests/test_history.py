@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from fantasia3d_addon import history
-from fantasia3d_addon.claim import Claim
 from fantasia3d_addon.errors import JobError
-from fantasia3d_addon.target import Target
+from fantasia3d_addon.jobs import history
+from fantasia3d_addon.jobs.lock import Claim
+from fantasia3d_addon.jobs.target import Target
 
 JOB = {"version": 1, "prompt": "a chair", "seed": 3, "preset": "draft"}
 

@@ -16,8 +16,8 @@ from blender_tests.asset_fixture import (  # noqa: E402
     write_png,
 )
 from blender_tests.pictures import render, set_light  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.errors import AssetError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 

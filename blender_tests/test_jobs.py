@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from fantasia3d_addon import jobs
 from fantasia3d_addon.errors import JobError
-from fantasia3d_addon.jobs import Event, Run, is_core
+from fantasia3d_addon.jobs import process
+from fantasia3d_addon.jobs.process import Event, Run, is_core
 
 FAKE_CORE = Path(__file__).parent / "fake_core"
 PYTHON = Path(sys.executable)
@@ -112,7 +112,7 @@ def test_a_death_without_a_word_names_the_log(tmp_path):
 
 def test_a_death_on_a_full_disk_says_so(tmp_path, monkeypatch):
     run = start(tmp_path / "run", "die")
-    monkeypatch.setattr(jobs.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
+    monkeypatch.setattr(process.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
     follow(run)
     assert run.last is not None
     assert run.last.text == f"The disk of {run.folder} is full."
@@ -148,7 +148,7 @@ def test_a_run_is_followed_again_after_the_end_of_its_blender(tmp_path):
     """The process lives on when the one that started it dies, and its events are all there."""
     code = (
         "import sys, os, time; from pathlib import Path\n"
-        "from fantasia3d_addon.jobs import Run\n"
+        "from fantasia3d_addon.jobs.process import Run\n"
         f"run = Run.start(Path({str(tmp_path / 'run')!r}), {{'version': 1, 'prompt': 'long'}}, "
         f"Path(sys.executable), Path({str(FAKE_CORE)!r}))\n"
         "while not run.poll(): time.sleep(0.01)\n"

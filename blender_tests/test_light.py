@@ -16,8 +16,8 @@ from blender_tests.pictures import (  # noqa: E402
     set_light,
     write_hdr,
 )
-from fantasia3d_addon import light  # noqa: E402
 from fantasia3d_addon.errors import LightError  # noqa: E402
+from fantasia3d_addon.scene import light  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -114,7 +114,7 @@ def test_a_new_light_takes_the_place_of_the_old(tmp_path):
 
 def test_the_studio_is_the_cores():
     """If it differs: run.py python -c "from core.exr import write_exr; from core.appearance.lights
-    import studio; write_exr('fantasia3d_addon/studio.exr', studio(128))".
+    import studio; write_exr('fantasia3d_addon/scene/studio.exr', studio(128))".
     """
     pytest.importorskip("torch")
     from core.appearance.lights import studio

@@ -8,8 +8,9 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block, write_png  # noqa: E402
-from fantasia3d_addon import live_preview, thumbnails  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import live_preview  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.ui import icons  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -116,24 +117,24 @@ def test_twenty_thousand_faces_are_taken_in_within_a_tick(addon, tmp_path):
 def test_a_picture_is_read_anew_when_it_changes(addon, tmp_path):
     import os
 
-    path, pictures = tmp_path / "a.png", thumbnails._collections[0]
-    assert thumbnails.icon(None) == thumbnails.icon(path) == 0
+    path, pictures = tmp_path / "a.png", icons._collections[0]
+    assert icons.icon(None) == icons.icon(path) == 0
     assert not pictures
     write_png(path, np.zeros((8, 8, 3), np.uint8))
     os.utime(path, (1, 1))
-    thumbnails.icon(path)
+    icons.icon(path)
     (first,) = pictures
-    thumbnails.icon(path)
+    icons.icon(path)
     assert list(pictures) == [first]
     os.utime(path, (2, 2))
-    thumbnails.icon(path)
+    icons.icon(path)
     assert len(pictures) == 1
     assert first not in pictures
 
 
 def test_every_light_has_its_picture(addon):
-    from fantasia3d_addon import light
+    from fantasia3d_addon.scene import light
 
     for name in ("neutral", *light.blender_lights()):
-        path = thumbnails.LIGHTS / f"{name}.png"
+        path = icons.LIGHTS / f"{name}.png"
         assert path.is_file(), "run python -m blender_tests.light_icons"

@@ -6,9 +6,12 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import linear, render, set_light  # noqa: E402
-from fantasia3d_addon import compat, maps, material_edit, material_library  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.material import edit as material_edit  # noqa: E402
+from fantasia3d_addon.material import library as material_library  # noqa: E402
+from fantasia3d_addon.mesh import maps  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 

@@ -16,7 +16,7 @@ from blender_tests.processes import ROOT
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon.asset_folder import read_asset  # noqa: E402
+from fantasia3d_addon.asset.asset_folder import read_asset  # noqa: E402
 
 pytestmark = pytest.mark.blender
 MODULE = "bl_ext.user_default.fantasia3d"
@@ -55,7 +55,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
         names = set(archive.namelist())
         manifest = tomllib.loads(archive.read("blender_manifest.toml").decode())
     assert manifest == tomllib.loads((ROOT / "manifest.toml").read_text("utf-8"))
-    assert {"__init__.py", "studio.exr", "LICENSE", "method/pyproject.toml"} <= names
+    assert {"__init__.py", "scene/studio.exr", "LICENSE", "method/pyproject.toml"} <= names
     assert "method/core/guidance/weights/geometry.safetensors" in names
     mine = {f"method/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "core").rglob("*.py")}
     assert {n for n in mine if "/tests/" not in n} <= names

@@ -9,10 +9,10 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import add_ball, linear, read  # noqa: E402
-from fantasia3d_addon import cornell_box, placement, scene  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.mesh_data import world_verts  # noqa: E402
+from fantasia3d_addon.scene import cornell_box, placement, render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -127,7 +127,7 @@ def test_the_floor_is_as_bright_as_the_light_makes_it(tmp_path):
     speck = add_box((0.001, 0.001, 0.001), (0, 0, 0.0005))
     cornell_box.build(target, [speck], height=1.0)
     speck.hide_render = True
-    scene.set_up_cycles(target, 64, 64)
+    render.set_up_cycles(target, 64, 64)
     target.cycles.max_bounces, target.cycles.use_denoising = 0, False
     target.camera.location, target.camera.rotation_euler = (0, 0, 0.9), (0, 0, 0)
     target.camera.data.angle = 0.2
@@ -143,7 +143,7 @@ def test_the_floor_is_as_bright_as_the_light_makes_it(tmp_path):
 def test_the_walls_are_red_and_green_and_the_pane_glows(asset, tmp_path):
     target = bpy.context.scene
     cornell_box.build(target, [import_asset(target, asset)])
-    scene.set_up_cycles(target, 48, 16)
+    render.set_up_cycles(target, 48, 16)
     target.cycles.use_denoising = False
     target.render.filepath = str(tmp_path / "x.png")
     bpy.ops.render.render(write_still=True)

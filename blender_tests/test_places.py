@@ -7,8 +7,9 @@ from pathlib import Path, PureWindowsPath
 
 import pytest
 
-from fantasia3d_addon import environment, memory
-from fantasia3d_addon.environment import layout, machine
+from fantasia3d_addon import environment
+from fantasia3d_addon.environment import machine, paths
+from fantasia3d_addon.jobs import memory
 
 HOMES = (
     r"C:\Users\Ann",
@@ -27,20 +28,20 @@ def windows(monkeypatch):
 @pytest.mark.parametrize("home", HOMES)
 def test_the_environment_of_windows_has_its_python_in_scripts(windows, home):
     folder = PureWindowsPath(home) / "fantasia3d" / "env-0123"
-    assert str(layout.env_python(folder)) == home + r"\fantasia3d\env-0123\Scripts\python.exe"
-    assert str(layout.log_file(folder)) == home + r"\fantasia3d\env-0123.log"
+    assert str(paths.env_python(folder)) == home + r"\fantasia3d\env-0123\Scripts\python.exe"
+    assert str(paths.log_file(folder)) == home + r"\fantasia3d\env-0123.log"
 
 
 def test_elsewhere_it_is_in_bin(monkeypatch):
     monkeypatch.setattr(sys, "platform", "darwin")
     folder = Path("/Users/Zoë/Library/Application Support/fantasia3d/env-0123")
-    assert layout.env_python(folder) == folder / "bin" / "python"
+    assert paths.env_python(folder) == folder / "bin" / "python"
 
 
 def test_a_version_in_the_folders_name_stays_in_its_logs(windows):
     """``with_suffix`` would cut it off."""
     folder = PureWindowsPath(r"C:\f3d\env-1.2")
-    assert layout.log_file(folder).name == "env-1.2.log"
+    assert paths.log_file(folder).name == "env-1.2.log"
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import presets  # noqa: E402
+from fantasia3d_addon.ui import presets  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty", "addon")]
 

@@ -8,7 +8,9 @@ from blender_tests.processes import ROOT
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import asset_browser, compat, registration  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
+from fantasia3d_addon.mesh import asset_browser  # noqa: E402
+from fantasia3d_addon.ui import registration  # noqa: E402
 
 pytestmark = pytest.mark.blender
 PAGE = (ROOT / "docs" / "recipes.md").read_text("utf-8")

@@ -14,26 +14,27 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.conftest import FAKE_CORE  # noqa: E402
 from blender_tests.processes import blender_command  # noqa: E402
-from fantasia3d_addon import ask, history  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.jobs import is_core  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import history, submit  # noqa: E402
+from fantasia3d_addon.jobs.process import is_core  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 AWAY = """
 import os, sys, time
 from pathlib import Path
 import bpy, fantasia3d_addon
-from fantasia3d_addon import ask, environment, preferences
-from fantasia3d_addon.session import session
+from fantasia3d_addon import environment
+from fantasia3d_addon.jobs import paths, submit
+from fantasia3d_addon.jobs.session import session
 os.environ["FANTASIA3D_PYTHON"] = {python!r}
 environment.project_root = lambda: Path({core!r})
-preferences.Machine.runs = Path({runs!r})
+paths.Paths.runs = Path({runs!r})
 fantasia3d_addon.register()
 settings = bpy.context.scene.fantasia3d
 settings.negative_prompt = {asset!r}
 for settings.prompt in {prompts!r}:
-    ask.generate(bpy.context)
+    submit.generate(bpy.context)
 until = time.time() + 30
 while time.time() < until and not (session.running and session.running[0].progress.step > 2):
     session.tick()
@@ -82,7 +83,7 @@ def test_generate_puts_the_asset_at_the_cursor(ready, wait):
 
 def test_the_operator_is_the_function(ready, wait):
     jobs = []
-    for press in (lambda: ask.generate(bpy.context), bpy.ops.fantasia3d.generate):
+    for press in (lambda: submit.generate(bpy.context), bpy.ops.fantasia3d.generate):
         press()
         wait()
         jobs.append(session.last.job)
@@ -117,7 +118,7 @@ def test_a_core_that_does_not_listen_can_be_stopped_and_resumed(ready, wait, mon
     assert not bpy.ops.fantasia3d.stop_now.poll()
     bpy.ops.fantasia3d.cancel()
     assert not session.running[0].progress.overdue
-    monkeypatch.setattr("fantasia3d_addon.follow.PATIENCE", 0.0)
+    monkeypatch.setattr("fantasia3d_addon.jobs.progress.PATIENCE", 0.0)
     assert session.running[0].progress.overdue
     bpy.ops.fantasia3d.stop_now()
     wait()
@@ -149,7 +150,7 @@ def test_half_an_asset_is_an_error_in_the_panel(ready, wait):
 
 
 def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
-    run = ask.generate(bpy.context)
+    run = submit.generate(bpy.context)
     wait()
     shutil.rmtree(run / "asset")
     with pytest.raises(RuntimeError) as refused:
@@ -165,7 +166,7 @@ def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
 
 
 def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
-    run = ask.generate(bpy.context)
+    run = submit.generate(bpy.context)
     wait()
     assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
     names = sorted(o.name for o in bpy.data.objects)
@@ -176,7 +177,7 @@ def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
 def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait):
     runs = []
     for ready.prompt in ("long", "second", "third", "fourth"):
-        runs.append(ask.generate(bpy.context))
+        runs.append(submit.generate(bpy.context))
     assert [follow.prompt for follow in session.running] == ["long"]
     assert [folder for folder, _ in session.waiting] == runs[1:]
     assert history.read_entry(runs[1]).state == history.WAITING
@@ -281,9 +282,9 @@ def test_what_was_done_while_blender_was_closed_is_told(ready, wait, tmp_path):
 
 
 def test_the_core_is_missing(ready, monkeypatch, tmp_path):
-    monkeypatch.setattr("fantasia3d_addon.preferences.Machine.python", tmp_path / "none")
+    monkeypatch.setattr("fantasia3d_addon.jobs.paths.Paths.python", tmp_path / "none")
     with pytest.raises(AddonError, match="There is no Python"):
-        ask.generate(bpy.context)
+        submit.generate(bpy.context)
     assert (session.running, session.waiting) == ([], [])
 
 

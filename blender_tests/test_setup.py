@@ -10,8 +10,9 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import environment, preferences, setup_operators  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon import environment  # noqa: E402
+from fantasia3d_addon.jobs import environment_setup, paths  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -68,9 +69,9 @@ class Box:
         self.wheels = self.folder / "wheels"
         self.env = self.folder / ("an environment whose name is long " * 4).strip()
         place = environment.Place(self.env, self.python, self.wheels)
-        patch.setattr(preferences.Machine, "root", self.root)
-        patch.setattr(preferences.Machine, "environment", self.env)
-        patch.setattr(preferences.Machine, "place", place)
+        patch.setattr(paths.Paths, "root", self.root)
+        patch.setattr(paths.Paths, "environment", self.env)
+        patch.setattr(paths.Paths, "place", place)
         machine = sys.modules[environment.find_python.__module__]
         patch.setattr(machine, "has_nvidia", lambda: False)
         patch.setattr(machine, "python_candidates", lambda: iter([str(self.python)]))
@@ -148,19 +149,19 @@ def test_a_folder_with_the_users_files_is_left_alone(box):
 
 def test_a_python_that_is_none_is_said(box, monkeypatch):
     place = environment.Place(box.env, box.folder / "nothing", box.wheels)
-    monkeypatch.setattr(preferences.Machine, "place", place)
+    monkeypatch.setattr(paths.Paths, "place", place)
     bpy.ops.fantasia3d.set_up()
     assert done().error[0].endswith("nothing is no Python 3.11 of 64 bits.")
 
 
 def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
-    assert setup_operators.reason_against() == ""
+    assert environment_setup.reason_against() == ""
     box.wheels.rmdir()
-    assert "is not there" in setup_operators.reason_against()
+    assert "is not there" in environment_setup.reason_against()
     place = environment.Place(box.env, box.python)
-    monkeypatch.setattr(preferences.Machine, "place", place)
+    monkeypatch.setattr(paths.Paths, "place", place)
     online = bpy.app.online_access
-    assert setup_operators.reason_against() == (
+    assert environment_setup.reason_against() == (
         "" if online else "Allow online access (Preferences, System, Network), "
         "or name a folder of wheels."
     )  # fmt: skip
@@ -176,7 +177,7 @@ def test_check_says_what_is_missing_and_how_to_mend_it(box):
 
 
 def test_check_looks_at_the_python_that_was_chosen(box, monkeypatch):
-    monkeypatch.setattr(preferences.Machine, "own_python", box.python)
+    monkeypatch.setattr(paths.Paths, "own_python", box.python)
     bpy.ops.fantasia3d.check()
     work = done()
     found = {line.name: line.text for line in work.result}

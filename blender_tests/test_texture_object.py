@@ -8,9 +8,11 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import ask, compat, present_color, texture_object  # noqa: E402
+from fantasia3d_addon.asset import bake_base_color, texture_object  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import submit  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -180,7 +182,7 @@ def test_the_present_colour_is_exact_and_the_object_is_left_alone(tmp_path):
     obj.data.polygons[3].material_index = 1
     obj.modifiers.new("Subdivision", "SUBSURF").subdivision_type = "SIMPLE"
     counts = [len(getattr(bpy.data, k)) for k in ("objects", "meshes", "materials", "scenes")]
-    present_color.bake(bpy.context, obj, texture_object.NEW_UV_MAP, tmp_path / "c.png", 64)
+    bake_base_color.bake(bpy.context, obj, texture_object.NEW_UV_MAP, tmp_path / "c.png", 64)
     picture = pixels(tmp_path / "c.png")
     uv = uv_of(obj.data, texture_object.NEW_UV_MAP).reshape(-1, 4, 2).mean(1)
     for face, center in enumerate(uv):
@@ -203,7 +205,7 @@ def test_a_mix_of_shaders_has_the_mix_of_their_colours(tmp_path):
     tree.links.new(diffuse.outputs[0], mix.inputs[2])
     tree.links.new(mix.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     obj.data.materials.append(material)
-    present_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
+    bake_base_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
     middle = pixels(tmp_path / "c.png")[16, 16]
     np.testing.assert_allclose(middle, (srgb(0.75), srgb(0.25), 0), atol=0.006)
 
@@ -216,7 +218,7 @@ def test_a_shader_whose_colour_cannot_be_told_is_named(tmp_path):
     tree.links.new(holdout.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     obj.data.materials.append(material)
     with pytest.raises(AddonError, match="“odd” can't be told: it comes from “Holdout”"):
-        present_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
+        bake_base_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
     assert (len(bpy.data.materials), len(bpy.data.scenes)) == (1, 1)
 
 
@@ -240,20 +242,20 @@ def test_texture_goes_from_the_button_to_the_material(ready, wait):
 
 def test_an_object_that_has_gone_is_said(ready, wait):
     obj = add_cube()
-    ask.texture(bpy.context)
+    submit.texture(bpy.context)
     bpy.data.objects.remove(obj)
     wait()
     assert session.error[0] == "There is no object “Cube” any more."
 
 
 def test_a_textured_mesh_is_repeated_from_the_files_of_its_run(ready, wait):
-    from fantasia3d_addon import history
+    from fantasia3d_addon.jobs import history
 
     obj = add_cube()
-    ask.texture(bpy.context)
+    submit.texture(bpy.context)
     wait()
     entry = history.read_entry(session.last.run.folder)
-    ask.repeat(bpy.context, entry, vary_seed=True)
+    submit.repeat(bpy.context, entry, vary_seed=True)
     again = session.running[0]
     assert again.job["seed"] != entry.job["seed"]
     assert Path(again.job["mesh"]).parent == again.run.folder

@@ -13,9 +13,9 @@ import bpy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from blender_tests.screen import OUT, Screen, beat, play, report, screenshot
-from fantasia3d_addon import live_preview, preferences
-from fantasia3d_addon.follow import Follow
-from fantasia3d_addon.session import session
+from fantasia3d_addon.jobs import live_preview, paths
+from fantasia3d_addon.jobs.progress import Follow
+from fantasia3d_addon.jobs.session import session
 
 OVERRIDES = " ".join(sys.argv[sys.argv.index("--") + 2 :])
 PROMPT = "a red wooden chair"
@@ -100,5 +100,5 @@ def meshes() -> list[str]:
     return [o.name for o in bpy.data.objects if o.type == "MESH"]
 
 
-preferences.Machine.runs = OUT / "runs"
+paths.Paths.runs = OUT / "runs"
 play(steps)

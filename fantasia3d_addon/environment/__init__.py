@@ -13,7 +13,8 @@ FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 
 from .doctor import Line, examine
 from .install import Progress, ensure, remove, tidy
-from .layout import (
+from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
+from .paths import (
     Place,
     data_folder,
     env_folder,
@@ -23,7 +24,6 @@ from .layout import (
     project_root,
     requirements,
 )
-from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
 
 __all__ = [
     "PYTHON",

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from . import layout, machine
+from . import machine, paths
 from .machine import SetupError
 
 OK, MISSING, NOTE = "ok", "MISSING", "-"
@@ -62,7 +62,7 @@ def examine(root: Path, folder: Path | None = None, python: Path | None = None) 
     """
     named = os.environ.get("FANTASIA3D_PYTHON", "") if python is None else str(python)
     given = named if folder is None or python else ""
-    folder = folder or layout.env_folder(root)
+    folder = folder or paths.env_folder(root)
     return [*_python(root, folder, given), *_environment(root, folder, given), *_data(root)]
 
 
@@ -74,7 +74,7 @@ def _python(root: Path, folder: Path, given: str) -> list[Line]:
     try:
         return [*lines, Line(name, OK, str(machine.find_python()))]
     except SetupError as error:
-        needed = "core" in layout.lacking(folder, root) and not given
+        needed = "core" in paths.lacking(folder, root) and not given
         return [*lines, Line(name, MISSING if needed else NOTE, str(error))]
 
 
@@ -82,15 +82,15 @@ def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     groups, make = ["blender"], "generate makes it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
         groups, make = [], 'press "Set Up", or: python3 run.py setup'
-    lacking = [] if given else layout.lacking(folder, root, groups)
+    lacking = [] if given else paths.lacking(folder, root, groups)
     if "core" in lacking:
         return [Line("environment", MISSING, f"{folder} is not made yet; {make}")]
     lines = [Line("environment", OK, given or str(folder))]
     if lacking:
         lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
     here = [group for group in ("core", *groups) if group not in lacking]
-    pins = [pin for group in here for pin in layout.requirements(root, group)]
-    return lines + _packages(given or str(layout.env_python(folder)), pins)
+    pins = [pin for group in here for pin in paths.requirements(root, group)]
+    return lines + _packages(given or str(paths.env_python(folder)), pins)
 
 
 def _packages(python: str, pins: Sequence[str]) -> list[Line]:
@@ -126,7 +126,7 @@ def _data(root: Path) -> list[Line]:
     weights = sorted((root / "core" / "guidance" / "weights").glob("*.safetensors"))
     size = sum(path.stat().st_size for path in weights) / 1e6
     names = ", ".join(path.name for path in weights)
-    data = layout.data_folder()
+    data = paths.data_folder()
     place = next(path for path in (data, *data.parents) if path.exists())
     free = shutil.disk_usage(str(place)).free / 1e9
     return [

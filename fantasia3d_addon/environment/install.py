@@ -16,9 +16,9 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import IO, Protocol
 
-from . import layout, machine
+from . import machine, paths
 from .machine import SetupError
-from .words import explain, offers_cuda, pip_sources, pip_version, step_of
+from .pip_output import explain, offers_cuda, pip_sources, pip_version, step_of
 
 
 class Progress(Protocol):
@@ -47,7 +47,7 @@ def ensure(
     progress: Progress,
     allow_cuda: bool = False,
     renew: bool = False,
-    place: layout.Place | None = None,
+    place: paths.Place | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Path:
     """The interpreter of an environment that holds the core and ``groups``; made if need be.
@@ -68,16 +68,16 @@ def ensure(
                 "Name a Python that has this project's packages, or unset it.",
             )
         return Path(found)
-    place = place or layout.Place()
-    folder = place.folder or layout.env_folder(root)
-    if renew or layout.lacking(folder, root, groups):
+    place = place or paths.Place()
+    folder = place.folder or paths.env_folder(root)
+    if renew or paths.lacking(folder, root, groups):
         machine.check_length(folder)
         with _locked(folder, progress, stopped) as lock:
-            todo = ["core", *groups] if renew else layout.lacking(folder, root, groups)
+            todo = ["core", *groups] if renew else paths.lacking(folder, root, groups)
             if todo:  # no other process has done it meanwhile
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
                 set_up.carry_out(todo, allow_cuda)
-    return layout.env_python(folder)
+    return paths.env_python(folder)
 
 
 @contextlib.contextmanager
@@ -118,16 +118,16 @@ def remove(folder: Path) -> None:
     """
     if not folder.exists():
         return
-    ours = (folder / layout.MARKER).exists() or (folder / layout.BUILDING).exists()
+    ours = (folder / paths.MARKER).exists() or (folder / paths.BUILDING).exists()
     if not ours and (not folder.is_dir() or any(folder.iterdir())):
         raise SetupError(
             f"{folder} holds files that are not this project's.",
             "Name an empty or new folder in FANTASIA3D_ENV.",
         )
-    (folder / layout.BUILDING).touch()  # it stays ours if the removal is cut short
-    (folder / layout.MARKER).unlink(missing_ok=True)
+    (folder / paths.BUILDING).touch()  # it stays ours if the removal is cut short
+    (folder / paths.MARKER).unlink(missing_ok=True)
     for entry in list(folder.iterdir()):
-        if entry.name != layout.BUILDING:
+        if entry.name != paths.BUILDING:
             shutil.rmtree(entry) if entry.is_dir() and not entry.is_symlink() else entry.unlink()
     shutil.rmtree(folder)
 
@@ -139,9 +139,9 @@ def tidy(folder: Path) -> None:
     """
     if folder.exists():
         return
-    for path in (layout.log_file(folder), folder.with_name(folder.name + ".lock")):
+    for path in (paths.log_file(folder), folder.with_name(folder.name + ".lock")):
         path.unlink(missing_ok=True)
-    if folder.parent == layout.data_folder():
+    if folder.parent == paths.data_folder():
         with contextlib.suppress(OSError):  # something else lies there
             folder.parent.rmdir()
 
@@ -151,7 +151,7 @@ class _SetUp:
 
     def __init__(
         self,
-        place: layout.Place,
+        place: paths.Place,
         root: Path,
         progress: Progress,
         lock: IO[bytes],
@@ -161,7 +161,7 @@ class _SetUp:
         self.folder, self.root, self.progress, self.lock = place.folder, root, progress, lock
         self.base, self.stopped = place.python, stopped
         self.wheels = str(place.wheels or os.environ.get("FANTASIA3D_WHEELS") or "")
-        self.python = str(layout.env_python(self.folder))
+        self.python = str(paths.env_python(self.folder))
         self.start = time.monotonic()
         self.expected = 1.0  # bytes to be written
         self.step, self.share = "", 0.0  # what is being done, and how much is
@@ -172,7 +172,7 @@ class _SetUp:
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
         machine.check_disk(self.folder, 1.5 * self.expected)  # with the downloads
-        log = layout.log_file(self.folder)
+        log = paths.log_file(self.folder)
         self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
         with log.open("w", encoding="utf-8", errors="replace") as self.log:
             try:
@@ -181,7 +181,7 @@ class _SetUp:
                     self._choose_torch(gpu, allow_cuda)
                 self._install(todo)
             except BaseException:
-                if fresh and not layout.read_marker(self.folder):
+                if fresh and not paths.read_marker(self.folder):
                     remove(self.folder)
                 raise
         self.progress(f"The environment is ready ({self._seconds()} s).", 1.0)
@@ -189,7 +189,7 @@ class _SetUp:
     def _make_folder(self, base: Path) -> None:
         remove(self.folder)
         self.folder.mkdir(parents=True)
-        (self.folder / layout.BUILDING).touch()
+        (self.folder / paths.BUILDING).touch()
         self._begin(f"making a virtual environment of {base}")
         self._run([str(base), "-m", "venv", str(self.folder)])
         said = machine.output([self.python, "-m", "pip", "--version"])
@@ -198,20 +198,20 @@ class _SetUp:
 
     def _tool(self, name: str) -> list[str]:
         """The pin of one of the set-up's own tools."""
-        pins = layout.requirements(self.root, "setup")
+        pins = paths.requirements(self.root, "setup")
         return [pin for pin in pins if pin.startswith(f"{name}==")]
 
     def _install(self, todo: Sequence[str]) -> None:
         """Install, check and mark the groups, the core's pins always among the wishes."""
-        wanted = {group: layout.requirements(self.root, group) for group in ("core", *todo)}
+        wanted = {group: paths.requirements(self.root, group) for group in ("core", *todo)}
         pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
         self._begin("collecting packages")
         self._pip("install", "--no-compile", *pins)
         for group in todo:
             self._check(group)
-            marker = layout.read_marker(self.folder) or {"python": sys.version, "groups": {}}
-            marker["groups"][group] = layout.digest(wanted[group])
-            layout.write_marker(self.folder, marker)
+            marker = paths.read_marker(self.folder) or {"python": sys.version, "groups": {}}
+            marker["groups"][group] = paths.digest(wanted[group])
+            paths.write_marker(self.folder, marker)
 
     def _check(self, group: str) -> None:
         """Load what ``group`` brought."""
@@ -232,7 +232,7 @@ class _SetUp:
 
         On a machine with a GPU for which pip finds a CPU build only, the CUDA build is tried.
         """
-        core = layout.requirements(self.root, "core")
+        core = paths.requirements(self.root, "core")
         pin = next(line for line in core if re.match(r"torch\b", line))
         report = self.folder / "report.json"
         self._begin("asking pip for torch")
@@ -247,7 +247,7 @@ class _SetUp:
                     f"to download, 6 GB on disk), and uv cannot fetch the CPU build: {error.text}",
                     "Name a folder with the CPU build's wheel in PIP_FIND_LINKS, or take the CUDA "
                     "build all the same: python3 run.py setup --allow-cuda. The log is "
-                    f"{layout.log_file(self.folder)}.",
+                    f"{paths.log_file(self.folder)}.",
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:
@@ -295,7 +295,7 @@ class _SetUp:
                 child.terminate()
                 raise
         if child.returncode:
-            raise explain(said, layout.log_file(self.folder))
+            raise explain(said, paths.log_file(self.folder))
 
     def _follow(self, child: subprocess.Popen[bytes]) -> str:
         """The child's last lines; a long silence is filled with what the disk tells."""

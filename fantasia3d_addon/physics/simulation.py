@@ -1,0 +1,348 @@
+"""Rigid body, soft body, cloth and a sheet draped over an asset: one call each, baked.
+
+The fine mesh is never simulated itself. A soft body or cloth is a coarse cage of it, and the asset
+follows the cage by a Surface Deform modifier: its vertices stay welded, so no seam can open, and a
+bake takes seconds. A rigid body is one convex hull or several, with their true centre of mass, and
+the asset hangs on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+
+from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
+from ..errors import AddonError
+from ..mesh import health
+from ..scene.placement import visible_meshes
+from . import proxy
+from .bake import bake_until_sound, cache_of, edge_lengths
+
+KINDS = ("RIGID", "SOFT", "CLOTH", "DRAPE")
+MARK = "fantasia3d_physics"  # on the asset: what clear() needs; on what was made for it: its name
+GROUND = "Fantasia3D ground"
+CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
+DENSITY = 400.0  # kg / m³: wood
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a user may choose; lengths in metres."""
+
+    frames: int = 60
+    height: float = 0.5  # above where it stands now, or falls from
+    convex: bool = False  # rigid: one hull instead of several
+    softness: float = 0.5  # soft: 0 firm, 1 jelly
+    self_collision: bool = False  # cloth
+
+
+def simulate(obj: bpy.types.Object, kind: str, options: Options | None = None) -> None:
+    """Make ``obj`` a simulated ``kind`` from the scene's first frame on, and bake it.
+
+    What lies under it holds it up; where nothing does, a ground plane is made. An earlier
+    simulation of it is taken away first.
+
+    Raises:
+        AddonError: the mesh can't be simulated (the sentence says what to repair), or the
+            simulation would not stay in one piece; the object is as before then.
+    """
+    for _ in steps(obj, kind, options or Options()):
+        pass
+
+
+def steps(obj: bpy.types.Object, kind: str, options: Options) -> Iterator[float]:
+    """:func:`simulate`, a frame at a time: yields the share that is done."""
+    _check(obj, kind, options)
+    clear(obj)
+    scene = bpy.context.scene
+    obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current}
+    scene.frame_set(scene.frame_start)
+    try:
+        make = {"RIGID": _rigid, "SOFT": _soft, "CLOTH": _cloth, "DRAPE": _drape}[kind]
+        if kind != "DRAPE":
+            obj.location.z += options.height
+        bpy.context.view_layer.update()
+        owner = make(obj, options)
+        yield from bake_until_sound(owner, options.frames)
+    except BaseException:
+        clear(obj)
+        raise
+
+
+def clear(obj: bpy.types.Object) -> None:
+    """Take the simulation of ``obj`` away, and what was made for it; it stands as before."""
+    if not is_simulated(obj):
+        return
+    before = obj[MARK]
+    scene = bpy.context.scene
+    scene.frame_set(scene.frame_start)
+    for modifier in [m for m in obj.modifiers if m.name == MARK]:
+        obj.modifiers.remove(modifier)
+    if obj.parent and obj.parent.get(MARK) == obj.name:
+        obj.parent = None
+        obj.matrix_world = _matrix(before["matrix"])
+    obj.location = before["location"]
+    del obj[MARK]
+    for made in [o for o in bpy.data.objects if o.get(MARK) == obj.name]:
+        _remove(made)
+    others = any(MARK in o for o in bpy.data.objects if o.name != GROUND)
+    for other in [o for o in bpy.data.objects if f"{MARK}_collider" in o]:
+        if not others:
+            _release(other)
+    bpy.context.view_layer.update()
+
+
+def is_simulated(obj: bpy.types.Object) -> bool:
+    """Whether :func:`simulate` has been at ``obj``."""
+    return hasattr(obj.get(MARK), "to_dict")
+
+
+def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:
+    """The object that is simulated for ``obj``."""
+    return next((o for o in bpy.data.objects if o.get(MARK) == obj.name and cache_of(o)), None)
+
+
+def _check(obj: bpy.types.Object, kind: str, options: Options) -> None:
+    mesh_object(obj)
+    if kind not in KINDS:
+        raise AddonError(f"There is no simulation {kind!r}.", f"Take one of {', '.join(KINDS)}.")
+    if not 2 <= options.frames <= 5000:
+        raise AddonError(f"{options.frames} frames can't be baked.", "Take 2 to 5000.")
+    report = health.examine(obj)
+    if kind in ("SOFT", "CLOTH") and report.doubled:
+        raise AddonError(
+            f"The mesh of {obj.name} is not welded: {report.doubled} vertices stand on others, "
+            "and it would tear there.",
+            "Press Weld under Mesh Health first.",
+        )
+    if kind == "SOFT" and not report.closed:
+        raise AddonError(
+            f"The mesh of {obj.name} is not closed: it has {report.open_edges} open edges, and no "
+            "inside that could hold its shape.",
+            "Press Fill Holes under Mesh Health, or take Cloth.",
+        )
+
+
+# What is simulated
+
+
+def _rigid(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+    """A body whose origin is the centre of mass carries the asset."""
+    mesh = proxy.cage(obj, CAGE_FACES["RIGID"])
+    parts = [verts_of(mesh)] if options.convex else proxy.convex_parts(mesh)
+    bpy.data.meshes.remove(mesh)
+    matrix = obj.matrix_world.copy()
+    hulls = [proxy.hull_mesh("hull", moved(points, matrix)) for points in parts]
+    volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
+    middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
+    if len(hulls) == 1:
+        body = _made(obj, "body", hulls[0][0])
+        body.data.transform(Matrix.Translation(-middle))
+        children = []
+    else:
+        whole, _, _ = proxy.hull_mesh("hull", np.concatenate([moved(p, matrix) for p in parts]))
+        whole.transform(Matrix.Translation(-middle))
+        body = _made(obj, "body", whole)
+        children = [_made(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
+    body.location = middle
+    for child in children:
+        child.data.transform(Matrix.Translation(-middle))
+        child.parent = body
+    bpy.context.view_layer.update()
+    obj[MARK] = {**obj[MARK].to_dict(), "matrix": [v for row in matrix for v in row]}
+    obj.parent = body
+    obj.matrix_parent_inverse = Matrix.Translation(-middle)
+    for other in _supports(obj):
+        _add_rigid(other, "PASSIVE", "MESH")
+    _add_rigid(body, "ACTIVE", "COMPOUND" if children else "CONVEX_HULL")
+    for child in children:  # after their parent: or Blender finds a cycle
+        _add_rigid(child, "ACTIVE", "CONVEX_HULL")
+    body.rigid_body.mass = DENSITY * float(volumes.sum())
+    body.rigid_body.friction, body.rigid_body.restitution = 0.6, 0.15
+    world = bpy.context.scene.rigidbody_world
+    world.substeps_per_frame, world.solver_iterations = 20, 20
+    return body
+
+
+def _soft(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+    cage = _caged(obj, CAGE_FACES["SOFT"])
+    proxy.add_struts(cage.data)
+    settings = cage.modifiers.new(MARK, "SOFT_BODY").settings
+    firm = 0.9 - 0.8 * min(max(options.softness, 0.0), 1.0)
+    settings.use_goal, settings.use_edges = False, True
+    settings.pull = settings.push = firm
+    settings.bend, settings.damping = firm + 0.1, 2.0
+    settings.mass, settings.friction = 1.0, 0.5
+    settings.step_min, settings.error_threshold = 5, 0.1
+    _collide_with(_supports(obj))
+    return cage
+
+
+def _cloth(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+    cage = _caged(obj, CAGE_FACES["CLOTH"])
+    cloth = cage.modifiers.new(MARK, "CLOTH")
+    _weave(cloth, cage, options.self_collision)
+    cloth.settings.bending_stiffness = 2.0
+    _collide_with(_supports(obj))
+    return cage
+
+
+def _drape(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+    """A sheet that falls over the asset, which stays."""
+    points = world_verts(obj)
+    low, high = points.min(0), points.max(0)
+    half = 0.62 * float(np.linalg.norm((high - low)[:2])) + 0.5 * float(high[2] - low[2])
+    cells = 56
+    bm = bmesh.new()
+    bmesh.ops.create_grid(bm, x_segments=cells, y_segments=cells, size=half)
+    mesh = bpy.data.meshes.new(f"{obj.name} sheet")
+    bm.to_mesh(mesh)
+    bm.free()
+    mesh.shade_smooth()
+    sheet = _made(obj, "sheet", mesh, hidden=False)
+    middle = (low + high) / 2
+    rise = max(0.05 * float((high - low).max()), min(options.height, 0.3))
+    sheet.location = (middle[0], middle[1], high[2] + rise)
+    cloth = sheet.modifiers.new(MARK, "CLOTH")
+    _weave(cloth, sheet, options.self_collision)
+    cloth.settings.bending_stiffness = 0.1
+    cloth.settings.mass, cloth.settings.quality = 0.1, 6
+    cloth.collision_settings.collision_quality = 2
+    smooth = sheet.modifiers.new("smooth", "SUBSURF")
+    smooth.levels, smooth.render_levels = 1, 2
+    hard = _made(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
+    hard.parent = obj
+    _collide_with([hard, *_supports(obj)])
+    return sheet
+
+
+def _weave(cloth: bpy.types.ClothModifier, obj: bpy.types.Object, self_collision: bool) -> None:
+    """The settings that both kinds of cloth share; distances by the mesh's own edges."""
+    size = float(max(obj.dimensions))
+    settings, collision = cloth.settings, cloth.collision_settings
+    settings.quality, settings.mass, settings.air_damping = 8, 0.3, 0.4
+    settings.tension_stiffness = settings.compression_stiffness = 25.0
+    settings.shear_stiffness = 12.0
+    settings.tension_damping = settings.compression_damping = 10.0
+    collision.collision_quality = 4
+    collision.distance_min = 0.008 * size
+    collision.use_self_collision = self_collision
+    collision.self_distance_min = min(0.3 * float(np.percentile(edge_lengths(obj.data), 5)), 0.1)
+
+
+def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
+    """The cage of ``obj``, which follows it."""
+    cage = _made(obj, "cage", proxy.cage(obj, faces))
+    cage.matrix_world = obj.matrix_world
+    bpy.context.view_layer.update()
+    follow = obj.modifiers.new(MARK, "SURFACE_DEFORM")
+    follow.target = cage
+    with acting(obj):
+        bpy.ops.object.surfacedeform_bind(modifier=follow.name)
+    if not follow.is_bound:
+        raise AddonError(
+            f"{obj.name} can't follow a coarse copy of itself: its mesh is not manifold.",
+            "Press Repair All under Mesh Health, or Quad Remesh.",
+        )
+    return cage
+
+
+# What it falls on
+
+
+def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
+    """The visible objects under or around the footprint of ``obj``; a new ground if none."""
+    points = world_verts(obj)
+    low, high = points.min(0), points.max(0)
+    reach = float((high - low).max())
+    found = []
+    for other in visible_meshes(obj):
+        theirs = world_verts(other)
+        near = (theirs.min(0)[:2] < high[:2] + reach) & (theirs.max(0)[:2] > low[:2] - reach)
+        if near.all() and theirs.min(0)[2] < high[2] and MARK not in other:
+            found.append(other)
+    if any(world_verts(other).min(0)[2] <= low[2] + 1e-3 for other in found):
+        return found
+    return [*found, _ground(obj, float(low[2]), reach)]
+
+
+def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object:
+    """A wide plane at z = 0, or below the object where that is under it."""
+    half = 6 * reach
+    mesh = bpy.data.meshes.new(GROUND)
+    corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    ground = _made(obj, "ground", mesh, hidden=False)
+    ground.name = GROUND
+    ground.location = (*obj.matrix_world.translation[:2], min(low - 0.002 * reach, 0.0))
+    bpy.context.view_layer.update()
+    return ground
+
+
+def _collide_with(others: Sequence[bpy.types.Object]) -> None:
+    for other in others:
+        if not any(m.type == "COLLISION" for m in other.modifiers):
+            other.modifiers.new(MARK, "COLLISION")
+            other[f"{MARK}_collider"] = True
+        other.collision.thickness_outer = 0.01
+        other.collision.damping = 0.4
+        other.collision.friction_factor = 0.5
+        other.collision.cloth_friction = 20.0
+
+
+def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
+    if obj.rigid_body is None:
+        with acting(obj):
+            bpy.ops.rigidbody.object_add(type=kind)
+        obj[f"{MARK}_collider"] = True
+    obj.rigid_body.collision_shape = shape
+    obj.rigid_body.use_margin = True
+    obj.rigid_body.collision_margin = 0.001
+
+
+# Coming and going
+
+
+def _made(
+    obj: bpy.types.Object, part: str, mesh: bpy.types.Mesh, hidden: bool = True
+) -> bpy.types.Object:
+    """A new object for the simulation of ``obj``, beside it; ``hidden`` from view and renders."""
+    made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
+    made[MARK] = obj.name
+    for collection in obj.users_collection or [bpy.context.scene.collection]:
+        collection.objects.link(made)
+    if hidden:
+        made.hide_render = True
+        made.display_type = "WIRE"
+        made.hide_set(True)
+    return made
+
+
+def _remove(made: bpy.types.Object) -> None:
+    _release(made)
+    mesh = made.data
+    bpy.data.objects.remove(made)
+    if not mesh.users:
+        bpy.data.meshes.remove(mesh)
+
+
+def _release(obj: bpy.types.Object) -> None:
+    """Take what makes it collide off an object."""
+    if obj.rigid_body and f"{MARK}_collider" in obj:
+        hidden = obj.hide_get()
+        obj.hide_set(False)
+        with acting(obj):
+            bpy.ops.rigidbody.object_remove()
+        obj.hide_set(hidden)
+    for modifier in [m for m in obj.modifiers if m.name == MARK and m.type == "COLLISION"]:
+        obj.modifiers.remove(modifier)
+    obj.pop(f"{MARK}_collider", None)
+
+
+def _matrix(numbers: Sequence[float]) -> Matrix:
+    return Matrix([list(numbers[4 * row : 4 * row + 4]) for row in range(4)])

@@ -1,0 +1,118 @@
+"""Where an object stands: dropped on what lies under it, its origin at its base."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+from mathutils.bvhtree import BVHTree
+
+from ..blender.mesh_arrays import mesh_object, moved, verts_of, world_verts
+from ..errors import AddonError
+
+DOWN = Vector((0, 0, -1))
+
+
+def drop(
+    obj: bpy.types.Object, others: Iterable[bpy.types.Object] | None = None, ground: bool = True
+) -> float:
+    """Move ``obj`` straight down until it first touches what lies under it; how far, in metres.
+
+    ``others`` are the visible mesh objects of its scene where None; an object that stands half in
+    one of them is lifted out of nothing: what starts above counts. ``ground``: where nothing lies
+    under it, it comes to stand on z = 0, from above or from below (the distance is negative then).
+
+    Raises:
+        AddonError: nothing lies under it, and not ``ground``.
+    """
+    mesh_object(obj)
+    bpy.context.view_layer.update()
+    if others is None:
+        others = visible_meshes(obj)
+    own = world_verts(obj)
+    distance = min((_gap(obj, own, other) for other in others), default=np.inf)
+    if not np.isfinite(distance):
+        if not ground:
+            raise AddonError(f"Nothing lies under {obj.name}.", "Move it above something.")
+        distance = float(own[:, 2].min())
+    matrix = obj.matrix_world.copy()
+    obj.matrix_world = Matrix.Translation((0, 0, -distance)) @ matrix
+    bpy.context.view_layer.update()
+    return float(distance)
+
+
+def visible_meshes(obj: bpy.types.Object) -> list[bpy.types.Object]:
+    """The mesh objects that a picture shows beside ``obj`` and what hangs on it."""
+    own = {obj, *obj.children_recursive}
+    return [
+        other
+        for other in bpy.context.view_layer.objects
+        if other.type == "MESH"
+        and other not in own
+        and other.visible_get()
+        and not other.hide_render
+        and len(other.data.polygons)
+    ]
+
+
+def _gap(obj: bpy.types.Object, own: np.ndarray, other: bpy.types.Object) -> float:
+    """How far ``obj`` falls until it meets ``other``; infinite where it passes by.
+
+    First contact is of a vertex of one with a face of the other; that of two edges is not looked
+    for, which on meshes as fine as ours is less than their faces.
+    """
+    theirs = world_verts(other)
+    low, high = own.min(0), own.max(0)
+    if (theirs.max(0)[:2] < low[:2]).any() or (theirs.min(0)[:2] > high[:2]).any():
+        return np.inf
+    tree, tree_own = _tree(other), _tree(obj)
+    down = (_cast(tree, point, DOWN) for point in own)
+    inside = (theirs[:, :2] >= low[:2]).all(1) & (theirs[:, :2] <= high[:2]).all(1)
+    up = (_cast(tree_own, point, -DOWN) for point in theirs[inside & (theirs[:, 2] <= high[2])])
+    return min((d for rays in (down, up) for d in rays), default=np.inf)
+
+
+def _cast(tree: BVHTree, point: np.ndarray, direction: Vector) -> float:
+    start = Vector(point) - 1e-6 * direction  # what touches already has no way to fall
+    _, _, _, distance = tree.ray_cast(start, direction)
+    return np.inf if distance is None else max(distance - 1e-6, 0.0)
+
+
+def _tree(obj: bpy.types.Object) -> BVHTree:
+    evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = evaluated.to_mesh()
+    points = moved(verts_of(mesh), evaluated.matrix_world).tolist()
+    faces = [tuple(polygon.vertices) for polygon in mesh.polygons]
+    evaluated.to_mesh_clear()
+    return BVHTree.FromPolygons(points, faces)
+
+
+def origin_to_base(obj: bpy.types.Object) -> None:
+    """Put the origin of ``obj`` below its middle, at its lowest point; nothing seen moves.
+
+    Raises:
+        AddonError: the object is no mesh, or shares its mesh with others, or has shape keys.
+    """
+    mesh = mesh_object(obj).data
+    if mesh.users > 1:
+        raise AddonError(
+            f"{obj.name} shares its mesh with other objects.",
+            "Make it single-user first: Object, Relations, Make Single User.",
+        )
+    if mesh.shape_keys:
+        raise AddonError(f"{obj.name} has shape keys.", "Apply or remove them first.")
+    bpy.context.view_layer.update()
+    points = moved(verts_of(mesh), obj.matrix_world)
+    low, high = points.min(0), points.max(0)
+    base = Vector(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]))
+    matrix = obj.matrix_world.copy()
+    kept = [(child, child.matrix_world.copy()) for child in obj.children]
+    mesh.transform(Matrix.Translation(-(matrix.inverted() @ base)))
+    matrix.translation = base
+    obj.matrix_world = matrix
+    bpy.context.view_layer.update()
+    for child, where in kept:
+        child.matrix_world = where
+    mesh.update()
