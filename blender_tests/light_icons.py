@@ -40,7 +40,7 @@ def _stage(scene: bpy.types.Scene) -> None:
     ball = bpy.context.object
     ball.data.shade_smooth()
     material = bpy.data.materials.new("Ball")
-    if not compat.HAS_NODES_AT_BIRTH:
+    if not compat.ALWAYS_HAS_NODES:
         material.use_nodes = True
     shader = material.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (0.9, 0.9, 0.9, 1)

@@ -136,7 +136,7 @@ def time_ticks_and_draws() -> None:
     tick = session._timer
 
     def timed_tick() -> float | None:
-        with clock(report["ticks"], bool(session.running), bool(session.arriving)):
+        with clock(report["ticks"], bool(session.running), bool(session.importing)):
             return tick()
 
     session._timer = timed_tick
@@ -160,7 +160,7 @@ def beat() -> None:
     def pulse() -> float:
         nonlocal wall, cpu
         now = time.perf_counter(), time.thread_time()
-        state = bool(session.running), bool(session.arriving)
+        state = bool(session.running), bool(session.importing)
         report["gaps"].append([*state, now[0] - wall, now[1] - cpu])
         wall, cpu = now
         return BEAT

@@ -16,7 +16,7 @@ from fantasia3d_addon.jobs import (  # noqa: E402
     paths,
     submit,
 )
-from fantasia3d_addon.jobs.job_settings import job_of, take_job  # noqa: E402
+from fantasia3d_addon.jobs.job_settings import apply_job, job_of  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
 from fantasia3d_addon.ui.registration import CLASSES  # noqa: E402
 
@@ -48,7 +48,7 @@ def test_register_and_unregister_twice_leave_nothing():
     for _ in range(2):
         fantasia3d_addon.register()
         assert {cls.__name__ for cls in CLASSES} < traces()
-        session.watch()
+        session.start_timer()
         fantasia3d_addon.unregister()
         assert traces() == set()
 
@@ -115,16 +115,16 @@ def test_every_poll_answers_in_every_scene(addon, scene):
 
 def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
     settings = bpy.context.scene.fantasia3d
-    assert "prompt is empty" in submit.reason_against(bpy.context)
+    assert "Enter a prompt" in submit.reason_against_generate(bpy.context)
     settings.prompt = "a chair"
     monkeypatch.setenv("FANTASIA3D_PYTHON", str(tmp_path / "none"))
-    assert "Set Up first" in submit.reason_against(bpy.context)
+    assert "Press Install first" in submit.reason_against_generate(bpy.context)
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
-    assert submit.reason_against(bpy.context) == ""
+    assert submit.reason_against_generate(bpy.context) == ""
     assert bpy.ops.fantasia3d.generate.poll()
     assert submit.reason_against_texture(bpy.context) == "Select a mesh."
     settings.light = "FILE"
-    assert "Choose an HDR or EXR file" in submit.reason_against(bpy.context)
+    assert "Choose an HDR or EXR file" in submit.reason_against_generate(bpy.context)
 
 
 def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
@@ -160,7 +160,7 @@ def test_the_settings_come_back_from_their_job(addon, tmp_path):
         if name not in ("rna_type", "name"):
             settings.property_unset(name)
     assert job_of(settings) != job
-    take_job(settings, job)
+    apply_job(settings, job)
     assert job_of(settings) == job
 
 
@@ -169,8 +169,8 @@ def test_the_settings_come_back_from_their_job(addon, tmp_path):
     [
         ({"guidance": "folder"}, "is no Stable Diffusion model"),
         ({"guidance": "folder", "model_folder": "/tmp"}, "is no Stable Diffusion model"),
-        ({"guidance": "hub"}, "No model is named"),
-        ({"light": "FILE"}, "No light is named"),
+        ({"guidance": "hub"}, "No model is chosen"),
+        ({"light": "FILE"}, "No light is chosen"),
         ({"light": "FILE", "light_file": "/no/such.hdr"}, "There is no light"),
         ({"overrides": "geometry.views"}, "has no value"),
     ],
@@ -197,8 +197,8 @@ def test_a_light_keeps_its_number_whichever_others_there_are(addon, monkeypatch)
     from fantasia3d_addon.ui import properties
 
     def numbers() -> dict[str, int]:
-        properties.forget_lights()
-        return {item[0]: item[4] for item in properties._lights(None, None)}
+        properties.clear_light_items()
+        return {item[0]: item[4] for item in properties.light_items(None, None)}
 
     before, here = numbers(), light.blender_lights()
     monkeypatch.setattr(light, "blender_lights", lambda: {"aurora": Path("x"), **here})

@@ -86,7 +86,7 @@ def test_export_writes_what_the_core_does_not(asset, tmp_path, ending):
 @pytest.mark.parametrize(
     ("argv", "message"),
     [
-        (["relight", "X"], "There is nothing to make. Name --render, --turntable or --blend."),
+        (["relight", "X"], "There is nothing to write. Add --render, --turntable or --blend."),
         (["relight", "X", "--render", "a.doc"], "ends in .png"),
         (["relight", "X", "--render", "a.png"], "it has no asset.json"),
         (["relight", "X", "--ligt", "a"], "--ligt"),
@@ -103,7 +103,7 @@ def test_what_cannot_be_is_one_sentence_and_status_2(tmp_path, argv, message, ca
     assert message in told
     assert "Traceback" not in told
     with pytest.raises(AddonError):
-        commands.carry_out(argv)
+        commands.run(argv)
 
 
 def test_the_launcher_hands_such_commands_to_blender(tmp_path):

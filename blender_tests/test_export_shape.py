@@ -90,7 +90,7 @@ def test_what_has_no_surface_is_refused(tmp_path, data):
     }
     obj = bpy.data.objects.new("x", kinds[data]())
     bpy.context.scene.collection.objects.link(obj)
-    with pytest.raises(AddonError, match=r"x has no faces\. Choose"):
+    with pytest.raises(AddonError, match=r"“x” has no faces\. Choose"):
         export(obj, tmp_path / "shape.obj")
 
 

@@ -120,7 +120,7 @@ def test_a_solid_wood_is_baked_for_elsewhere(obj, tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [("x.stl", "has no format that is known"), ("file/x.glb", "can't be written")],
+    [("x.stl", "has no known format"), ("file/x.glb", "can't be written")],
 )
 def test_a_file_that_cannot_be_is_a_sentence(obj, tmp_path, name, message):
     (tmp_path / "file").touch()
@@ -185,11 +185,11 @@ def test_an_open_mesh_is_not_remeshed(tmp_path):
 def test_a_blender_without_a_window_makes_the_same_quads(obj):
     here = remesh.quad_remesh(obj, faces=300, size=32)
     obj.hide_render = False
-    work = blender_process.send(obj, "quads", faces=300, size=32)
-    work.join(120)
-    assert work.error is None
-    (there,) = blender_process.objects(work.result)
-    assert not work.result.exists()
+    task = blender_process.start(obj, "quads", faces=300, size=32)
+    task.join(120)
+    assert task.error is None
+    (there,) = blender_process.load_objects(task.result)
+    assert not task.result.exists()
     assert np.allclose(verts_of(there.data), verts_of(here.data), atol=1e-5)
     assert len(there.data.polygons) == len(here.data.polygons)
     (slot,) = there.material_slots
@@ -203,18 +203,18 @@ def test_what_a_blender_without_a_window_refuses_is_a_sentence(tmp_path):
 
     verts, faces, uv, face_uvs = block()
     folder = write_asset(tmp_path / "open", (verts, faces[3:], uv, face_uvs[3:]))
-    work = blender_process.send(import_asset(bpy.context, folder), "quads", faces=300)
-    work.join(120)
-    assert "is not closed and manifold" in work.error[0]
-    assert work.error[1] == "Press Repair All under Mesh Health first."
+    task = blender_process.start(import_asset(bpy.context, folder), "quads", faces=300)
+    task.join(120)
+    assert "is not closed and manifold" in task.error[0]
+    assert task.error[1] == "Press Repair All under Mesh Health first."
 
 
-def test_given_up_it_ends_and_leaves_nothing(obj, monkeypatch, tmp_path):
+def test_cancelled_it_ends_and_leaves_nothing(obj, monkeypatch, tmp_path):
     monkeypatch.setattr(blender_process.tempfile, "tempdir", str(tmp_path))
-    work = blender_process.send(obj, "quads", faces=300)
-    work.cancel()
-    work.join(20)
-    assert work.error == ("It was stopped.", "")
+    task = blender_process.start(obj, "quads", faces=300)
+    task.cancel()
+    task.join(20)
+    assert task.error == ("Cancelled.", "")
     assert list(tmp_path.glob("fantasia3d-*")) == []
 
 
@@ -252,5 +252,5 @@ def test_the_operators_are_the_functions(addon, obj, tmp_path):
     assert len(obj.asset_data.tags) == 2
     assert bpy.ops.fantasia3d.quad_remesh(faces=300, texture_size=32) == {"FINISHED"}
     assert bpy.context.object.name.endswith("quads")
-    with pytest.raises(RuntimeError, match="no format that is known"):
+    with pytest.raises(RuntimeError, match="no known format"):
         bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x.stl"))

@@ -98,7 +98,7 @@ def test_the_handler_of_ctrl_c_is_as_before(monkeypatch, handler):
     calls = []
     monkeypatch.setattr(signal, "getsignal", lambda number: handler)
     monkeypatch.setattr(signal, "signal", lambda number, new: calls.append(new))
-    with headless._deaf_to_ctrl_c():
+    with headless._ignore_ctrl_c():
         assert calls == ([] if handler is None else [signal.SIG_IGN])
     assert calls[1:] == ([] if handler is None else [handler])
 

@@ -25,7 +25,7 @@ def test_a_generated_asset_is_healthy_and_its_numbers_are_right(tmp_path):
     verts, faces, uv, face_uvs = block()
     report = health.examine(obj)
     assert report.faults == ()
-    assert (report.verts, report.faces, report.pieces) == (len(verts), len(faces), 1)
+    assert (report.verts, report.faces, report.components) == (len(verts), len(faces), 1)
     assert report.closed and report.manifold
     a, b, c = (uv[face_uvs[:, i]] for i in range(3))
     cross = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
@@ -98,10 +98,10 @@ def test_specks_loose_vertices_and_a_scale_are_mended_at_once(tmp_path):
     obj = made(tmp_path, mesh)
     obj.scale = (2, 2, 2)
     report = health.examine(obj)
-    assert (report.pieces, report.specks, report.loose) == (2, 1, 1)
+    assert (report.components, report.small_components, report.loose) == (2, 1, 1)
     assert health.repair(obj) == ("LOOSE", "SPECKS", "SCALE")
     report = health.examine(obj)
-    assert (report.faults, report.pieces, report.faces) == ((), 1, len(faces))
+    assert (report.faults, report.components, report.faces) == ((), 1, len(faces))
     assert max(obj.dimensions) == pytest.approx(2, abs=1e-3)
 
 
@@ -132,10 +132,10 @@ def test_what_cannot_be_repaired_is_said(tmp_path):
 def test_the_operators_are_the_functions_and_the_panel_knows_when_a_report_is_old(addon, tmp_path):
     obj = made(tmp_path, holed())
     bpy.context.view_layer.objects.active = obj
-    assert health.known(obj) is None
+    assert health.cached_report(obj) is None
     assert bpy.ops.fantasia3d.check_mesh() == {"FINISHED"}
-    assert health.known(obj) == health.examine(obj)
+    assert health.cached_report(obj) == health.examine(obj)
     assert bpy.ops.fantasia3d.repair_mesh(what="HOLES") == {"FINISHED"}
-    assert health.known(obj).closed
+    assert health.cached_report(obj).closed
     obj.data.vertices.add(1)
-    assert health.known(obj) is None
+    assert health.cached_report(obj) is None

@@ -185,6 +185,11 @@ def cut(path, share):
     path.write_bytes(path.read_bytes()[: int(path.stat().st_size * share)])
 
 
+def link_outside(folder):
+    (folder / "base_color.png").rename(folder.parent / "secret.png")
+    (folder / "base_color.png").symlink_to(folder.parent / "secret.png")
+
+
 def doubled_face(folder):
     path = folder / "mesh.obj"
     lines = path.read_text().splitlines()
@@ -213,6 +218,10 @@ BREAKS = {
         lambda f: (f / "mesh.obj").write_text("v 0 0 0\nvt 0 0\nf 1/1 2/1 3/1\n"),
         "is no triangle mesh",
     ),
+    "an index beyond 64 bits": (
+        lambda f: (f / "mesh.obj").write_text(f"v 0 0 0\nvt 0 0\nf {9**30}/1 1/1 1/1\n"),
+        "is no triangle mesh",
+    ),
     "a number that is none": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 nan\nvt 0 0\nf 1/1 1/1 1/1\n"),
         "is no triangle mesh",
@@ -230,6 +239,20 @@ BREAKS = {
         ),
         "is a DirectX normal map",
     ),
+    **{
+        f"a file outside the folder: {name}": (
+            lambda f, name=name: break_json(
+                f,
+                files=json.loads((f / "asset.json").read_text())["files"]
+                | {name: {"role": "base_color"}},
+            ),
+            "no file name",
+        )
+        for name in ("../../secret.png", "/etc/secret.png", "C:\\secret.png", "..", "a/b.png")
+    },
+    "a link to a file outside the folder": (link_outside, "is a link to another folder"),
+    "deeply nested": (lambda f: (f / "asset.json").write_text("[" * 100_000), "can't be read"),
+    "no counts": (lambda f: break_json(f, mesh=[]), "no counts of the mesh"),
     "another distribution": (lambda f: break_json(f, distribution="BECKMANN"), "BECKMANN"),
     "another color space": (
         lambda f: break_json(

@@ -9,7 +9,10 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block, write_png  # noqa: E402
 from fantasia3d_addon.jobs import live_preview  # noqa: E402
+from fantasia3d_addon.jobs.process import Run  # noqa: E402
+from fantasia3d_addon.jobs.progress import FollowedRun  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.jobs.target import Target  # noqa: E402
 from fantasia3d_addon.ui import icons  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
@@ -24,8 +27,12 @@ def write_shape(path: Path, scale: float = 1.0, n: int = 8) -> np.ndarray:
 
 
 def show(path: Path, location=(1, 2, 3)) -> bpy.types.Object | None:
-    collection = bpy.context.scene.collection
-    return live_preview.show(collection, path, "run", "a red chair", location)
+    """As the session shows it for a run whose folder's name is "run"."""
+    folder = path.parent / "run"
+    folder.mkdir(exist_ok=True)
+    (folder / "job.json").write_text('{"prompt": "a red chair"}')
+    followed = FollowedRun(Run.attach(folder), Target(location=location), None, 0)
+    return live_preview.show(bpy.context.scene.collection, path, followed)
 
 
 def test_it_stands_where_the_asset_will_and_is_updated_in_place(addon, tmp_path):

@@ -136,8 +136,8 @@ def without_nodes():
 @pytest.mark.parametrize(
     ("act", "message"),
     [
-        (lambda obj: material_edit.replace_material(obj, "unobtainium"), "Name one of wood, gold"),
-        (material_edit.restore_material, "has its own material"),
+        (lambda obj: material_edit.replace_material(obj, "unobtainium"), "Use one of wood, gold"),
+        (material_edit.restore_material, "shows its own material"),
         (
             lambda obj: material_edit.adjust_material(without_nodes()),
             "has no Principled BSDF",

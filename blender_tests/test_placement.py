@@ -63,7 +63,7 @@ def test_a_spike_below_stops_it_though_no_vertex_of_its_own_lies_above():
 def test_over_nothing_it_stands_on_the_ground(asset, height):
     obj = import_asset(bpy.context, asset, (0, 0, height))
     assert placement.drop(obj) == pytest.approx(height, abs=1e-5)
-    with pytest.raises(AddonError, match="Nothing lies under"):
+    with pytest.raises(AddonError, match="Nothing is below"):
         placement.drop(obj, ground=False)
 
 

@@ -101,9 +101,9 @@ def test_the_panel_says_what_a_job_takes_and_when_that_is_too_much():
     need = f"{memory.TRAINING['draft'] / 1e9:.1f}"
     text, enough = memory.line("draft", 0, 16e9)
     assert enough
-    assert text == f"It takes about {need} GB of memory; 16 GB are free."
+    assert text == f"It needs about {need} GB of memory; 16 GB are free."
     text, enough = memory.line("draft", 8192, 2e9)
-    assert not enough and "2.0 GB are free. Take a smaller texture, or close" in text
+    assert not enough and "2.0 GB are free. Use a smaller texture, or close" in text
     assert memory.line("draft", 0, None)[1]
 
 

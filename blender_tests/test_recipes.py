@@ -50,7 +50,7 @@ def test_the_tools_recipe_runs(empty, asset, tmp_path, monkeypatch):
 def test_the_jobs_recipe_runs(ready, capsys):
     run(JOBS)
     said = capsys.readouterr().out.splitlines()
-    assert said[1] == "It can be asked for."
+    assert said[1] == "Ready to generate."
     assert said[2] == "a red wooden chair"
     assert said[3].startswith("done {")
     assert said[4] == "cancelled"

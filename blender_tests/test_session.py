@@ -39,7 +39,7 @@ until = time.time() + 30
 while time.time() < until and not (session.running and session.running[0].progress.step > 2):
     session.tick()
     time.sleep(0.01)
-print("begun", flush=True)
+print("started", flush=True)
 {then}
 os.kill(os.getpid(), 9)
 """
@@ -59,7 +59,7 @@ def another_blender(ready, runs: Path, *prompts: str, then: str = "") -> Iterato
     command = blender_command(code)
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout
-        assert any(line.strip() == "begun" for line in process.stdout)
+        assert any(line.strip() == "started" for line in process.stdout)
         yield
         process.kill()
 
@@ -91,19 +91,19 @@ def test_the_operator_is_the_function(ready, wait):
     assert len(bpy.data.objects) == 2
 
 
-def test_progress_is_told_while_it_runs_and_cancel_says_what_it_waits_for(ready, wait):
+def test_progress_is_shown_while_it_runs_and_cancel_shows_what_it_waits_for(ready, wait):
     ready.prompt = "long"
     bpy.ops.fantasia3d.generate()
     progress = session.running[0].progress
     assert progress.detail == "Loading the method, a few seconds"
-    wait(until=lambda: progress.share > 0)
+    wait(until=lambda: progress.fraction > 0)
     assert progress.line.startswith("Shape  0%")
     assert progress.detail.startswith("Stage 2 of 5, 1:4")  # minutes and seconds
     begin = time.monotonic()
     assert bpy.ops.fantasia3d.cancel() == {"FINISHED"}
     assert (progress.line, progress.detail) == (
         "Cancelling",
-        "Waits for the present step of “Shape”",
+        "Waiting for the present step of “Shape”",
     )
     wait()
     assert time.monotonic() - begin < 1.0
@@ -114,7 +114,7 @@ def test_progress_is_told_while_it_runs_and_cancel_says_what_it_waits_for(ready,
 def test_a_core_that_does_not_listen_can_be_stopped_and_resumed(ready, wait, monkeypatch):
     ready.prompt = "deaf"
     bpy.ops.fantasia3d.generate()
-    wait(until=lambda: session.running[0].progress.share > 0)
+    wait(until=lambda: session.running[0].progress.fraction > 0)
     assert not bpy.ops.fantasia3d.stop_now.poll()
     bpy.ops.fantasia3d.cancel()
     assert not session.running[0].progress.overdue
@@ -122,7 +122,7 @@ def test_a_core_that_does_not_listen_can_be_stopped_and_resumed(ready, wait, mon
     assert session.running[0].progress.overdue
     bpy.ops.fantasia3d.stop_now()
     wait()
-    assert session.error[0].startswith("The generator stopped without a word")
+    assert session.error[0].startswith("The generator stopped unexpectedly")
     entry = only_run(session.last.run.folder.parent)
     assert (entry.state, entry.resumable) == (history.STOPPED, True)
 
@@ -155,7 +155,7 @@ def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
     shutil.rmtree(run / "asset")
     with pytest.raises(RuntimeError) as refused:
         bpy.ops.fantasia3d.job_import(folder=str(run))
-    sentence = "Its asset has gone from the disk. Press Repeat to make it again."
+    sentence = "Its asset no longer exists. Press Repeat to generate it again."
     assert str(refused.value).strip() == f"Error: {sentence}"
     shutil.rmtree(run)
     session.history = history.scan(run.parent, {e.folder: e for e in session.history})
@@ -174,11 +174,11 @@ def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
     assert bpy.context.active_object.name == names[1]
 
 
-def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait):
+def test_jobs_run_in_the_order_in_which_they_were_queued(ready, wait):
     runs = []
     for ready.prompt in ("long", "second", "third", "fourth"):
         runs.append(submit.generate(bpy.context))
-    assert [follow.prompt for follow in session.running] == ["long"]
+    assert [followed.prompt for followed in session.running] == ["long"]
     assert [folder for folder, _ in session.waiting] == runs[1:]
     assert history.read_entry(runs[1]).state == history.WAITING
     bpy.ops.fantasia3d.queue_drop(folder=str(runs[2]))
@@ -205,7 +205,7 @@ def test_an_asset_waits_while_the_user_is_in_edit_mode(ready, wait):
     bpy.context.view_layer.objects.active = obj
     bpy.ops.fantasia3d.generate()
     bpy.ops.object.mode_set(mode="EDIT")
-    wait(until=lambda: bool(session.arriving))
+    wait(until=lambda: bool(session.importing))
     for _ in range(3):
         assert session.tick() is not None
     assert len(bpy.data.objects) == 1
@@ -241,7 +241,7 @@ def test_a_run_that_goes_on_after_a_crash_is_found_and_followed(ready, wait, tmp
     with another_blender(ready, tmp_path / "runs", "brief", "second"):
         pass
     session.adopt(bpy.context)
-    assert [follow.prompt for follow in session.running] == ["brief"]
+    assert [followed.prompt for followed in session.running] == ["brief"]
     assert [history.read_entry(folder).prompt for folder, _ in session.waiting] == ["second"]
     assert session.paused
     wait()
@@ -260,7 +260,7 @@ def test_a_run_of_a_living_blender_is_left_to_it(ready, wait, tmp_path):
         with pytest.raises(AddonError, match="still running"):
             history.remove(entry)
     session.adopt(bpy.context)
-    assert [follow.prompt for follow in session.running] == ["long"]
+    assert [followed.prompt for followed in session.running] == ["long"]
     session.cancel()
     wait()
     assert only_run(tmp_path / "runs").state == history.CANCELLED

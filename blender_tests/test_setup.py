@@ -92,19 +92,19 @@ def box(tmp_path, monkeypatch):
 
 
 def done() -> object:
-    work = session.work
-    work.join(60)
-    assert not work.running
+    task = session.task
+    task.join(60)
+    assert not task.running
     session.tick()
-    return work
+    return task
 
 
 def test_set_up_repair_and_remove(box):
     assert bpy.ops.fantasia3d.set_up() == {"FINISHED"}
-    work = done()
-    assert work.error is None
-    assert work.result == environment.env_python(box.env)
-    assert (work.share, work.text) == (1.0, f"Ready: {work.result}")
+    task = done()
+    assert task.error is None
+    assert task.result == environment.env_python(box.env)
+    assert (task.fraction, task.text) == (1.0, f"Ready: {task.result}")
     assert f"--no-index --find-links {box.wheels}" in box.installs[0]
     assert bpy.ops.fantasia3d.open_set_up_log.poll()
     bpy.ops.fantasia3d.set_up()
@@ -157,30 +157,30 @@ def test_a_python_that_is_none_is_said(box, monkeypatch):
 def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
     assert environment_setup.reason_against() == ""
     box.wheels.rmdir()
-    assert "is not there" in environment_setup.reason_against()
+    assert "does not exist" in environment_setup.reason_against()
     place = environment.Place(box.env, box.python)
     monkeypatch.setattr(paths.Paths, "place", place)
     online = bpy.app.online_access
     assert environment_setup.reason_against() == (
         "" if online else "Allow online access (Preferences, System, Network), "
-        "or name a folder of wheels."
+        "or choose a wheels folder."
     )  # fmt: skip
 
 
-def test_check_says_what_is_missing_and_how_to_mend_it(box):
+def test_check_says_what_is_missing_and_how_to_fix_it(box):
     assert bpy.ops.fantasia3d.check() == {"FINISHED"}
-    work = done()
-    assert work.text.startswith("Missing: environment")
-    found = {line.name: line for line in work.result}
+    task = done()
+    assert task.text.startswith("Missing: environment")
+    found = {line.name: line for line in task.result}
     assert str(box.env) in found["environment"].text
-    assert 'press "Set Up"' in found["environment"].text
+    assert 'press "Install"' in found["environment"].text
 
 
 def test_check_looks_at_the_python_that_was_chosen(box, monkeypatch):
     monkeypatch.setattr(paths.Paths, "own_python", box.python)
     bpy.ops.fantasia3d.check()
-    work = done()
-    found = {line.name: line.text for line in work.result}
+    task = done()
+    found = {line.name: line.text for line in task.result}
     assert found["environment"] == str(box.python)
     assert (found["torch"], found["packages"]) == ("2.13.0", "as pinned, under Python 3.11.9")
 

@@ -70,7 +70,7 @@ def test_a_prompt_is_typed_and_generate_is_clicked(report):
 
 def test_the_bar_moves_and_cancel_is_answered_within_a_second(report):
     assert len(set(report["lines"])) > 2
-    assert report["waits_for"] == "Waits for the present step of “Shape”"
+    assert report["waits_for"] == "Waiting for the present step of “Shape”"
     assert report["last"] == "cancelled"
     assert report["cancel_seconds"] < 1.0
 

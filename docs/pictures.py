@@ -108,7 +108,7 @@ def frames(
     obj.rotation_euler.z = 0.2
     bpy.context.view_layer.update()
     simulation.simulate(obj, kind, options)
-    points = commands._reach(obj, at[0], at[-1])
+    points = commands._points_of_fall(obj, at[0], at[-1])
     render.add_camera_about(target, *render.sphere_about(points))
     target.frame_set(1)
     lit(obj, light.STUDIO)

@@ -1,8 +1,8 @@
 """Reads an asset folder: asset.json and the welded mesh. No bpy.
 
 The mesh is read here and not by Blender's OBJ importer, which is as exact (and takes 0.15 s for
-200,000 faces where this takes 0.5 s) but is an operator: it wants a window, leaves edit mode,
-changes the selection, and links into whatever collection is active when a job happens to end.
+200,000 faces where this takes 0.5 s) but is an operator: it needs a window, leaves Edit Mode,
+changes the selection, and links into the collection that is active when the job ends.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ VERSION = 1
 PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
 DISTRIBUTIONS = ("GGX", "MULTI_GGX")
-REMAKE = "Resume its run, or generate it again."
+REMAKE = "Resume its run, or generate it again."  # the fix for anything incomplete
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class AssetFolder:
-    """What an asset folder holds, checked; the mesh in Blender's axes (front -Y, up +Z), metres."""
+    """An asset folder, checked; the mesh in Blender's axes (front -Y, up +Z), in metres."""
 
     path: Path
     info: dict[str, Any]  # asset.json
@@ -44,7 +44,7 @@ class AssetFolder:
 
     @property
     def prompt(self) -> str:
-        """What the asset was made from."""
+        """The text that the asset was generated from."""
         return str(self.info.get("prompt", ""))
 
     @property
@@ -61,36 +61,54 @@ def read_asset(folder: Path) -> AssetFolder:
     """
     folder = asset_in(folder)
     info = read_info(folder)
-    files = {
-        entry["role"]: (folder / name, entry)
-        for name, entry in info["files"].items()
-        if isinstance(entry, dict) and "role" in entry
-    }
-    for role in ("mesh", *ROLES):
-        if role not in files:
-            raise AssetError(f"asset.json of {folder} names no {role.replace('_', ' ')}.", REMAKE)
-        if not files[role][0].is_file():
-            raise AssetError(f"{files[role][0]} is missing.", REMAKE)
+    files = _files_by_role(folder, info)
     convention = files["normal"][1].get("convention", "OpenGL")
     if convention != "OpenGL":
         raise AssetError(
-            f"{files['normal'][0]} is a {convention} normal map.", "Take an OpenGL one."
+            f"{files['normal'][0]} is a {convention} normal map.", "Use one in OpenGL's convention."
         )
     if info.get("distribution", "GGX") not in DISTRIBUTIONS:
         raise AssetError(
             f"asset.json of {folder} has the distribution {info['distribution']!r}.",
-            f"This add-on knows {' and '.join(DISTRIBUTIONS)}.",
+            f"This add-on reads {' and '.join(DISTRIBUTIONS)}.",
         )
     verts, faces, corner_uv = read_obj(files["mesh"][0])
     _check_counts(folder, info, len(verts), len(faces))
     for role in ROLES:
         _check_png(files[role][0])
     pictures = {
-        role: Picture(path, entry.get("color_space", "Non-Color"))
+        role: Picture(path, str(entry.get("color_space", "Non-Color")))
         for role, (path, entry) in files.items()
         if role in ROLES
     }
     return AssetFolder(folder, info, verts, faces, corner_uv, pictures)
+
+
+def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, dict[str, Any]]]:
+    """Path and description of the mesh and of each map."""
+    files = {}
+    for name, entry in info["files"].items():
+        if not (isinstance(entry, dict) and isinstance(entry.get("role"), str)):
+            continue
+        # An asset may come from anywhere: it must not pack other files into the .blend.
+        if not _is_plain_name(name):
+            raise AssetError(
+                f"asset.json of {folder} names {name!r}, which is no file name.", REMAKE
+            )
+        files[entry["role"]] = (folder / name, entry)
+    for role in ("mesh", *ROLES):
+        if role not in files:
+            raise AssetError(f"asset.json of {folder} names no {role.replace('_', ' ')}.", REMAKE)
+        if not files[role][0].is_file():
+            raise AssetError(f"{files[role][0]} is missing.", REMAKE)
+        if files[role][0].resolve().parent != folder.resolve():
+            raise AssetError(f"{files[role][0]} is a link to another folder.", REMAKE)
+    return files
+
+
+def _is_plain_name(name: str) -> bool:
+    """Whether ``name`` is a file name and no path, on any system."""
+    return name not in ("", ".", "..") and not set(name) & set("/\\:\0")
 
 
 def asset_in(folder: Path) -> Path:
@@ -113,9 +131,9 @@ def read_info(folder: Path) -> dict[str, Any]:
     except (FileNotFoundError, NotADirectoryError):
         raise AssetError(
             f"{folder} is no asset: it has no asset.json.",
-            "Choose the folder named asset inside a run folder.",
+            "Choose the folder named asset in a run folder.",
         ) from None
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:  # RecursionError: nested too deeply
         raise AssetError(f"{path} can't be read ({error}).", REMAKE) from None
     if not isinstance(info, dict) or not isinstance(info.get("files"), dict):
         raise AssetError(f"{path} names no files.", REMAKE)
@@ -142,21 +160,23 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         verts = _numbers(lines, b"v ", 3).astype(np.float32)
         uv = _numbers(lines, b"vt ", 2).astype(np.float32)
         corners = _corners(lines)
-    except ValueError:
+    except (ValueError, OverflowError):  # OverflowError: a number beyond 64 bits
         raise broken from None
     if len(corners) == 0 or corners.min() < 0:
         raise broken
+    # numpy would take a negative index from the end, and Blender crashes on one beyond it.
     if corners[..., 0].max() >= len(verts) or corners[..., 1].max() >= len(uv):
         raise broken
     if not (np.isfinite(verts).all() and np.isfinite(uv).all()):
         raise broken
+    # From Y up, -Z forward to Z up, -Y forward.
     upright = np.stack([verts[:, 0], -verts[:, 2], verts[:, 1]], 1)
     faces = corners[..., 0].astype(np.int32)
     return np.ascontiguousarray(upright), np.ascontiguousarray(faces), uv[corners[..., 1].ravel()]
 
 
 def _check_png(path: Path) -> None:
-    """By the file's first and last bytes: to decode it here would hold Blender up."""
+    """By the file's first and last bytes: decoding it here would block Blender."""
     try:
         with path.open("rb") as file:
             head = file.read(24)
@@ -166,10 +186,11 @@ def _check_png(path: Path) -> None:
         head = end = b""
     sizes = head[16:20], head[20:24]
     if head[:8] != PNG or b"\0\0\0\0" in sizes or end != b"IEND":
-        raise AssetError(f"{path} is no picture, or half of one.", REMAKE)
+        raise AssetError(f"{path} is no picture, or an incomplete one.", REMAKE)
 
 
 def _numbers(lines: list[bytes], key: bytes, width: int) -> np.ndarray:
+    # One conversion for all lines: a loop over 100,000 of them takes seconds in Python.
     words = b" ".join(line[len(key) :] for line in lines if line.startswith(key)).split()
     return np.array(words, dtype=np.float64).reshape(-1, width)
 
@@ -187,10 +208,12 @@ def _corners(lines: list[bytes]) -> np.ndarray:
 
 
 def _check_counts(folder: Path, info: dict[str, Any], verts: int, faces: int) -> None:
-    """Against asset.json, where it says: a mesh.obj that was cut short parses well."""
-    told = info.get("mesh", {})
+    """Against those in asset.json: a mesh.obj that was cut short is still a valid OBJ."""
+    counts = info.get("mesh", {})
+    if not isinstance(counts, dict):
+        raise AssetError(f"asset.json of {folder} has no counts of the mesh.", REMAKE)
     for name, got in (("verts", verts), ("faces", faces)):
-        if told.get(name, got) != got:
+        if counts.get(name, got) != got:
             raise AssetError(
-                f"mesh.obj of {folder} has {got} {name}; asset.json says {told[name]}.", REMAKE
+                f"mesh.obj of {folder} has {got} {name}; asset.json has {counts[name]}.", REMAKE
             )

@@ -1,4 +1,4 @@
-"""The base colour that an object has now, as a picture over one of its UV maps.
+"""Bakes the present base colour of an object to a picture, over one of its UV maps.
 
 Cycles bakes it as emission, which is exact; a bake of "diffuse colour" is not (it loses 4 %).
 """
@@ -13,25 +13,25 @@ from ..blender import compat
 from ..errors import AddonError, OutputError
 
 GREY = (0.8, 0.8, 0.8, 1.0)  # of a face without a material
-MARGIN = 8  # texels beyond the islands
+MARGIN = 8  # texels beyond the islands' borders
 
 
 def bake(context: bpy.types.Context, obj: bpy.types.Object, uv_map: str, path: Path, size: int):
-    """Write what ``obj`` has as its base colour to the PNG ``path``, ``size`` texels a side.
+    """Write the base colour of ``obj`` to the PNG ``path``, ``size`` texels a side.
 
-    The object itself is left alone: a copy of it is baked in a scene of its own.
+    A copy of the object is baked in a scene of its own: the object itself stays as it is.
 
     Raises:
-        AddonError: a material's base colour can't be told, or there is no Cycles.
+        AddonError: a material's base colour is unknown, or there is no Cycles.
         OutputError: the file can't be written.
     """
     if not compat.has_cycles():
         raise AddonError("This Blender has no Cycles.", "Enable its add-on Cycles Render Engine.")
-    made: list[bpy.types.ID] = []
+    made: list[bpy.types.ID] = []  # removed at the end, the last one first
     try:
         image = bpy.data.images.new("Base colour", size, size, alpha=False)
         made.append(image)
-        scene, helper = _stage(context, obj, uv_map, image, made)
+        scene, helper = _bake_scene(context, obj, uv_map, image, made)
         chosen = {
             "scene": scene,
             "view_layer": scene.view_layers[0],
@@ -54,14 +54,14 @@ def bake(context: bpy.types.Context, obj: bpy.types.Object, uv_map: str, path: P
             _remove(item)
 
 
-def _stage(
+def _bake_scene(
     context: bpy.types.Context,
     obj: bpy.types.Object,
     uv_map: str,
     image: bpy.types.Image,
     made: list[bpy.types.ID],
 ) -> tuple[bpy.types.Scene, bpy.types.Object]:
-    """A scene that bakes fast, with a copy of ``obj`` that glows in its base colours."""
+    """A scene with settings for a fast bake, and a copy of ``obj`` that emits its base colours."""
     graph = context.evaluated_depsgraph_get()
     mesh = bpy.data.meshes.new_from_object(
         obj.evaluated_get(graph), preserve_all_data_layers=True, depsgraph=graph
@@ -72,9 +72,9 @@ def _stage(
     if not mesh.materials:
         mesh.materials.append(None)
     for index, material in enumerate(slots):
-        glowing = _glowing(material, image)
-        made.append(glowing)
-        mesh.materials[index] = glowing
+        emitting = _emitting(material, image)
+        made.append(emitting)
+        mesh.materials[index] = emitting
     helper = bpy.data.objects.new("Base colour", mesh)
     made.append(helper)
     scene = bpy.data.scenes.new("Base colour")
@@ -82,37 +82,37 @@ def _stage(
     scene.collection.objects.link(helper)
     scene.render.engine = "CYCLES"
     scene.cycles.device, scene.cycles.samples = "CPU", 4
-    scene.cycles.use_denoising = False  # a build without a denoiser would bake nothing
+    scene.cycles.use_denoising = False  # a build without a denoiser bakes black
     view_layer = scene.view_layers[0]
     view_layer.objects.active = helper
     helper.select_set(True, view_layer=view_layer)
     return scene, helper
 
 
-def _glowing(material: bpy.types.Material | None, image: bpy.types.Image) -> bpy.types.Material:
+def _emitting(material: bpy.types.Material | None, image: bpy.types.Image) -> bpy.types.Material:
     """A copy of ``material`` that emits its base colour, and bakes into ``image``."""
     if material is None or not material.node_tree:
-        glowing = bpy.data.materials.new("Base colour")
-        compat.empty_nodes(glowing)
+        emitting = bpy.data.materials.new("Base colour")
+        compat.empty_nodes(emitting)
         color = tuple(material.diffuse_color) if material else GREY
     else:
-        glowing, color = material.copy(), None
-    tree, name = glowing.node_tree, material.name if material else ""
+        emitting, color = material.copy(), None
+    tree, name = emitting.node_tree, material.name if material else ""
     emission = tree.nodes.new("ShaderNodeEmission")
     output = tree.get_output_node("CYCLES") or tree.nodes.new("ShaderNodeOutputMaterial")
     try:
-        _join(tree, color or _color(tree, output.inputs["Surface"], name), emission)
+        _connect(tree, color or _color(tree, output.inputs["Surface"], name), emission)
     except AddonError:
-        bpy.data.materials.remove(glowing)
+        bpy.data.materials.remove(emitting)
         raise
     tree.links.new(emission.outputs[0], output.inputs["Surface"])
     target = tree.nodes.new("ShaderNodeTexImage")
     target.image = image
-    tree.nodes.active = target
-    return glowing
+    tree.nodes.active = target  # Cycles bakes into the picture of the active node
+    return emitting
 
 
-def _join(tree: bpy.types.NodeTree, color: object, emission: bpy.types.Node) -> None:
+def _connect(tree: bpy.types.NodeTree, color: object, emission: bpy.types.Node) -> None:
     if isinstance(color, bpy.types.NodeSocket):
         tree.links.new(color, emission.inputs["Color"])
     else:
@@ -122,7 +122,7 @@ def _join(tree: bpy.types.NodeTree, color: object, emission: bpy.types.Node) -> 
 def _color(tree: bpy.types.NodeTree, surface: bpy.types.NodeSocket, name: str) -> object:
     """The base colour of the shader that leads into ``surface``: a socket, or a constant."""
     if not surface.is_linked:
-        return (0.0, 0.0, 0.0, 1.0)
+        return (0.0, 0.0, 0.0, 1.0)  # no shader: Cycles shows black
     node = surface.links[0].from_node
     for key in ("Base Color", "Color"):
         if key in node.inputs:
@@ -133,7 +133,7 @@ def _color(tree: bpy.types.NodeTree, surface: bpy.types.NodeSocket, name: str) -
     if node.bl_idname == "NodeReroute":
         return _color(tree, node.inputs[0], name)
     raise AddonError(
-        f"The base colour of the material “{name}” can't be told: it comes from “{node.name}”.",
+        f"The base colour of the material “{name}” is unknown: it comes from “{node.name}”.",
         "Start from a plain material, or bake this one to a picture first.",
     )
 
@@ -157,7 +157,7 @@ def _mix(tree: bpy.types.NodeTree, shader: bpy.types.Node, name: str) -> bpy.typ
 
 
 def _remove(item: bpy.types.ID) -> None:
-    """Take a helper out of the file."""
+    """Remove a temporary datablock."""
     kinds = {
         bpy.types.Image: bpy.data.images,
         bpy.types.Mesh: bpy.data.meshes,

@@ -1,4 +1,4 @@
-"""Puts an asset folder into the scene as one object."""
+"""Imports an asset folder into the scene as one object."""
 
 from __future__ import annotations
 
@@ -21,17 +21,16 @@ def import_asset(
 ) -> bpy.types.Object:
     """The asset in ``folder`` as one object in the collection of ``where``, base at ``location``.
 
-    An AssetFolder is one that was read already.
-
-    Upright, its front to -Y, in metres; welded, smooth, with a Principled material and its maps
-    packed. The selection and the mode of the user's own work are left alone.
+    ``folder`` may be an AssetFolder that was read already. The object is upright, its front to -Y,
+    in metres; welded, smooth, with a Principled material and packed maps. The user's selection and
+    mode stay as they are.
 
     Raises:
-        AssetError: the folder is no asset, or half of one; nothing of it is left in the file.
+        AssetError: the folder is no asset, or an incomplete one; nothing of it is left in the file.
     """
     asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
     name = data_name(asset.prompt)
-    made: list[bpy.types.ID] = []
+    made: list[bpy.types.ID] = []  # for the removal if a later step fails
     try:
         material = _make_material(asset, name, UV_MAP, made)
         mesh = bpy.data.meshes.new(name)
@@ -49,7 +48,7 @@ def import_asset(
 
 
 def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:
-    """The material of the asset in ``folder`` alone, for a mesh whose maps lie over ``uv_map``.
+    """The material of the asset in ``folder`` alone, for a mesh that has ``uv_map``.
 
     Raises:
         AssetError: as :func:`import_asset`.
@@ -66,7 +65,10 @@ def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Materi
 def _make_material(
     asset: AssetFolder, name: str, uv_map: str, made: list[bpy.types.ID]
 ) -> bpy.types.Material:
-    """The material with its pictures; all that is new is added to ``made`` at once."""
+    """The material with its pictures.
+
+    Every new datablock is added to ``made`` at once, so that a failure can remove it.
+    """
     images = {}
     for role, picture in asset.pictures.items():
         title = data_name(asset.prompt, f" {role.replace('_', ' ')}")
@@ -88,6 +90,7 @@ def _fill_mesh(mesh: bpy.types.Mesh, asset: AssetFolder) -> None:
     uv = mesh.uv_layers.new(name=UV_MAP, do_init=False)
     uv.uv.foreach_set("vector", asset.corner_uv.ravel())
     mesh.update(calc_edges=True)
+    # validate() repairs what would crash Blender; a mesh of ours has nothing to repair.
     if mesh.validate():
         raise AssetError(
             f"The mesh of {asset.path} has faces that repeat a vertex or another face.",
@@ -102,7 +105,7 @@ def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.ty
     except RuntimeError as error:
         raise AssetError(f"{picture.path} can't be read ({error}).", "Generate it again.") from None
     made.append(image)
-    image.name = name
+    image.name = name  # not the file's: every asset has a normal.png
     _set_color_space(image, picture)
     image.pack()
     return image
@@ -110,7 +113,8 @@ def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.ty
 
 def _set_color_space(image: bpy.types.Image, picture: Picture) -> None:
     if picture.color_space == "Non-Color":
-        image.colorspace_settings.is_data = True  # by role: its name is the configuration's matter
+        # By role: the name of the data colour space depends on the OpenColorIO configuration.
+        image.colorspace_settings.is_data = True
         return
     try:
         image.colorspace_settings.name = picture.color_space

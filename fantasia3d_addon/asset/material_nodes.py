@@ -1,4 +1,4 @@
-"""The Principled material of an asset: its three maps by role."""
+"""The nodes of an asset's Principled material, with its three maps."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ def build_material(
     distribution: str,
     uv_map: str = UV_MAP,
 ) -> None:
-    """Give the new ``material`` its nodes.
+    """Create the nodes of the new ``material``.
 
-    ``images`` by role: ``base_color``; ``orm`` (R occlusion, which a path tracer finds by itself
-    and so stays unconnected, G roughness, B metallic); ``normal`` (tangent space, OpenGL).
+    ``images`` by role: ``base_color``; ``orm`` (R occlusion, which a path tracer computes itself
+    and which stays unconnected, G roughness, B metallic); ``normal`` (tangent space, OpenGL).
     """
     tree = compat.empty_nodes(material)
     output = _node(tree, "ShaderNodeOutputMaterial", 300, 0)
@@ -28,6 +28,7 @@ def build_material(
     bsdf.distribution = distribution
     _link(tree, bsdf, "BSDF", output, "Surface")
 
+    # An explicit UV map: the material must not depend on which one is active.
     uv = _node(tree, "ShaderNodeUVMap", -1000, -200)
     uv.uv_map = uv_map
     maps = {}
@@ -40,11 +41,13 @@ def build_material(
         _link(tree, uv, "UV", maps[role], "Vector")
     _link(tree, maps["base_color"], "Color", bsdf, "Base Color")
 
+    # The layout of glTF: green is roughness, blue is metallic.
     split = _node(tree, "ShaderNodeSeparateColor", -300, -200)
     _link(tree, maps["orm"], "Color", split, "Color")
     _link(tree, split, "Green", bsdf, "Roughness")
     _link(tree, split, "Blue", bsdf, "Metallic")
 
+    # The tangents come from the same UV map that the normals were baked over.
     bump = _node(tree, "ShaderNodeNormalMap", -300, -500)
     bump.space = "TANGENT"
     bump.uv_map = uv_map

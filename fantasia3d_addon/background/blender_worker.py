@@ -1,6 +1,7 @@
-"""The Blender without a window that :mod:`blender_process` sends out: FOLDER holds its order.
+"""The program of the Blender process that :mod:`blender_process` starts.
 
-``blender -b --factory-startup --python blender_worker.py -- FOLDER``
+``blender -b --factory-startup --python blender_worker.py -- FOLDER``; FOLDER holds request.json
+and in.blend, and receives the answer.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import bpy
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-def part(name: str):
+def module(name: str):
     """A module of the add-on, which is not enabled in this Blender."""
     if str(PACKAGE.parent) not in sys.path:
         sys.path.insert(0, str(PACKAGE.parent))
@@ -25,35 +26,34 @@ def part(name: str):
 
 
 def answer(folder: Path) -> None:
-    """Do what order.json says with the object of in.blend."""
-    order = json.loads((folder / "order.json").read_text("utf-8"))
+    """Run the task of request.json with the object of in.blend."""
+    request = json.loads((folder / "request.json").read_text("utf-8"))
     bpy.ops.wm.read_factory_settings(use_empty=True)
     with bpy.data.libraries.load(str(folder / "in.blend")) as (_, wanted):
-        wanted.objects = [order["object"]]
+        wanted.objects = [request["object"]]
     obj = wanted.objects[0]
     bpy.context.scene.collection.objects.link(obj)
     bpy.context.view_layer.update()
+    write_text = module("environment.files").write_text
 
-    def say(text: str, share: float) -> None:
-        aside = folder / "progress.tmp"
-        aside.write_text(json.dumps([text, share]), "utf-8")
-        aside.replace(folder / "progress.json")
+    def progress(text: str, fraction: float) -> None:
+        write_text(folder / "progress.json", json.dumps([text, fraction]))
 
-    if order["task"] == "quads":
-        quads = part("mesh.remesh").quad_remesh(obj, say=say, **order["options"])
+    if request["task"] == "quads":
+        quads = module("mesh.remesh").quad_remesh(obj, progress=progress, **request["options"])
         bpy.data.libraries.write(str(folder / "out.blend"), {quads}, fake_user=True)
     else:
         import numpy as np
 
-        np.save(folder / "out.npy", part("mesh.asset_browser").render_thumbnail(obj))
+        np.save(folder / "out.npy", module("mesh.asset_browser").render_thumbnail(obj))
 
 
 def main(folder: Path) -> int:
-    """:func:`answer`; what the user can mend becomes error.json and status 2."""
+    """:func:`answer`; an AddonError becomes error.json and exit code 2."""
     try:
         answer(folder)
         return 0
-    except part("errors").AddonError as error:
+    except module("errors").AddonError as error:
         (folder / "error.json").write_text(json.dumps([error.text, error.fix]), "utf-8")
         return 2
     except Exception:
@@ -62,7 +62,7 @@ def main(folder: Path) -> int:
 
 
 if __name__ == "__main__":
-    status = main(Path(sys.argv[-1]))
+    code = main(Path(sys.argv[-1]))
     sys.stdout.flush()
     sys.stderr.flush()
-    os._exit(status)
+    os._exit(code)  # the bpy module may hang in an ordinary exit

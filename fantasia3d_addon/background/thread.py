@@ -1,4 +1,4 @@
-"""What takes seconds and never touches bpy runs in a thread of its own. No bpy."""
+"""Tasks that take seconds and never touch bpy, each in a thread of its own. No bpy."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from collections.abc import Callable
 from ..environment import SetupError
 from ..errors import AddonError
 
-Say = Callable[[str, float], None]  # a line for the user, and the share that is done
+ReportProgress = Callable[[str, float], None]  # a line for the user, and the fraction done
 
 
-def silent(_text: str, _share: float) -> None:
-    """Nobody listens."""
+def ignore_progress(_text: str, _fraction: float) -> None:
+    """A :data:`ReportProgress` that does nothing."""
 
 
-class Work:
-    """A function in a thread: how far it is, what came of it, or the sentence of its error."""
+class Task:
+    """A function in a thread: its progress, then its result or its error."""
 
-    def __init__(self, title: str, function: Callable[[Say], object]) -> None:
+    def __init__(self, title: str, function: Callable[[ReportProgress], object]) -> None:
         self.title = title
-        self.text, self.share = "Starting", 0.0
-        self.error: tuple[str, str] | None = None  # a sentence and its fix
+        self.text, self.fraction = "Starting", 0.0
+        self.error: tuple[str, str] | None = None  # its text and its fix
         self.result: object = None
         self.cancelled = False
         self._function = function
-        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread = threading.Thread(target=self._run, daemon=True)  # Blender may be closed
         self._thread.start()
 
     @property
@@ -34,21 +34,21 @@ class Work:
         return self._thread.is_alive()
 
     def join(self, seconds: float) -> None:
-        """Wait for its end; for scripts."""
+        """Wait until it has ended; for scripts."""
         self._thread.join(seconds)
 
     def cancel(self) -> None:
-        """Ask it to stop; it looks at ``cancelled``."""
+        """Ask it to stop; its function looks at ``cancelled``."""
         self.cancelled = True
 
-    def _say(self, text: str, share: float) -> None:
-        self.text, self.share = text, share
+    def _report(self, text: str, fraction: float) -> None:
+        self.text, self.fraction = text, fraction
 
     def _run(self) -> None:
         try:
-            self.result = self._function(self._say)
+            self.result = self._function(self._report)
         except (SetupError, AddonError) as error:
             self.error = (error.text, error.fix)
         except Exception as error:
             self.error = (f"{type(error).__name__}: {error}", "This is a bug. Report it.")
-            raise
+            raise  # for the terminal, with its traceback

@@ -1,16 +1,16 @@
-"""What differs between Blender 4.2 and 5.2, in one place."""
+"""The differences between Blender 4.2 and 5.2, in one place."""
 
 from __future__ import annotations
 
 import bpy
 
-HAS_NODES_AT_BIRTH = bpy.app.version >= (5, 0, 0)  # use_nodes goes in 6.0
+ALWAYS_HAS_NODES = bpy.app.version >= (5, 0, 0)  # use_nodes is deprecated, and goes in 6.0
 EEVEE = "BLENDER_EEVEE" if bpy.app.version >= (5, 0, 0) else "BLENDER_EEVEE_NEXT"
 
 
 def empty_nodes(owner: bpy.types.Material | bpy.types.World) -> bpy.types.NodeTree:
-    """The node tree of a new material or world, without a node in it."""
-    if not HAS_NODES_AT_BIRTH:
+    """The node tree of a new material or world, without any node."""
+    if not ALWAYS_HAS_NODES:
         owner.use_nodes = True
     tree = owner.node_tree
     tree.nodes.clear()
@@ -23,7 +23,7 @@ def has_cycles() -> bool:
 
 
 def has_denoiser() -> bool:
-    """Whether this build of Cycles has OpenImageDenoise; Debian's have not."""
+    """Whether this build of Cycles has OpenImageDenoise; Debian's builds have not."""
     try:
         import _cycles
     except ImportError:
@@ -32,15 +32,15 @@ def has_denoiser() -> bool:
 
 
 def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
-    """Say that a normal map's green points up; before 5.1 there was nothing else."""
+    """Set the OpenGL convention (green points up); before 5.1 there was no other."""
     if "convention" in node.bl_rna.properties:
         node.convention = "OPENGL"
 
 
 def set_video(scene: bpy.types.Scene) -> None:
-    """Render to an MP4 file: H.264 in a form that every player takes."""
+    """Render to an MP4 file: H.264 in a form that every player reads."""
     settings = scene.render.image_settings
-    if "media_type" in settings.bl_rna.properties:  # since 5.0 it comes before the format
+    if "media_type" in settings.bl_rna.properties:  # since 5.0 it limits the formats below
         settings.media_type = "VIDEO"
     settings.file_format = "FFMPEG"
     ffmpeg = scene.render.ffmpeg
@@ -59,21 +59,21 @@ def has_usd() -> bool:
 
 
 def usd_textures() -> dict[str, object]:
-    """The option of the USD exporter that writes pictures into a folder beside the file."""
+    """The option of the USD exporter that writes pictures into a folder next to the file."""
     properties = bpy.ops.wm.usd_export.get_rna_type().properties
     mode = "export_textures_mode" in properties
     return {"export_textures_mode": "NEW"} if mode else {"export_textures": True}
 
 
 def has_operator(group: str, name: str) -> bool:
-    """Whether an operator is there: Blender's own exporters may be add-ons that are off."""
+    """Whether an operator exists: some of Blender's exporters are add-ons that may be disabled."""
     return name in dir(getattr(bpy.ops, group))
 
 
 def text_field(
     layout: bpy.types.UILayout, data: bpy.types.bpy_struct, name: str, placeholder: str
 ) -> None:
-    """A text property without its label; of several lines where Blender has such (5.2)."""
+    """A text property without its label; of several lines where Blender has those (5.2)."""
     if "textbox" in bpy.types.UILayout.bl_rna.functions:
         layout.textbox(data, name, initial_visible_lines=2, placeholder=placeholder)
     else:

@@ -1,4 +1,4 @@
-"""A mesh's numbers as arrays, and an object as the one that Blender's operators act on."""
+"""A mesh's data as arrays, checks of the active object, and the context for Blender's operators."""
 
 from __future__ import annotations
 
@@ -10,12 +10,14 @@ import numpy as np
 
 from ..errors import AddonError
 
+EDIT_MODE = "Leave Edit Mode first."
+
 
 def values(
     items: bpy.types.bpy_prop_collection, name: str, width: int, kind: type = np.float32
 ) -> np.ndarray:
     """The attribute ``name`` of all ``items`` as (N, width)."""
-    flat = np.empty(len(items) * width, kind)
+    flat = np.empty(len(items) * width, kind)  # foreach_get fills flat buffers alone
     items.foreach_get(name, flat)
     return flat.reshape(-1, width)
 
@@ -55,7 +57,7 @@ def world_verts(obj: bpy.types.Object) -> np.ndarray:
 
 
 def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
-    """A new mesh of ``obj`` as it looks, in its own space; its material slots stay with it."""
+    """A new mesh of ``obj`` with its modifiers applied, in its own space, with its materials."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     evaluated = obj.evaluated_get(depsgraph)
     return bpy.data.meshes.new_from_object(
@@ -64,14 +66,14 @@ def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
 
 
 def apply_modifiers(obj: bpy.types.Object) -> None:
-    """Give ``obj`` the mesh that it looks like, and no modifiers."""
+    """Replace the mesh of ``obj`` by :func:`baked_mesh`, and remove its modifiers."""
     old = obj.data
     mesh = baked_mesh(obj)
     obj.modifiers.clear()
     obj.data = mesh
     if not old.users:
         name = old.name
-        bpy.data.meshes.remove(old)
+        bpy.data.meshes.remove(old)  # first: two meshes can't have one name
         mesh.name = name
 
 
@@ -81,33 +83,40 @@ def mesh_object(obj: bpy.types.Object | None) -> bpy.types.Object:
     Raises:
         AddonError: it is none.
     """
-    if obj is None or obj.type != "MESH":
-        raise AddonError("No mesh object is active.", "Click the object that you mean.")
-    if not len(obj.data.polygons):
-        raise AddonError(f"{obj.name} has no faces.", "Choose an object with a surface.")
+    reason = reason_against_mesh(obj)
+    if obj is None or reason:
+        raise AddonError(reason, "Select an object with a surface, in Object Mode.")
     return obj
+
+
+def reason_against_mesh(obj: bpy.types.Object | None) -> str:
+    """Why ``obj`` is no mesh with faces; empty if it is one."""
+    if obj is None or obj.type != "MESH":
+        return "Select a mesh."
+    return "" if len(obj.data.polygons) else f"“{obj.name}” has no faces."
 
 
 @contextlib.contextmanager
 def acting(obj: bpy.types.Object, **more: object) -> Iterator[None]:
-    """Let Blender's operators act on ``obj`` alone; the user's own selection comes back."""
+    """Let Blender's operators act on ``obj`` alone; the user's own selection is restored."""
     layer = bpy.context.view_layer
-    before = layer.objects.active, list(bpy.context.selected_objects)
-    for other in before[1]:
+    active, selected = layer.objects.active, list(bpy.context.selected_objects)
+    for other in selected:
         other.select_set(False)
     layer.objects.active = obj
     obj.select_set(True)
     try:
+        # Some operators read the override, others the view layer: both must agree.
         with bpy.context.temp_override(
             object=obj, active_object=obj, selected_objects=[obj],
             selected_editable_objects=[obj], **more,
         ):  # fmt: skip
             yield
     finally:
-        kept = set(layer.objects)
+        kept = set(layer.objects)  # the operator may have removed some
         for other in list(bpy.context.selected_objects):
             other.select_set(False)
-        for other in before[1]:
+        for other in selected:
             if other in kept:
                 other.select_set(True)
-        layer.objects.active = before[0] if before[0] in kept else None
+        layer.objects.active = active if active in kept else None

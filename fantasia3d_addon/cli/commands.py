@@ -1,28 +1,34 @@
-"""The commands of ``run.py`` that are Blender's: relight, physics, cornell, and some exports."""
+"""The commands of ``run.py`` that run in Blender: relight, physics, cornell, and some exports."""
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import bpy
 import numpy as np
 
+from .. import options
 from ..asset.asset_folder import read_info
 from ..asset.import_asset import import_asset
 from ..blender.mesh_arrays import mesh_object, world_verts
 from ..errors import AddonError, LightError
 from ..material import edit as material_edit
 from ..mesh import export
+from ..options import Option
 from ..physics import simulation
-from ..scene import cornell_box, light, relight, render
+from ..scene import cornell_box, light, relight
+from ..scene import render as scene_render
+
+LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset was made under
+SEVERAL_USD = {".usd": (".usdc", ".usda", ".usdz")}  # --format usd allows each of these
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one sentence."""
+    """Reports what is wrong as one sentence."""
 
     def error(self, message: str) -> NoReturn:
         raise AddonError(f"{message[:1].upper()}{message[1:]}.", f"See: run.py {self.prog} --help")
@@ -40,52 +46,94 @@ def parser() -> Parser:
         command.add_argument("asset", metavar="ASSET", help=asset_help, **nargs)
         return command
 
-    turn = add("relight", "An asset under another light: a picture, a turntable, a Blender file.")
-    turn.add_argument("--turntable", type=Path, metavar="FILE.mp4|FOLDER")
-    turn.add_argument("--turn", default="camera", choices=[t.lower() for t in relight.TURNS])
-    turn.add_argument("--frames", type=int, default=48, help="of the turntable")
-    fall = add("physics", "An asset simulated and baked; --render shows one frame.")
-    kinds = [kind.lower() for kind in simulation.KINDS]
-    fall.add_argument("--physics", dest="kind", required=True, choices=kinds)
-    fall.add_argument("--frames", type=int, default=60)
-    fall.add_argument("--height", type=float, default=0.5, metavar="METRES")
-    fall.add_argument("--convex", action="store_true", help="rigid: one hull")
-    fall.add_argument("--softness", type=float, default=0.5, metavar="0..1")
-    fall.add_argument("--self-collision", action="store_true", help="cloth")
-    fall.add_argument("--at", type=int, metavar="FRAME", help="rendered; default: the last")
-    box = add("cornell", "Assets side by side in a Cornell box.", many=True)
-    for command in (turn, fall, box):
-        _add_picture_options(command)
-    for command in (turn, fall):
-        command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
-        command.add_argument("--strength", type=float, help="default: white is just white")
-        command.add_argument("--rotation-deg", type=float, default=0.0)
-    out = add("export", "An asset as one file for another program.")
-    out.add_argument("--format", required=True)
-    out.add_argument("--out", type=Path, required=True, metavar="FILE")
-    out.add_argument("--flip-normal-y", action="store_true", help="DirectX normals: FBX, OBJ")
-    out.add_argument("--material", metavar="NAME", help="wood, gold, … instead of its own")
+    _add_relight(add("relight", "An asset in another light: picture, turntable, Blender file."))
+    _add_physics(add("physics", "An asset simulated and baked; --render shows one frame."))
+    _add_picture_options(add("cornell", "Assets next to each other in a Cornell box.", many=True))
+    _add_export(add("export", "An asset as one file for another program."))
     return top
 
 
+def _add_relight(command: Parser) -> None:
+    command.add_argument("--turntable", type=Path, metavar="FILE.mp4|FOLDER")
+    _add(command, options.TURN)
+    _add(command, options.TURN_FRAMES)
+    _add_picture_options(command)
+    _add_light_options(command)
+
+
+def _add_physics(command: Parser) -> None:
+    _add(command, options.KIND, flag="--physics", required=True, default=None)
+    for option in options.SIMULATION:
+        _add(command, option)
+    command.add_argument("--at", type=int, metavar="FRAME", help="rendered; default: the last")
+    _add_picture_options(command)
+    _add_light_options(command)
+
+
+def _add_export(command: Parser) -> None:
+    command.add_argument("--format", required=True, help=", ".join(e[1:] for e in export.ENDINGS))
+    command.add_argument("--out", type=Path, required=True, metavar="FILE")
+    _add(command, options.FLIP_NORMAL_Y)
+    _add(command, options.MATERIAL, default=None)
+
+
 def _add_picture_options(command: Parser) -> None:
-    command.add_argument("--material", metavar="NAME", help="wood, gold, … instead of its own")
+    _add(command, options.MATERIAL, default=None)
     command.add_argument("--blend", type=Path, metavar="FILE.blend")
     command.add_argument("--render", type=Path, metavar="FILE.png")
-    command.add_argument("--size", type=int, default=640, help="pixels")
-    command.add_argument("--samples", type=int, help="default: as many as a clean picture takes")
+    _add(command, options.SIZE)
+    _add(command, options.SAMPLES)
 
 
-def carry_out(argv: Sequence[str]) -> list[Path]:
-    """Do what ``argv`` asks for; the files that were made.
+def _add_light_options(command: Parser) -> None:
+    command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
+    # No default: without it the exposure is set so that white is just not clipped.
+    _add(command, options.STRENGTH, default=None)
+    _add(command, options.ROTATION, flag="--rotation-deg")
+
+
+def _add(command: Parser, option: Option, flag: str = "", **more: Any) -> None:
+    """Add ``option`` as ``--its-name``; ``more`` overrides parts of it."""
+    flag = flag or f"--{option.name.replace('_', '-')}"
+    settings: dict[str, Any] = {"dest": option.name, "help": option.tip.replace("%", "%%")}
+    if isinstance(option.default, bool):
+        settings |= {"action": "store_true"}
+    elif option.items:  # in lower case, as a command line has it
+        choices = [name.lower() for name in option.names]
+        settings |= {"choices": choices, "default": str(option.default).lower()}
+    else:
+        settings |= {"type": _checked(option), "default": option.default}
+        settings |= {"metavar": "NAME" if isinstance(option.default, str) else "NUMBER"}
+    command.add_argument(flag, **(settings | more))
+
+
+def _checked(option: Option) -> Callable[[str], Any]:
+    """A reader of the option's value that refuses what is not in its range."""
+
+    def read(text: str) -> Any:
+        if isinstance(option.default, str):
+            return text
+        try:
+            value = type(option.default)(text)
+        except ValueError:
+            value = float("nan")
+        if not option.allows(value):
+            raise argparse.ArgumentTypeError(f"{text!r} is not allowed; use {option.range}")
+        return value
+
+    return read
+
+
+def run(argv: Sequence[str]) -> list[Path]:
+    """Run the command ``argv``; the files that were written.
 
     Raises:
-        AddonError: what the user can mend.
+        AddonError: what the user can fix.
     """
     args = parser().parse_args(argv)
     _check(args)
-    fresh = not bpy.data.filepath
-    if fresh:
+    is_empty = not bpy.data.filepath
+    if is_empty:
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     names = [args.asset] if isinstance(args.asset, str) else args.asset
     objs = [_object(name) for name in names]
@@ -95,14 +143,15 @@ def carry_out(argv: Sequence[str]) -> list[Path]:
     if args.command == "export":
         return [export.export_object(objs[0], args.out, args.flip_normal_y)]
     act = {"relight": _relight, "physics": _physics, "cornell": _cornell}[args.command]
-    return act(args, objs, fresh)
+    return act(args, objs, is_empty)
 
 
 def _check(args: argparse.Namespace) -> None:
+    """Refuse before the work what could not be written after it."""
     if args.command == "export":
         ending = f".{args.format.lower()}"
         known = ending in export.ENDINGS
-        if not known or args.out.suffix.lower() not in (ending, *_USD.get(ending, ())):
+        if not known or args.out.suffix.lower() not in (ending, *SEVERAL_USD.get(ending, ())):
             raise AddonError(
                 f"--out is {str(args.out)!r}, --format {args.format!r}.",
                 f"The format is one of {', '.join(e[1:] for e in export.ENDINGS)}, and the "
@@ -111,78 +160,69 @@ def _check(args: argparse.Namespace) -> None:
         return
     if not (args.blend or args.render or getattr(args, "turntable", None)):
         more = ", --turntable" if args.command == "relight" else ""
-        raise AddonError("There is nothing to make.", f"Name --render{more} or --blend.")
-    if args.render and args.render.suffix.lower() not in render.FORMATS:
-        raise AddonError(
-            f"--render is {str(args.render)!r}.", f"Its name ends in {', '.join(render.FORMATS)}."
-        )
-
-
-_USD = {".usd": (".usdc", ".usda", ".usdz")}
+        raise AddonError("There is nothing to write.", f"Add --render{more} or --blend.")
+    if args.render and args.render.suffix.lower() not in scene_render.FORMATS:
+        endings = ", ".join(scene_render.FORMATS)
+        raise AddonError(f"--render is {str(args.render)!r}.", f"Its name ends in {endings}.")
 
 
 def _object(name: str) -> bpy.types.Object:
     """The asset of a folder, imported; or an object of the open file."""
     if not Path(name).exists() and name in bpy.data.objects:
         return mesh_object(bpy.data.objects[name])
-    target = bpy.context.scene
-    obj = import_asset(target, Path(name).expanduser(), target.cursor.location)
-    obj["fantasia3d_light"] = str(read_info(Path(name).expanduser()).get("light") or light.STUDIO)
+    scene = bpy.context.scene
+    obj = import_asset(scene, Path(name).expanduser(), scene.cursor.location)
+    obj[LIGHT] = str(read_info(Path(name).expanduser()).get("light") or light.STUDIO)
     return obj
 
 
-def _relight(args: argparse.Namespace, objs: list[bpy.types.Object], fresh: bool) -> list[Path]:
-    target, obj = bpy.context.scene, objs[0]
-    if fresh or not target.camera:
-        render.add_camera(target, obj)
-    _light(args, obj)
-    render.set_up_cycles(target, args.size, args.samples)
-    made = _files(args, obj, backdrop=fresh)
+def _relight(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: bool) -> list[Path]:
+    scene, obj = bpy.context.scene, objs[0]
+    if is_empty or not scene.camera:
+        scene_render.add_camera(scene, obj)
+    _set_light(args, obj)
+    scene_render.set_up_cycles(scene, args.size, args.samples)
+    written = _write(args, obj, backdrop=is_empty)
     if args.turntable:
-        made.append(
-            relight.turntable(
-                obj, args.turntable, frames=args.frames, turn=args.turn.upper(), size=args.size,
-                samples=args.samples,
-            )
-        )  # fmt: skip
-    return made
+        settings = {"frames": args.frames, "size": args.size, "samples": args.samples}
+        written.append(relight.turntable(obj, args.turntable, turn=args.turn.upper(), **settings))
+    return written
 
 
-def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], fresh: bool) -> list[Path]:
-    target, obj = bpy.context.scene, objs[0]
-    options = simulation.Options(
-        frames=args.frames, height=args.height, convex=args.convex, softness=args.softness,
-        self_collision=args.self_collision,
-    )  # fmt: skip
-    simulation.simulate(obj, args.kind.upper(), options)
-    first = target.frame_start
+def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: bool) -> list[Path]:
+    scene, obj = bpy.context.scene, objs[0]
+    settings = {option.name: getattr(args, option.name) for option in options.SIMULATION}
+    simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
+    first = scene.frame_start
     last = first + args.frames - 1
-    target.frame_end = last
-    if fresh or not target.camera:
-        render.add_camera_about(target, *render.sphere_about(_reach(obj, first, last)))
-    target.frame_set(first)
-    _light(args, obj)
-    render.set_up_cycles(target, args.size, args.samples)
+    scene.frame_end = last
+    if is_empty or not scene.camera:
+        # The camera sees the whole fall, not only the place where it starts.
+        center, radius = scene_render.sphere_about(_points_of_fall(obj, first, last))
+        scene_render.add_camera_about(scene, center, radius)
+    scene.frame_set(first)
+    _set_light(args, obj)
+    scene_render.set_up_cycles(scene, args.size, args.samples)
     ground = bpy.data.objects.get(simulation.GROUND)
-    if ground and fresh:
+    if ground and is_empty:  # the simulation's own ground serves as the backdrop
         ground.is_shadow_catcher = True
-        render.hide_world(target)
-    target.frame_set(min(max(args.at or last, first), last))
-    return _files(args, obj, backdrop=False)
+        scene_render.hide_world(scene)
+    scene.frame_set(min(max(args.at or last, first), last))
+    return _write(args, obj, backdrop=False)
 
 
-def _cornell(args: argparse.Namespace, objs: list[bpy.types.Object], _fresh: bool) -> list[Path]:
-    target = bpy.context.scene
-    cornell_box.build(target, objs)
-    render.set_up_cycles(target, args.size, args.samples or 128)
-    target.cycles.max_bounces = 10
-    target.cycles.adaptive_threshold = 0.02  # nothing there is lit evenly
-    target.view_settings.exposure = cornell_box.EXPOSURE
-    return _files(args, objs[0], backdrop=False)
+def _cornell(args: argparse.Namespace, objs: list[bpy.types.Object], _is_empty: bool) -> list[Path]:
+    scene = bpy.context.scene
+    cornell_box.build(scene, objs)
+    scene_render.set_up_cycles(scene, args.size, args.samples or 128)
+    scene.cycles.max_bounces = 10  # most of the light in the box is indirect
+    scene.cycles.adaptive_threshold = 0.02  # no part of the picture is evenly lit
+    scene.view_settings.exposure = cornell_box.EXPOSURE
+    return _write(args, objs[0], backdrop=False)
 
 
-def _reach(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:
-    """The points (N,3) of the asset and of its sheet at the first and at the last frame."""
+def _points_of_fall(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:
+    """The vertices (N,3) of the asset and of its sheet at the first and at the last frame."""
     shown = [obj, *(o for o in bpy.data.objects if o.name == f"{obj.name} sheet")]
     points = []
     for frame in (first, last):
@@ -191,27 +231,28 @@ def _reach(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:
     return np.concatenate(points)
 
 
-def _light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
-    target = bpy.context.scene
-    name = args.light or obj.get("fantasia3d_light", light.STUDIO)
+def _set_light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
+    scene, strength = bpy.context.scene, 1.0 if args.strength is None else args.strength
+    name = args.light or obj.get(LIGHT, light.STUDIO)
     try:
-        relight.relight(target, name, args.strength or 1.0, args.rotation_deg)
+        relight.relight(scene, name, strength, args.rotation)
     except LightError as error:
         if args.light:
             raise
-        print(f"warning: {error.text} The studio light stands in.", file=sys.stderr)
-        relight.relight(target, light.STUDIO, args.strength or 1.0, args.rotation_deg)
+        # The asset's own light was deleted since: that does not stop the command.
+        print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
+        relight.relight(scene, light.STUDIO, strength, args.rotation)
     bpy.context.view_layer.update()
     if args.strength is None:
-        render.expose(target, obj)
+        scene_render.expose(scene, obj)
 
 
-def _files(args: argparse.Namespace, obj: bpy.types.Object, backdrop: bool) -> list[Path]:
-    made = []
+def _write(args: argparse.Namespace, obj: bpy.types.Object, backdrop: bool) -> list[Path]:
+    written = []
     if args.blend:
-        render.save_blend(args.blend)
-        made.append(args.blend)
+        scene_render.save_blend(args.blend)
+        written.append(args.blend)
     if args.render:
-        render.render_still(args.render, obj, backdrop=backdrop)
-        made.append(args.render)
-    return made
+        scene_render.render_still(args.render, obj, backdrop=backdrop)
+        written.append(args.render)
+    return written

@@ -1,4 +1,4 @@
-"""The add-on without a window: what ``run.py`` does inside Blender or beside the bpy module."""
+"""The add-on without a window: what ``run.py`` does inside Blender or with the bpy module."""
 
 from __future__ import annotations
 
@@ -17,24 +17,25 @@ from ..asset.import_asset import import_asset
 from ..environment import clean_environ
 from ..errors import AddonError, LightError
 from ..scene import light as lights
+from ..scene import render as scene_render
 from . import commands
 
-INPUT = 2  # the exit status of what the user can mend
+USER_ERROR = 2  # the exit code for what the user can fix
 
 
 def main(argv: Sequence[str], core_python: Path, core_root: Path) -> int:
-    """Carry out a job of the command line, and take its asset into this Blender: the exit status.
+    """Run a job of the command line and import its asset into this Blender: the exit code.
 
-    ``argv`` is that of ``run.py``, with ``--blend FILE`` and ``--render FILE``. The core reads the
-    rest itself, so that both worlds have one command line; its progress, sentences and exit
-    statuses reach this terminal as they are.
+    ``argv`` is that of ``run.py``, with ``--blend FILE`` and ``--render FILE``. The core parses the
+    rest itself, so that there is one command line; its progress, messages and exit codes reach
+    this terminal unchanged.
     """
     rest, blend = _take(argv, "--blend")
     rest, render = _take(rest, "--render")
-    status, last = _run_core(rest, core_python, core_root)
-    if status or not last or not (blend or render):
-        return status
-    return finish(Path(last), blend, render)
+    code, last_line = _run_core(rest, core_python, core_root)
+    if code or not last_line or not (blend or render):
+        return code
+    return finish(Path(last_line), blend, render)
 
 
 def finish(
@@ -43,17 +44,16 @@ def finish(
     render: str | Path | None = None,
     light: str | None = None,
 ) -> int:
-    """Import ``asset`` into this Blender, save the scene and render it: the exit status.
+    """Import ``asset`` into this Blender, save the scene and render it: the exit code.
 
     ``light`` is a name or a file; None is the light that the asset was made under. The asset goes
-    into the file that is open; where none is, into an empty one. Nothing is half-written.
+    into the open file, or into an empty one where none is open. No file is left half-written.
     """
     try:
         with _quiet():
             _finish(asset, blend, render, light)
     except AddonError as error:
-        print(f"error: {error}", file=sys.stderr, flush=True)
-        return INPUT
+        return _report(error)
     for path in (blend, render):
         if path:
             print(Path(path).expanduser().absolute(), flush=True)
@@ -61,59 +61,64 @@ def finish(
 
 
 def command(argv: Sequence[str]) -> int:
-    """Carry out one of :mod:`commands` in this Blender: the exit status."""
+    """Run one of :mod:`commands` in this Blender: the exit code."""
     if {"-h", "--help"} & set(argv):
-        commands.parser().parse_args(list(argv))
+        commands.parser().parse_args(list(argv))  # prints the help and exits
     try:
         with _quiet():
-            made = commands.carry_out(argv)
+            written = commands.run(argv)
     except AddonError as error:
-        print(f"error: {error}", file=sys.stderr, flush=True)
-        return INPUT
-    for path in made:
+        return _report(error)
+    for path in written:
         print(path.expanduser().absolute(), flush=True)
     return 0
+
+
+def _report(error: AddonError) -> int:
+    print(f"error: {error}", file=sys.stderr, flush=True)
+    return USER_ERROR
 
 
 def _finish(
     asset: Path, blend: str | Path | None, render: str | Path | None, light: str | None
 ) -> None:
-    fresh = not bpy.data.filepath
-    if fresh:
+    is_empty = not bpy.data.filepath
+    if is_empty:
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    target = bpy.context.scene
-    obj = import_asset(target, asset, target.cursor.location)
+    scene = bpy.context.scene
+    obj = import_asset(scene, asset, scene.cursor.location)
     bpy.context.view_layer.update()
-    if fresh or not target.camera:
-        render.add_camera(target, obj)
-    if fresh or light or not target.world:
-        lights.set_world(target, _light_file(light or read_info(asset).get("light")))
+    # The user's own camera, world and render settings are kept where there are any.
+    if is_empty or not scene.camera:
+        scene_render.add_camera(scene, obj)
+    if is_empty or light or not scene.world:
+        lights.set_world(scene, _light_file(light or read_info(asset).get("light")))
         bpy.context.view_layer.update()
-        render.expose(target, obj)
-    if fresh:
-        render.set_up_cycles(target)
+        scene_render.expose(scene, obj)
+    if is_empty:
+        scene_render.set_up_cycles(scene)
     if blend:
-        render.save_blend(Path(blend))
+        scene_render.save_blend(Path(blend))
     if render:
-        render.render_still(Path(render), obj, backdrop=fresh)
+        scene_render.render_still(Path(render), obj, backdrop=is_empty)
 
 
 def _light_file(name: str | None) -> Path:
-    """The light's file; after an hour's work, one that has gone is no reason to stop."""
+    """The light's file; a light that was deleted does not stop a job of an hour."""
     try:
         return lights.light_file(name or lights.STUDIO)
     except LightError as error:
-        print(f"warning: {error.text} The scene has the studio light instead.", file=sys.stderr)
+        print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
         return lights.light_file(lights.STUDIO)
 
 
 def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
-    """Run ``python -m core``; its exit status, and the last line it printed: the asset's folder.
+    """Run ``python -m core``; its exit code, and the last line it printed: the asset's folder.
 
-    Ctrl-C reaches the core through the terminal; it stops cleanly and says so by its status.
+    Ctrl-C reaches the core through the terminal; it stops cleanly and exits with its own code.
     """
     environ = clean_environ() | {"PYTHONPATH": str(root), "PYTHONUNBUFFERED": "1"}
-    last = ""
+    last_line = ""
     with subprocess.Popen(
         [str(python), "-P", "-m", "core", *argv],  # -P: the user's folder may hold a "core" too
         env=environ,
@@ -123,20 +128,20 @@ def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
         errors="replace",
     ) as process:
         assert process.stdout
-        with _deaf_to_ctrl_c():  # only now, or the core would inherit it
+        with _ignore_ctrl_c():  # after the start, or the core would inherit it
             for line in process.stdout:
                 print(line, end="", flush=True)
-                last = line.strip() or last
+                last_line = line.strip() or last_line
             process.wait()
-    status = process.returncode
-    return (status if status >= 0 else 128 - status), last
+    code = process.returncode
+    return (code if code >= 0 else 128 - code), last_line  # as a shell reports signals
 
 
 @contextlib.contextmanager
-def _deaf_to_ctrl_c() -> Iterator[None]:
-    """Leave Ctrl-C to the child. Blender's own handler, which Python can't put back, may stay."""
+def _ignore_ctrl_c() -> Iterator[None]:
+    """Leave Ctrl-C to the child process."""
     handler = signal.getsignal(signal.SIGINT)
-    if handler is None:
+    if handler is None:  # Blender's own handler, which Python could not restore
         yield
         return
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -160,14 +165,15 @@ def _take(argv: Sequence[str], option: str) -> tuple[list[str], str | None]:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """Keep what Blender's own code prints, a line for each sample, off the terminal."""
+    """Keep Blender's own output, a line for each sample, off the terminal."""
+    # Blender prints from C: only the file descriptor itself can be redirected.
     sys.stdout.flush()
-    kept = os.dup(1)
+    stdout = os.dup(1)
     with open(os.devnull, "wb") as nowhere:  # noqa: PTH123
         os.dup2(nowhere.fileno(), 1)
     try:
         yield
     finally:
         sys.stdout.flush()
-        os.dup2(kept, 1)
-        os.close(kept)
+        os.dup2(stdout, 1)
+        os.close(stdout)

@@ -1,4 +1,4 @@
-"""What the environment must hold, where it lies, and whether it is complete."""
+"""What the environment must contain, where it is, and whether it is complete."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from .files import write_text
 from .machine import SetupError
 
 MARKER = "fantasia3d.json"  # in a complete environment, written last
-BUILDING = "fantasia3d.building"  # in one that is being made: it may be removed again
+BUILDING = "fantasia3d.building"  # in one that is being created: it may be removed again
 
 
 def project_root() -> Path:
@@ -22,7 +23,7 @@ def project_root() -> Path:
     for root in (addon / "method", addon.parent):
         if (root / "pyproject.toml").is_file() and (root / "core").is_dir():
             return root
-    raise SetupError(f"{addon} has no core beside it.", "Install the whole package again.")
+    raise SetupError(f"There is no core next to {addon}.", "Install the whole package again.")
 
 
 def requirements(root: Path, group: str) -> list[str]:
@@ -39,7 +40,7 @@ def digest(lines: Sequence[str]) -> str:
 
 
 def data_folder() -> Path:
-    """The user's data folder of this project (not made here)."""
+    """The user's data folder of this project (not created here)."""
     if sys.platform == "win32":
         base = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local"
     elif sys.platform == "darwin":
@@ -50,15 +51,15 @@ def data_folder() -> Path:
 
 
 class Place(NamedTuple):
-    """Where and of what an environment is made; what is None is the project's own choice."""
+    """Where and from what an environment is created; None is the project's own choice."""
 
     folder: Path | None = None  # of the environment
-    python: Path | None = None  # the interpreter that it is made of
-    wheels: Path | None = None  # a folder of wheels that stands for the registry
+    python: Path | None = None  # the interpreter that it is created from
+    wheels: Path | None = None  # a folder of wheels, used instead of the registry
 
 
 def env_folder(root: Path) -> Path:
-    """Where the environment of this version's requirements lies, or will lie.
+    """Where the environment of this version's requirements is, or will be.
 
     FANTASIA3D_ENV names another folder.
     """
@@ -74,12 +75,12 @@ def env_python(folder: Path) -> Path:
 
 
 def log_file(folder: Path) -> Path:
-    """The log of the last set-up of ``folder``, beside it."""
+    """The log of the last set-up of ``folder``, next to it."""
     return folder.with_name(folder.name + ".log")
 
 
 def read_marker(folder: Path) -> dict[str, Any]:
-    """What the environment ``folder`` holds; empty while it is not complete."""
+    """What the environment ``folder`` contains; empty while it is not complete."""
     try:
         marker = json.loads((folder / MARKER).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -88,10 +89,8 @@ def read_marker(folder: Path) -> dict[str, Any]:
 
 
 def write_marker(folder: Path, marker: dict[str, Any]) -> None:
-    """Say, in one step, what ``folder`` holds."""
-    aside = folder / (MARKER + ".tmp")
-    aside.write_text(json.dumps(marker, indent=1) + "\n", encoding="utf-8")
-    aside.replace(folder / MARKER)
+    """Record, in one step, what ``folder`` contains."""
+    write_text(folder / MARKER, json.dumps(marker, indent=1) + "\n")
 
 
 def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:

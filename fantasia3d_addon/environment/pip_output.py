@@ -1,4 +1,4 @@
-"""What pip and uv say, read: their steps, their reports, and why they failed."""
+"""Parses the output of pip and uv: their steps, their reports, and why they failed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 from .machine import SetupError
 
-LARGE = 5.0  # MB; smaller downloads are not worth a line
+LARGE = 5.0  # MB; smaller downloads are not reported
 
 NETWORK = re.compile(
     r"NewConnectionError|NameResolutionError|Temporary failure in name resolution|"
@@ -23,7 +23,7 @@ NO_MATCH = re.compile(r"No matching distribution found for (\S+)")
 
 
 def step_of(line: str) -> str:
-    """A step worth telling the user in a line of pip's; empty for the rest."""
+    """The step to report for a line of pip's output; empty for most lines."""
     fetched = re.match(r"\s*Downloading (?:\S*/)?(\S+) \(([\d.]+) ([MG])B\)", line)
     if fetched:
         file, size, unit = fetched.groups()
@@ -40,18 +40,19 @@ def offers_cuda(report: dict[str, Any], platform: str) -> bool:
     if "+cu" in found["version"]:
         return True
     needs = [need for need in found.get("requires_dist", []) if "extra ==" not in need]
+    # Only the CUDA builds require NVIDIA's packages; the registry does not mark them otherwise.
     brings = any(need.startswith(("nvidia-", "cuda-")) for need in needs)
     return brings and platform.startswith("linux")
 
 
-def pip_version(said: str) -> tuple[int, ...]:
-    """The version in ``pip --version``'s answer: (23, 2)."""
-    found = re.match(r"pip (\d+)\.(\d+)", said)
+def pip_version(text: str) -> tuple[int, ...]:
+    """The version in the output of ``pip --version``: (23, 2)."""
+    found = re.match(r"pip (\d+)\.(\d+)", text)
     return tuple(int(n) for n in found.groups()) if found else (0, 0)
 
 
 def pip_sources(config: str) -> dict[str, str]:
-    """uv's variables for the indexes and wheel folders in ``pip config list``'s answer."""
+    """uv's variables for the indexes and wheel folders in the output of ``pip config list``."""
     names = {
         "find-links": "UV_FIND_LINKS",
         "index-url": "UV_DEFAULT_INDEX",
@@ -67,28 +68,28 @@ def pip_sources(config: str) -> dict[str, str]:
     return found
 
 
-def explain(said: str, log: Path) -> SetupError:
-    """The failure of a command as a sentence with its cure; ``said`` is its last output."""
-    if DISK.search(said):
+def explain(text: str, log: Path) -> SetupError:
+    """The failure of a command as a sentence with its fix; ``text`` is its last output."""
+    if DISK.search(text):
         return SetupError(
             "The disk filled up during the set-up.",
-            "Free some space, or name a folder on another disk in FANTASIA3D_ENV (and for "
-            f"temporary files in TMPDIR); then start again. The log is {log}.",
+            "Free some space, or set FANTASIA3D_ENV to a folder on another disk (and for "
+            f"temporary files TMPDIR); then start again. The log is {log}.",
         )
-    if NETWORK.search(said):
+    if NETWORK.search(text):
         return SetupError(
             "The package registry cannot be reached.",
-            "Check the network and pip's configuration (pip config list), or name a folder of "
-            f"wheels in FANTASIA3D_WHEELS; then start again. The log is {log}.",
+            "Check the network and pip's configuration (pip config list), or set "
+            f"FANTASIA3D_WHEELS to a folder of wheels; then start again. The log is {log}.",
         )
-    missing = NO_MATCH.search(said)
+    missing = NO_MATCH.search(text)
     if missing:
         return SetupError(
             f"There is no package {missing.group(1)} for this system and Python in the registry.",
-            "Add its wheel's folder to pip's find-links, or name a folder of wheels in "
-            f"FANTASIA3D_WHEELS. The log is {log}.",
+            "Add its wheel's folder to pip's find-links, or set "
+            f"FANTASIA3D_WHEELS to a folder of wheels. The log is {log}.",
         )
-    lines = [line.strip() for line in said.splitlines() if line.strip()] or ["it said nothing"]
+    lines = [line.strip() for line in text.splitlines() if line.strip()] or ["no output"]
     errors = [line for line in lines if re.match(r"(ERROR|\w*Error)\b", line)]
     return SetupError(
         f"A step of the set-up failed ({(errors or lines)[-1]}).", f"The log is {log}."

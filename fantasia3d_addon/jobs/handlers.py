@@ -11,12 +11,12 @@ from .session import session
 
 @persistent
 def _before_save(*_: object) -> None:
-    live_preview.remove()
+    live_preview.remove()  # a preview is not part of the user's file
 
 
 @persistent
 def _after_undo(*_: object) -> None:
-    live_preview.remove(keep=session.names)
+    live_preview.remove(keep=session.names)  # an undo step may hold the preview of an ended run
 
 
 @persistent
@@ -35,11 +35,11 @@ HANDLERS = (
 
 def add() -> None:
     """Keep previews out of files and undo steps, and tell the session of opened files."""
-    for registered, function in HANDLERS:
-        registered.append(function)
+    for handlers, function in HANDLERS:
+        handlers.append(function)
 
 
 def remove() -> None:
     """Undo :func:`add`."""
-    for registered, function in HANDLERS:
-        registered.remove(function)
+    for handlers, function in HANDLERS:
+        handlers.remove(function)

@@ -1,4 +1,4 @@
-"""The run folders as a history: what was asked, what became of it, how to do it again. No bpy."""
+"""The run folders as a history: each job, its state, and how to repeat it. No bpy."""
 
 from __future__ import annotations
 
@@ -13,19 +13,22 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import JobError
-from .process import LAST, START_SECONDS, is_core
+from . import target
+from .events import END_EVENTS
+from .job_file import FILES, IMPORTED, NAME
+from .process import START_SECONDS, is_core
 
 WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED = (
-    "waiting",  # its job is written, and nobody has begun it
+    "waiting",  # its job is written, but it was never started
     "running",
     "done",
     "failed",
     "cancelled",
-    "stopped",  # its process died without a word
+    "stopped",  # its process ended without a last event
 )
-FILES = {"guide_mesh": "guide.obj", "mesh": "mesh.obj", "base_color": "base_color.png"}
-SEEDS = 2**31  # as many as Blender's number fields hold
-TAIL = 1 << 16  # bytes; several hundred events
+ADOPTABLE = (RUNNING, WAITING, DONE)  # what a new Blender takes over
+SEEDS = 2**31  # as many as an IntProperty of Blender holds
+TAIL = 1 << 16  # bytes read from the end of events.jsonl: several hundred events
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,26 +41,26 @@ class Entry:
     stage: str = ""
     text: str = ""  # of an error
     fix: str = ""
-    begun: float = 0.0  # seconds since the epoch; when job.json was written
+    requested: float = 0.0  # seconds since the epoch; when job.json was written
     seconds: float = 0.0  # of the last session
     stamp: float = 0.0  # when the last event was written, as the file system has it
 
     @property
     def prompt(self) -> str:
-        """What was asked for."""
+        """The text of the job."""
         return str(self.job.get("prompt", ""))
 
     @property
     def picture(self) -> Path | None:
-        """The best picture of it that there is."""
+        """The best picture of it that exists."""
         names = ("asset/preview.png", "preview/color.png", "preview/normals.png")
         return next((path for name in names if (path := self.folder / name).is_file()), None)
 
     @property
     def resumable(self) -> bool:
-        """Whether the core may go on with it; what failed at once would fail again."""
-        begun = self.state == FAILED and (self.folder / "checkpoint").is_dir()
-        return begun or self.state in (CANCELLED, STOPPED)
+        """Whether the core may continue it; what failed before a checkpoint would fail again."""
+        failed_midway = self.state == FAILED and (self.folder / "checkpoint").is_dir()
+        return failed_midway or self.state in (CANCELLED, STOPPED)
 
 
 def scan(runs: Path, known: Mapping[Path, Entry] | None = None) -> list[Entry]:
@@ -73,13 +76,13 @@ def scan(runs: Path, known: Mapping[Path, Entry] | None = None) -> list[Entry]:
     for folder in folders:
         old = (known or {}).get(folder)
         ended = old is not None and old.state in (DONE, FAILED, CANCELLED)
-        entry = old if ended and _settled(folder, old) else read_entry(folder)
+        entry = old if ended and _is_current(folder, old) else read_entry(folder)
         found += [entry] if entry else []
-    return sorted(found, key=lambda entry: entry.begun, reverse=True)
+    return sorted(found, key=lambda entry: entry.requested, reverse=True)
 
 
-def _settled(folder: Path, entry: Entry) -> bool:
-    """Whether nothing was written since ``entry`` was read."""
+def _is_current(folder: Path, entry: Entry) -> bool:
+    """Whether no event was written since ``entry`` was read."""
     return _stamp(folder) == entry.stamp
 
 
@@ -93,17 +96,18 @@ def _stamp(folder: Path) -> float:
 def read_entry(folder: Path) -> Entry | None:
     """The run in ``folder``; None where there is none."""
     try:
-        begun = (folder / "job.json").stat().st_mtime
-        job = json.loads((folder / "job.json").read_text("utf-8"))
-    except (OSError, ValueError):
+        requested = (folder / NAME).stat().st_mtime
+        job = json.loads((folder / NAME).read_text("utf-8"))
+    except (OSError, ValueError, RecursionError):
         return None
     if not isinstance(job, dict):
         return None
-    entry = Entry(folder=folder, job=job, begun=begun, stamp=_stamp(folder))
+    entry = Entry(folder=folder, job=job, requested=requested, stamp=_stamp(folder))
     events = _events(folder / "events.jsonl")
     if not events:
-        return dataclasses.replace(entry, state=_silent(folder))
+        return dataclasses.replace(entry, state=_state_without_events(folder))
     last = events[-1]
+    # A resumed run has several sessions: the last one counts.
     starts = [event for event in events if event.get("type") == "started"]
     start = starts[-1] if starts else {}
     staged = [event for event in events if event.get("stage")]
@@ -113,7 +117,7 @@ def read_entry(folder: Path) -> Entry | None:
         stage=str(staged[-1]["stage"]) if staged else "",
         text=str(last.get("text", "")),
         fix=str(last.get("fix", "")),
-        seconds=max(0.0, last.get("time", 0.0) - start.get("time", begun)),
+        seconds=max(0.0, last.get("time", 0.0) - start.get("time", requested)),
     )
 
 
@@ -124,22 +128,22 @@ def _state(folder: Path, last: Mapping[str, Any], pid: int) -> str:
     return RUNNING if pid and is_core(pid, folder) else STOPPED
 
 
-def _silent(folder: Path) -> str:
-    """The state of a run that has said nothing yet."""
-    log = folder / "log.txt"
+def _state_without_events(folder: Path) -> str:
+    """The state of a run that has written no event yet."""
+    log = folder / "log.txt"  # opened when the process is started
     if not log.exists():
         return WAITING
     return RUNNING if time.time() - log.stat().st_mtime < START_SECONDS else STOPPED
 
 
 def _events(path: Path) -> list[dict[str, Any]]:
-    """The last events; all of them where the process may still be running."""
+    """The last events; all of them where the last session's start may be before the tail."""
     try:
         with path.open("rb") as file:
             size = file.seek(0, 2)
             file.seek(max(0, size - TAIL))
             events = _parse(file.read(), whole=size <= TAIL)
-            if size > TAIL and not (events and events[-1].get("type") in LAST):
+            if size > TAIL and not (events and events[-1].get("type") in END_EVENTS):
                 file.seek(0)
                 events = _parse(file.read(), whole=True)
     except OSError:
@@ -148,25 +152,26 @@ def _events(path: Path) -> list[dict[str, Any]]:
 
 
 def _parse(chunk: bytes, whole: bool) -> list[dict[str, Any]]:
+    # The last line may still be being written, and the first one be cut by the tail's start.
     lines = chunk[: chunk.rfind(b"\n") + 1].splitlines()[0 if whole else 1 :]
     events = []
     for line in lines:
         try:
             event = json.loads(line)
-        except ValueError:
-            continue
+        except (ValueError, RecursionError):
+            continue  # a line that was cut by a full disk
         events += [event] if isinstance(event, dict) else []
     return events
 
 
-def again(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], dict[str, Path]]:
-    """The job of ``entry`` once more, and the files that its folder must get, by name.
+def copy_of_job(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], dict[str, Path]]:
+    """The job of ``entry`` again, and the files that its folder must get, by name.
 
-    Their paths in the job are names in the new folder (:func:`settle` makes them whole). ``seed``
-    replaces the seed.
+    In the job they are names in the new folder (``job_file.with_own_paths`` makes full paths of
+    them). ``seed`` replaces the seed.
 
     Raises:
-        JobError: a file of the old run has gone.
+        JobError: a file of the old run no longer exists.
     """
     job = dict(entry.job)
     if seed is not None:
@@ -178,20 +183,20 @@ def again(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], dict[s
             continue
         path = Path(given)
         if not path.is_file():
-            raise JobError(f"{path} has gone, which the job needs.", "Start it from the panel.")
+            raise JobError(
+                f"{path} no longer exists, and the job needs it.", "Request it from the panel."
+            )
         files[name], job[key] = path, name
     return job, files
 
 
-def settle(job: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """``job`` with the paths of its own files in the run folder ``folder``."""
-    own = {
-        key: str((folder / name).resolve()) for key, name in FILES.items() if job.get(key) == name
-    }
-    return dict(job) | own
+def awaits_import(entry: Entry) -> bool:
+    """Whether a finished asset was requested in Blender and never came into a scene."""
+    requested_in_blender = (entry.folder / target.NAME).exists()
+    return requested_in_blender and not (entry.folder / IMPORTED).exists()
 
 
-def another_seed(seed: int) -> int:
+def other_seed(seed: int) -> int:
     """Any seed but ``seed``."""
     return (seed + random.randrange(1, SEEDS)) % SEEDS
 
@@ -212,5 +217,5 @@ def remove(entry: Entry) -> None:
     except OSError as error:
         raise JobError(
             f"{entry.folder} can't be removed ({error.strerror}).",
-            "Close what has its files open.",
+            "Close the program that has its files open.",
         ) from None

@@ -1,6 +1,6 @@
-"""The shape as it grows, in the viewport: one light object that is updated in place.
+"""The preview of a running job in the viewport: one mesh object that is updated in place.
 
-It is no part of the user's work: it can't be selected or rendered, is not saved with the file,
+It is not part of the user's work: it can't be selected or rendered, is not saved with the file,
 and undo does not bring it back.
 """
 
@@ -14,37 +14,29 @@ import bpy
 import numpy as np
 
 from ..blender.names import data_name
+from .progress import FollowedRun
 
-RUN = "fantasia3d_run"  # the custom property that says whose preview an object is
+RUN = "fantasia3d_run"  # the custom property with the run of a preview object
 SIZE_M = 1.0  # the longest side, as of a finished asset
 
 
 def show(
-    collection: bpy.types.Collection,
-    path: Path,
-    run: str,
-    prompt: str,
-    location: Sequence[float],
+    collection: bpy.types.Collection, path: Path, followed: FollowedRun
 ) -> bpy.types.Object | None:
-    """Show the mesh in ``path``, which ``run`` has so far; None where it can't be read.
+    """Show the mesh in ``path``, the newest of ``followed``; None where it can't be read.
 
-    It stands on ``location`` as the finished asset will.
+    It stands on the target's location as the finished asset will.
     """
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
             verts, faces = parts["verts"], parts["faces"]
-    except (
-        OSError,
-        ValueError,
-        KeyError,
-        zipfile.BadZipFile,
-    ):  # replaced or removed in this moment
-        return None
+    except (OSError, ValueError, KeyError, zipfile.BadZipFile):
+        return None  # it is being replaced or removed at this moment: the next one comes soon
     if not len(faces):
         return None
-    obj = find(run) or _add(collection, run, prompt)
-    obj.location = location
-    _fill(obj.data, placed(verts), faces)
+    obj = find(followed.name) or _add(collection, followed.name, followed.prompt)
+    obj.location = followed.target.location
+    _fill(obj.data, to_metres(verts), faces)
     return obj
 
 
@@ -60,8 +52,8 @@ def remove(keep: Sequence[str] = ()) -> None:
     bpy.data.batch_remove([*stale, *(mesh for mesh in meshes if mesh.users == 1)])
 
 
-def placed(verts: np.ndarray) -> np.ndarray:
-    """Training units to metres: on z = 0, centred in x and y, ``SIZE_M`` on the longest side."""
+def to_metres(verts: np.ndarray) -> np.ndarray:
+    """From training units: on z = 0, centred in x and y, ``SIZE_M`` on the longest side."""
     low, high = verts.min(0), verts.max(0)
     base = (low + high) / 2
     base[2] = low[2]

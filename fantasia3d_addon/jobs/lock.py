@@ -1,4 +1,4 @@
-"""Which Blender follows a run: a lock in the run folder, so that several never mix. No bpy."""
+"""Which Blender follows a run: a lock in the run folder, so that two never mix. No bpy."""
 
 from __future__ import annotations
 
@@ -7,19 +7,21 @@ from typing import IO
 
 from ..environment import try_lock
 
+NAME = "follower"  # the lock file in the run folder
 
-class Claim:
-    """Held by the one Blender that follows a run; the system lets it go when that Blender dies."""
+
+class RunLock:
+    """Held by the one Blender that follows a run; the system releases it when that Blender dies."""
 
     def __init__(self, file: IO[bytes]) -> None:
         self._file = file
 
     @classmethod
-    def take(cls, folder: Path) -> Claim | None:
-        """The claim on the run in ``folder``; None while another Blender has it."""
+    def acquire(cls, folder: Path) -> RunLock | None:
+        """The lock of the run in ``folder``; None while another Blender holds it."""
         try:
-            file = (folder / "follower").open("ab")
-        except OSError:  # a folder that can only be read is followed by nobody
+            file = (folder / NAME).open("ab")
+        except OSError:  # a read-only folder: nobody can follow that run
             return None
         if try_lock(file):
             return cls(file)
@@ -28,4 +30,4 @@ class Claim:
 
     def release(self) -> None:
         """Let another Blender follow the run."""
-        self._file.close()
+        self._file.close()  # the lock goes with the open file

@@ -1,4 +1,4 @@
-"""How much memory a job will take, by what was measured, beside what this machine has. No bpy.
+"""How much memory a job needs, by measurement, and how much this machine has free. No bpy.
 
 The peaks are those of the core's process with the built-in prior on a CPU. A Stable Diffusion model
 comes on top: the core compares its size with what is free before it loads it.
@@ -12,14 +12,14 @@ import sys
 import time
 from pathlib import Path
 
-# Bytes at the peak of the training. The paper's 24 views at once were not run: 4 took 3.4 GB and 8
-# took 5.3 GB, which makes 0.49 GB for each.
+# Bytes at the peak of the training. The paper's 24 views at once were not run: 4 needed 3.4 GB and
+# 8 needed 5.3 GB, which is 0.49 GB for each view.
 TRAINING = {"draft": 1.3e9, "standard": 3.4e9, "paper": 13.1e9}
 SIZES = {"draft": 1024, "standard": 2048, "paper": 2048}  # texels along a side
-# Bytes while the maps are baked: what the process has kept, and for each texel (from 1024², 4096²).
+# Bytes while the maps are baked: a constant part, and a part per texel (from 1024² and 4096²).
 KEPT, TEXEL = {"draft": 1.0e9, "standard": 2.5e9, "paper": 8.3e9}, 71.0
-SPARE = 0.5e9  # bytes that the rest of the machine should keep
-LOOK = 5.0  # seconds between two looks: a panel is drawn many times a second
+SPARE = 0.5e9  # bytes to leave for the rest of the machine
+PERIOD = 5.0  # seconds between two measurements: a panel is drawn many times a second
 
 
 def needed(preset: str, texture_size: int = 0) -> float:
@@ -29,7 +29,7 @@ def needed(preset: str, texture_size: int = 0) -> float:
 
 
 def available() -> float | None:
-    """Bytes that a process of this machine may still take; None where it can't be told."""
+    """Bytes that a process of this machine may still take; None where it is unknown."""
     try:
         if sys.platform == "win32":
             return _available_on_windows()
@@ -40,30 +40,30 @@ def available() -> float | None:
         return None
 
 
-class Free:
-    """:func:`available`, asked once in a while."""
+class FreeMemory:
+    """:func:`available`, measured every PERIOD seconds."""
 
     def __init__(self) -> None:
-        self._asked, self._bytes = -LOOK, None
+        self._measured, self._bytes = -PERIOD, None
 
     def __call__(self) -> float | None:
-        """Bytes; None where it can't be told."""
-        if time.monotonic() - self._asked >= LOOK:
-            self._asked, self._bytes = time.monotonic(), available()
+        """Bytes; None where it is unknown."""
+        if time.monotonic() - self._measured >= PERIOD:
+            self._measured, self._bytes = time.monotonic(), available()
         return self._bytes
 
 
 def line(preset: str, texture_size: int, free: float | None) -> tuple[str, bool]:
-    """What the panel says, and whether there is enough."""
+    """The text for the panel, and whether there is enough."""
     need = needed(preset, texture_size)
-    said = f"It takes about {need / 1e9:.1f} GB of memory"
+    needs = f"It needs about {need / 1e9:.1f} GB of memory"
     if free is None:
-        return f"{said}.", True
+        return f"{needs}.", True
     if need + SPARE <= free:
-        return f"{said}; {free / 1e9:.0f} GB are free.", True
+        return f"{needs}; {free / 1e9:.0f} GB are free.", True
     smaller = "" if preset == "draft" else " or the quality Draft"
     return (
-        f"{said}; {free / 1e9:.1f} GB are free. Take a smaller texture{smaller}, or close other "
+        f"{needs}; {free / 1e9:.1f} GB are free. Use a smaller texture{smaller}, or close other "
         "programs.",
         False,
     )

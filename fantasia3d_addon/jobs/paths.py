@@ -9,17 +9,18 @@ from pathlib import Path
 import bpy
 
 from .. import PACKAGE, environment
+from .process import Core
 
 
 class Paths:
-    """The preferences as paths; their defaults where the add-on is used as a plain module."""
+    """The add-on's preferences as paths; the defaults where it is used as a plain module."""
 
     def __init__(self, context: bpy.types.Context) -> None:
         addon = context.preferences.addons.get(PACKAGE)
-        self._given = addon.preferences if addon else None
+        self._preferences = addon.preferences if addon else None
 
     def _path(self, name: str) -> Path | None:
-        text = getattr(self._given, name, "").strip()
+        text = getattr(self._preferences, name, "").strip()
         return Path(bpy.path.abspath(text)).expanduser() if text else None
 
     @property
@@ -34,7 +35,7 @@ class Paths:
 
     @property
     def place(self) -> environment.Place:
-        """Where and of what Set Up makes the environment."""
+        """Where the environment is created, and from what."""
         return environment.Place(
             self.environment, self._path("base_python"), self._path("wheels_folder")
         )
@@ -47,8 +48,13 @@ class Paths:
 
     @property
     def python(self) -> Path:
-        """The interpreter that runs the core; it need not be there yet."""
+        """The interpreter that runs the core; it may not exist yet."""
         return self.own_python or environment.env_python(self.environment)
+
+    @property
+    def core(self) -> Core:
+        """How the core is started; SetupError where it is missing."""
+        return Core(self.python, self.root, self.core_environ)
 
     @property
     def runs(self) -> Path:
@@ -58,7 +64,8 @@ class Paths:
     @property
     def core_environ(self) -> dict[str, str]:
         """Variables for the core's process: its models, and whether it may use the network."""
-        online = bpy.app.online_access and getattr(self._given, "download_models", False)
+        # Blender's own switch and the user's must both allow it.
+        online = bpy.app.online_access and getattr(self._preferences, "download_models", False)
         models = self._path("models_folder")
         return {"HF_HUB_OFFLINE": "0" if online else "1"} | (
             {"HF_HUB_CACHE": str(models)} if models else {}
@@ -66,7 +73,7 @@ class Paths:
 
 
 def _user_folder() -> Path:
-    """A folder of the user's own that outlives an update of the add-on."""
+    """A folder of the user's own that survives an update of the add-on."""
     try:
         return Path(bpy.utils.extension_path_user(PACKAGE))
     except ValueError:  # used as a plain module, not installed as an extension

@@ -1,25 +1,16 @@
-"""One run that this Blender follows: how far it is, what it said, what it shows. No bpy."""
+"""One run that this Blender follows: its progress, its messages, its previews. No bpy."""
 
 from __future__ import annotations
 
-import json
 import time
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
-from .lock import Claim
-from .process import Event, Run
+from .events import STAGES, Event, stages_of
+from .job_file import read_job
+from .lock import RunLock
+from .process import Run
 from .target import Target
 
-STAGES = {  # as the core names them: how the panel says it
-    "fit": "First shape",
-    "geometry": "Shape",
-    "unwrap": "UV map",
-    "start": "Present colour",
-    "appearance": "Material",
-    "bake": "Textures",
-}
 PATIENCE = 3.0  # seconds after which a cancel that waits may be forced
 
 
@@ -31,26 +22,26 @@ class Progress:
         self.stage = ""
         self.step = self.steps = 0
         self.seconds_left: float | None = None
-        self.started = False  # the core has spoken
-        self.cancelled_at = 0.0  # when the user asked for it; 0 while nobody did
+        self.started = False  # the core's first event was read
+        self.cancelled_at = 0.0  # when the user requested it; 0 while nobody did
 
-    def take(self, event: Event) -> None:
-        """Show a ``progress`` event."""
+    def update(self, event: Event) -> None:
+        """Take over a ``progress`` event."""
         self.stage, self.step, self.steps = event.stage, event.step, event.steps
         self.seconds_left = event.seconds_left
 
     @property
     def cancelling(self) -> bool:
-        """Whether the user asked for a stop."""
+        """Whether the user requested a stop."""
         return self.cancelled_at > 0
 
     @property
     def overdue(self) -> bool:
-        """Whether a stop was asked for, and the core is still in its step."""
+        """Whether a stop was requested and the core is still in its step after PATIENCE."""
         return self.cancelling and time.monotonic() - self.cancelled_at > PATIENCE
 
     @property
-    def share(self) -> float:
+    def fraction(self) -> float:
         """Of the present stage, from 0 to 1."""
         return self.step / self.steps if self.steps else 0.0
 
@@ -61,66 +52,65 @@ class Progress:
 
     @property
     def line(self) -> str:
-        """What stands in the bar."""
+        """The text in the progress bar."""
         if self.cancelling:
             return "Cancelling"
-        return f"{self.title}  {self.share:.0%}" if self.steps else self.title
+        return f"{self.title}  {self.fraction:.0%}" if self.steps else self.title
 
     @property
     def detail(self) -> str:
-        """What stands below the bar: the place among the stages and the time, or what a stop waits
-        for."""
+        """The text below the bar: stage and time left, or what a cancel waits for."""
         if self.cancelling and not self.started:
-            return "Waits until the method is loaded"
+            return "Waiting until the method is loaded"
         if self.cancelling:
-            return f"Waits for the present step of “{self.title}”"
+            return f"Waiting for the present step of “{self.title}”"
         if not self.started:
             return "Loading the method, a few seconds"
-        place = ""
+        number = ""
         if self.stage in self.stages:
-            place = f"Stage {self.stages.index(self.stage) + 1} of {len(self.stages)}"
+            number = f"Stage {self.stages.index(self.stage) + 1} of {len(self.stages)}"
         left = self.seconds_left
         time_left = f"{left // 60:.0f}:{left % 60:02.0f} left in it" if left is not None else ""
-        return ", ".join(filter(None, (place, time_left)))
+        return ", ".join(filter(None, (number, time_left)))
 
 
-class Follow:
-    """A run with what its events said so far."""
+class FollowedRun:
+    """A run with what its events reported so far."""
 
-    def __init__(self, run: Run, target: Target, claim: Claim | None, file_number: int) -> None:
-        self.run, self.target, self.claim = run, target, claim
+    def __init__(self, run: Run, target: Target, lock: RunLock | None, file_number: int) -> None:
+        self.run, self.target, self.lock = run, target, lock
         self.file_number = file_number  # the open file's, at the start: its name may change
         self.job = read_job(run.folder)
         self.progress = Progress(stages_of(self.job))
-        self.warning: tuple[str, str] | None = None
-        self.picture: Path | None = None
-        self.shape: Path | None = None  # a preview that the viewport does not show yet
+        self.warning: tuple[str, str] | None = None  # the last one: text and fix
+        self.picture: Path | None = None  # the newest preview picture
+        self.shape: Path | None = None  # a preview mesh that the viewport does not show yet
 
     @property
     def name(self) -> str:
-        """The run folder's name, by which its preview object is known."""
+        """The run folder's name, which its preview object carries."""
         return self.run.folder.name
 
     @property
     def prompt(self) -> str:
-        """What was asked for."""
+        """The text of the job."""
         return str(self.job.get("prompt", ""))
 
     @property
     def end(self) -> Event | None:
-        """The last word; None while it runs."""
+        """The event that ended it; None while it runs."""
         return self.run.last
 
     def poll(self) -> None:
-        """Take in the events since the last call; never blocks."""
+        """Read the events since the last call; never blocks."""
         for event in self.run.poll():
-            self._take(event)
+            self._update(event)
 
-    def _take(self, event: Event) -> None:
+    def _update(self, event: Event) -> None:
         if event.type == "started":
             self.progress.started = True
         elif event.type == "progress":
-            self.progress.take(event)
+            self.progress.update(event)
         elif event.type == "warning":
             self.warning = (event.text, event.fix)
         elif event.type == "preview":
@@ -133,31 +123,10 @@ class Follow:
     def cancel(self) -> None:
         """Ask the core to stop after its present step."""
         self.run.cancel()
+        # The first request counts: pressing again does not restart the patience.
         self.progress.cancelled_at = self.progress.cancelled_at or time.monotonic()
 
     def release(self) -> None:
         """Let another Blender follow it."""
-        if self.claim:
-            self.claim.release()
-
-
-def read_job(folder: Path) -> Mapping[str, Any]:
-    """job.json of a run folder; empty where it can't be read."""
-    try:
-        job = json.loads((folder / "job.json").read_text("utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return job if isinstance(job, dict) else {}
-
-
-def stages_of(job: Mapping[str, Any]) -> tuple[str, ...]:
-    """The stages that a job goes through, in order."""
-    if job.get("command") != "texture":
-        return ("fit", "geometry", "unwrap", "appearance", "bake")
-    own_uv, start = job.get("uv") == "keep", bool(job.get("base_color"))
-    return (
-        *(() if own_uv else ("unwrap",)),
-        *(("start",) if start else ()),
-        "appearance",
-        "bake",
-    )
+        if self.lock:
+            self.lock.release()

@@ -1,4 +1,4 @@
-"""Another material on an asset and back again; tint and scales over its baked maps."""
+"""Replaces an asset's material and restores it; tint and scales over its baked maps."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ..blender.names import data_name
 from ..errors import AddonError
 from . import library as material_library
 
-KEPT = "fantasia3d_materials"  # an object's own materials by slot, while others are in their place
-EDITS = {  # the node of an edit, and the input of the Principled node that it stands before
+KEPT = "fantasia3d_materials"  # custom property: an object's own materials by slot
+EDITS = {  # the name of an adjustment node, and the Principled input that it feeds
     "Fantasia3D tint": "Base Color",
     "Fantasia3D roughness": "Roughness",
     "Fantasia3D metallic": "Metallic",
@@ -23,10 +23,10 @@ EDITS = {  # the node of an edit, and the input of the Principled node that it s
 def replace_material(
     obj: bpy.types.Object, material: str | bpy.types.Material, keep_normals: bool = True
 ) -> bpy.types.Material:
-    """Put ``material`` in place of all materials of ``obj``, which keeps them for later.
+    """Show ``material`` instead of all materials of ``obj``, which keeps those for later.
 
-    A name of ``material_library.NAMES`` makes a new one, with the detail of the baked normal map
-    where ``keep_normals``; a material of the file is taken as it is.
+    A name of ``library.NAMES`` creates a new one, with the detail of the baked normal map if
+    ``keep_normals``; a material of the file is used unchanged.
 
     Raises:
         AddonError: there is no such material, or the object is no mesh.
@@ -36,23 +36,23 @@ def replace_material(
         material = _of_library(obj, material, keep_normals)
     if not obj.material_slots:
         obj.data.materials.append(None)
-    if KEPT not in obj:
+    if KEPT not in obj:  # a second replacement must not overwrite the originals
         obj[KEPT] = {str(i): slot.material for i, slot in enumerate(obj.material_slots)}
-    ours = [slot.material for slot in obj.material_slots]
+    replaced = [slot.material for slot in obj.material_slots]
     for slot in obj.material_slots:
         slot.material = material
-    _remove_unused(ours)
+    _remove_unused(replaced)
     return material
 
 
 def restore_material(obj: bpy.types.Object) -> None:
-    """Give ``obj`` its own materials back, as they were.
+    """Show the own materials of ``obj`` again.
 
     Raises:
-        AddonError: it has them already.
+        AddonError: it shows them already.
     """
     if obj.get(KEPT) is None:
-        raise AddonError(f"{obj.name} has its own material.", "There is nothing to go back to.")
+        raise AddonError(f"{obj.name} shows its own material.", "There is nothing to restore.")
     others = [slot.material for slot in obj.material_slots]
     kept = obj[KEPT].to_dict()
     for number, slot in enumerate(obj.material_slots):
@@ -78,7 +78,7 @@ def adjust_material(
 
 
 def reset_material(material: bpy.types.Material) -> None:
-    """Take the edits of :func:`adjust_material` out; the maps feed the material as before."""
+    """Remove the nodes of :func:`adjust_material`; the maps feed the material as before."""
     tree = material.node_tree
     for node in edit_nodes(material):
         for link in list(node.outputs[_result(node)].links):
@@ -89,7 +89,7 @@ def reset_material(material: bpy.types.Material) -> None:
 
 
 def edit_nodes(material: bpy.types.Material, make: bool = False) -> list[bpy.types.Node]:
-    """The nodes of the edits, in the order of EDITS; none where there are none and not ``make``.
+    """The adjustment nodes, in the order of EDITS; empty where there are none and not ``make``.
 
     Raises:
         AddonError: ``make``, and the material has no Principled node.
@@ -101,13 +101,13 @@ def edit_nodes(material: bpy.types.Material, make: bool = False) -> list[bpy.typ
     bsdf = principled(material)
     if bsdf is None:
         raise AddonError(
-            f"{material.name} has no Principled BSDF.", "Choose a material that is made with one."
+            f"{material.name} has no Principled BSDF.", "Choose a material that has one."
         )
     return [_edit_node(tree, bsdf, name, EDITS[name]) for name in EDITS]
 
 
 def principled(material: bpy.types.Material | None) -> bpy.types.Node | None:
-    """The Principled node that the material shows."""
+    """The Principled node of the material; one that is connected comes first."""
     nodes = material.node_tree.nodes if material and material.node_tree else ()
     found = [node for node in nodes if node.bl_idname == "ShaderNodeBsdfPrincipled"]
     shown = [node for node in found if node.outputs["BSDF"].links]
@@ -115,12 +115,12 @@ def principled(material: bpy.types.Material | None) -> bpy.types.Node | None:
 
 
 def factor(node: bpy.types.Node) -> bpy.types.NodeSocket:
-    """The input of an edit's node that holds what is multiplied with."""
+    """The input of an adjustment node that holds the factor."""
     return _sockets(node.inputs)["B_Color"] if node.type == "MIX" else node.inputs[1]
 
 
 def image_of(socket: bpy.types.NodeSocket) -> tuple[bpy.types.Image, str] | None:
-    """The picture that feeds ``socket``, straight or past our edits, and its channel.
+    """The picture that feeds ``socket``, directly or through our adjustments, and its channel.
 
     "Color", or "Red", "Green", "Blue" after a Separate Color node.
     """
@@ -183,10 +183,11 @@ def _of_library(obj: bpy.types.Object, name: str, keep_normals: bool) -> bpy.typ
     if name not in material_library.NAMES:
         raise AddonError(
             f"There is no material {name!r}.",
-            f"Name one of {', '.join(material_library.NAMES)}, or a material of this file.",
+            f"Use one of {', '.join(material_library.NAMES)}, or a material of this file.",
         )
     material = bpy.data.materials.new(data_name(name.title(), f" on {obj.name}"[:40]))
     material["fantasia3d_library"] = name
+    # In the object's own units, in which the patterns are: dimensions include the scale.
     size = max(obj.dimensions[i] / (abs(obj.scale[i]) or 1) for i in range(3))
     bsdf = material_library.build(material, name, size)
     own = obj.get(KEPT)
@@ -202,7 +203,7 @@ def _of_library(obj: bpy.types.Object, name: str, keep_normals: bool) -> bpy.typ
 def _add_normal_map(
     tree: bpy.types.NodeTree, bsdf: bpy.types.Node, image: bpy.types.Image, uv_map: str
 ) -> None:
-    """The baked detail below the material's own bumps."""
+    """Add the baked normal map, before the material's own bump node if it has one."""
     uv, picture, bump = (
         tree.nodes.new(f"ShaderNode{kind}") for kind in ("UVMap", "TexImage", "NormalMap")
     )
@@ -219,7 +220,7 @@ def _add_normal_map(
 
 
 def _remove_unused(materials: Sequence[bpy.types.Material | None]) -> None:
-    """Those of the library that nothing shows any more."""
+    """Remove those of the library that no object uses."""
     for material in {m for m in materials if m and "fantasia3d_library" in m}:
         if not material.users:
             bpy.data.materials.remove(material)

@@ -1,6 +1,6 @@
-"""Materials to put in place of an asset's own: metals by their measured colour, wood, stone, …
+"""Replacement materials: metals with their measured colour, wood, stone, …
 
-They need no UVs: their patterns are solid, in the object's own space, and so have no seams.
+They need no UVs: their patterns are solid textures in object space, and have no seams.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Painter = Callable[[bpy.types.NodeTree, bpy.types.Node, float], None]
 
 
 def build(material: bpy.types.Material, name: str, size: float) -> bpy.types.Node:
-    """Give the new ``material`` the nodes of ``name``; its Principled node.
+    """Create the nodes of ``name`` in the new ``material``; its Principled node.
 
-    ``size`` is the object's longest side in its own units: patterns keep their proportion to it.
+    ``size`` is the object's longest side in its own units: the patterns scale with it.
     """
     tree = compat.empty_nodes(material)
     output = tree.nodes.new("ShaderNodeOutputMaterial")
@@ -46,7 +46,7 @@ def build(material: bpy.types.Material, name: str, size: float) -> bpy.types.Nod
 
 
 def _wood(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None:
-    """Year rings about an upright trunk that is off the middle, and fibres along it."""
+    """Year rings around an upright trunk whose axis is off the centre, and fibres along it."""
     place = _coordinates(tree, size, (1.0, 1.0, 0.16))
     wobble = _noise(tree, place, scale=1.4, detail=3.0)
     rings = tree.nodes.new("ShaderNodeTexWave")
@@ -71,7 +71,7 @@ def _wood(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None:
 
 
 def _marble(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None:
-    """Grey veins, thin where noise crosses its middle, in white."""
+    """Thin grey veins in white: the narrow dark end of a distorted wave."""
     place = _coordinates(tree, size, (1.0, 1.0, 1.0))
     vein = tree.nodes.new("ShaderNodeTexWave")
     vein.location = (-500, 0)
@@ -107,13 +107,17 @@ NAMES = ("wood", "gold", "silver", "copper", "iron", "marble", "stone", "clay", 
 def _coordinates(
     tree: bpy.types.NodeTree, size: float, scale: tuple[float, float, float]
 ) -> bpy.types.NodeSocket:
-    """The object's own space, its longest side 2, then scaled."""
+    """Object space, scaled so that the longest side is 2, then by ``scale``."""
     place = tree.nodes.new("ShaderNodeTexCoord")
     place.location = (-1100, 0)
     mapping = tree.nodes.new("ShaderNodeMapping")
     mapping.location = (-900, 0)
     mapping.inputs["Scale"].default_value = [2 * s / max(size, 1e-9) for s in scale]
-    mapping.inputs["Location"].default_value = (2.3, 1.4, 0.11)  # a trunk's heart lies outside
+    mapping.inputs["Location"].default_value = (
+        2.3,
+        1.4,
+        0.11,
+    )  # the trunk's axis is outside the object
     tree.links.new(place.outputs["Object"], mapping.inputs["Vector"])
     return mapping.outputs["Vector"]
 
@@ -130,12 +134,12 @@ def _noise(
 
 
 def _mixed(
-    tree: bpy.types.NodeTree, a: bpy.types.NodeSocket, b: bpy.types.NodeSocket, share: float
+    tree: bpy.types.NodeTree, a: bpy.types.NodeSocket, b: bpy.types.NodeSocket, fraction: float
 ) -> bpy.types.NodeSocket:
     mix = tree.nodes.new("ShaderNodeMix")
     mix.location = (-350, -100)
     sockets = {socket.identifier: socket for socket in mix.inputs}
-    sockets["Factor_Float"].default_value = share
+    sockets["Factor_Float"].default_value = fraction
     tree.links.new(a, sockets["A_Float"])
     tree.links.new(b, sockets["B_Float"])
     return next(s for s in mix.outputs if s.identifier == "Result_Float")

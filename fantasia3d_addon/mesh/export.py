@@ -1,16 +1,15 @@
-"""An object as one file for elsewhere: GLB, USD, FBX or OBJ, with textures that open there.
+"""Exports an object as one file for other programs: GLB, USD, FBX or OBJ, with its textures.
 
-Every exporter knows another part of a material. So what is exported is a copy whose material is the
-plainest there is: one picture a socket, with the tint, the scales and whatever was procedural baked
-into it, and real files on the disk.
+Each exporter supports other parts of a material. What is exported is therefore a copy with the
+simplest material: one picture for each socket, with the tint, the scales and everything procedural
+baked into it, from files on the disk.
 """
 
 from __future__ import annotations
 
 import contextlib
 import shutil
-import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import bpy
@@ -19,6 +18,7 @@ import numpy as np
 from ..asset.material_nodes import build_material
 from ..blender import compat
 from ..blender.mesh_arrays import acting, baked_mesh, mesh_object
+from ..blender.output import temporary_output
 from ..errors import OutputError
 from ..material.edit import principled
 from . import maps
@@ -30,53 +30,48 @@ ENDINGS = {".glb": "GLB", ".usd": "USD", ".usdc": "USD", ".usda": "USD", ".usdz"
 def export_object(
     obj: bpy.types.Object, path: Path, flip_normal_y: bool = False, size: int = 0
 ) -> Path:
-    """Write ``obj`` as it looks, with its modifiers, to ``path``, whose ending says the format.
+    """Export ``obj`` with its modifiers applied to ``path``, whose extension sets the format.
 
-    GLB, FBX and .usdz hold their pictures; OBJ has them beside in ``NAME_textures``, USD in
+    GLB, FBX and .usdz contain their pictures; OBJ has them in the folder ``NAME_textures``, USD in
     ``textures``, by paths relative to the file. ``flip_normal_y`` writes the normal map for
-    DirectX; glTF and USD allow OpenGL's alone. ``size``: texels of what must be baked; 0 is that
-    of its pictures.
+    DirectX; glTF and USD allow OpenGL's alone. ``size``: texels of maps that must be baked; 0 is
+    the size of its pictures.
 
     Raises:
         AddonError: the object has no faces, UVs or material to export.
-        OutputError: the ending is unknown, this Blender can't write the format, or not there.
+        OutputError: the extension is unknown, or this Blender can't write the format or the place.
     """
     path = Path(path).expanduser().absolute()
     _check(path, flip_normal_y)
     mesh_object(obj)
     kind = ENDINGS[path.suffix.lower()]
-    folder_name = f"{path.stem}_textures"
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".fantasia3d-", dir=path.parent) as temporary:
-            aside = Path(temporary) / path.name
-            textures = aside.with_name(folder_name)
-            textures.mkdir()
-            with _plain_copy(obj, textures, path.stem, kind, flip_normal_y, size) as copy:
-                _write(copy, aside, kind)
-            if not aside.is_file() or not aside.stat().st_size:
-                raise OSError(0, "Blender wrote nothing")
-            if kind != "OBJ":
-                shutil.rmtree(textures)
-            _move(aside, path)
-    except (OSError, RuntimeError) as error:
-        reason = getattr(error, "strerror", None) or str(error).strip()
-        raise OutputError(f"{path} can't be written ({reason}).", "Choose another place.") from None
+    with temporary_output(path) as temporary:
+        textures = temporary.with_name(f"{path.stem}_textures")
+        textures.mkdir()
+        paths = maps.save_images(
+            maps.maps_of(obj, size), textures, path.stem, flip_normal_y, split=kind != "GLB"
+        )
+        with _plain_copy(obj, paths) as copy:
+            _write(copy, temporary, kind)
+        if kind != "OBJ":  # the others hold their pictures, or have written them again
+            shutil.rmtree(textures)
     return path
 
 
 def _check(path: Path, flip_normal_y: bool) -> None:
     kind = ENDINGS.get(path.suffix.lower())
     if kind is None:
-        raise OutputError(
-            f"{path} has no format that is known.", f"Its name ends in {', '.join(ENDINGS)}."
-        )
+        raise OutputError(f"{path} has no known format.", f"Its name ends in {', '.join(ENDINGS)}.")
     if kind == "USD" and not compat.has_usd():
-        raise OutputError("This Blender writes no USD.", "Export GLB, or take blender.org's build.")
+        raise OutputError("This Blender writes no USD.", "Export GLB, or use blender.org's build.")
     if kind == "FBX" and not compat.has_operator("export_scene", "fbx"):
-        raise OutputError("Blender's FBX add-on is off.", "Enable it: Preferences, Add-ons, FBX.")
+        raise OutputError(
+            "Blender's FBX add-on is disabled.", "Enable it: Preferences, Add-ons, FBX."
+        )
     if kind == "GLB" and not compat.has_operator("export_scene", "gltf"):
-        raise OutputError("Blender's glTF add-on is off.", "Enable it: Preferences, Add-ons, glTF.")
+        raise OutputError(
+            "Blender's glTF add-on is disabled.", "Enable it: Preferences, Add-ons, glTF."
+        )
     if flip_normal_y and kind in ("GLB", "USD"):
         raise OutputError(
             f"{path.suffix} allows OpenGL's normal maps alone.",
@@ -85,15 +80,11 @@ def _check(path: Path, flip_normal_y: bool) -> None:
 
 
 @contextlib.contextmanager
-def _plain_copy(
-    obj: bpy.types.Object, folder: Path, name: str, kind: str, flip: bool, size: int
-) -> Iterator[bpy.types.Object]:
-    """A copy of ``obj``, with its own name, without modifiers, its material of files alone."""
-    found = maps.maps_of(obj, size)
+def _plain_copy(obj: bpy.types.Object, paths: Mapping[str, Path]) -> Iterator[bpy.types.Object]:
+    """A copy of ``obj`` with the same name, no modifiers, and the files ``paths`` as its maps."""
     own = obj, obj.data, obj.material_slots[0].material
     names = [datablock.name for datablock in own]
     distribution = principled(own[2]).distribution
-    paths = maps.save_images(found, folder, name, flip, split=kind != "GLB")
     images = maps.load_images(paths, pack=False)
     material = bpy.data.materials.new("copy")
     _connect(material, images, obj.data.uv_layers.active.name, distribution)
@@ -105,6 +96,7 @@ def _plain_copy(
     bpy.context.scene.collection.objects.link(copy)
     copy.matrix_world = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world
     try:
+        # Exporters write the datablocks' names: the copy gets them for as long as it exists.
         for datablocks, titles in ((own, ["own"] * 3), ((copy, mesh, material), names)):
             for datablock, title in zip(datablocks, titles, strict=True):
                 datablock.name = title
@@ -121,9 +113,9 @@ def _connect(
     uv_map: str,
     distribution: str,
 ) -> None:
-    """One picture a socket; ``orm`` by its channels, as glTF has it."""
+    """One picture for each socket; ``orm`` by its channels, as in glTF."""
     if "orm" in images:
-        build_material(material, images, distribution, uv_map)
+        build_material(material, images, distribution, uv_map)  # what Blender's exporter knows
         return
     tree = compat.empty_nodes(material)
     output = tree.nodes.new("ShaderNodeOutputMaterial")
@@ -180,18 +172,3 @@ def _obj(path: str) -> None:
 
 
 _OPERATORS = {"GLB": _glb, "USD": _usd, "FBX": _fbx, "OBJ": _obj}
-
-
-def _move(aside: Path, path: Path) -> None:
-    """What was written takes its place: first the pictures, the file that names them last."""
-    for made in aside.parent.iterdir():
-        if made == aside:
-            continue
-        place = path.with_name(made.name)
-        if made.is_dir():
-            place.mkdir(exist_ok=True)
-            for picture in made.iterdir():
-                picture.replace(place / picture.name)
-        else:
-            made.replace(place)
-    shutil.move(aside, path)

@@ -14,35 +14,35 @@ from ..blender.mesh_arrays import acting, corner_uv, mesh_object, triangles, ver
 from ..errors import AddonError
 from ..material.edit import image_of, principled
 
-WELD = 1e-5  # of the size: vertices that are nearer are one
-SPECK = 0.01  # of the faces: a piece with fewer is a speck
+WELD = 1e-5  # of the size: vertices closer than that are one
+SMALL = 0.01  # of the faces: a connected component with fewer is removed as small
 GRID = 128  # samples along a side of the UV square
 
 
 @dataclass(frozen=True)
 class Report:
-    """What :func:`examine` finds; counts unless said otherwise."""
+    """The result of :func:`examine`; counts unless stated otherwise."""
 
     verts: int
     faces: int
     triangles: int
-    pieces: int
-    specks: int  # pieces that are next to nothing
+    components: int  # connected by edges
+    small_components: int  # with less than SMALL of the faces
     loose: int  # vertices without a face
-    doubled: int  # vertices on open borders that stand on another
-    degenerate: int  # faces without an area
+    doubled: int  # vertices on open borders at the place of another
+    degenerate: int  # faces with an area of 0
     open_edges: int
     nonmanifold: int  # edges of three faces or more, and vertices where two surfaces touch
-    inverted: bool  # turned inside out, or not of one side
-    scaled: bool  # its scale is not 1, which upsets modifiers and simulations
-    uv_fill: float | None  # share of the UV square that is covered; None without UVs
-    uv_overlap: float  # share of the square that is covered more than once
+    inverted: bool  # normals inward, or not consistent
+    scaled: bool  # its scale is not 1, which modifiers and simulations do not expect
+    uv_fill: float | None  # covered fraction of the UV square; None without UVs
+    uv_overlap: float  # fraction of the square that is covered more than once
     texel_density: float | None  # texels per metre
     textures: tuple[tuple[str, int, int], ...]  # name, width, height
 
     @property
     def closed(self) -> bool:
-        """Whether it has an inside."""
+        """Whether it has no open edge."""
         return self.open_edges == 0 and self.faces > 0
 
     @property
@@ -58,7 +58,7 @@ class Report:
             "DEGENERATE": self.degenerate > 0,
             "WELD": self.doubled > 0,
             "NONMANIFOLD": self.nonmanifold > 0,
-            "SPECKS": self.specks > 0,
+            "SPECKS": self.small_components > 0,
             "HOLES": self.open_edges > 0,
             "NORMALS": self.inverted,
             "SCALE": self.scaled,
@@ -69,19 +69,22 @@ class Report:
 
 REPAIRS = {
     "LOOSE": ("Remove Loose Vertices", "Remove vertices that no face has"),
-    "DEGENERATE": ("Dissolve Degenerate Faces", "Dissolve faces without an area"),
-    "WELD": ("Weld", "Merge vertices that stand on each other; the UVs keep their seams"),
-    "NONMANIFOLD": ("Split Non-Manifold", "Part surfaces that share an edge or a vertex"),
-    "SPECKS": ("Remove Specks", "Remove pieces with less than a hundredth of the faces"),
+    "DEGENERATE": ("Dissolve Degenerate Faces", "Dissolve faces with an area of 0"),
+    "WELD": ("Weld", "Merge vertices at the same place; UV seams stay"),
+    "NONMANIFOLD": ("Split Non-Manifold", "Separate surfaces that share an edge or a vertex"),
+    "SPECKS": (
+        "Remove Small Components",
+        "Remove connected components with less than 1 % of the faces",
+    ),
     "HOLES": ("Fill Holes", "Close open borders with new faces"),
-    "NORMALS": ("Turn Outward", "Turn all faces outward"),
-    "SCALE": ("Apply Scale", "Make the scale 1; nothing seen moves"),
-    "UV": ("Make UVs", "Unwrap, where there are no UVs"),
+    "NORMALS": ("Recalculate Normals", "Make all normals point outward"),
+    "SCALE": ("Apply Scale", "Set the scale to 1; nothing visible moves"),
+    "UV": ("Create UVs", "Unwrap a mesh without UVs"),
 }
 
 
 def examine(obj: bpy.types.Object) -> Report:
-    """The report on ``obj`` as it is edited, without its modifiers.
+    """The report on the mesh of ``obj``, without its modifiers.
 
     Raises:
         AddonError: it is no mesh with faces.
@@ -90,15 +93,15 @@ def examine(obj: bpy.types.Object) -> Report:
     bm = bmesh.new()
     bm.from_mesh(mesh)
     size = _size(mesh)
-    pieces = _pieces(bm)
+    components = _components(bm)
     fill, overlap, uv_area = _uv_cover(mesh)
     textures = textures_of(obj)
     found = Report(
         verts=len(bm.verts),
         faces=len(bm.faces),
         triangles=sum(len(face.verts) - 2 for face in bm.faces),
-        pieces=len(pieces),
-        specks=sum(len(piece) < SPECK * len(bm.faces) for piece in pieces),
+        components=len(components),
+        small_components=sum(len(part) < SMALL * len(bm.faces) for part in components),
         loose=sum(not vert.link_faces for vert in bm.verts),
         doubled=len(bmesh.ops.find_doubles(bm, verts=_borders(bm), dist=WELD * size)["targetmap"]),
         degenerate=sum(face.calc_area() <= 1e-12 * size**2 for face in bm.faces),
@@ -116,37 +119,39 @@ def examine(obj: bpy.types.Object) -> Report:
     return found
 
 
-_known: dict[int, tuple[tuple[int, int], Report]] = {}  # by the mesh, as it was when examined
+# By the mesh's session_uid: its counts when it was examined, and the report.
+_reports: dict[int, tuple[tuple[int, int], Report]] = {}
 
 
-def remember(obj: bpy.types.Object) -> Report:
-    """:func:`examine`, kept for :func:`known`."""
+def update_report(obj: bpy.types.Object) -> Report:
+    """:func:`examine`, kept for :func:`cached_report`: a panel is drawn many times a second."""
     report = examine(obj)
-    _known[obj.data.session_uid] = ((len(obj.data.vertices), len(obj.data.polygons)), report)
+    _reports[obj.data.session_uid] = ((len(obj.data.vertices), len(obj.data.polygons)), report)
     return report
 
 
-def known(obj: bpy.types.Object) -> Report | None:
-    """The last report on ``obj``, while its mesh has the vertices and faces that it had then."""
-    counts, report = _known.get(obj.data.session_uid, (None, None))
+def cached_report(obj: bpy.types.Object) -> Report | None:
+    """The last report on ``obj``; None if its mesh has other counts of vertices or faces now."""
+    counts, report = _reports.get(obj.data.session_uid, (None, None))
     return report if counts == (len(obj.data.vertices), len(obj.data.polygons)) else None
 
 
 def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
-    """Mend ``what`` of REPAIRS, or all faults of ``obj``; the names of what was done.
+    """Apply the repair ``what`` of REPAIRS, or all that are needed; the names of those applied.
 
     Raises:
         AddonError: there is no such repair, the mesh is shared, or it has shape keys.
     """
     mesh = mesh_object(obj).data
     if what is not None and what not in REPAIRS:
-        raise AddonError(f"There is no repair {what!r}.", f"Take one of {', '.join(REPAIRS)}.")
+        raise AddonError(f"There is no repair {what!r}.", f"Use one of {', '.join(REPAIRS)}.")
     if mesh.shape_keys:
         raise AddonError(f"{obj.name} has shape keys.", "Apply or remove them first.")
     done: list[str] = []
+    # In this order: a weld makes edges that only then are seen as non-manifold.
     for name in (what,) if what else REPAIRS:
         if name in examine(obj).faults:
-            _mend(obj, name)
+            _apply_repair(obj, name)
             done.append(name)
     return tuple(done)
 
@@ -163,7 +168,7 @@ def textures_of(obj: bpy.types.Object) -> tuple[tuple[str, int, int], ...]:
     return tuple((name, *size) for name, size in sorted(images.items()))
 
 
-def _mend(obj: bpy.types.Object, what: str) -> None:
+def _apply_repair(obj: bpy.types.Object, what: str) -> None:
     if what == "SCALE":
         with acting(obj):
             bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
@@ -174,14 +179,14 @@ def _mend(obj: bpy.types.Object, what: str) -> None:
     mesh = obj.data
     bm = bmesh.new()
     bm.from_mesh(mesh)
-    _MENDERS[what](bm, _size(mesh))
+    _REPAIR_FUNCTIONS[what](bm, _size(mesh))
     bm.to_mesh(mesh)
     bm.free()
     mesh.update()
 
 
 def unwrap(obj: bpy.types.Object) -> None:
-    """A new UV map by Blender's Smart UV Project, packed with a margin."""
+    """Create UVs by Blender's Smart UV Project, packed with a margin."""
     if obj.data.uv_layers.active is None:
         obj.data.uv_layers.new(name="UVMap")
     with acting(obj):
@@ -205,7 +210,7 @@ def _weld(bm: bmesh.types.BMesh, size: float) -> None:
 
 
 def _split(bm: bmesh.types.BMesh, _size: float) -> None:
-    """Part the faces at edges of three or more, then the fans at vertices where they touch."""
+    """Separate faces at edges of three or more, then fans at the vertices where they touch."""
     edges = [edge for edge in bm.edges if len(edge.link_faces) > 2]
     if edges:
         bmesh.ops.split_edges(bm, edges=edges)
@@ -214,19 +219,19 @@ def _split(bm: bmesh.types.BMesh, _size: float) -> None:
 
 
 def _borders(bm: bmesh.types.BMesh) -> list[bmesh.types.BMVert]:
-    """Vertices on open borders: closed parts that touch are no fault, and stay apart."""
+    """Vertices on open borders: closed components that touch are no fault, and stay separate."""
     return [vert for vert in bm.verts if vert.is_boundary]
 
 
-def _specks(bm: bmesh.types.BMesh, size: float) -> None:
-    least = SPECK * len(bm.faces)
-    faces = [face for piece in _pieces(bm) if len(piece) < least for face in piece]
+def _small(bm: bmesh.types.BMesh, size: float) -> None:
+    least = SMALL * len(bm.faces)
+    faces = [face for part in _components(bm) if len(part) < least for face in part]
     bmesh.ops.delete(bm, geom=faces, context="FACES")
     _loose(bm, size)
 
 
 def _holes(bm: bmesh.types.BMesh, _size: float) -> None:
-    """New faces take the UVs of their neighbours' corners, and their material."""
+    """Fill holes; new faces get the UVs of adjacent corners, and the material of adjacent faces."""
     layer = bm.loops.layers.uv.active
     made = bmesh.ops.holes_fill(bm, edges=[e for e in bm.edges if e.is_boundary], sides=0)
     made = bmesh.ops.triangulate(bm, faces=made["faces"])["faces"]
@@ -244,9 +249,9 @@ def _outward(bm: bmesh.types.BMesh, _size: float) -> None:
     bmesh.ops.recalc_face_normals(bm, faces=bm.faces[:])
 
 
-_MENDERS = {
+_REPAIR_FUNCTIONS = {
     "LOOSE": _loose, "DEGENERATE": _degenerate, "WELD": _weld, "NONMANIFOLD": _split,
-    "SPECKS": _specks, "HOLES": _holes, "NORMALS": _outward,
+    "SPECKS": _small, "HOLES": _holes, "NORMALS": _outward,
 }  # fmt: skip
 
 
@@ -254,23 +259,23 @@ def _size(mesh: bpy.types.Mesh) -> float:
     return float(np.ptp(verts_of(mesh), axis=0).max())
 
 
-def _pieces(bm: bmesh.types.BMesh) -> list[set[bmesh.types.BMFace]]:
-    """The faces of each part that hangs together by edges."""
-    left, pieces = set(bm.faces), []
+def _components(bm: bmesh.types.BMesh) -> list[set[bmesh.types.BMFace]]:
+    """The faces of each component that is connected by edges."""
+    left, components = set(bm.faces), []
     while left:
-        front = [left.pop()]
-        piece = set(front)
+        front = [left.pop()]  # flood fill from any face
+        component = set(front)
         while front:
             near = {f for e in front.pop().edges for f in e.link_faces} & left
             left -= near
-            piece |= near
+            component |= near
             front.extend(near)
-        pieces.append(piece)
-    return pieces
+        components.append(component)
+    return components
 
 
 def _touches(vert: bmesh.types.BMVert) -> bool:
-    """Whether surfaces that are sound by themselves meet in this vertex alone."""
+    """Whether surfaces that are manifold by themselves meet in this vertex alone."""
     return (
         not vert.is_manifold
         and len(vert.link_faces) > 1
@@ -279,7 +284,7 @@ def _touches(vert: bmesh.types.BMVert) -> bool:
 
 
 def _inverted(bm: bmesh.types.BMesh) -> bool:
-    """A closed surface whose volume is negative, or neighbours that face opposite ways."""
+    """Whether a closed surface has a negative volume, or adjacent faces opposite normals."""
     if any(len(e.link_faces) == 2 and not e.is_contiguous for e in bm.edges):
         return True
     closed = not any(edge.is_boundary for edge in bm.edges)
@@ -287,7 +292,7 @@ def _inverted(bm: bmesh.types.BMesh) -> bool:
 
 
 def _uv_cover(mesh: bpy.types.Mesh) -> tuple[float | None, float, float]:
-    """Covered share of the UV square, the share covered twice, the sum of all areas."""
+    """Covered fraction of the UV square, the fraction covered twice, the sum of all areas."""
     uv = corner_uv(mesh)
     if uv is None:
         return None, 0.0, 0.0
@@ -301,10 +306,11 @@ def _uv_cover(mesh: bpy.types.Mesh) -> tuple[float | None, float, float]:
     flat = np.concatenate([kept.reshape(-1, 2), np.zeros((3 * len(kept), 1))], 1)
     faces = np.arange(3 * len(kept)).reshape(-1, 3)
     tree = BVHTree.FromPolygons(flat.tolist(), faces.tolist(), all_triangles=True)
+    # Rays onto a grid of samples: the union of overlapping triangles has no simple formula.
     down, at = Vector((0, 0, -1)), (np.arange(GRID) + 0.5) / GRID
     hits = sum(tree.ray_cast((x, y, 1.0), down)[2] is not None for y in at for x in at)
     fill, total = hits / GRID**2, float(areas.sum())
-    # What the samples miss along the islands' borders is no overlap.
+    # 0.03: the samples' error along the islands' borders is no overlap.
     overlap = total - fill if total > fill + 0.03 else 0.0
     return fill, overlap, total
 

@@ -1,4 +1,4 @@
-"""The maps of an object's material as arrays: read where they are pictures, baked where not."""
+"""The maps of an object's material as arrays: read from its pictures, or else baked."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import bpy
 import numpy as np
 
-from ..background.thread import Say, silent
+from ..background.thread import ReportProgress, ignore_progress
 from ..blender import compat
 from ..blender.mesh_arrays import acting
 from ..blender.png import to_bytes, write_png
@@ -19,7 +20,7 @@ from ..material.edit import edit_nodes, factor, image_of, principled
 
 SOCKETS = {"base_color": "Base Color", "roughness": "Roughness", "metallic": "Metallic"}
 EXTRUSION = 0.002  # of the object's size, for a bake of an object onto itself
-FLAT = (0.5, 0.5, 1.0)
+FLAT = (0.5, 0.5, 1.0)  # the normal map of a smooth surface
 
 
 @dataclass(frozen=True)
@@ -40,20 +41,20 @@ class Maps:
 def maps_of(obj: bpy.types.Object, size: int = 0) -> Maps:
     """The maps of ``obj`` over its own active UV map, with the tint and the scales in them.
 
-    ``size``: texels along a side of what must be made; 0 is that of its pictures, or 1024.
+    ``size``: texels along a side of the result; 0 is the size of its pictures, or 1024.
 
     Raises:
         AddonError: it has no UVs, or its material has no Principled BSDF.
     """
     if obj.data.uv_layers.active is None:
-        raise AddonError(f"{obj.name} has no UVs.", "Press Make UVs under Mesh Health.")
+        raise AddonError(f"{obj.name} has no UVs.", "Press Create UVs under Mesh Health.")
     bsdfs = [principled(slot.material) for slot in obj.material_slots]
     if not bsdfs or None in bsdfs:
         raise AddonError(
-            f"{obj.name} has a material without a Principled BSDF.", "Give it one that has."
+            f"{obj.name} has a material without a Principled BSDF.", "Use one that has it."
         )
     size = size or max((max(image.size) for image in _images(bsdfs)), default=1024)
-    if len(bsdfs) > 1:
+    if len(bsdfs) > 1:  # each face shows one of them: only a bake joins them
         return bake_maps(obj, obj, size, EXTRUSION)
     given = {name: _read(obj, bsdfs[0], name, size) for name in (*SOCKETS, "normal")}
     wanted = [name for name, value in given.items() if value is None]
@@ -66,16 +67,16 @@ def bake_maps(
     target: bpy.types.Object,
     size: int,
     extrusion: float,
-    say: Say = silent,
+    progress: ReportProgress = ignore_progress,
 ) -> Maps:
-    """How ``source`` looks, over the UVs of ``target``, which may be the same object.
+    """The maps of ``source`` over the UVs of ``target``, which may be the same object.
 
-    ``extrusion``: how far the two surfaces may lie apart, as a share of the object's size. ``say``
-    hears of each map before it is baked.
+    ``extrusion``: the greatest distance of the two surfaces, as a fraction of the object's size.
+    ``progress`` is called before each map.
     """
     found, channels = {}, [*SOCKETS, "normal"]
     for number, channel in enumerate(channels):
-        say(channel, number / len(channels))
+        progress(channel, number / len(channels))
         found |= bake_channels(source, target, size, extrusion, [channel])
     return Maps(**found)
 
@@ -89,7 +90,7 @@ def bake_channels(
 ) -> dict[str, np.ndarray]:
     """Some of the fields of :class:`Maps`, baked by Cycles.
 
-    Values are baked as emission: a bake of colours would mix in what metals take from them.
+    Values are baked as emission: a bake of diffuse colour is black where the material is metal.
     """
     with _receiver(target, size) as (receiver, image), _bake_settings():
         reach = extrusion * max(source.dimensions)
@@ -99,7 +100,7 @@ def bake_channels(
                 _bake(source, receiver, "NORMAL", reach)
                 found[channel] = _pixels(image)
                 continue
-            with _glowing(source, SOCKETS[channel]):
+            with _emitting(source, SOCKETS[channel]):
                 _bake(source, receiver, "EMIT", reach)
             values = _pixels(image)
             found[channel] = to_srgb(values) if channel == "base_color" else values[..., 0]
@@ -111,8 +112,8 @@ def save_images(
 ) -> dict[str, Path]:
     """Write the maps as PNG files into ``folder``: role to file.
 
-    ``split``: roughness and metallic in files of their own, for formats that take no channels;
-    else together as ``orm``. ``flip_normal_y``: DirectX's green.
+    ``split``: roughness and metallic in files of their own, for formats without channels; else
+    together as ``orm``. ``flip_normal_y``: DirectX's green.
     """
     normal = maps.normal * (1, -1, 1) + (0, 1, 0) if flip_normal_y else maps.normal
     pictures = {"base_color": to_bytes(maps.base_color), "normal": to_bytes(normal, 16)}
@@ -162,40 +163,53 @@ def _images(bsdfs: list[bpy.types.Node]) -> Iterator[bpy.types.Image]:
 
 
 def _read(obj: bpy.types.Object, bsdf: bpy.types.Node, name: str, size: int) -> np.ndarray | None:
-    """A field of :class:`Maps` from a picture or a plain value; None where it must be baked."""
+    """A field of :class:`Maps` from a picture or a constant; None where it must be baked."""
     if name == "normal":
-        socket = bsdf.inputs["Normal"]
-        if not socket.links:
-            return np.full((size, size, 3), FLAT, np.float32)
-        found = image_of(socket)
-        if not found or not _plain_normal_map(socket.links[0].from_node):
-            return None
-        return _pixels(found[0])
-    socket = bsdf.inputs[SOCKETS[name]]
-    scale = _scale(obj, name)
+        return _read_normal(bsdf.inputs["Normal"], size)
+    socket, scale = bsdf.inputs[SOCKETS[name]], _scale(obj, name)
     found = image_of(socket)
     if found:
-        values = _pixels(found[0])
-        if name == "base_color":
-            is_linear = found[0].is_float or found[0].colorspace_settings.is_data
-            linear = values if is_linear else to_linear(values)
-            return values if np.all(scale == 1) and not is_linear else to_srgb(linear * scale)
-        channel = {"Red": 0, "Green": 1, "Blue": 2}.get(found[1])
-        if channel is None:  # a grey picture straight into the socket
-            channel = 0
-        return np.clip(values[..., channel] * scale, 0, 1)
-    if socket.links and not _is_edit(socket.links[0].from_node):
+        return _read_picture(found, name, scale)
+    constant = _constant(socket)
+    if constant is None:
         return None
-    plain = socket.default_value
-    if socket.links:  # our edit over a plain value
-        node = socket.links[0].from_node
-        first = node.inputs[6] if node.type == "MIX" else node.inputs[0]
-        if first.links:
-            return None
-        plain = first.default_value
     if name == "base_color":
-        return np.full((size, size, 3), to_srgb(np.array(plain[:3]) * scale), np.float32)
-    return np.full((size, size), np.clip(plain * scale, 0, 1), np.float32)
+        color = to_srgb(np.array(constant[:3]) * scale)
+        return np.full((size, size, 3), color, np.float32)
+    return np.full((size, size), np.clip(constant * scale, 0, 1), np.float32)
+
+
+def _read_normal(socket: bpy.types.NodeSocket, size: int) -> np.ndarray | None:
+    if not socket.links:
+        return np.full((size, size, 3), FLAT, np.float32)
+    found = image_of(socket)
+    if not found or not _plain_normal_map(socket.links[0].from_node):
+        return None
+    return _pixels(found[0])
+
+
+def _read_picture(found: tuple[bpy.types.Image, str], name: str, scale: np.ndarray) -> np.ndarray:
+    image, channel = found
+    values = _pixels(image)
+    if name == "base_color":
+        is_linear = image.is_float or image.colorspace_settings.is_data
+        linear = values if is_linear else to_linear(values)
+        # Without a tint, an 8 bit picture is copied exactly: no rounding through linear light.
+        return values if np.all(scale == 1) and not is_linear else to_srgb(linear * scale)
+    # "Color": a grey picture that is connected to the socket directly.
+    index = {"Red": 0, "Green": 1, "Blue": 2}.get(channel, 0)
+    return np.clip(values[..., index] * scale, 0, 1)
+
+
+def _constant(socket: bpy.types.NodeSocket) -> Any:
+    """The value of a socket without a map, also below our adjustment; None where it has nodes."""
+    if not socket.links:
+        return socket.default_value
+    node = socket.links[0].from_node
+    if not _is_edit(node):
+        return None
+    first = node.inputs[6] if node.type == "MIX" else node.inputs[0]  # 6: A of a colour mix
+    return None if first.links else first.default_value
 
 
 def _is_edit(node: bpy.types.Node) -> bool:
@@ -223,7 +237,7 @@ def _scale(obj: bpy.types.Object, name: str) -> np.ndarray:
 
 
 def _pixels(image: bpy.types.Image) -> np.ndarray:
-    """(H,W,3) as they stand in the file, row 0 at the top."""
+    """(H,W,3) as in the file, row 0 at the top."""
     width, height = image.size
     flat = np.empty(width * height * image.channels, np.float32)
     image.pixels.foreach_get(flat)
@@ -232,7 +246,7 @@ def _pixels(image: bpy.types.Image) -> np.ndarray:
 
 
 def _resized(values: np.ndarray, size: int) -> np.ndarray:
-    """``values`` at ``size``: by whole texels, so that nothing is blurred across islands."""
+    """``values`` at ``size``: the nearest texel, so that nothing is blurred across islands."""
     if values.shape[:2] == (size, size):
         return values
     rows = (np.arange(size) + 0.5) * values.shape[0] / size
@@ -244,7 +258,7 @@ def _resized(values: np.ndarray, size: int) -> np.ndarray:
 def _receiver(
     target: bpy.types.Object, size: int
 ) -> Iterator[tuple[bpy.types.Object, bpy.types.Image]]:
-    """A copy of ``target`` with a material of its own, whose picture takes the bake."""
+    """A copy of ``target`` with a material of its own, whose picture receives the bake."""
     image = bpy.data.images.new("Fantasia3D bake", size, size, alpha=False, float_buffer=True)
     image.colorspace_settings.is_data = True
     material = bpy.data.materials.new("Fantasia3D bake")
@@ -266,23 +280,23 @@ def _receiver(
 
 
 @contextlib.contextmanager
-def _glowing(obj: bpy.types.Object, socket: str) -> Iterator[None]:
-    """Let ``obj`` glow with what feeds ``socket`` of its Principled nodes."""
+def _emitting(obj: bpy.types.Object, socket: str) -> Iterator[None]:
+    """Let ``obj`` emit what feeds ``socket`` of its Principled nodes."""
     own = [slot.material for slot in obj.material_slots]
     copies = [material.copy() for material in own]
     for slot, material in zip(obj.material_slots, copies, strict=True):
         slot.material = material
         bsdf, tree = principled(material), material.node_tree
-        glow = tree.nodes.new("ShaderNodeEmission")
+        emission = tree.nodes.new("ShaderNodeEmission")
         source = bsdf.inputs[socket]
         if source.links:
-            tree.links.new(source.links[0].from_socket, glow.inputs["Color"])
+            tree.links.new(source.links[0].from_socket, emission.inputs["Color"])
         else:
             value = source.default_value
             grey = not hasattr(value, "__len__")
-            glow.inputs["Color"].default_value = (value, value, value, 1) if grey else value
+            emission.inputs["Color"].default_value = (value, value, value, 1) if grey else value
         for link in list(bsdf.outputs["BSDF"].links):
-            tree.links.new(glow.outputs["Emission"], link.to_socket)
+            tree.links.new(emission.outputs["Emission"], link.to_socket)
     try:
         yield
     finally:
@@ -293,7 +307,7 @@ def _glowing(obj: bpy.types.Object, socket: str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _bake_settings() -> Iterator[None]:
-    """Cycles on the CPU, one sample, no denoiser (a bake with a missing one comes out empty)."""
+    """Cycles on the CPU, few samples, no denoiser (a bake without an installed one is empty)."""
     if not compat.has_cycles():
         raise AddonError("This Blender has no Cycles.", "Enable its add-on Cycles Render Engine.")
     scene = bpy.context.scene

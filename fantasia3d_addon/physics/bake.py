@@ -1,4 +1,4 @@
-"""Bakes what :mod:`physics` has set up, a frame at a time, and sees that it stays in one piece."""
+"""Bakes a simulation a frame at a time, and checks in each frame that it is stable."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy as np
 from ..blender.mesh_arrays import acting, moved, values, verts_of
 from ..errors import AddonError
 
-STRETCH = 30.0  # an edge that is this many times as long has exploded
-TRIES = 3
+STRETCH = 30.0  # an edge that is this many times as long: the simulation has exploded
+TRIES = 3  # each with finer steps
 
 
-def bake_until_sound(owner: bpy.types.Object, frames: int) -> Iterator[float]:
-    """Bake; where it tears or explodes, once more with finer steps."""
+def bake_until_stable(owner: bpy.types.Object, frames: int) -> Iterator[float]:
+    """Bake; where it is unstable, again with finer steps. Yields the fraction done."""
     for _ in range(TRIES):
         cache = cache_of(owner)
         wrong = ""
-        for share, wrong in _bake(owner, cache, frames):
-            yield share
+        for fraction, wrong in _bake(owner, cache, frames):
+            yield fraction
             if wrong:
                 break
         if not wrong:
@@ -28,15 +28,18 @@ def bake_until_sound(owner: bpy.types.Object, frames: int) -> Iterator[float]:
         _finer(owner)
         _unbake(owner, cache)
     raise AddonError(
-        f"The simulation does not stay in one piece: {wrong} (tried {TRIES} times).",
-        "Repair the mesh under Mesh Health, or let it fall from lower.",
+        f"The simulation is not stable: {wrong} (tried {TRIES} times).",
+        "Repair the mesh under Mesh Health, or use a smaller height.",
     )
 
 
 def _bake(
     owner: bpy.types.Object, cache: bpy.types.PointCache, frames: int
 ) -> Iterator[tuple[float, str]]:
-    """Step through the frames, which fills the cache, and keep it: the share, what is wrong."""
+    """Step through the frames, which fills the cache, and keep it.
+
+    Yields the fraction done, and what is wrong (empty if nothing).
+    """
     scene = bpy.context.scene
     first = scene.frame_start
     last = first + frames - 1
@@ -93,7 +96,7 @@ def cache_of(obj: bpy.types.Object) -> bpy.types.PointCache | None:
 
 
 def _shape(obj: bpy.types.Object) -> bpy.types.Mesh:
-    """The mesh as it is simulated now."""
+    """The mesh as it is simulated at the present frame."""
     return obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
 
 

@@ -1,4 +1,4 @@
-"""Simple shapes in place of a fine mesh, for the simulation: a coarse cage, and convex parts."""
+"""Simple proxies of a fine mesh for the simulation: a coarse cage, and convex parts."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from mathutils.bvhtree import BVHTree
 
 from ..blender.mesh_arrays import apply_modifiers, baked_mesh, verts_of
 
-WELD = 1e-5  # of the object's size: what lies nearer is one vertex
-PLANES = 7  # candidates along each axis
-LOOSE = 1.12  # the hulls may take this much of the solid's own volume
+WELD = 1e-5  # of the object's size: vertices closer than that are one
+PLANES = 7  # candidate cuts along each axis
+LOOSE = 1.12  # the hulls may have this many times the solid's own volume
 
 
 def cage(obj: bpy.types.Object, faces: int) -> bpy.types.Mesh:
@@ -23,14 +23,14 @@ def cage(obj: bpy.types.Object, faces: int) -> bpy.types.Mesh:
     mesh.materials.clear()
     _weld(mesh)
     mesh.calc_loop_triangles()
-    share = faces / max(len(mesh.loop_triangles), 1)
+    fraction = faces / max(len(mesh.loop_triangles), 1)
     coarse = bpy.data.objects.new("cage", mesh)
     bpy.context.scene.collection.objects.link(coarse)
     try:
         coarse.modifiers.new("triangles", "TRIANGULATE")
-        if share < 1:
+        if fraction < 1:
             fewer = coarse.modifiers.new("fewer", "DECIMATE")
-            fewer.ratio, fewer.use_collapse_triangulate = share, True
+            fewer.ratio, fewer.use_collapse_triangulate = fraction, True
         bpy.context.view_layer.update()
         apply_modifiers(coarse)
         return coarse.data
@@ -39,8 +39,10 @@ def cage(obj: bpy.types.Object, faces: int) -> bpy.types.Mesh:
 
 
 def add_struts(mesh: bpy.types.Mesh) -> int:
-    """Join each vertex through the solid with the one across: edges that hold a soft body's
-    volume; how many."""
+    """Connect each vertex through the solid with the opposite one; the number of new edges.
+
+    They preserve a soft body's volume.
+    """
     bm = bmesh.new()
     bm.from_mesh(mesh)
     bm.normal_update()
@@ -48,7 +50,7 @@ def add_struts(mesh: bpy.types.Mesh) -> int:
     tree = BVHTree.FromBMesh(bm)
     before = len(bm.edges)
     for vert in list(bm.verts):
-        start = vert.co - 1e-4 * vert.normal
+        start = vert.co - 1e-4 * vert.normal  # or the ray hits the vertex's own faces
         hit, _, face, _ = tree.ray_cast(start, -vert.normal)
         if hit is None:
             continue
@@ -62,11 +64,11 @@ def add_struts(mesh: bpy.types.Mesh) -> int:
 
 
 def convex_parts(mesh: bpy.types.Mesh, most: int = 12) -> list[np.ndarray]:
-    """Points (N,3) of convex hulls that together fill ``mesh`` closely; ``most`` of them at most.
+    """Points (N,3) of convex hulls that together approximate ``mesh``; at most ``most`` of them.
 
     Cuts the part with the largest hull by the axis-parallel plane that leaves the least volume in
-    the two hulls, until all hulls together are no more than LOOSE times the solid. A torus shows
-    why a cut that gains nothing is made too: only the next ones save. One hull for a sheet.
+    the two hulls, until all hulls together have at most LOOSE times the solid's volume. A cut that
+    gains nothing is made too: for a torus only the cuts after it gain. One hull for a sheet.
     """
     whole = bmesh.new()
     whole.from_mesh(mesh)
@@ -101,6 +103,7 @@ def hull_mesh(name: str, points: np.ndarray) -> tuple[bpy.types.Mesh, np.ndarray
     bm.free()
     middle = points.mean(0)
     a, b, c = (corners[:, i] - middle for i in range(3))
+    # Six times the signed volume of the tetrahedra to the middle, over 6 (Gauss).
     sixth = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
     volume = abs(float(sixth.sum()))
     if volume < 1e-12:  # a sheet
@@ -129,8 +132,8 @@ def _best_cut(part: bmesh.types.BMesh) -> tuple[Vector, Vector] | None:
     best, least = None, math.inf
     for axis in range(3):
         normal = Vector([float(i == axis) for i in range(3)])
-        for share in np.linspace(0, 1, PLANES + 2)[1:-1]:
-            at = Vector(low + share * (high - low))
+        for fraction in np.linspace(0, 1, PLANES + 2)[1:-1]:
+            at = Vector(low + fraction * (high - low))
             halves = [_half(part, at, normal, side) for side in (False, True)]
             volume = sum(_hull_volume(half) for half in halves)
             empty = any(len(half.verts) < 4 for half in halves)
@@ -164,7 +167,7 @@ def _hull_volume(part: bmesh.types.BMesh) -> float:
 
 
 def _to_hull(bm: bmesh.types.BMesh) -> None:
-    """Leave nothing of ``bm`` but its convex hull, outward."""
+    """Replace ``bm`` by its convex hull, with normals outward."""
     made = bmesh.ops.convex_hull(bm, input=bm.verts[:], use_existing_faces=False)
     inside = {v for v in made["geom_interior"] + made["geom_unused"] if v.is_valid}
     bmesh.ops.delete(bm, geom=[v for v in inside if isinstance(v, bmesh.types.BMVert)])

@@ -1,9 +1,9 @@
-"""Rigid body, soft body, cloth and a sheet draped over an asset: one call each, baked.
+"""Rigid body, soft body, cloth, and a sheet draped over an asset: one call each, baked.
 
-The fine mesh is never simulated itself. A soft body or cloth is a coarse cage of it, and the asset
+The fine mesh itself is never simulated. A soft body or cloth is a coarse cage of it, and the asset
 follows the cage by a Surface Deform modifier: its vertices stay welded, so no seam can open, and a
-bake takes seconds. A rigid body is one convex hull or several, with their true centre of mass, and
-the asset hangs on it.
+bake takes seconds. A rigid body is one convex hull or several, with the true centre of mass, and
+the asset is parented to it.
 """
 
 from __future__ import annotations
@@ -16,66 +16,69 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
+from .. import options
 from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
 from ..errors import AddonError
 from ..mesh import health
 from ..scene.placement import visible_meshes
 from . import proxy
-from .bake import bake_until_sound, cache_of, edge_lengths
+from .bake import bake_until_stable, cache_of, edge_lengths
 
-KINDS = ("RIGID", "SOFT", "CLOTH", "DRAPE")
-MARK = "fantasia3d_physics"  # on the asset: what clear() needs; on what was made for it: its name
+KINDS = options.KIND.names
+# Custom property: on the asset, what clear() needs; on objects made for it, the asset's name.
+MARK = "fantasia3d_physics"
 GROUND = "Fantasia3D ground"
 CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
 DENSITY = 400.0  # kg / m³: wood
+_NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
 
 
 @dataclass(frozen=True)
 class Options:
-    """What a user may choose; lengths in metres."""
+    """What a user may choose, as ``options.SIMULATION`` describes it; lengths in metres."""
 
-    frames: int = 60
-    height: float = 0.5  # above where it stands now, or falls from
-    convex: bool = False  # rigid: one hull instead of several
-    softness: float = 0.5  # soft: 0 firm, 1 jelly
-    self_collision: bool = False  # cloth
+    frames: int = int(options.FRAMES.default)
+    height: float = float(options.HEIGHT.default)
+    convex: bool = bool(options.CONVEX.default)  # rigid bodies
+    softness: float = float(options.SOFTNESS.default)  # soft bodies
+    self_collision: bool = bool(options.SELF_COLLISION.default)  # cloth
 
 
-def simulate(obj: bpy.types.Object, kind: str, options: Options | None = None) -> None:
+def simulate(obj: bpy.types.Object, kind: str, settings: Options | None = None) -> None:
     """Make ``obj`` a simulated ``kind`` from the scene's first frame on, and bake it.
 
-    What lies under it holds it up; where nothing does, a ground plane is made. An earlier
-    simulation of it is taken away first.
+    It collides with what is below it; where nothing is, a ground plane is created. An earlier
+    simulation of it is removed first.
 
     Raises:
-        AddonError: the mesh can't be simulated (the sentence says what to repair), or the
-            simulation would not stay in one piece; the object is as before then.
+        AddonError: the mesh can't be simulated (the text names the repair), or the
+            simulation is not stable; the object is as before then.
     """
-    for _ in steps(obj, kind, options or Options()):
+    for _ in steps(obj, kind, settings or Options()):
         pass
 
 
-def steps(obj: bpy.types.Object, kind: str, options: Options) -> Iterator[float]:
-    """:func:`simulate`, a frame at a time: yields the share that is done."""
-    _check(obj, kind, options)
+def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float]:
+    """:func:`simulate`, a frame at a time: yields the fraction done."""
+    _check(obj, kind, settings)
     clear(obj)
     scene = bpy.context.scene
     obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current}
-    scene.frame_set(scene.frame_start)
+    scene.frame_set(scene.frame_start)  # a simulation starts there, and so must its objects
     try:
         make = {"RIGID": _rigid, "SOFT": _soft, "CLOTH": _cloth, "DRAPE": _drape}[kind]
-        if kind != "DRAPE":
-            obj.location.z += options.height
+        if kind != "DRAPE":  # there the sheet falls, not the asset
+            obj.location.z += settings.height
         bpy.context.view_layer.update()
-        owner = make(obj, options)
-        yield from bake_until_sound(owner, options.frames)
+        owner = make(obj, settings)
+        yield from bake_until_stable(owner, settings.frames)
     except BaseException:
         clear(obj)
         raise
 
 
 def clear(obj: bpy.types.Object) -> None:
-    """Take the simulation of ``obj`` away, and what was made for it; it stands as before."""
+    """Remove the simulation of ``obj`` and what was made for it; ``obj`` is as before."""
     if not is_simulated(obj):
         return
     before = obj[MARK]
@@ -90,6 +93,7 @@ def clear(obj: bpy.types.Object) -> None:
     del obj[MARK]
     for made in [o for o in bpy.data.objects if o.get(MARK) == obj.name]:
         _remove(made)
+    # Several simulations may use one collider: the last one releases it.
     others = any(MARK in o for o in bpy.data.objects if o.name != GROUND)
     for other in [o for o in bpy.data.objects if f"{MARK}_collider" in o]:
         if not others:
@@ -98,57 +102,61 @@ def clear(obj: bpy.types.Object) -> None:
 
 
 def is_simulated(obj: bpy.types.Object) -> bool:
-    """Whether :func:`simulate` has been at ``obj``."""
+    """Whether ``obj`` was simulated by :func:`simulate`."""
     return hasattr(obj.get(MARK), "to_dict")
 
 
 def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:
-    """The object that is simulated for ``obj``."""
+    """The object that is simulated in place of ``obj``."""
     return next((o for o in bpy.data.objects if o.get(MARK) == obj.name and cache_of(o)), None)
 
 
-def _check(obj: bpy.types.Object, kind: str, options: Options) -> None:
+def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
     mesh_object(obj)
     if kind not in KINDS:
-        raise AddonError(f"There is no simulation {kind!r}.", f"Take one of {', '.join(KINDS)}.")
-    if not 2 <= options.frames <= 5000:
-        raise AddonError(f"{options.frames} frames can't be baked.", "Take 2 to 5000.")
+        raise AddonError(f"There is no simulation {kind!r}.", f"Use one of {', '.join(KINDS)}.")
+    for option in _NUMBERS:
+        value = getattr(settings, option.name)
+        if not option.allows(value):
+            raise AddonError(
+                f"{option.label} is {value:g}, which is not possible.", f"Use {option.range}."
+            )
     report = health.examine(obj)
     if kind in ("SOFT", "CLOTH") and report.doubled:
         raise AddonError(
-            f"The mesh of {obj.name} is not welded: {report.doubled} vertices stand on others, "
-            "and it would tear there.",
+            f"The mesh of {obj.name} is not welded: {report.doubled} vertices have the place of "
+            "another, and it would tear there.",
             "Press Weld under Mesh Health first.",
         )
     if kind == "SOFT" and not report.closed:
         raise AddonError(
             f"The mesh of {obj.name} is not closed: it has {report.open_edges} open edges, and no "
-            "inside that could hold its shape.",
-            "Press Fill Holes under Mesh Health, or take Cloth.",
+            "volume that could keep its shape.",
+            "Press Fill Holes under Mesh Health, or use Cloth.",
         )
 
 
 # What is simulated
 
 
-def _rigid(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
-    """A body whose origin is the centre of mass carries the asset."""
+def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    """A body with its origin in the centre of mass, to which the asset is parented."""
     mesh = proxy.cage(obj, CAGE_FACES["RIGID"])
-    parts = [verts_of(mesh)] if options.convex else proxy.convex_parts(mesh)
+    parts = [verts_of(mesh)] if settings.convex else proxy.convex_parts(mesh)
     bpy.data.meshes.remove(mesh)
     matrix = obj.matrix_world.copy()
     hulls = [proxy.hull_mesh("hull", moved(points, matrix)) for points in parts]
     volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
     middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
     if len(hulls) == 1:
-        body = _made(obj, "body", hulls[0][0])
+        body = _add(obj, "body", hulls[0][0])
         body.data.transform(Matrix.Translation(-middle))
         children = []
     else:
         whole, _, _ = proxy.hull_mesh("hull", np.concatenate([moved(p, matrix) for p in parts]))
         whole.transform(Matrix.Translation(-middle))
-        body = _made(obj, "body", whole)
-        children = [_made(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
+        body = _add(obj, "body", whole)
+        children = [_add(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
     body.location = middle
     for child in children:
         child.data.transform(Matrix.Translation(-middle))
@@ -169,31 +177,33 @@ def _rigid(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
     return body
 
 
-def _soft(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+def _soft(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     cage = _caged(obj, CAGE_FACES["SOFT"])
+    # Without struts a closed cage folds flat: springs along its edges keep lengths, not volume.
     proxy.add_struts(cage.data)
-    settings = cage.modifiers.new(MARK, "SOFT_BODY").settings
-    firm = 0.9 - 0.8 * min(max(options.softness, 0.0), 1.0)
-    settings.use_goal, settings.use_edges = False, True
-    settings.pull = settings.push = firm
-    settings.bend, settings.damping = firm + 0.1, 2.0
-    settings.mass, settings.friction = 1.0, 0.5
-    settings.step_min, settings.error_threshold = 5, 0.1
+    soft = cage.modifiers.new(MARK, "SOFT_BODY").settings
+    firm = 0.9 - 0.8 * settings.softness
+    # The goal would pin the vertices to where they are.
+    soft.use_goal, soft.use_edges = False, True
+    soft.pull = soft.push = firm
+    soft.bend, soft.damping = firm + 0.1, 2.0
+    soft.mass, soft.friction = 1.0, 0.5
+    soft.step_min, soft.error_threshold = 5, 0.1
     _collide_with(_supports(obj))
     return cage
 
 
-def _cloth(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
+def _cloth(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     cage = _caged(obj, CAGE_FACES["CLOTH"])
     cloth = cage.modifiers.new(MARK, "CLOTH")
-    _weave(cloth, cage, options.self_collision)
+    _set_up_cloth(cloth, cage, settings.self_collision)
     cloth.settings.bending_stiffness = 2.0
     _collide_with(_supports(obj))
     return cage
 
 
-def _drape(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
-    """A sheet that falls over the asset, which stays."""
+def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    """A sheet that falls over the asset, which does not move."""
     points = world_verts(obj)
     low, high = points.min(0), points.max(0)
     half = 0.62 * float(np.linalg.norm((high - low)[:2])) + 0.5 * float(high[2] - low[2])
@@ -204,25 +214,27 @@ def _drape(obj: bpy.types.Object, options: Options) -> bpy.types.Object:
     bm.to_mesh(mesh)
     bm.free()
     mesh.shade_smooth()
-    sheet = _made(obj, "sheet", mesh, hidden=False)
+    sheet = _add(obj, "sheet", mesh, hidden=False)
     middle = (low + high) / 2
-    rise = max(0.05 * float((high - low).max()), min(options.height, 0.3))
+    rise = max(0.05 * float((high - low).max()), min(settings.height, 0.3))
     sheet.location = (middle[0], middle[1], high[2] + rise)
     cloth = sheet.modifiers.new(MARK, "CLOTH")
-    _weave(cloth, sheet, options.self_collision)
+    _set_up_cloth(cloth, sheet, settings.self_collision)
     cloth.settings.bending_stiffness = 0.1
     cloth.settings.mass, cloth.settings.quality = 0.1, 6
     cloth.collision_settings.collision_quality = 2
     smooth = sheet.modifiers.new("smooth", "SUBSURF")
     smooth.levels, smooth.render_levels = 1, 2
-    hard = _made(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
+    hard = _add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
     hard.parent = obj
     _collide_with([hard, *_supports(obj)])
     return sheet
 
 
-def _weave(cloth: bpy.types.ClothModifier, obj: bpy.types.Object, self_collision: bool) -> None:
-    """The settings that both kinds of cloth share; distances by the mesh's own edges."""
+def _set_up_cloth(
+    cloth: bpy.types.ClothModifier, obj: bpy.types.Object, self_collision: bool
+) -> None:
+    """The settings that both kinds of cloth have in common; distances by the mesh's own edges."""
     size = float(max(obj.dimensions))
     settings, collision = cloth.settings, cloth.collision_settings
     settings.quality, settings.mass, settings.air_damping = 8, 0.3, 0.4
@@ -236,8 +248,8 @@ def _weave(cloth: bpy.types.ClothModifier, obj: bpy.types.Object, self_collision
 
 
 def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
-    """The cage of ``obj``, which follows it."""
-    cage = _made(obj, "cage", proxy.cage(obj, faces))
+    """The cage of ``obj``, bound so that ``obj`` follows it."""
+    cage = _add(obj, "cage", proxy.cage(obj, faces))
     cage.matrix_world = obj.matrix_world
     bpy.context.view_layer.update()
     follow = obj.modifiers.new(MARK, "SURFACE_DEFORM")
@@ -246,17 +258,17 @@ def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
         bpy.ops.object.surfacedeform_bind(modifier=follow.name)
     if not follow.is_bound:
         raise AddonError(
-            f"{obj.name} can't follow a coarse copy of itself: its mesh is not manifold.",
+            f"{obj.name} can't be bound to a coarse copy of itself: its mesh is not manifold.",
             "Press Repair All under Mesh Health, or Quad Remesh.",
         )
     return cage
 
 
-# What it falls on
+# What it collides with
 
 
 def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
-    """The visible objects under or around the footprint of ``obj``; a new ground if none."""
+    """The visible objects below or around the footprint of ``obj``; a new ground if none."""
     points = world_verts(obj)
     low, high = points.min(0), points.max(0)
     reach = float((high - low).max())
@@ -272,12 +284,12 @@ def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
 
 
 def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object:
-    """A wide plane at z = 0, or below the object where that is under it."""
+    """A wide plane at z = 0, or just below the object if that is lower."""
     half = 6 * reach
     mesh = bpy.data.meshes.new(GROUND)
     corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
-    ground = _made(obj, "ground", mesh, hidden=False)
+    ground = _add(obj, "ground", mesh, hidden=False)
     ground.name = GROUND
     ground.location = (*obj.matrix_world.translation[:2], min(low - 0.002 * reach, 0.0))
     bpy.context.view_layer.update()
@@ -305,13 +317,13 @@ def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
     obj.rigid_body.collision_margin = 0.001
 
 
-# Coming and going
+# Helper objects
 
 
-def _made(
+def _add(
     obj: bpy.types.Object, part: str, mesh: bpy.types.Mesh, hidden: bool = True
 ) -> bpy.types.Object:
-    """A new object for the simulation of ``obj``, beside it; ``hidden`` from view and renders."""
+    """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
     made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
     made[MARK] = obj.name
     for collection in obj.users_collection or [bpy.context.scene.collection]:
@@ -332,7 +344,7 @@ def _remove(made: bpy.types.Object) -> None:
 
 
 def _release(obj: bpy.types.Object) -> None:
-    """Take what makes it collide off an object."""
+    """Remove what makes an object collide."""
     if obj.rigid_body and f"{MARK}_collider" in obj:
         hidden = obj.hide_get()
         obj.hide_set(False)

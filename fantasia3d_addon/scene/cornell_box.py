@@ -27,26 +27,26 @@ COLORS = {
     "green": (0.14, 0.45, 0.091),
 }
 EMISSION = (17.0, 12.0, 4.0)  # radiance
-EXPOSURE = 1.0  # stops: what a picture of it takes to be bright on a screen
-ROOM = 0.78  # how much of the box's floor the assets may take
+EXPOSURE = 1.0  # stops, for a bright picture on a screen
+ROOM = 0.78  # fraction of the box's width, depth and height for the assets
 FOVY = math.radians(39.3077)  # the original's camera: 35 mm lens, 25 mm film
 
 
 def build(
     scene: bpy.types.Scene, objs: Sequence[bpy.types.Object], height: float = 0.0
 ) -> bpy.types.Collection:
-    """A box around ``objs``, which stand on its floor side by side; its camera is the scene's.
+    """A box around ``objs``, placed on its floor in a row; its camera becomes the scene's.
 
     ``height`` is the box's, in metres; 0 fits it to the objects. The open side is the front (-Y).
-    The world goes dark until :func:`remove`, so that the light of the box is all there is.
+    The world is black until :func:`remove`, so that the box's light is the only one.
 
     Raises:
-        AddonError: there is a box already, or nothing to put in, or it does not fit ``height``.
+        AddonError: there is a box already, or no object, or the objects do not fit ``height``.
     """
     if box_of(scene):
-        raise AddonError("This scene has a Cornell box.", "Remove it first.")
+        raise AddonError("This scene has a Cornell box already.", "Remove it first.")
     if not objs:
-        raise AddonError("No object is selected.", "Select the objects that the box shall hold.")
+        raise AddonError("No object is selected.", "Select the objects for the box.")
     for obj in objs:
         mesh_object(obj)
     bpy.context.view_layer.update()
@@ -54,11 +54,12 @@ def build(
     fit = max(size[0] / (ROOM * WIDTH), size[1] / (ROOM * DEPTH), size[2] / ROOM)
     if height and height < fit * ROOM:
         raise AddonError(
-            f"A box of {height:g} m does not hold the objects.", f"Make it {fit:.2f} m high."
+            f"The objects do not fit into a box of {height:g} m.", f"Use {fit:.2f} m or more."
         )
     height = height or fit
     collection = bpy.data.collections.new(NAME)
     scene.collection.children.link(collection)
+    # Kept in the file, so that remove() works after it was saved and opened again.
     collection["fantasia3d_before"] = {"world": scene.world, "camera": scene.camera}
     collection["fantasia3d_places"] = {o.name: [*o.matrix_world.translation] for o in objs}
     for obj, place in zip(objs, places, strict=True):
@@ -73,7 +74,7 @@ def build(
 
 
 def remove(scene: bpy.types.Scene) -> None:
-    """Take the box away; the objects, the world and the camera are as they were before.
+    """Remove the box; the objects, the world and the camera are as before.
 
     Raises:
         AddonError: there is none.
@@ -93,7 +94,7 @@ def remove(scene: bpy.types.Scene) -> None:
     if dark and dark.name.startswith(NAME):
         made.add(dark)
     bpy.data.batch_remove(made)
-    for obj in list(collection.objects):  # what the user has put there since
+    for obj in list(collection.objects):  # what the user has added since
         scene.collection.objects.link(obj)
     bpy.data.collections.remove(collection)
 
@@ -110,10 +111,10 @@ def flux(height: float) -> np.ndarray:
 
 
 def _places(objs: Sequence[bpy.types.Object]) -> tuple[list[np.ndarray], np.ndarray]:
-    """How far each object moves to stand in a row about the middle, at y = 0; the row's size."""
+    """How far each object moves to a row about the centre, at y = 0; and the row's size."""
     boxes = [(points.min(0), points.max(0)) for points in map(world_verts, objs)]
     sizes = np.array([high - low for low, high in boxes])
-    gap = 0.08 * sizes.max()
+    gap = 0.08 * sizes.max()  # between two objects
     row = sizes[:, 0].sum() + gap * (len(objs) - 1)
     starts = np.cumsum([0, *(sizes[:-1, 0] + gap)]) - row / 2
     moves = [
@@ -126,7 +127,7 @@ def _places(objs: Sequence[bpy.types.Object]) -> tuple[list[np.ndarray], np.ndar
 def _walls(collection: bpy.types.Collection, height: float) -> None:
     x, y, z = WIDTH * height / 2, DEPTH * height / 2, height
     corners = [(i * x, j * y, k * z) for k in (0, 1) for j in (-1, 1) for i in (-1, 1)]
-    walls = {  # turned inwards
+    walls = {  # corners in the order in which the normals point inward
         "floor": ("white", (0, 1, 3, 2)),
         "ceiling": ("white", (4, 6, 7, 5)),
         "back wall": ("white", (2, 3, 7, 6)),
@@ -135,18 +136,18 @@ def _walls(collection: bpy.types.Collection, height: float) -> None:
     }
     for part, (color, face) in walls.items():
         obj = _quad(collection, part, [corners[i] for i in face])
-        obj.data.materials.append(_matt(color))
+        obj.data.materials.append(_diffuse(color))
 
 
 def _light(collection: bpy.types.Collection, height: float) -> None:
-    """An area light, and a glowing pane above it for the camera alone: EEVEE draws no lights."""
+    """An area light, and an emissive pane above it for the camera alone: EEVEE draws no lights."""
     power = flux(height)
     lamp = bpy.data.lights.new(f"{NAME} light", "AREA")
     lamp.shape = "RECTANGLE"
     lamp.size, lamp.size_y = LIGHT[0] * height, LIGHT[1] * height
     lamp.energy, lamp.color = float(power.max()), tuple(power / power.max())
     obj = _add(collection, lamp.name, lamp)
-    obj.location = (0, 0, height * 0.998)
+    obj.location = (0, 0, height * 0.998)  # below the ceiling, or it would light nothing
     obj.visible_camera = False
     x, y, z = LIGHT[0] * height / 2, LIGHT[1] * height / 2, height * 0.999
     pane = _quad(collection, "pane", [(-x, -y, z), (-x, y, z), (x, y, z), (x, -y, z)])
@@ -182,7 +183,7 @@ def _add(collection: bpy.types.Collection, name: str, data: bpy.types.ID) -> bpy
     return obj
 
 
-def _matt(color: str) -> bpy.types.Material:
+def _diffuse(color: str) -> bpy.types.Material:
     name = f"{NAME} {color}"
     known = bpy.data.materials.get(name)
     return known or _material(color, None)

@@ -1,4 +1,4 @@
-"""The world's light from an HDR or EXR picture, or from one of Blender's studio lights."""
+"""The world's light: an HDR or EXR picture, the core's studio, or one of Blender's lights."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..errors import LightError
 
 WORLD = "Fantasia3D light"
 STUDIO = "studio"
-# The core's own studio, written by it (blender_tests/test_light.py says how).
+# The core's own studio light as a file; blender_tests/test_light.py has the command.
 STUDIO_FILE = Path(__file__).with_name("studio.exr")
 
 
@@ -25,12 +25,12 @@ def blender_lights() -> dict[str, Path]:
 
 
 def light_file(name_or_path: str) -> Path:
-    """The picture that a light stands for; names mean what they mean to the core.
+    """The picture of a light; names have the same meaning as in the core.
 
     ``"studio"`` is the core's; ``"blender:city"`` or ``"city"`` one of Blender's; else a file.
 
     Raises:
-        LightError: it is none of these.
+        LightError: there is none.
     """
     if name_or_path == STUDIO:
         return STUDIO_FILE
@@ -43,7 +43,7 @@ def light_file(name_or_path: str) -> Path:
         return named[name]
     raise LightError(
         f"There is no light {name_or_path!r}.",
-        f"Name an HDR or EXR file, or one of {', '.join([STUDIO, *named])}.",
+        f"Use an HDR or EXR file, or one of {', '.join([STUDIO, *named])}.",
     )
 
 
@@ -56,7 +56,7 @@ def set_world(
     """Light ``scene`` from all sides by the lat-long picture ``path``, which is packed.
 
     ``rotation_deg`` turns the light counter-clockwise seen from above. The picture's middle
-    column stands at +X, its top at +Z.
+    column is at +X, its top at +Z.
 
     Raises:
         LightError: the file is no picture.
@@ -70,6 +70,7 @@ def set_world(
     }
     for column, node in enumerate(nodes.values()):
         node.location = (300 * column - 900, 0)
+    # The node rotates the direction that is looked up: the light itself turns the other way.
     nodes["Mapping"].inputs["Rotation"].default_value[2] = -math.radians(rotation_deg)
     nodes["TexEnvironment"].image = image
     nodes["Background"].inputs["Strength"].default_value = strength
@@ -81,7 +82,7 @@ def set_world(
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
     old, scene.world = scene.world, world
-    _put_away(old)
+    _remove_unused(old)
     return world
 
 
@@ -98,7 +99,7 @@ def environment_image(world: bpy.types.World) -> bpy.types.Image:
 
 
 def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
-    """How bright a white matt surface that faces ``normal`` is under the lat-long ``image``.
+    """The brightness of a white diffuse surface that faces ``normal``, under a lat-long ``image``.
 
     The mean luminance over the hemisphere about ``normal``, weighted by the cosine with it.
     """
@@ -107,20 +108,21 @@ def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
     image.pixels.foreach_get(pixels)
     luminance = pixels.reshape(height, width, 4)[..., :3] @ np.float32((0.2126, 0.7152, 0.0722))
     azimuth = (0.5 - (np.arange(width) + 0.5) / width) * 2 * math.pi  # from +X, counter-clockwise
-    elevation = ((np.arange(height)[:, None] + 0.5) / height - 0.5) * math.pi  # row 0 is lowest
+    elevation = ((np.arange(height)[:, None] + 0.5) / height - 0.5) * math.pi  # row 0 is the lowest
     x, y, z = normal
     flat = x * np.cos(azimuth) + y * np.sin(azimuth)
     cosine = np.cos(elevation) * flat + np.sin(elevation) * z
+    # A lat-long picture's rows shrink towards the poles: cos(elevation) is a texel's area.
     weight = np.cos(elevation) * cosine.clip(0)
     return float((luminance * weight).sum() / weight.sum())
 
 
-def _put_away(world: bpy.types.World | None) -> None:
-    """Take an earlier light of ours out of the file, if no scene has it; keep the user's own."""
+def _remove_unused(world: bpy.types.World | None) -> None:
+    """Remove an earlier light of ours that no scene uses; keep the user's own world."""
     if world is None:
         return
     if not world.name.startswith(WORLD):
-        world.use_fake_user = True  # or Blender would drop it when the file is saved
+        world.use_fake_user = True  # without users, Blender would not save it
         return
     if world.users:
         return
@@ -134,9 +136,9 @@ def _load(path: Path) -> bpy.types.Image:
     try:
         image = bpy.data.images.load(str(path), check_existing=False)
     except RuntimeError as error:
-        raise LightError(f"{path} can't be read ({error}).", "Take an HDR or EXR file.") from None
-    if 0 in image.size:
+        raise LightError(f"{path} can't be read ({error}).", "Use an HDR or EXR file.") from None
+    if 0 in image.size:  # Blender loads any file, and reports nothing
         bpy.data.images.remove(image)
-        raise LightError(f"{path} is no picture.", "Take an HDR or EXR file.")
+        raise LightError(f"{path} is no picture.", "Use an HDR or EXR file.")
     image.pack()
     return image

@@ -1,4 +1,4 @@
-"""Where an object stands: dropped on what lies under it, its origin at its base."""
+"""Placement: drops an object onto the surface below it, and sets its origin to its base."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ DOWN = Vector((0, 0, -1))
 def drop(
     obj: bpy.types.Object, others: Iterable[bpy.types.Object] | None = None, ground: bool = True
 ) -> float:
-    """Move ``obj`` straight down until it first touches what lies under it; how far, in metres.
+    """Move ``obj`` straight down until it first touches another object; the distance in metres.
 
-    ``others`` are the visible mesh objects of its scene where None; an object that stands half in
-    one of them is lifted out of nothing: what starts above counts. ``ground``: where nothing lies
-    under it, it comes to stand on z = 0, from above or from below (the distance is negative then).
+    ``others`` are the visible mesh objects of its scene where None. An object that intersects one
+    of them is not lifted out of it: only surfaces below its vertices count. ``ground``: where
+    nothing is below it, it moves to z = 0, from above or from below (a negative distance).
 
     Raises:
-        AddonError: nothing lies under it, and not ``ground``.
+        AddonError: nothing is below it, and not ``ground``.
     """
     mesh_object(obj)
     bpy.context.view_layer.update()
@@ -35,7 +35,7 @@ def drop(
     distance = min((_gap(obj, own, other) for other in others), default=np.inf)
     if not np.isfinite(distance):
         if not ground:
-            raise AddonError(f"Nothing lies under {obj.name}.", "Move it above something.")
+            raise AddonError(f"Nothing is below {obj.name}.", "Move it above another object.")
         distance = float(own[:, 2].min())
     matrix = obj.matrix_world.copy()
     obj.matrix_world = Matrix.Translation((0, 0, -distance)) @ matrix
@@ -44,7 +44,7 @@ def drop(
 
 
 def visible_meshes(obj: bpy.types.Object) -> list[bpy.types.Object]:
-    """The mesh objects that a picture shows beside ``obj`` and what hangs on it."""
+    """The mesh objects that a render shows, except ``obj`` and its children."""
     own = {obj, *obj.children_recursive}
     return [
         other
@@ -60,14 +60,15 @@ def visible_meshes(obj: bpy.types.Object) -> list[bpy.types.Object]:
 def _gap(obj: bpy.types.Object, own: np.ndarray, other: bpy.types.Object) -> float:
     """How far ``obj`` falls until it meets ``other``; infinite where it passes by.
 
-    First contact is of a vertex of one with a face of the other; that of two edges is not looked
-    for, which on meshes as fine as ours is less than their faces.
+    The first contact is of a vertex of one with a face of the other. A contact of two edges is not
+    searched: the error is smaller than a face, and our faces are small.
     """
     theirs = world_verts(other)
     low, high = own.min(0), own.max(0)
     if (theirs.max(0)[:2] < low[:2]).any() or (theirs.min(0)[:2] > high[:2]).any():
         return np.inf
     tree, tree_own = _tree(other), _tree(obj)
+    # Vertices of one fall on the other, and vertices of the other meet it from below.
     down = (_cast(tree, point, DOWN) for point in own)
     inside = (theirs[:, :2] >= low[:2]).all(1) & (theirs[:, :2] <= high[:2]).all(1)
     up = (_cast(tree_own, point, -DOWN) for point in theirs[inside & (theirs[:, 2] <= high[2])])
@@ -75,7 +76,7 @@ def _gap(obj: bpy.types.Object, own: np.ndarray, other: bpy.types.Object) -> flo
 
 
 def _cast(tree: BVHTree, point: np.ndarray, direction: Vector) -> float:
-    start = Vector(point) - 1e-6 * direction  # what touches already has no way to fall
+    start = Vector(point) - 1e-6 * direction  # from just above: what touches already falls by 0
     _, _, _, distance = tree.ray_cast(start, direction)
     return np.inf if distance is None else max(distance - 1e-6, 0.0)
 
@@ -90,7 +91,7 @@ def _tree(obj: bpy.types.Object) -> BVHTree:
 
 
 def origin_to_base(obj: bpy.types.Object) -> None:
-    """Put the origin of ``obj`` below its middle, at its lowest point; nothing seen moves.
+    """Set the origin of ``obj`` to its lowest point, below its centre; nothing visible moves.
 
     Raises:
         AddonError: the object is no mesh, or shares its mesh with others, or has shape keys.
@@ -108,6 +109,7 @@ def origin_to_base(obj: bpy.types.Object) -> None:
     low, high = points.min(0), points.max(0)
     base = Vector(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]))
     matrix = obj.matrix_world.copy()
+    # Children keep their place in the world.
     kept = [(child, child.matrix_world.copy()) for child in obj.children]
     mesh.transform(Matrix.Translation(-(matrix.inverted() @ base)))
     matrix.translation = base

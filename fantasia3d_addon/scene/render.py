@@ -1,10 +1,9 @@
-"""A scene to look at an asset: the camera, the render, and the saved file."""
+"""Camera, backdrop, exposure, Cycles settings, still pictures and the saved file."""
 
 from __future__ import annotations
 
 import contextlib
 import math
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,14 +13,15 @@ from mathutils import Vector
 
 from ..blender import compat
 from ..blender.mesh_arrays import moved, verts_of
+from ..blender.output import temporary_output
 from ..errors import AddonError, OutputError
 from . import light
 
 CAMERA = "Fantasia3D camera"
 FOVY = math.radians(24)  # a long lens: little distortion, as in product photographs
-MARGIN = 1.12  # of the picture over the object's bounding sphere
+MARGIN = 1.12  # the picture's height in diameters of the object's bounding sphere
 BACKDROP = 0.8  # linear grey
-WHITE = 0.9  # linear; what a white surface shows at its brightest
+WHITE = 0.9  # linear; the brightest that a white surface should be
 FORMATS = {
     ".png": "PNG",
     ".jpg": "JPEG",
@@ -84,13 +84,13 @@ def add_camera_about(
 
 
 def save_blend(path: Path) -> None:
-    """Save the open file as ``path``, aside and then renamed; its pictures are packed already.
+    """Save a copy of the open file as ``path``; its pictures are packed already.
 
     Raises:
         OutputError: the place can't be written.
     """
-    with _aside(path) as aside:
-        _save(aside)
+    with temporary_output(path) as temporary:
+        _save(temporary)
 
 
 def _save(path: Path) -> None:
@@ -100,8 +100,8 @@ def _save(path: Path) -> None:
 def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> None:
     """Render ``obj`` through the scene's camera, with the scene's own settings.
 
-    ``backdrop`` hides the world from the camera behind a neutral ground that takes the shadow;
-    it is gone again afterwards.
+    ``backdrop`` hides the world from the camera behind an even grey, with a ground that catches the
+    shadow; it is removed again afterwards.
 
     Raises:
         OutputError: the place can't be written, or the picture's type is none of FORMATS.
@@ -109,10 +109,11 @@ def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> No
     scene = bpy.context.scene
     if path.suffix.lower() not in FORMATS:
         raise OutputError(f"{path} is no picture.", f"Its name ends in {', '.join(FORMATS)}.")
-    with _aside(path) as aside, _backdrop(scene, obj) if backdrop else contextlib.nullcontext():
+    in_front = _backdrop(scene, obj) if backdrop else contextlib.nullcontext()
+    with temporary_output(path) as temporary, in_front:
         scene.render.image_settings.file_format = FORMATS[path.suffix.lower()]
         scene.render.use_file_extension = False
-        scene.render.filepath = str(aside)
+        scene.render.filepath = str(temporary)
         bpy.ops.render.render(write_still=True)
         scene.render.filepath = ""
 
@@ -133,13 +134,13 @@ def _backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> Iterator[None]:
 
 
 def add_backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Object:
-    """A ground under ``obj`` that shows its shadow alone, before an even grey.
+    """A shadow catcher under ``obj``, in front of an even grey.
 
     The scene's world becomes a copy that the camera does not see.
     """
     center, radius = bounding_sphere(obj)
     low = min((obj.matrix_world @ Vector(corner)).z for corner in obj.bound_box)
-    half = 50 * radius
+    half = 50 * radius  # beyond the picture's edges
     mesh = bpy.data.meshes.new("Ground")
     corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
@@ -152,20 +153,22 @@ def add_backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Obj
 
 
 def hide_world(scene: bpy.types.Scene) -> None:
-    """Give ``scene`` a copy of its world that the camera does not see: it sees an even grey."""
+    """Give ``scene`` a copy of its world in which the camera sees an even grey."""
     scene.world = scene.world.copy()
     _hide_from_camera(scene.world.node_tree)
 
 
 def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
-    """Put an even grey before the world that ``tree`` shows, for rays from the camera alone."""
+    """Mix an even grey into the world's ``tree``, for camera rays alone."""
     output = next(n for n in tree.nodes if n.bl_idname == "ShaderNodeOutputWorld")
     surface = output.inputs["Surface"]
     light_path = tree.nodes.new("ShaderNodeLightPath")
     grey = tree.nodes.new("ShaderNodeBackground")
     grey.inputs["Color"].default_value = (BACKDROP, BACKDROP, BACKDROP, 1)
     mix = tree.nodes.new("ShaderNodeMixShader")
-    tree.links.new(light_path.outputs["Is Camera Ray"], mix.inputs[0])  # "Fac", later "Factor"
+    tree.links.new(
+        light_path.outputs["Is Camera Ray"], mix.inputs[0]
+    )  # by index: "Fac", later "Factor"
     tree.links.new(surface.links[0].from_socket, mix.inputs[1])
     tree.links.new(grey.outputs["Background"], mix.inputs[2])
     tree.links.new(mix.outputs["Shader"], surface)
@@ -174,7 +177,7 @@ def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
 def expose(scene: bpy.types.Scene, obj: bpy.types.Object) -> None:
     """Set the world's strength so that white on ``obj`` is just not clipped.
 
-    Measured on two matt surfaces: one that faces up, one that faces the scene's camera.
+    Computed for two white diffuse surfaces: one faces up, one faces the scene's camera.
     """
     center, _ = bounding_sphere(obj)
     towards = (scene.camera.matrix_world.translation - center).normalized()
@@ -187,10 +190,10 @@ def expose(scene: bpy.types.Scene, obj: bpy.types.Object) -> None:
 
 
 def set_up_cycles(scene: bpy.types.Scene, size: int = 640, samples: int | None = None) -> None:
-    """Cycles on the CPU, a square picture, and colours as they are.
+    """Cycles on the CPU, a square picture, and colours without a look.
 
-    ``samples`` is the most that one pixel gets; None is enough for a clean picture, which without
-    a denoiser takes more.
+    ``samples`` is the maximum for a pixel; None or 0 is enough for a clean picture, which needs
+    more without a denoiser.
 
     Raises:
         AddonError: this Blender has no Cycles.
@@ -207,25 +210,8 @@ def set_up_cycles(scene: bpy.types.Scene, size: int = 640, samples: int | None =
     cycles.device = "CPU"
     cycles.samples = samples or (48 if denoise else 160)
     cycles.use_adaptive_sampling = True
-    cycles.adaptive_threshold = 0.04 if denoise else 0.01  # the even backdrop is done at once
+    cycles.adaptive_threshold = 0.04 if denoise else 0.01  # the even backdrop needs few
     cycles.use_denoising = denoise
     cycles.max_bounces = 6
     view.view_transform = "Standard"  # AgX would shift the material's own colours
     view.look, view.exposure, view.gamma = "None", 0.0, 1.0
-
-
-@contextlib.contextmanager
-def _aside(path: Path) -> Iterator[Path]:
-    """A file in a folder of its own beside ``path``, which takes its place at the end."""
-    path = path.expanduser().absolute()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".fantasia3d-", dir=path.parent) as folder:
-            aside = Path(folder) / path.name
-            yield aside
-            if not aside.is_file() or not aside.stat().st_size:
-                raise OSError(0, "Blender wrote nothing")
-            aside.replace(path)
-    except (OSError, RuntimeError) as error:  # RuntimeError: what Blender's operators report
-        reason = getattr(error, "strerror", None) or str(error).strip()
-        raise OutputError(f"{path} can't be written ({reason}).", "Choose another place.") from None

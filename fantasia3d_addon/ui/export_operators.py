@@ -1,4 +1,4 @@
-"""Files for other programs and entries of the Asset Browser by buttons."""
+"""The operators for files of other programs and for entries of the Asset Browser."""
 
 from __future__ import annotations
 
@@ -6,37 +6,35 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
-from bpy.props import (
-    BoolProperty,
-    EnumProperty,
-    StringProperty,
-)
+from bpy.props import BoolProperty, StringProperty
 
+from .. import options
 from ..background import blender_process
 from ..blender.mesh_arrays import mesh_object
 from ..mesh import asset_browser, export
-from .modal_operator import Stepwise, until_done
-from .operator_helpers import UNDO, allowed, told
-from .tool_properties import FORMATS
+from .modal_operator import ModalTask, wait_for
+from .operator_helpers import UNDO, can_run, run_and_report
+from .option_properties import option_property
 
 
 class FANTASIA3D_OT_export(bpy.types.Operator):
-    """Write the active asset as one file for elsewhere, with textures that open there"""
+    """Export the active asset as one file for another program, with its textures"""
 
     bl_idname = "fantasia3d.export"
     bl_label = "Export"
 
-    filepath: StringProperty(name="File", subtype="FILE_PATH")
+    filepath: StringProperty(
+        name="File", description="The file; its extension sets the format", subtype="FILE_PATH"
+    )
     filter_glob: StringProperty(
         default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj", options={"HIDDEN"}
     )
-    format: EnumProperty(name="Format", description="Where the file has no ending", items=FORMATS)
-    flip_normal_y: BoolProperty(name="DirectX Normals")
+    format: option_property(options.FORMAT, description="For a file name without an extension")
+    flip_normal_y: option_property(options.FLIP_NORMAL_Y)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         self.filepath = f"{bpy.path.clean_name(context.active_object.name)}.{self.format}"
@@ -47,28 +45,29 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
         path = Path(bpy.path.abspath(self.filepath))
         path = path if path.suffix else path.with_suffix(f".{self.format}")
         obj = context.active_object
-        return told(self, lambda: export.export_object(obj, path, self.flip_normal_y))
+        return run_and_report(self, lambda: export.export_object(obj, path, self.flip_normal_y))
 
 
-class FANTASIA3D_OT_mark_asset(Stepwise, bpy.types.Operator):
-    """Make the active asset an entry of the Asset Browser, with a thumbnail and tags"""
+class FANTASIA3D_OT_mark_asset(ModalTask, bpy.types.Operator):
+    """Add the active asset to the Asset Browser, with a thumbnail and tags"""
 
     bl_idname = "fantasia3d.mark_asset"
-    bl_label = "To Asset Browser"
+    bl_label = "Mark as Asset"
     bl_options = UNDO
-    word, pause, shares_window = "Thumbnail", 0.1, True
+    title, pause, shares_window = "Thumbnail", 0.1, True
 
-    tags: StringProperty(name="Tags", description="With commas between", default="generated")
+    tags: option_property(options.TAGS)
     library: StringProperty(
-        name="Library", description="A library's folder to save it into; empty for this file alone",
-        subtype="DIR_PATH",
+        name="Library", description="Folder of an asset library to save it into; empty: only in "
+        "this file", subtype="DIR_PATH",
     )  # fmt: skip
-    thumbnail: BoolProperty(name="Render Thumbnail", default=True)
+    thumbnail: BoolProperty(
+        name="Render Thumbnail", description="Render a picture for the Asset Browser", default=True
+    )
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         obj = context.active_object
@@ -77,15 +76,16 @@ class FANTASIA3D_OT_mark_asset(Stepwise, bpy.types.Operator):
             asset_browser.mark_asset(obj, self.tags.split(","), thumbnail=self.thumbnail)
             self._save(obj)
 
-        return told(self, mark)
+        return run_and_report(self, mark)
 
     def steps(self, context: bpy.types.Context) -> Iterator[tuple[str, float]]:
         name = context.active_object.name
         asset_browser.mark_asset(context.active_object, self.tags.split(","), thumbnail=False)
         if self.thumbnail:
-            work = blender_process.send(context.active_object, "thumbnail")
-            yield from until_done(work)
-            picture = blender_process.pixels(work.result)
+            task = blender_process.start(context.active_object, "thumbnail")
+            yield from wait_for(task)
+            picture = blender_process.load_pixels(task.result)
+            # By name: meanwhile the user may have removed the object, or undone a step.
             asset_browser.set_preview(mesh_object(bpy.data.objects.get(name)), picture)
         self._save(mesh_object(bpy.data.objects.get(name)))
 
@@ -94,7 +94,4 @@ class FANTASIA3D_OT_mark_asset(Stepwise, bpy.types.Operator):
             asset_browser.save_to_library(obj, Path(bpy.path.abspath(self.library)))
 
 
-CLASSES = (
-    FANTASIA3D_OT_export,
-    FANTASIA3D_OT_mark_asset,
-)
+CLASSES = (FANTASIA3D_OT_export, FANTASIA3D_OT_mark_asset)

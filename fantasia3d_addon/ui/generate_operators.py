@@ -1,4 +1,4 @@
-"""The panel's operators: each reads properties, calls one function, and reports."""
+"""The main panel's operators: each reads properties, calls one function, and reports."""
 
 from __future__ import annotations
 
@@ -6,24 +6,24 @@ import random
 from pathlib import Path
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
+from ..blender.mesh_arrays import EDIT_MODE
 from ..jobs import history, submit
-from ..jobs.import_result import mark_taken
+from ..jobs.import_result import mark_imported
 from ..jobs.session import session
 from .operator_helpers import USER_ERRORS, import_at_cursor, queue_job, report_error
 
 
 class FANTASIA3D_OT_generate(bpy.types.Operator):
-    """Make a textured mesh from the prompt, in the background"""
+    """Generate a textured mesh from the prompt, in the background"""
 
     bl_idname = "fantasia3d.generate"
     bl_label = "Generate"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        reason = submit.reason_against(context)
+        reason = submit.reason_against_generate(context)
         cls.poll_message_set(reason)
         return not reason
 
@@ -32,7 +32,7 @@ class FANTASIA3D_OT_generate(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_texture(bpy.types.Operator):
-    """Make a material for the selected mesh from the prompt, in the background"""
+    """Generate a material for the active mesh from the prompt, in the background"""
 
     bl_idname = "fantasia3d.texture"
     bl_label = "Texture"
@@ -40,7 +40,6 @@ class FANTASIA3D_OT_texture(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
         reason = submit.reason_against_texture(context)
         cls.poll_message_set(reason)
         return not reason
@@ -55,11 +54,11 @@ class FANTASIA3D_OT_cancel(bpy.types.Operator):
     bl_idname = "fantasia3d.cancel"
     bl_label = "Cancel"
 
-    run: StringProperty(name="Run", description="The folder's name; empty for the first")
+    run: StringProperty(name="Run", description="Name of the run folder; empty: the first run")
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("Nothing is running.")
+        cls.poll_message_set("No job is running.")
         return bool(session.running)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -76,7 +75,7 @@ class FANTASIA3D_OT_stop_now(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         cls.poll_message_set("Press Cancel first.")
-        return any(follow.progress.cancelling for follow in session.running)
+        return any(followed.progress.cancelling for followed in session.running)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.kill()
@@ -84,7 +83,7 @@ class FANTASIA3D_OT_stop_now(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_dismiss(bpy.types.Operator):
-    """Put the message away"""
+    """Hide the message"""
 
     bl_idname = "fantasia3d.dismiss"
     bl_label = "Dismiss"
@@ -92,24 +91,27 @@ class FANTASIA3D_OT_dismiss(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.error, session.last, session.asset = None, None, ""
         for entry in session.missed:
-            mark_taken(entry.folder)  # it is not told again at the next start
+            mark_imported(entry.folder)  # it is not offered again at the next start
         session.missed.clear()
         return {"FINISHED"}
 
 
 class FANTASIA3D_OT_import_asset(bpy.types.Operator):
-    """Put an asset folder into the scene, at the 3D cursor"""
+    """Import an asset folder into the scene, at the 3D cursor"""
 
     bl_idname = "fantasia3d.import_asset"
     bl_label = "Import Asset"
     bl_options = {"REGISTER", "UNDO"}
 
-    directory: StringProperty(name="Folder", subtype="DIR_PATH")
-    filter_folder: bpy.props.BoolProperty(default=True, options={"HIDDEN"})
+    directory: StringProperty(
+        name="Folder", description="An asset folder, or the run folder around it",
+        subtype="DIR_PATH",
+    )  # fmt: skip
+    filter_folder: BoolProperty(default=True, options={"HIDDEN"})  # the file browser's own filter
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("Leave the edit mode first.")
+        cls.poll_message_set(EDIT_MODE)
         return context.mode == "OBJECT"
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -125,7 +127,7 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_new_seed(bpy.types.Operator):
-    """Draw another seed"""
+    """Choose another seed at random"""
 
     bl_idname = "fantasia3d.new_seed"
     bl_label = "New Seed"
@@ -137,7 +139,7 @@ class FANTASIA3D_OT_new_seed(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
-    """Take the selected mesh as the shape to start from"""
+    """Use the active mesh as the shape to start from"""
 
     bl_idname = "fantasia3d.guide_from_selection"
     bl_label = "Use Selected Mesh"
@@ -154,7 +156,7 @@ class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_open_log(bpy.types.Operator):
-    """Open what the last run printed"""
+    """Open the log of the last run"""
 
     bl_idname = "fantasia3d.open_log"
     bl_label = "Open Log"

@@ -1,4 +1,4 @@
-"""The sidebar's tab: what to make, how far it is, what came of it."""
+"""The main panel: what to make, its progress, its result."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ import bpy
 from ..blender import compat
 from ..environment import SetupError
 from ..jobs import memory, submit
-from ..jobs.import_result import obstacle
+from ..jobs.import_result import reason_to_wait
 from ..jobs.job_settings import FILE
 from ..jobs.paths import Paths
-from ..jobs.progress import Follow
+from ..jobs.progress import FollowedRun
 from ..jobs.session import session
 from . import icons
 from .presets import FANTASIA3D_PT_presets
 from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
-from .text import TAB, fold, message, sentence
+from .text import TAB, collapsible, error_and_fix, wrapped_label
 
-PICTURE = 7.0  # of the preview, in rows
+PICTURE = 7.0  # height of the preview, in rows
 
 
 class FANTASIA3D_PT_generate(bpy.types.Panel):
@@ -37,26 +37,26 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         layout, settings = self.layout, context.scene.fantasia3d
         if not is_set_up(context):
             box = layout.box()
-            sentence(box, context, "Once, before the first asset:", "INFO")
+            wrapped_label(box, context, "Installation required, once:", "INFO")
             draw_set_up(box, context)
         layout.row().prop(settings, "task", expand=True)
         column = layout.column(align=True)
         compat.text_field(column, settings, "prompt", placeholder="a red wooden chair")
-        column.prop(settings, "negative_prompt", text="", placeholder="without: …")
+        column.prop(settings, "negative_prompt", text="", placeholder="Negative prompt")
         layout.use_property_split = True
         layout.use_property_decorate = False
         _draw_settings(layout, settings)
         if settings.task == "texture":
             _draw_mesh(layout, context)
-        _draw_folds(layout, context)
+        _draw_collapsed(layout, context)
         _draw_button(layout, context)
-        for follow in session.running:
-            _draw_run(layout, context, follow)
-        _draw_outcome(layout, context)
+        for followed in session.running:
+            _draw_run(layout, context, followed)
+        _draw_result(layout, context)
 
 
 def is_set_up(context: bpy.types.Context) -> bool:
-    """Whether there is a Python for the core."""
+    """Whether the core's Python exists."""
     try:
         return Paths(context).python.exists()
     except SetupError:
@@ -77,15 +77,16 @@ def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup
 
 
 def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    """What happens to the mesh that is selected."""
+    """The settings of a job that textures the active mesh."""
     settings, obj = context.scene.fantasia3d, context.active_object
     column = layout.column()
+    # A label in the two columns of Blender's property split, which labels do not follow.
     split = column.split(factor=0.4)
     right = split.row()
     right.alignment = "RIGHT"
     right.label(text="Mesh")
-    there = obj is not None and obj.type == "MESH"
-    split.label(text=obj.name if there else "none is selected", icon="OUTLINER_OB_MESH")
+    is_mesh = obj is not None and obj.type == "MESH"
+    split.label(text=obj.name if is_mesh else "None selected", icon="OUTLINER_OB_MESH")
     column.row().prop(settings, "uv", expand=True)
     column.row().prop(settings, "assign", expand=True)
     column.prop(settings, "use_present_color")
@@ -93,10 +94,31 @@ def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
         column.prop(settings, "color_strength")
 
 
-def _draw_folds(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    """What the quality decides unless it is said here."""
+def _draw_collapsed(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """Settings that the quality decides unless they are set here."""
     settings = context.scene.fantasia3d
-    body = fold(layout, "guide", "Start from a Mesh") if settings.task == "generate" else None
+    if settings.task == "generate":
+        _draw_guide(layout, settings)
+    body = collapsible(layout, "light", "Light")
+    if body:
+        body.template_icon_view(settings, "light", show_labels=True, scale=5, scale_popup=5)
+        body.prop(settings, "light", text="")
+        if settings.light == FILE:
+            body.prop(settings, "light_file", text="")
+    body = collapsible(layout, "output", "Output")
+    if body:
+        body.prop(settings, "texture_size")
+        if settings.task == "generate":
+            body.prop(settings, "max_faces")
+        wrapped_label(body, context, _memory_line(settings)[0], dimmed=True)
+    body = collapsible(layout, "advanced", "Advanced")
+    if body:
+        body.prop(settings, "device")
+        body.prop(settings, "overrides", placeholder="stage.field=value")
+
+
+def _draw_guide(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    body = collapsible(layout, "guide", "Guide Mesh")
     if body:
         row = body.row(align=True)
         row.prop(settings, "guide")
@@ -104,96 +126,89 @@ def _draw_folds(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
         row = body.row()
         row.active = settings.guide is not None
         row.prop(settings, "guide_strength")
-    body = fold(layout, "light", "Light")
-    if body:
-        body.template_icon_view(settings, "light", show_labels=True, scale=5, scale_popup=5)
-        body.prop(settings, "light", text="")
-        if settings.light == FILE:
-            body.prop(settings, "light_file", text="")
-    body = fold(layout, "output", "Size")
-    if body:
-        body.prop(settings, "texture_size")
-        if settings.task == "generate":
-            body.prop(settings, "max_faces")
-        sentence(body, context, _memory_line(settings)[0], quiet=True)
-    body = fold(layout, "advanced", "Advanced")
-    if body:
-        body.prop(settings, "device")
-        body.prop(settings, "overrides", placeholder="stage.field=value")
 
 
 def _memory_line(settings: bpy.types.PropertyGroup) -> tuple[str, bool]:
-    """What the job will take, and whether this machine has it."""
+    """The memory that the job needs as text, and whether this machine has it."""
     return memory.line(settings.preset, int(settings.texture_size), session.free_memory())
 
 
 def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    """The one large button, and why it can't be pressed."""
-    textures = context.scene.fantasia3d.task == "texture"
+    """The large button, and why it is disabled."""
+    if context.scene.fantasia3d.task == "texture":
+        reason = submit.reason_against_texture(context)
+        label, operator = "Texture", "fantasia3d.texture"
+    else:
+        reason = submit.reason_against_generate(context)
+        label, operator = "Generate", "fantasia3d.generate"
     column = layout.column()
     row = column.row()
     row.scale_y = 1.5
-    if textures:
-        reason = submit.reason_against_texture(context)
-        word, name = "Texture", "fantasia3d.texture"
-    else:
-        reason = submit.reason_against(context)
-        word, name = "Generate", "fantasia3d.generate"
     if session.busy:
-        row.operator(name, text="Add to Queue", icon="ADD")
+        row.operator(operator, text="Add to Queue", icon="ADD")
     else:
-        row.operator(name, text=word, icon="SHADERFX")
+        row.operator(operator, text=label, icon="SHADERFX")
     if reason:
-        sentence(column, context, reason, "INFO", quiet=True)
-    said, enough = _memory_line(context.scene.fantasia3d)
-    if not enough and not session.running:
-        sentence(column, context, said, "ERROR")
+        wrapped_label(column, context, reason, "INFO", dimmed=True)
+    text, is_enough = _memory_line(context.scene.fantasia3d)
+    # While a job runs, its own memory is in use: the sum would be wrong.
+    if not is_enough and not session.running:
+        wrapped_label(column, context, text, "ERROR")
 
 
-def _draw_run(layout: bpy.types.UILayout, context: bpy.types.Context, follow: Follow) -> None:
-    """The picture, the bar, the time, and Cancel."""
-    box, progress = layout.box().column(), follow.progress
-    picture = icons.icon(follow.picture, at_once=True)
+def _draw_run(
+    layout: bpy.types.UILayout, context: bpy.types.Context, followed: FollowedRun
+) -> None:
+    """The picture, the progress bar, the time left, and Cancel."""
+    box, progress = layout.box().column(), followed.progress
+    picture = icons.icon(followed.picture, at_once=True)
     if picture:
         box.template_icon(picture, scale=PICTURE)
-    sentence(box, context, follow.prompt, "OUTLINER_OB_MESH")
-    box.progress(factor=progress.share, text=progress.line)
+    wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH")
+    box.progress(factor=progress.fraction, text=progress.line)
     if progress.detail:
-        sentence(box, context, progress.detail, quiet=True)
-    if follow.warning:
-        message(box, context, follow.warning, "INFO")
+        wrapped_label(box, context, progress.detail, dimmed=True)
+    if followed.warning:
+        error_and_fix(box, context, followed.warning, "INFO")
     row = box.row(align=True)
     if progress.overdue:
         row.operator("fantasia3d.stop_now", icon="X")
     else:
         row.enabled = not progress.cancelling
-        row.operator("fantasia3d.cancel", icon="CANCEL").run = follow.name
+        row.operator("fantasia3d.cancel", icon="CANCEL").run = followed.name
 
 
-def _draw_outcome(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    """What came of the last run, and what came while nobody looked."""
+def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """The result of the last run, and assets that wait for their import."""
     last = session.last
     if session.error:
-        box = layout.box().column()
-        message(box, context, session.error, "ERROR")
-        row = box.row(align=True)
-        row.operator("fantasia3d.open_log", icon="TEXT")
-        if last and last.end and last.end.type == "error" and last.run.resumable:
-            row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
-        row.operator("fantasia3d.dismiss", text="", icon="X")
+        _draw_error(layout, context, session.error)
     elif last and last.end and last.end.type == "cancelled":
         row = layout.row(align=True)
         row.label(text="Cancelled", icon="CANCEL")
         row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif session.asset:
-        sentence(layout, context, f"Made: {session.asset}", "CHECKMARK")
+        wrapped_label(layout, context, f"Imported: {session.asset}", "CHECKMARK")
     for entry in session.missed:
         row = layout.row(align=True)
         row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
         row.operator("fantasia3d.job_import", icon="IMPORT").folder = str(entry.folder)
-    if session.arriving:
-        sentence(layout, context, f"The asset is ready. {obstacle()}", "CHECKMARK")
+    if session.importing:
+        wrapped_label(layout, context, f"The asset is ready. {reason_to_wait()}", "CHECKMARK")
+
+
+def _draw_error(
+    layout: bpy.types.UILayout, context: bpy.types.Context, error: tuple[str, str]
+) -> None:
+    last = session.last
+    box = layout.box().column()
+    error_and_fix(box, context, error, "ERROR")
+    row = box.row(align=True)
+    row.operator("fantasia3d.open_log", icon="TEXT")
+    if last and last.end and last.end.type == "error" and last.run.resumable:
+        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+    row.operator("fantasia3d.dismiss", text="", icon="X")
 
 
 CLASSES = (FANTASIA3D_PT_generate, FANTASIA3D_PT_set_up)

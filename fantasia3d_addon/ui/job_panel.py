@@ -7,12 +7,13 @@ import time
 import bpy
 
 from ..jobs import history
+from ..jobs.events import STAGES
 from ..jobs.history import Entry
-from ..jobs.progress import STAGES, read_job
+from ..jobs.job_file import read_job
 from ..jobs.session import session
 from . import icons
 from .job_operators import entry_of, selected
-from .text import TAB, duration, sentence
+from .text import TAB, duration, wrapped_label
 
 ICONS = {
     history.WAITING: "TIME",
@@ -22,7 +23,8 @@ ICONS = {
     history.CANCELLED: "CANCEL",
     history.STOPPED: "ERROR",
 }
-PICTURE = 6.0  # in rows
+STATES = {history.WAITING: "Queued"}  # as the panel names them where it differs
+PICTURE = 6.0  # height in rows
 
 
 class FANTASIA3D_UL_runs(bpy.types.UIList):
@@ -30,7 +32,7 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
 
     def draw_item(self, context, layout, data, item, icon, active_data, active_property) -> None:
         entry = entry_of(item.name)
-        if entry is None:
+        if entry is None:  # removed since the list was made
             layout.label(text="…")
             return
         picture = icons.icon(entry.picture)
@@ -48,7 +50,7 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
         items = getattr(data, property)
         words = self.filter_name.lower()
         if not words:
-            return [], []
+            return [], []  # all, in the given order
         shown = [bool((e := entry_of(item.name)) and words in e.prompt.lower()) for item in items]
         return [self.bitflag_filter_item if yes else 0 for yes in shown], []
 
@@ -71,14 +73,14 @@ class FANTASIA3D_PT_jobs(bpy.types.Panel):
         layout, jobs = self.layout, context.window_manager.fantasia3d
         _draw_queue(layout, context)
         if not len(jobs.entries):
-            sentence(layout, context, "Nothing was made yet.", quiet=True)
+            wrapped_label(layout, context, "No jobs yet.", dimmed=True)
             layout.operator("fantasia3d.import_asset", icon="IMPORT")
             return
         layout.template_list("FANTASIA3D_UL_runs", "", jobs, "entries", jobs, "index", rows=4)
         entry = selected(context)
         if entry:
             _draw_entry(layout, context, entry)
-        layout.operator("fantasia3d.import_asset", text="Import from a Folder", icon="IMPORT")
+        layout.operator("fantasia3d.import_asset", text="Import from Folder", icon="IMPORT")
 
 
 def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -90,22 +92,23 @@ def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
         row.label(text=f"{number}. {read_job(folder).get('prompt', folder.name)}", icon="TIME")
         row.operator("fantasia3d.queue_drop", text="", icon="X", emboss=False).folder = str(folder)
     if session.paused:
-        sentence(box, context, "An earlier Blender left these waiting.", quiet=True)
+        text = "These jobs were queued in an earlier Blender session."
+        wrapped_label(box, context, text, dimmed=True)
         box.operator("fantasia3d.queue_go_on", icon="PLAY")
 
 
 def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: Entry) -> None:
-    """The selected run: its picture, its exact settings, what can be done with it."""
+    """The selected run: its picture, its exact settings, its buttons."""
     box = layout.box().column()
     picture = icons.icon(entry.picture)
     if picture:
         box.template_icon(picture, scale=PICTURE)
-    sentence(box, context, entry.prompt)
+    wrapped_label(box, context, entry.prompt)
     column = box.column(align=True)
     for line in facts(entry):
-        sentence(column, context, line, quiet=True)
+        wrapped_label(column, context, line, dimmed=True)
     if entry.state in (history.FAILED, history.STOPPED):
-        sentence(box, context, entry.text or "It stopped without a word.", "ERROR")
+        wrapped_label(box, context, entry.text or "No error was reported.", "ERROR")
     path = str(entry.folder)
     row = box.row(align=True)
     if entry.state == history.DONE:
@@ -123,21 +126,23 @@ def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: E
 
 
 def facts(entry: Entry) -> list[str]:
-    """The settings of a run that tell it from others, in a few short lines."""
-    job = entry.job
-    when = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.begun))
-    took = f", {duration(entry.seconds)}" if entry.state == history.DONE else ""
+    """The settings of a run that distinguish it from others, in a few short lines."""
+    job, done = entry.job, entry.state == history.DONE
+    when = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.requested))
+    took = f", {duration(entry.seconds)}" if done else ""
     stage = f" in “{STAGES.get(entry.stage, entry.stage)}”" if entry.stage else ""
-    state = "" if entry.state == history.DONE else f"{entry.state.capitalize()}{stage}"
+    state = "" if done else f"{STATES.get(entry.state, entry.state.capitalize())}{stage}"
     lines = [f"{when}{took}", state]
     lines.append(f"{str(job.get('preset', '')).capitalize()}, seed {job.get('seed', 0)}")
+    # Only what differs from the default.
     if job.get("negative_prompt"):
-        lines.append(f"Without: {job['negative_prompt']}")
+        lines.append(f"Negative prompt: {job['negative_prompt']}")
     if job.get("guidance", "builtin") != "builtin":
-        lines.append(f"Guidance: {job['guidance']}")
+        lines.append(f"Model: {job['guidance']}")
     if job.get("guide_mesh"):
-        lines.append(f"From a mesh, strength {job.get('guide_strength', 0.5):.2g}")
+        lines.append(f"Guide mesh, strength {job.get('guide_strength', 0.5):.2g}")
     if job.get("light", "studio") != "studio":
+        # The file's name alone; chr(92) is the backslash of Windows.
         lines.append(f"Light: {job['light'].replace(chr(92), '/').rpartition('/')[2]}")
     for key, unit in (("texture_size", "texels"), ("max_faces", "faces")):
         if job.get(key):

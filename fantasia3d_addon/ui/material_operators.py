@@ -1,105 +1,101 @@
-"""Materials by buttons. Each operator calls one function."""
+"""The operators for materials. Each calls one function."""
 
 from __future__ import annotations
 
 import bpy
-from bpy.props import (
-    BoolProperty,
-    FloatProperty,
-    FloatVectorProperty,
-    StringProperty,
-)
+from bpy.props import FloatVectorProperty
 
+from .. import options
 from ..material import edit as material_edit
 from ..material import library as material_library
-from .operator_helpers import UNDO, allowed, told
+from .operator_helpers import UNDO, can_run, run_and_report
+from .option_properties import option_property
 
 
 class FANTASIA3D_OT_replace_material(bpy.types.Operator):
-    """Show the asset in another material; its own and the baked maps are kept"""
+    """Show the asset in another material; its own materials and baked maps are kept"""
 
     bl_idname = "fantasia3d.replace_material"
     bl_label = "Replace Material"
     bl_options = UNDO
 
-    material: StringProperty(
-        name="Material", description="wood, gold, …, or a material of this file", default="wood"
-    )
-    keep_normals: BoolProperty(name="Keep Baked Detail", default=True)
+    material: option_property(options.MATERIAL)
+    keep_normals: option_property(options.KEEP_NORMALS)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        name = self.material
+        # A name of the library comes first; else a material of the file, or an error by name.
+        name, obj = self.material, context.active_object
         given = name if name in material_library.NAMES else bpy.data.materials.get(name, name)
-        obj = context.active_object
-        return told(self, lambda: material_edit.replace_material(obj, given, self.keep_normals))
+        return run_and_report(
+            self, lambda: material_edit.replace_material(obj, given, self.keep_normals)
+        )
 
 
 class FANTASIA3D_OT_restore_material(bpy.types.Operator):
-    """Go back to the asset's own material"""
+    """Show the asset in its own material again"""
 
     bl_idname = "fantasia3d.restore_material"
-    bl_label = "Own Material"
+    bl_label = "Restore Original"
     bl_options = UNDO
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
         obj = context.active_object
-        kept = obj is not None and obj.get(material_edit.KEPT) is not None
-        return allowed(cls, context, "" if kept else "It has its own material.")
+        replaced = obj is not None and obj.get(material_edit.KEPT) is not None
+        return can_run(cls, context, "" if replaced else "It shows its own material.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(self, lambda: material_edit.restore_material(context.active_object))
+        return run_and_report(self, lambda: material_edit.restore_material(context.active_object))
 
 
 class FANTASIA3D_OT_adjust_material(bpy.types.Operator):
-    """Tint the material, and scale its roughness and metallic; the baked maps stay"""
+    """Add nodes that tint the material and scale its roughness and metallic; the maps stay"""
 
     bl_idname = "fantasia3d.adjust_material"
-    bl_label = "Adjust Material"
+    bl_label = "Add Adjustment Nodes"
     bl_options = UNDO
 
-    tint: FloatVectorProperty(name="Tint", subtype="COLOR", default=(1, 1, 1), min=0, max=1)
-    roughness_scale: FloatProperty(name="Roughness", default=1.0, min=0.0, soft_max=2.0)
-    metallic_scale: FloatProperty(name="Metallic", default=1.0, min=0.0, soft_max=2.0)
+    tint: FloatVectorProperty(
+        name="Tint", description="Colour that multiplies the base colour", subtype="COLOR",
+        default=(1, 1, 1), min=0, max=1,
+    )  # fmt: skip
+    roughness_scale: option_property(options.ROUGHNESS_SCALE)
+    metallic_scale: option_property(options.METALLIC_SCALE)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context, _material_reason(context))
+        return can_run(cls, context, _reason_against_adjusting(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         values = self.tint, self.roughness_scale, self.metallic_scale
         material = context.active_object.active_material
-        return told(self, lambda: material_edit.adjust_material(material, *values))
+        return run_and_report(self, lambda: material_edit.adjust_material(material, *values))
 
 
 class FANTASIA3D_OT_reset_material(bpy.types.Operator):
-    """Take the tint and the scales off again"""
+    """Remove the adjustment nodes"""
 
     bl_idname = "fantasia3d.reset_material"
-    bl_label = "Reset"
+    bl_label = "Remove Adjustment Nodes"
     bl_options = UNDO
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context, _material_reason(context))
+        return can_run(cls, context, _reason_against_adjusting(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         material = context.active_object.active_material
-        return told(self, lambda: material_edit.reset_material(material))
+        return run_and_report(self, lambda: material_edit.reset_material(material))
 
 
-def _material_reason(context: bpy.types.Context) -> str:
+def _reason_against_adjusting(context: bpy.types.Context) -> str:
     obj = context.active_object
-    has = obj and material_edit.principled(obj.active_material)
-    return "" if has else "Its material has no Principled BSDF."
+    has_bsdf = obj and material_edit.principled(obj.active_material)
+    return "" if has_bsdf else "Its material has no Principled BSDF."
 
 
 CLASSES = (

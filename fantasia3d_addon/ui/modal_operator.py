@@ -1,4 +1,4 @@
-"""Operators that take a while: in a window they go on a step at a time, Escape stops them."""
+"""Operators that take seconds: in a window they run in steps, and Escape cancels them."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from collections.abc import Iterator
 
 import bpy
 
-from ..background.thread import Work
+from ..background.thread import Task
 from ..errors import AddonError
 
 
-class Stepwise:
-    """``steps`` does the work; ``word`` names it in the status bar.
+class ModalTask:
+    """Mixin of such operators: ``steps`` does the work, ``title`` names it in the status bar.
 
-    ``shares_window`` leaves the window to the user meanwhile, for what another process does.
+    ``shares_window`` leaves the window to the user meanwhile, for work of another process.
     """
 
-    word = ""
+    title = ""
     pause = 0.01  # seconds between two steps
     shares_window = False
 
     def steps(self, context: bpy.types.Context) -> Iterator[tuple[str, float]]:
-        """Yields what is being done and the share that is done."""
+        """Yields the present step and the fraction done; closing the iterator cancels the work."""
         raise NotImplementedError
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -33,14 +33,14 @@ class Stepwise:
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """One step for each tick of the timer."""
+        """One step for each event of the timer."""
         if event.type == "ESC":
             self._end(context)
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"} if self.shares_window else {"RUNNING_MODAL"}
         try:
-            word, share = next(self._steps)
+            step, fraction = next(self._steps)
         except StopIteration:
             self._end(context)
             return {"FINISHED"}
@@ -48,13 +48,13 @@ class Stepwise:
             self.report({"ERROR"}, str(error))
             self._end(context)
             return {"CANCELLED"}
-        context.window_manager.progress_update(100 * share)
-        context.workspace.status_text_set(f"{self.word}: {word} {share:.0%}    Esc: stop")
+        context.window_manager.progress_update(100 * fraction)
+        context.workspace.status_text_set(f"{self.title}: {step} {fraction:.0%}    Esc: Cancel")
         return {"PASS_THROUGH"} if self.shares_window else {"RUNNING_MODAL"}
 
     def cancel(self, context: bpy.types.Context) -> None:
-        """Another file is opened, or the window is closed."""
-        self._steps.close()
+        """Blender calls this when another file is opened or the window is closed."""
+        self._steps.close()  # the window's timer and status bar go with the window
 
     def _end(self, context: bpy.types.Context) -> None:
         self._steps.close()
@@ -63,16 +63,16 @@ class Stepwise:
         context.window_manager.event_timer_remove(self._timer)
 
 
-def until_done(work: Work) -> Iterator[tuple[str, float]]:
-    """Steps that wait for ``work``; given up, it is stopped.
+def wait_for(task: Task) -> Iterator[tuple[str, float]]:
+    """Steps that wait for ``task``, and cancel it when they are closed.
 
     Raises:
         AddonError: it failed.
     """
     try:
-        while work.running:
-            yield work.text, work.share
+        while task.running:
+            yield task.text, task.fraction
     finally:
-        work.cancel()
-    if work.error:
-        raise AddonError(*work.error)
+        task.cancel()
+    if task.error:
+        raise AddonError(*task.error)

@@ -1,4 +1,4 @@
-"""Simulations by buttons: a frame at a time, so that Escape stops them."""
+"""The operators for simulations."""
 
 from __future__ import annotations
 
@@ -6,60 +6,52 @@ import contextlib
 from collections.abc import Iterator
 
 import bpy
-from bpy.props import (
-    BoolProperty,
-    EnumProperty,
-    FloatProperty,
-    IntProperty,
-)
 
+from .. import options
 from ..physics import simulation
-from .modal_operator import Stepwise
-from .operator_helpers import UNDO, allowed, told
-from .tool_properties import KINDS
+from .modal_operator import ModalTask
+from .operator_helpers import UNDO, can_run, run_and_report
+from .option_properties import option_property
 
 
-class FANTASIA3D_OT_simulate(Stepwise, bpy.types.Operator):
-    """Simulate the active asset and bake it; what lies under it holds it up"""
+class FANTASIA3D_OT_simulate(ModalTask, bpy.types.Operator):
+    """Simulate the active asset and bake it; it falls onto what is below it"""
 
     bl_idname = "fantasia3d.simulate"
     bl_label = "Simulate"
     bl_options = UNDO
-    word = "Simulating"
+    title = "Simulating"
 
-    kind: EnumProperty(name="Simulation", items=KINDS)
-    frames: IntProperty(name="Frames", default=60, min=2, max=5000)
-    height: FloatProperty(name="Height", default=0.5, min=0.0, subtype="DISTANCE")
-    convex: BoolProperty(name="One Convex Hull")
-    softness: FloatProperty(name="Softness", default=0.5, min=0.0, max=1.0, subtype="FACTOR")
-    self_collision: BoolProperty(name="Self Collision")
+    kind: option_property(options.KIND)
+    frames: option_property(options.FRAMES)
+    height: option_property(options.HEIGHT)
+    convex: option_property(options.CONVEX)
+    softness: option_property(options.SOFTNESS)
+    self_collision: option_property(options.SELF_COLLISION)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
-    def chosen(self) -> simulation.Options:
+    def settings(self) -> simulation.Options:
         """The operator's properties."""
         return simulation.Options(
-            frames=self.frames, height=self.height, convex=self.convex, softness=self.softness,
-            self_collision=self.self_collision,
-        )  # fmt: skip
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(
-            self, lambda: simulation.simulate(context.active_object, self.kind, self.chosen())
+            **{option.name: getattr(self, option.name) for option in options.SIMULATION}
         )
 
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        obj = context.active_object
+        return run_and_report(self, lambda: simulation.simulate(obj, self.kind, self.settings()))
+
     def steps(self, context: bpy.types.Context) -> Iterator[tuple[str, float]]:
-        steps = simulation.steps(context.active_object, self.kind, self.chosen())
-        with contextlib.closing(steps):  # given up, it takes back what it began
-            for share in steps:
-                yield self.kind.capitalize(), share
+        steps = simulation.steps(context.active_object, self.kind, self.settings())
+        with contextlib.closing(steps):  # cancelled, it removes what it has made
+            for fraction in steps:
+                yield self.kind.capitalize(), fraction
 
 
 class FANTASIA3D_OT_clear_simulation(bpy.types.Operator):
-    """Take the simulation away, and what was made for it; the asset stands as before"""
+    """Remove the simulation and what was made for it; the asset is as before"""
 
     bl_idname = "fantasia3d.clear_simulation"
     bl_label = "Remove Simulation"
@@ -67,16 +59,12 @@ class FANTASIA3D_OT_clear_simulation(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
         obj = context.active_object
         simulated = obj is not None and simulation.is_simulated(obj)
-        return allowed(cls, context, "" if simulated else "It is not simulated.")
+        return can_run(cls, context, "" if simulated else "It is not simulated.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(self, lambda: simulation.clear(context.active_object))
+        return run_and_report(self, lambda: simulation.clear(context.active_object))
 
 
-CLASSES = (
-    FANTASIA3D_OT_simulate,
-    FANTASIA3D_OT_clear_simulation,
-)
+CLASSES = (FANTASIA3D_OT_simulate, FANTASIA3D_OT_clear_simulation)

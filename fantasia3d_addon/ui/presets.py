@@ -7,7 +7,7 @@ from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 
 FOLDER = "fantasia3d"
-SAVED = (  # what a preset holds: everything but the words, the seed and the objects
+SAVED = (  # what a preset holds: everything but the prompt, the seed and the objects
     "negative_prompt",
     "preset",
     "guidance",

@@ -48,7 +48,7 @@ CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 def register() -> None:
     """Register all classes, the settings of scenes and of this Blender, and the handlers."""
     icons.open_collection()
-    properties.forget_lights()
+    properties.clear_light_items()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     pointer = bpy.props.PointerProperty

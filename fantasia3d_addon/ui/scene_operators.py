@@ -1,4 +1,4 @@
-"""Light, turntable, Cornell box and placement by buttons. Each operator calls one function."""
+"""The operators for light, turntable, Cornell box and placement. Each calls one function."""
 
 from __future__ import annotations
 
@@ -6,34 +6,32 @@ import math
 from pathlib import Path
 
 import bpy
-from bpy.props import (
-    EnumProperty,
-    FloatProperty,
-    IntProperty,
-    StringProperty,
-)
+from bpy.props import StringProperty
 
+from .. import options
 from ..scene import cornell_box, placement, relight
-from .operator_helpers import UNDO, allowed, rendering, told
-from .tool_properties import TURNS
+from .operator_helpers import UNDO, can_run, rendering, run_and_report
+from .option_properties import option_property
 
 
 class FANTASIA3D_OT_relight(bpy.types.Operator):
-    """Light the scene by an HDR or EXR picture from all sides; its own world stays in the file"""
+    """Light the scene by an HDR or EXR picture; the scene's own world stays in the file"""
 
     bl_idname = "fantasia3d.relight"
-    bl_label = "Relight"
+    bl_label = "Apply Lighting"
     bl_options = UNDO
 
     light: StringProperty(
         name="Light", description="studio, one of Blender's by name, or a file", default="studio"
     )
-    strength: FloatProperty(name="Strength", default=1.0, min=0.0, soft_max=10.0)
-    rotation: FloatProperty(name="Rotation", subtype="ANGLE")
+    strength: option_property(options.STRENGTH)
+    rotation: option_property(options.ROTATION)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         turn = math.degrees(self.rotation)
-        return told(self, lambda: relight.relight(context.scene, self.light, self.strength, turn))
+        return run_and_report(
+            self, lambda: relight.relight(context.scene, self.light, self.strength, turn)
+        )
 
 
 class FANTASIA3D_OT_turntable(bpy.types.Operator):
@@ -42,17 +40,19 @@ class FANTASIA3D_OT_turntable(bpy.types.Operator):
     bl_idname = "fantasia3d.turntable"
     bl_label = "Render Turntable"
 
-    filepath: StringProperty(name="File", subtype="FILE_PATH", default="//turntable.mp4")
+    filepath: StringProperty(
+        name="File", description="An MP4 file, or a folder for PNG files", subtype="FILE_PATH",
+        default="//turntable.mp4",
+    )  # fmt: skip
     filter_glob: StringProperty(default="*.mp4", options={"HIDDEN"})
-    frames: IntProperty(name="Frames", default=48, min=2)
-    turn: EnumProperty(name="Turn", items=TURNS)
-    size: IntProperty(name="Size", default=640, min=16)
-    samples: IntProperty(name="Samples", description="0: as many as needed", default=0, min=0)
+    frames: option_property(options.TURN_FRAMES)
+    turn: option_property(options.TURN)
+    size: option_property(options.SIZE)
+    samples: option_property(options.SAMPLES)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context, "" if not rendering() else "A render is going on.")
+        return can_run(cls, context, "A render is running." if rendering() else "")
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         context.window_manager.fileselect_add(self)
@@ -60,11 +60,9 @@ class FANTASIA3D_OT_turntable(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         out, obj = Path(bpy.path.abspath(self.filepath)), context.active_object
-        options = {"frames": self.frames, "turn": self.turn, "size": self.size}
-        if bpy.app.background:
-            more = options | {"samples": self.samples or None}
-            return told(self, lambda: relight.turntable(obj, out, **more))
-        return told(self, lambda: _render_in_window(obj, out, self.samples or None, options))
+        settings = {name: getattr(self, name) for name in ("frames", "turn", "size", "samples")}
+        render = relight.turntable if bpy.app.background else _render_in_window
+        return run_and_report(self, lambda: render(obj, out, **settings))
 
 
 class FANTASIA3D_OT_cornell_box(bpy.types.Operator):
@@ -74,23 +72,20 @@ class FANTASIA3D_OT_cornell_box(bpy.types.Operator):
     bl_label = "Cornell Box"
     bl_options = UNDO
 
-    height: FloatProperty(
-        name="Height", description="0 fits the assets", subtype="DISTANCE", min=0.0
-    )
+    height: option_property(options.BOX_HEIGHT)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
         built = cornell_box.box_of(context.scene) is not None
-        return allowed(cls, context, "This scene has a Cornell box." if built else "")
+        return can_run(cls, context, "This scene has a Cornell box already." if built else "")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         meshes = [obj for obj in context.selected_objects if obj.type == "MESH"]
-        return told(self, lambda: cornell_box.build(context.scene, meshes, self.height))
+        return run_and_report(self, lambda: cornell_box.build(context.scene, meshes, self.height))
 
 
 class FANTASIA3D_OT_remove_cornell_box(bpy.types.Operator):
-    """Take the Cornell box away; the assets, the world and the camera are as before"""
+    """Remove the Cornell box; the assets, the world and the camera are as before"""
 
     bl_idname = "fantasia3d.remove_cornell_box"
     bl_label = "Remove Cornell Box"
@@ -98,62 +93,58 @@ class FANTASIA3D_OT_remove_cornell_box(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
         cls.poll_message_set("This scene has no Cornell box.")
         return cornell_box.box_of(context.scene) is not None
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(self, lambda: cornell_box.remove(context.scene))
+        return run_and_report(self, lambda: cornell_box.remove(context.scene))
 
 
 class FANTASIA3D_OT_drop(bpy.types.Operator):
-    """Move the active asset down until it stands on what lies under it, or on the ground"""
+    """Move the active asset down onto the surface below it, or onto the ground at z = 0"""
 
     bl_idname = "fantasia3d.drop"
-    bl_label = "Drop"
+    bl_label = "Drop to Surface"
     bl_options = UNDO
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(self, lambda: placement.drop(context.active_object))
+        return run_and_report(self, lambda: placement.drop(context.active_object))
 
 
 class FANTASIA3D_OT_origin_to_base(bpy.types.Operator):
-    """Put the origin below the asset's middle, at its lowest point"""
+    """Set the origin to the lowest point, below the asset's centre"""
 
     bl_idname = "fantasia3d.origin_to_base"
-    bl_label = "Origin to Base"
+    bl_label = "Set Origin to Base"
     bl_options = UNDO
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        return allowed(cls, context)
+        return can_run(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return told(self, lambda: placement.origin_to_base(context.active_object))
+        return run_and_report(self, lambda: placement.origin_to_base(context.active_object))
 
 
-def _render_in_window(
-    obj: bpy.types.Object, out: Path, samples: int | None, options: dict[str, object]
-) -> None:
-    """Render as a job of Blender's, which leaves the window free, and clean up after it."""
-    scene = relight.turntable_scene(obj, out, samples=samples, **options)
-    name = scene.name
+def _render_in_window(obj: bpy.types.Object, out: Path, **settings: object) -> None:
+    """Render as a job of Blender, which leaves the window responsive, and clean up afterwards."""
+    name = relight.turntable_scene(obj, out, **settings).name
     bpy.ops.render.render("INVOKE_DEFAULT", animation=True, scene=name)
 
     def clean_up() -> float | None:
         if rendering():
             return 0.5
-        made = bpy.data.scenes.get(name)
-        if made:
-            relight.forget(made)
+        # By name: a reference to a datablock does not survive an undo.
+        scene = bpy.data.scenes.get(name)
+        if scene:
+            relight.remove_turntable_scene(scene)
         return None
 
+    # 2 s: the job must have started before it is looked at.
     bpy.app.timers.register(clean_up, first_interval=2.0, persistent=True)
 
 

@@ -1,4 +1,4 @@
-"""The core's Python environment by buttons: set up, check, repair, remove."""
+"""The operators of the core's Python environment: install, check, reinstall, uninstall."""
 
 from __future__ import annotations
 
@@ -7,29 +7,28 @@ from collections.abc import Callable
 import bpy
 
 from .. import PACKAGE, environment
-from ..background.thread import Work
+from ..background.thread import Task
 from ..jobs import environment_setup
 from ..jobs.paths import Paths
 from ..jobs.session import session
 from .operator_helpers import USER_ERRORS, report_error
 
 
-class _Setup:
-    """What the operators of the set-up share: they begin something and say why they can't."""
+class _SetupOperator:
+    """Mixin: starts a task of ``environment_setup``, one at a time."""
 
     @staticmethod
-    def reason() -> str:
-        return environment_setup.RUNNING if session.work and session.work.running else ""
+    def reason_against() -> str:
+        return environment_setup.RUNNING if session.task and session.task.running else ""
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Says why it can't be pressed."""
-        reason = cls.reason()
+        reason = cls.reason_against()
         cls.poll_message_set(reason)
         return not reason
 
-    def begin(
-        self, function: Callable[..., Work], context: bpy.types.Context, **options: bool
+    def start(
+        self, function: Callable[..., Task], context: bpy.types.Context, **options: bool
     ) -> set[str]:
         try:
             function(context, **options)
@@ -38,71 +37,71 @@ class _Setup:
         return {"FINISHED"}
 
 
-class FANTASIA3D_OT_set_up(_Setup, bpy.types.Operator):
-    """Make the method's own Python environment; nothing is installed into Blender"""
+class FANTASIA3D_OT_set_up(_SetupOperator, bpy.types.Operator):
+    """Create the method's own Python environment; nothing is installed into Blender"""
 
     bl_idname = "fantasia3d.set_up"
-    bl_label = "Set Up"
-    reason = staticmethod(environment_setup.reason_against)
+    bl_label = "Install"
+    reason_against = staticmethod(environment_setup.reason_against)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return self.begin(environment_setup.set_up, context)
+        return self.start(environment_setup.set_up, context)
 
 
-class FANTASIA3D_OT_repair(_Setup, bpy.types.Operator):
-    """Make the environment anew, from nothing"""
+class FANTASIA3D_OT_repair(_SetupOperator, bpy.types.Operator):
+    """Create the environment again from nothing"""
 
     bl_idname = "fantasia3d.repair"
-    bl_label = "Repair"
-    reason = staticmethod(environment_setup.reason_against)
+    bl_label = "Reinstall"
+    reason_against = staticmethod(environment_setup.reason_against)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return self.begin(environment_setup.set_up, context, renew=True)
+        return self.start(environment_setup.set_up, context, renew=True)
 
 
-class FANTASIA3D_OT_check(_Setup, bpy.types.Operator):
-    """See what is here and what is missing, and how to mend it"""
+class FANTASIA3D_OT_check(_SetupOperator, bpy.types.Operator):
+    """List what is installed and what is missing, with the fix"""
 
     bl_idname = "fantasia3d.check"
     bl_label = "Check"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return self.begin(environment_setup.check, context)
+        return self.start(environment_setup.check, context)
 
 
-class FANTASIA3D_OT_remove_environment(_Setup, bpy.types.Operator):
-    """Remove the environment that Set Up made; runs and assets stay"""
+class FANTASIA3D_OT_remove_environment(_SetupOperator, bpy.types.Operator):
+    """Remove the environment that Install created; runs and assets stay"""
 
     bl_idname = "fantasia3d.remove_environment"
-    bl_label = "Remove"
-    reason = staticmethod(environment_setup.reason_against_removal)
+    bl_label = "Uninstall"
+    reason_against = staticmethod(environment_setup.reason_against_removal)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         return context.window_manager.invoke_confirm(self, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        return self.begin(environment_setup.remove, context)
+        return self.start(environment_setup.remove, context)
 
 
 class FANTASIA3D_OT_cancel_set_up(bpy.types.Operator):
-    """Stop the set-up; nothing half-made is left"""
+    """Stop the installation; nothing incomplete is left"""
 
     bl_idname = "fantasia3d.cancel_set_up"
     bl_label = "Cancel"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("No set-up is running.")
-        return session.work is not None and session.work.running
+        cls.poll_message_set("No installation is running.")
+        return session.task is not None and session.task.running
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        if session.work:
-            session.work.cancel()
+        if session.task:
+            session.task.cancel()
         return {"FINISHED"}
 
 
 class FANTASIA3D_OT_open_set_up_log(bpy.types.Operator):
-    """Open what the last set-up printed"""
+    """Open the log of the last installation"""
 
     bl_idname = "fantasia3d.open_set_up_log"
     bl_label = "Open Log"
@@ -124,7 +123,7 @@ class FANTASIA3D_OT_open_preferences(bpy.types.Operator):
     """Folders of this machine: the environment, the runs, the models"""
 
     bl_idname = "fantasia3d.open_preferences"
-    bl_label = "Folders"
+    bl_label = "Preferences…"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

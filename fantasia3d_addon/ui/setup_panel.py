@@ -1,4 +1,4 @@
-"""The set-up in the panel and in the preferences: buttons, the bar, what was found."""
+"""The installation in the panel and in the preferences: buttons, progress, what was found."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import bpy
 from ..environment import Line
 from ..jobs import environment_setup
 from ..jobs.session import session
-from .text import TAB, message, sentence
+from .text import TAB, error_and_fix, wrapped_label
 
-ICONS = {"ok": "CHECKMARK", "MISSING": "ERROR", "-": "DOT"}
+ICONS = {"ok": "CHECKMARK", "MISSING": "ERROR", "-": "DOT"}  # by a Line's state
 
 
 class FANTASIA3D_PT_set_up(bpy.types.Panel):
     """The method's Python environment."""
 
     bl_idname = "FANTASIA3D_PT_set_up"
-    bl_label = "Set-Up"
+    bl_label = "Installation"
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = TAB
@@ -31,41 +31,44 @@ class FANTASIA3D_PT_set_up(bpy.types.Panel):
 def draw_set_up(
     layout: bpy.types.UILayout, context: bpy.types.Context, repair: bool = False
 ) -> None:
-    """The buttons that make, check and mend the core's Python, and what they found."""
-    work = session.work
-    if work and work.running:
-        layout.progress(factor=work.share, text=f"{work.title}  {work.share:.0%}")
-        sentence(layout, context, work.text, quiet=True)
+    """The buttons that create and check the core's Python, and their result.
+
+    ``repair`` adds those that create it again and remove it.
+    """
+    task = session.task
+    if task and task.running:
+        layout.progress(factor=task.fraction, text=f"{task.title}  {task.fraction:.0%}")
+        wrapped_label(layout, context, task.text, dimmed=True)
         row = layout.row(align=True)
-        row.enabled = not work.cancelled
+        row.enabled = not task.cancelled
         row.operator("fantasia3d.cancel_set_up", icon="CANCEL")
         return
     row = layout.row(align=True)
     row.operator("fantasia3d.set_up", icon="IMPORT")
     row.operator("fantasia3d.check", icon="VIEWZOOM")
     reason = environment_setup.reason_against()
-    if reason and not repair:  # the panel's box says it while there is none
-        sentence(layout, context, reason, "INFO", quiet=True)
+    if reason and not repair:  # not in both places: the main panel's box shows it first
+        wrapped_label(layout, context, reason, "INFO", dimmed=True)
     if repair:
         row = layout.row(align=True)
         row.operator("fantasia3d.repair", icon="FILE_REFRESH")
         row.operator("fantasia3d.remove_environment", icon="TRASH")
-    if work:
+    if task:
         _draw_result(layout, context)
 
 
 def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    work = session.work
-    if work is None:
+    task = session.task
+    if task is None:
         return
-    if work.error:
-        message(layout, context, work.error, "ERROR")
+    if task.error:
+        error_and_fix(layout, context, task.error, "ERROR")
         layout.operator("fantasia3d.open_set_up_log", icon="TEXT")
         return
-    lines = work.result if isinstance(work.result, list) else []
+    lines = task.result if isinstance(task.result, list) else []  # only a check has lines
     missing = any(isinstance(line, Line) and line.state == "MISSING" for line in lines)
-    sentence(layout, context, work.text, "ERROR" if missing else "CHECKMARK")
+    wrapped_label(layout, context, task.text, "ERROR" if missing else "CHECKMARK")
     column = layout.column(align=True)
     for line in lines:
-        sentence(column, context, f"{line.name}: {line.text}", ICONS.get(line.state, "DOT"),
-                 quiet=line.state != "MISSING")  # fmt: skip
+        text, icon = f"{line.name}: {line.text}", ICONS.get(line.state, "DOT")
+        wrapped_label(column, context, text, icon, dimmed=line.state != "MISSING")
