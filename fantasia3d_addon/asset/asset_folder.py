@@ -184,6 +184,7 @@ def _check_png(path: Path) -> None:
             end = file.read(4)
     except OSError:
         head = end = b""
+    # The header's width and height.
     sizes = head[16:20], head[20:24]
     if head[:8] != PNG or b"\0\0\0\0" in sizes or end != b"IEND":
         raise AssetError(f"{path} is no picture, or an incomplete one.", REMAKE)

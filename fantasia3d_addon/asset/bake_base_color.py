@@ -68,6 +68,7 @@ def _bake_scene(
     )
     made.append(mesh)
     mesh.uv_layers.active = mesh.uv_layers[uv_map]
+    # The object's slots, which may override those of its mesh.
     slots = [slot.material for slot in obj.material_slots] or [None]
     if not mesh.materials:
         mesh.materials.append(None)
@@ -142,6 +143,7 @@ def _mix(tree: bpy.types.NodeTree, shader: bpy.types.Node, name: str) -> bpy.typ
     """The two shaders' base colours, mixed as the shaders are."""
     mix = tree.nodes.new("ShaderNodeMix")
     mix.data_type = "RGBA"
+    # A mix of shaders becomes the same mix of their colours.
     factor, *shaders = shader.inputs[:3]
     if factor.is_linked:
         tree.links.new(factor.links[0].from_socket, mix.inputs[0])

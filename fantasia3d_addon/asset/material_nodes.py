@@ -9,6 +9,7 @@ import bpy
 from ..blender import compat
 
 UV_MAP = "UVMap"
+LABELS = {"base_color": "Base Color", "orm": "Roughness, Metallic", "normal": "Normal"}
 
 
 def build_material(
@@ -28,17 +29,7 @@ def build_material(
     bsdf.distribution = distribution
     _link(tree, bsdf, "BSDF", output, "Surface")
 
-    # An explicit UV map: the material must not depend on which one is active.
-    uv = _node(tree, "ShaderNodeUVMap", -1000, -200)
-    uv.uv_map = uv_map
-    maps = {}
-    for row, (role, label) in enumerate(
-        (("base_color", "Base Color"), ("orm", "Roughness, Metallic"), ("normal", "Normal"))
-    ):
-        maps[role] = _node(tree, "ShaderNodeTexImage", -700, 100 - 300 * row)
-        maps[role].image = images[role]
-        maps[role].label = label
-        _link(tree, uv, "UV", maps[role], "Vector")
+    maps = _add_pictures(tree, images, uv_map)
     _link(tree, maps["base_color"], "Color", bsdf, "Base Color")
 
     # The layout of glTF: green is roughness, blue is metallic.
@@ -54,6 +45,22 @@ def build_material(
     compat.set_opengl_convention(bump)
     _link(tree, maps["normal"], "Color", bump, "Color")
     _link(tree, bump, "Normal", bsdf, "Normal")
+
+
+def _add_pictures(
+    tree: bpy.types.NodeTree, images: Mapping[str, bpy.types.Image], uv_map: str
+) -> dict[str, bpy.types.Node]:
+    """The picture nodes by role, over the UV map ``uv_map``."""
+    # An explicit UV map: the material must not depend on which one is active.
+    uv = _node(tree, "ShaderNodeUVMap", -1000, -200)
+    uv.uv_map = uv_map
+    maps = {}
+    for row, (role, label) in enumerate(LABELS.items()):
+        maps[role] = _node(tree, "ShaderNodeTexImage", -700, 100 - 300 * row)
+        maps[role].image = images[role]
+        maps[role].label = label
+        _link(tree, uv, "UV", maps[role], "Vector")
+    return maps
 
 
 def _node(tree: bpy.types.NodeTree, kind: str, x: float, y: float) -> bpy.types.Node:

@@ -59,10 +59,21 @@ def prepare_object(
 
 
 def add_uv_map(context: bpy.types.Context, obj: bpy.types.Object) -> str:
-    """Add a UV map without overlaps, by Blender's Smart UV Project; its name.
+    """Add a UV map without overlaps, by Blender's Smart UV Project; its name."""
+    uv = _unwrapped(context, obj)
+    layers = obj.data.uv_layers
+    # A second job writes into the map of the first.
+    layer = layers.get(NEW_UV_MAP) or layers.new(name=NEW_UV_MAP, do_init=False)
+    if layer is None:
+        raise AddonError(
+            f"{obj.name} has as many UV maps as a mesh can have.", "Remove one of them."
+        )
+    layer.uv.foreach_set("vector", uv)
+    return layer.name
 
-    A copy is unwrapped, so that the user's selection inside the mesh stays.
-    """
+
+def _unwrapped(context: bpy.types.Context, obj: bpy.types.Object) -> np.ndarray:
+    """New UVs (2 L,) of the corners, from a copy: the user's selection in the mesh stays."""
     mesh = obj.data.copy()
     helper = bpy.data.objects.new("Unwrap", mesh)
     while mesh.uv_layers:
@@ -84,20 +95,13 @@ def add_uv_map(context: bpy.types.Context, obj: bpy.types.Object) -> str:
         bpy.ops.object.mode_set(mode="OBJECT")
         uv = np.empty(2 * len(mesh.loops), np.float32)
         mesh.uv_layers[NEW_UV_MAP].uv.foreach_get("vector", uv)
+        return uv
     finally:
         objects.active = active
         for other in selected:
             other.select_set(True)
         bpy.data.objects.remove(helper)
         bpy.data.meshes.remove(mesh)
-    layers = obj.data.uv_layers
-    layer = layers.get(NEW_UV_MAP) or layers.new(name=NEW_UV_MAP, do_init=False)
-    if layer is None:
-        raise AddonError(
-            f"{obj.name} has as many UV maps as a mesh can have.", "Remove one of them."
-        )
-    layer.uv.foreach_set("vector", uv)
-    return layer.name
 
 
 def assign_material(

@@ -47,6 +47,7 @@ class Task:
     def _run(self) -> None:
         try:
             self.result = self._function(self._report)
+        # What the user can fix is shown; a bug is shown too, and its traceback printed.
         except (SetupError, AddonError) as error:
             self.error = (error.text, error.fix)
         except Exception as error:

@@ -194,6 +194,7 @@ def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
     settings = {option.name: getattr(args, option.name) for option in options.SIMULATION}
     simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
     first = scene.frame_start
+    # The picture is of the last frame unless --at names one.
     last = first + args.frames - 1
     scene.frame_end = last
     if is_empty or not scene.camera:

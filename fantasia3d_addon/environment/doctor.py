@@ -60,6 +60,7 @@ def examine(root: Path, folder: Path | None = None, python: Path | None = None) 
     interpreter that is used instead of one. Inside Blender its own module counts, and the
     environment needs none.
     """
+    # Priority: the interpreter that is given, the variable, the environment.
     named = os.environ.get("FANTASIA3D_PYTHON", "") if python is None else str(python)
     given = named if folder is None or python else ""
     folder = folder or paths.env_folder(root)
@@ -99,6 +100,7 @@ def _packages(python: str, pins: Sequence[str]) -> list[Line]:
     if "bpy" in sys.modules:
         fix = 'press "Reinstall" under Installation'
     try:
+        # In the environment's own Python: this one may have other packages.
         done = subprocess.run(
             [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
         )

@@ -45,6 +45,7 @@ def ensure(
     root: Path,
     groups: Sequence[str],
     progress: Progress,
+    *,
     allow_cuda: bool = False,
     renew: bool = False,
     place: paths.Place | None = None,
@@ -59,6 +60,7 @@ def ensure(
     Raises:
         SetupError: something is missing that the user can fix; nothing incomplete is left.
     """
+    # The panel passes a place: a choice in the preferences comes before the variable.
     given = os.environ.get("FANTASIA3D_PYTHON")
     if given and place is None:
         found = shutil.which(str(Path(given).expanduser()))
@@ -70,6 +72,7 @@ def ensure(
         return Path(found)
     place = place or paths.Place()
     folder = place.folder or paths.env_folder(root)
+    # Without the lock first: the usual case is a complete environment.
     if renew or paths.lacking(folder, root, groups):
         machine.check_length(folder)
         with _locked(folder, progress, stopped) as lock:
@@ -127,6 +130,7 @@ def remove(folder: Path) -> None:
             "Set FANTASIA3D_ENV to an empty or new folder.",
         )
     (folder / paths.BUILDING).touch()  # so that an interrupted removal can be continued
+    # The marker goes first: from here on the environment counts as incomplete.
     (folder / paths.MARKER).unlink(missing_ok=True)
     for entry in list(folder.iterdir()):
         if entry.name != paths.BUILDING:
@@ -173,6 +177,7 @@ class _SetUp:
         fresh, base, gpu = "core" in todo, machine.find_python(self.base), machine.has_nvidia()
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
+        # Before anything is written; 1.5: until they are unpacked, the downloads need space too.
         machine.check_disk(self.folder, 1.5 * self.expected)  # with the downloads
         log = paths.log_file(self.folder)
         self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
@@ -208,6 +213,7 @@ class _SetUp:
         wanted = {group: paths.requirements(self.root, group) for group in ("core", *todo)}
         pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
         self._start_step("collecting packages")
+        # --no-compile: Python compiles what is imported; the rest would be compiled in vain.
         self._pip("install", "--no-compile", *pins)
         for group in todo:
             self._check(group)
@@ -221,6 +227,7 @@ class _SetUp:
             return
         self._start_step(f"checking {group}")
         try:
+            # -I: neither the current folder nor PYTHON variables may provide a module.
             self._run([self.python, "-I", "-c", CHECKS[group]])
         except SetupError as error:
             fix = f"On Debian and Ubuntu: apt install {LIBRARIES}." if group == "blender" else ""
@@ -236,6 +243,7 @@ class _SetUp:
         """
         core = paths.requirements(self.root, "core")
         pin = next(line for line in core if re.match(r"torch\b", line))
+        # A dry run: pip resolves the pin and reports which build it would download.
         report = self.folder / "report.json"
         self._start_step("asking pip for torch")
         self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
@@ -309,6 +317,7 @@ class _SetUp:
                 lines.put(line)
             lines.put(None)
 
+        # A thread, because reading a pipe blocks, and a cancel must be noticed meanwhile.
         threading.Thread(target=read, daemon=True).start()
         kept: list[str] = []
         last_output = time.monotonic()
@@ -334,6 +343,7 @@ class _SetUp:
 
     def _report(self, text: str) -> None:
         """Report a step; the fraction is by the bytes on disk: downloads count once unpacked."""
+        # lstat: a link to the base Python is not written here.
         written = sum(path.lstat().st_size for path in self.folder.rglob("*"))
         self.fraction = max(self.fraction, min(0.95, written / self.expected))
         self.progress(text, self.fraction)

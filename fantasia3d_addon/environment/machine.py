@@ -103,6 +103,7 @@ def find_python(given: Path | None = None) -> Path:
         SetupError: there is none.
     """
     version, without_venv = PYTHON, ""
+    # The first of the right version that can create environments; each is asked itself.
     for candidate in [str(given)] if given else dict.fromkeys(python_candidates()):
         answer = output([candidate, "-I", "-c", PROBE]) if candidate else ""
         found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
@@ -134,11 +135,13 @@ def try_lock(file: IO[bytes]) -> bool:
         if sys.platform == "win32":
             import msvcrt
 
+            # Windows locks bytes: always the first one, or two processes would lock different ones.
             file.seek(0)
             msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
         else:
             import fcntl
 
+            # flock belongs to the open file, and is released by the system when its process dies.
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         return False

@@ -20,6 +20,7 @@ BUILDING = "fantasia3d.building"  # in one that is being created: it may be remo
 def project_root() -> Path:
     """The folder with ``pyproject.toml`` and ``core``: in the packaged add-on, or this tree."""
     addon = Path(__file__).resolve().parent.parent
+    # In the installed extension, and in this repository.
     for root in (addon / "method", addon.parent):
         if (root / "pyproject.toml").is_file() and (root / "core").is_dir():
             return root
@@ -100,6 +101,7 @@ def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:
     """
     done = read_marker(folder).get("groups", {})
     wanted = {group: digest(requirements(root, group)) for group in ("core", *groups)}
+    # Groups are installed on top of the core: with another core they are not valid.
     if done.get("core") != wanted["core"]:
         return list(wanted)
     return [group for group, value in wanted.items() if done.get(group) != value]

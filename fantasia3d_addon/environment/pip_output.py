@@ -11,6 +11,7 @@ from .machine import SetupError
 
 LARGE = 5.0  # MB; smaller downloads are not reported
 
+# What pip, urllib3 and uv print when the registry cannot be reached.
 NETWORK = re.compile(
     r"NewConnectionError|NameResolutionError|Temporary failure in name resolution|"
     r"Failed to establish a new connection|getaddrinfo failed|Name or service not known|"
@@ -63,6 +64,7 @@ def pip_sources(config: str) -> dict[str, str]:
         key, equals, value = line.partition("=")
         name = names.get(key.rpartition(".")[2])
         if equals and name:
+            # pip prints the value as a Python string, with several sources on lines of their own.
             words = str(ast.literal_eval(value)).split()
             found[name] = (" " if name == "UV_INDEX" else ",").join(words)
     return found
@@ -90,6 +92,7 @@ def explain(text: str, log: Path) -> SetupError:
             f"FANTASIA3D_WHEELS to a folder of wheels. The log is {log}.",
         )
     lines = [line.strip() for line in text.splitlines() if line.strip()] or ["no output"]
+    # The last line that reads as an error, or else the last line.
     errors = [line for line in lines if re.match(r"(ERROR|\w*Error)\b", line)]
     return SetupError(
         f"A step of the set-up failed ({(errors or lines)[-1]}).", f"The log is {log}."

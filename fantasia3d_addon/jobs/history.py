@@ -140,9 +140,11 @@ def _events(path: Path) -> list[dict[str, Any]]:
     """The last events; all of them where the last session's start may be before the tail."""
     try:
         with path.open("rb") as file:
+            # The end is enough for a run that has ended: a long one has many thousand events.
             size = file.seek(0, 2)
             file.seek(max(0, size - TAIL))
             events = _parse(file.read(), whole=size <= TAIL)
+            # Still running, or dead: the "started" event with the process id may be further back.
             if size > TAIL and not (events and events[-1].get("type") in END_EVENTS):
                 file.seek(0)
                 events = _parse(file.read(), whole=True)

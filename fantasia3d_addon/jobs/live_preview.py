@@ -47,6 +47,7 @@ def find(run: str) -> bpy.types.Object | None:
 
 def remove(keep: Sequence[str] = ()) -> None:
     """Remove all previews but those of the runs ``keep``."""
+    # By the custom property: the user may have renamed the object.
     stale = [obj for obj in bpy.data.objects if RUN in obj and obj[RUN] not in keep]
     meshes = [obj.data for obj in stale]
     bpy.data.batch_remove([*stale, *(mesh for mesh in meshes if mesh.users == 1)])
@@ -64,12 +65,14 @@ def _add(collection: bpy.types.Collection, run: str, prompt: str) -> bpy.types.O
     name = data_name(prompt, " (preview)")
     obj = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     obj[RUN] = run
+    # Visible, but in no way part of the user's work.
     obj.hide_select = obj.hide_render = True
     collection.objects.link(obj)
     return obj
 
 
 def _fill(mesh: bpy.types.Mesh, verts: np.ndarray, faces: np.ndarray) -> None:
+    # In place: a new mesh for each preview would fill the file with unused ones.
     mesh.clear_geometry()
     mesh.vertices.add(len(verts))
     mesh.vertices.foreach_set("co", verts.ravel())

@@ -25,6 +25,7 @@ PERIOD = 5.0  # seconds between two measurements: a panel is drawn many times a 
 def needed(preset: str, texture_size: int = 0) -> float:
     """Bytes at the peak; ``texture_size`` 0 is the preset's own."""
     size = texture_size or SIZES[preset]
+    # Training and baking do not run at the same time: the larger counts.
     return max(TRAINING[preset], KEPT[preset] + TEXEL * size**2)
 
 
@@ -70,6 +71,7 @@ def line(preset: str, texture_size: int, free: float | None) -> tuple[str, bool]
 
 
 def _available_on_linux(meminfo: str) -> float:
+    # MemAvailable: what can be used without swapping, caches included; in kB.
     rows = dict(row.split(":", 1) for row in meminfo.splitlines() if ":" in row)
     return 1024.0 * int(rows["MemAvailable"].split()[0])
 

@@ -39,6 +39,7 @@ def replace_material(
     if KEPT not in obj:  # a second replacement must not overwrite the originals
         obj[KEPT] = {str(i): slot.material for i, slot in enumerate(obj.material_slots)}
     replaced = [slot.material for slot in obj.material_slots]
+    # Every slot, so that no face shows the old one.
     for slot in obj.material_slots:
         slot.material = material
     _remove_unused(replaced)
@@ -110,6 +111,7 @@ def principled(material: bpy.types.Material | None) -> bpy.types.Node | None:
     """The Principled node of the material; one that is connected comes first."""
     nodes = material.node_tree.nodes if material and material.node_tree else ()
     found = [node for node in nodes if node.bl_idname == "ShaderNodeBsdfPrincipled"]
+    # A material may hold several; the connected one is what is visible.
     shown = [node for node in found if node.outputs["BSDF"].links]
     return (shown or found or [None])[0]
 
@@ -124,6 +126,7 @@ def image_of(socket: bpy.types.NodeSocket) -> tuple[bpy.types.Image, str] | None
 
     "Color", or "Red", "Green", "Blue" after a Separate Color node.
     """
+    # Walks from the socket back to the picture, through what may be in between.
     channel = "Color"
     while socket.links:
         node, out = socket.links[0].from_node, socket.links[0].from_socket
@@ -154,6 +157,7 @@ def _edit_node(
     node.name = node.label = name
     node.location = (bsdf.location.x - 200, bsdf.location.y - 180 * list(EDITS).index(name))
     first = node.inputs[_first(node)]
+    # The constant of the socket becomes the first factor, or the link below does.
     first.default_value = socket.default_value
     factor(node).default_value = (1, 1, 1, 1) if into == "Base Color" else 1.0
     if socket.links:

@@ -64,8 +64,8 @@ def _wood(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None:
     )
     grain = _mixed(tree, grain, wobble, 0.25)
     light, dark = (0.5, 0.262, 0.105, 1), (0.235, 0.1, 0.036, 1)
-    tree.links.new(_ramp(tree, grain, dark, light, 0.3, 0.7), bsdf.inputs["Base Color"])
-    rough = _ramp(tree, grain, (0.62,) * 3 + (1,), (0.42,) * 3 + (1,), 0.0, 1.0)
+    tree.links.new(_ramp(tree, grain, dark, light, (0.3, 0.7)), bsdf.inputs["Base Color"])
+    rough = _ramp(tree, grain, (0.62,) * 3 + (1,), (0.42,) * 3 + (1,), (0.0, 1.0))
     tree.links.new(rough, bsdf.inputs["Roughness"])
     _bump(tree, bsdf, fibres, 0.12, size)
 
@@ -83,7 +83,7 @@ def _marble(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None
     tree.links.new(place, vein.inputs["Vector"])
     wave = vein.outputs["Factor" if "Factor" in vein.outputs else "Fac"]
     dark, light = (0.2, 0.21, 0.23, 1), (0.84, 0.83, 0.81, 1)
-    tree.links.new(_ramp(tree, wave, dark, light, 0.0, 0.22), bsdf.inputs["Base Color"])
+    tree.links.new(_ramp(tree, wave, dark, light, (0.0, 0.22)), bsdf.inputs["Base Color"])
     bsdf.inputs["Roughness"].default_value = 0.16
 
 
@@ -94,7 +94,7 @@ def _stone(tree: bpy.types.NodeTree, bsdf: bpy.types.Node, size: float) -> None:
     fine = _noise(tree, place, scale=70.0, detail=4.0)
     grain = _mixed(tree, coarse, fine, 0.45)
     dark, light = (0.12, 0.115, 0.105, 1), (0.46, 0.44, 0.41, 1)
-    tree.links.new(_ramp(tree, grain, dark, light, 0.35, 0.68), bsdf.inputs["Base Color"])
+    tree.links.new(_ramp(tree, grain, dark, light, (0.35, 0.68)), bsdf.inputs["Base Color"])
     bsdf.inputs["Roughness"].default_value = 0.86
     _bump(tree, bsdf, grain, 0.5, size)
 
@@ -150,14 +150,14 @@ def _ramp(
     value: bpy.types.NodeSocket,
     low: tuple[float, ...],
     high: tuple[float, ...],
-    start: float,
-    end: float,
+    span: tuple[float, float],
 ) -> bpy.types.NodeSocket:
+    """``value`` as a colour: ``low`` up to the first of ``span``, ``high`` from the second."""
     ramp = tree.nodes.new("ShaderNodeValToRGB")
     ramp.location = (-250, 0)
     first, last = ramp.color_ramp.elements
-    first.position, first.color = start, low
-    last.position, last.color = end, high
+    first.position, first.color = span[0], low
+    last.position, last.color = span[1], high
     tree.links.new(value, ramp.inputs[0])
     return ramp.outputs["Color"]
 
@@ -172,6 +172,7 @@ def _bump(
     bump = tree.nodes.new("ShaderNodeBump")
     bump.location = (-200, -400)
     bump.inputs["Strength"].default_value = strength
+    # 1 % of the size: a relief, not a displacement.
     bump.inputs["Distance"].default_value = 0.01 * size
     tree.links.new(height, bump.inputs["Height"])
     tree.links.new(bump.outputs["Normal"], bsdf.inputs["Normal"])

@@ -57,6 +57,7 @@ def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     if not obj.asset_data:
         raise AddonError(f"{obj.name} is not marked as an asset.", "Mark it first.")
     folder = Path(folder).expanduser().absolute()
+    # Characters that a file name may have on every system.
     words = "".join(c if c.isalnum() or c in " -_" else "_" for c in obj.name).strip()
     path = folder / f"{words or 'asset'}.blend"
     if not folder.is_dir():
@@ -70,6 +71,7 @@ def render_thumbnail(obj: bpy.types.Object) -> np.ndarray:
     """(H,W,4) sRGB with a transparent background, row 0 at the bottom."""
     # A scene of its own: the user's camera, world and render settings stay as they are.
     scene = bpy.data.scenes.new(TABLE)
+    # A hidden object would give an empty picture.
     hidden, obj.hide_render = obj.hide_render, False
     image = None
     try:

@@ -90,6 +90,7 @@ def examine(obj: bpy.types.Object) -> Report:
         AddonError: it is no mesh with faces.
     """
     mesh = mesh_object(obj).data
+    # BMesh knows which faces an edge has; a Mesh does not.
     bm = bmesh.new()
     bm.from_mesh(mesh)
     size = _size(mesh)
@@ -103,6 +104,7 @@ def examine(obj: bpy.types.Object) -> Report:
         components=len(components),
         small_components=sum(len(part) < SMALL * len(bm.faces) for part in components),
         loose=sum(not vert.link_faces for vert in bm.verts),
+        # Of borders alone: see _borders.
         doubled=len(bmesh.ops.find_doubles(bm, verts=_borders(bm), dist=WELD * size)["targetmap"]),
         degenerate=sum(face.calc_area() <= 1e-12 * size**2 for face in bm.faces),
         open_edges=sum(len(edge.link_faces) == 1 for edge in bm.edges),
@@ -145,6 +147,7 @@ def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     mesh = mesh_object(obj).data
     if what is not None and what not in REPAIRS:
         raise AddonError(f"There is no repair {what!r}.", f"Use one of {', '.join(REPAIRS)}.")
+    # BMesh operators would leave the keys with other counts of vertices.
     if mesh.shape_keys:
         raise AddonError(f"{obj.name} has shape keys.", "Apply or remove them first.")
     done: list[str] = []
@@ -234,6 +237,7 @@ def _holes(bm: bmesh.types.BMesh, _size: float) -> None:
     """Fill holes; new faces get the UVs of adjacent corners, and the material of adjacent faces."""
     layer = bm.loops.layers.uv.active
     made = bmesh.ops.holes_fill(bm, edges=[e for e in bm.edges if e.is_boundary], sides=0)
+    # A filled hole is one polygon, which is rarely flat.
     made = bmesh.ops.triangulate(bm, faces=made["faces"])["faces"]
     for face in made:
         face.smooth = True
@@ -300,11 +304,13 @@ def _uv_cover(mesh: bpy.types.Mesh) -> tuple[float | None, float, float]:
     points = uv[corners]  # (T,3,2)
     a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
     areas = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / 2
+    # A degenerate triangle covers nothing, and disturbs the tree.
     kept = points[areas > 1e-12]
     if not len(kept):
         return 0.0, 0.0, 0.0
     flat = np.concatenate([kept.reshape(-1, 2), np.zeros((3 * len(kept), 1))], 1)
     faces = np.arange(3 * len(kept)).reshape(-1, 3)
+    # Blender's ray cast on the flat UV triangles: is there one above the sample?
     tree = BVHTree.FromPolygons(flat.tolist(), faces.tolist(), all_triangles=True)
     # Rays onto a grid of samples: the union of overlapping triangles has no simple formula.
     down, at = Vector((0, 0, -1)), (np.arange(GRID) + 0.5) / GRID
@@ -323,6 +329,7 @@ def _density(
 ) -> float | None:
     if not textures or not uv_area:
         return None
+    # BMesh has local units; texels per metre are in the world.
     scale = float(np.mean(np.abs(obj.scale)))
     area = sum(face.calc_area() for face in bm.faces) * scale**2
     texels = max(width * height for _, width, height in textures)

@@ -53,6 +53,7 @@ def maps_of(obj: bpy.types.Object, size: int = 0) -> Maps:
         raise AddonError(
             f"{obj.name} has a material without a Principled BSDF.", "Use one that has it."
         )
+    # The largest picture decides: no map loses detail.
     size = size or max((max(image.size) for image in _images(bsdfs)), default=1024)
     if len(bsdfs) > 1:  # each face shows one of them: only a bake joins them
         return bake_maps(obj, obj, size, EXTRUSION)
@@ -100,6 +101,7 @@ def bake_channels(
                 _bake(source, receiver, "NORMAL", reach)
                 found[channel] = _pixels(image)
                 continue
+            # Emission passes the value through Cycles unchanged.
             with _emitting(source, SOCKETS[channel]):
                 _bake(source, receiver, "EMIT", reach)
             values = _pixels(image)
@@ -115,6 +117,7 @@ def save_images(
     ``split``: roughness and metallic in files of their own, for formats without channels; else
     together as ``orm``. ``flip_normal_y``: DirectX's green.
     """
+    # 1 - y turns the green channel around.
     normal = maps.normal * (1, -1, 1) + (0, 1, 0) if flip_normal_y else maps.normal
     pictures = {"base_color": to_bytes(maps.base_color), "normal": to_bytes(normal, 16)}
     if split:
@@ -259,6 +262,7 @@ def _receiver(
     target: bpy.types.Object, size: int
 ) -> Iterator[tuple[bpy.types.Object, bpy.types.Image]]:
     """A copy of ``target`` with a material of its own, whose picture receives the bake."""
+    # Float: 8 bits would round the normals.
     image = bpy.data.images.new("Fantasia3D bake", size, size, alpha=False, float_buffer=True)
     image.colorspace_settings.is_data = True
     material = bpy.data.materials.new("Fantasia3D bake")
@@ -268,6 +272,7 @@ def _receiver(
     mesh = target.data.copy()
     mesh.materials.clear()
     mesh.materials.append(material)
+    # All faces use the one material that has the bake's picture.
     mesh.polygons.foreach_set("material_index", np.zeros(len(mesh.polygons), np.int32))
     receiver = bpy.data.objects.new("Fantasia3D bake", mesh)
     receiver.matrix_world = target.matrix_world
@@ -283,6 +288,7 @@ def _receiver(
 def _emitting(obj: bpy.types.Object, socket: str) -> Iterator[None]:
     """Let ``obj`` emit what feeds ``socket`` of its Principled nodes."""
     own = [slot.material for slot in obj.material_slots]
+    # Copies, so that an error leaves the user's materials as they were.
     copies = [material.copy() for material in own]
     for slot, material in zip(obj.material_slots, copies, strict=True):
         slot.material = material
@@ -317,6 +323,7 @@ def _bake_settings() -> Iterator[None]:
         scene.render.bake: {"use_clear": True, "margin": 16, "margin_type": "EXTEND",
                             "normal_space": "TANGENT", "normal_g": "POS_Y"},
     }  # fmt: skip
+    # The user's own settings are restored, also after an error.
     before = [(owner, {name: getattr(owner, name) for name in of}) for owner, of in wanted.items()]
     try:
         for owner, names in wanted.items():
@@ -334,6 +341,7 @@ def _bake(source: bpy.types.Object, receiver: bpy.types.Object, kind: str, reach
     source.hide_render = False
     try:
         with acting(receiver):
+            # Cycles bakes from the selected objects to the active one.
             source.select_set(True)
             with bpy.context.temp_override(selected_objects=[source, receiver]):
                 bpy.ops.object.bake(

@@ -45,6 +45,7 @@ def make_lods(obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5) -> lis
         lod.data.name = name
         lod.matrix_world = obj.matrix_world
         collection.objects.link(lod)
+        # So that the ratio is one of triangles.
         if any(len(polygon.vertices) > 3 for polygon in lod.data.polygons):
             lod.modifiers.new("triangles", "TRIANGULATE")
         fewer = lod.modifiers.new("fewer", "DECIMATE")
@@ -123,6 +124,7 @@ def _to_quads(quads: bpy.types.Object, faces: int) -> None:
     mesh = quads.data
     if done != {"FINISHED"} or not len(mesh.polygons) or not np.isfinite(verts_of(mesh)).all():
         raise AddonError(f"No quads were found for {quads.name}.", "Use more faces.")
+    # The UVs of the old faces do not fit the new ones.
     while mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[0])
 

@@ -25,6 +25,7 @@ def bake_until_stable(owner: bpy.types.Object, frames: int) -> Iterator[float]:
                 break
         if not wrong:
             return
+        # Instability is a matter of the time step in most cases.
         _finer(owner)
         _unbake(owner, cache)
     raise AddonError(
@@ -43,14 +44,17 @@ def _bake(
     scene = bpy.context.scene
     first = scene.frame_start
     last = first + frames - 1
+    # All rigid bodies of a scene have one cache: an earlier bake must not be cut off.
     cache.frame_start, cache.frame_end = first, max(last, cache.frame_end if cache.is_baked else 0)
     scene.frame_set(first)
+    # The shape at the first frame is the reference for all others.
     lengths = edge_lengths(_shape(owner))
     start = _state(owner)
     for frame in range(first, last + 1):
         scene.frame_set(frame)
         yield (frame - first) / frames, _what_is_wrong(owner, lengths, start)
     with acting(owner, scene=scene, point_cache=cache):
+        # Stepping has filled the cache; this keeps it, also in the saved file.
         bpy.ops.ptcache.bake_from_cache()
     scene.frame_set(first)
     yield 1.0, ""
@@ -63,6 +67,7 @@ def _what_is_wrong(owner: bpy.types.Object, lengths: np.ndarray, start: np.ndarr
     size = float(np.ptp(start, axis=0).max())
     if np.ptp(state, axis=0).max() > 4 * size:
         return "it grows to more than four times its size"
+    # A rigid body can't stretch.
     if owner.rigid_body is None:
         stretch = float((edge_lengths(_shape(owner)) / lengths.clip(1e-3 * size)).max())
         if stretch > STRETCH:
@@ -84,6 +89,7 @@ def _finer(owner: bpy.types.Object) -> None:
 def _unbake(owner: bpy.types.Object, cache: bpy.types.PointCache) -> None:
     scene = bpy.context.scene
     with acting(owner, scene=scene, point_cache=cache):
+        # A cancelled bake leaves frames in the cache, but is not marked as baked.
         if cache.is_baked:
             bpy.ops.ptcache.free_bake()
     scene.frame_set(scene.frame_start)

@@ -21,12 +21,14 @@ def cage(obj: bpy.types.Object, faces: int) -> bpy.types.Mesh:
     """A new mesh like ``obj`` with about ``faces`` triangles, welded, in its own space."""
     mesh = baked_mesh(obj)
     mesh.materials.clear()
+    # The fine mesh may have split vertices; a cage that tears is useless.
     _weld(mesh)
     mesh.calc_loop_triangles()
     fraction = faces / max(len(mesh.loop_triangles), 1)
     coarse = bpy.data.objects.new("cage", mesh)
     bpy.context.scene.collection.objects.link(coarse)
     try:
+        # Decimating quads would leave faces that are not flat.
         coarse.modifiers.new("triangles", "TRIANGULATE")
         if fraction < 1:
             fewer = coarse.modifiers.new("fewer", "DECIMATE")
@@ -54,6 +56,7 @@ def add_struts(mesh: bpy.types.Mesh) -> int:
         hit, _, face, _ = tree.ray_cast(start, -vert.normal)
         if hit is None:
             continue
+        # The nearest vertex of the face that the ray hits.
         across = min(bm.faces[face].verts, key=lambda other, at=hit: (other.co - at).length)
         if across is not vert and bm.edges.get((vert, across)) is None:
             bm.edges.new((vert, across))
@@ -72,9 +75,11 @@ def convex_parts(mesh: bpy.types.Mesh, most: int = 12) -> list[np.ndarray]:
     """
     whole = bmesh.new()
     whole.from_mesh(mesh)
+    # A loose vertex would count for the hull, but not for the solid.
     bmesh.ops.delete(whole, geom=[v for v in whole.verts if not v.link_faces], context="VERTS")
     solid = abs(whole.calc_volume())
     parts, volumes = [whole], [_hull_volume(whole)]
+    # The part with the largest hull first: it has the most to gain.
     while len(parts) < most and sum(volumes) > LOOSE * solid > 0:
         index = int(np.argmax(volumes))
         cut = _best_cut(parts[index])
@@ -106,6 +111,7 @@ def hull_mesh(name: str, points: np.ndarray) -> tuple[bpy.types.Mesh, np.ndarray
     # Six times the signed volume of the tetrahedra to the middle, over 6 (Gauss).
     sixth = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
     volume = abs(float(sixth.sum()))
+    # The division below would fail.
     if volume < 1e-12:  # a sheet
         return mesh, middle, 0.0
     center = middle + ((a + b + c) * sixth[:, None]).sum(0) / 4 / sixth.sum()
@@ -126,12 +132,14 @@ def _weld(mesh: bpy.types.Mesh) -> None:
 def _best_cut(part: bmesh.types.BMesh) -> tuple[Vector, Vector] | None:
     """A plane's point and its normal; None for a part too simple to cut."""
     points = np.array([v.co[:] for v in part.verts])
+    # Fewer than the corners of a box.
     if len(points) < 8:
         return None
     low, high = points.min(0), points.max(0)
     best, least = None, math.inf
     for axis in range(3):
         normal = Vector([float(i == axis) for i in range(3)])
+        # Planes in the interior: one at the border cuts nothing.
         for fraction in np.linspace(0, 1, PLANES + 2)[1:-1]:
             at = Vector(low + fraction * (high - low))
             halves = [_half(part, at, normal, side) for side in (False, True)]

@@ -141,11 +141,9 @@ def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
 
 def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     """A body with its origin in the centre of mass, to which the asset is parented."""
-    mesh = proxy.cage(obj, CAGE_FACES["RIGID"])
-    parts = [verts_of(mesh)] if settings.convex else proxy.convex_parts(mesh)
-    bpy.data.meshes.remove(mesh)
-    matrix = obj.matrix_world.copy()
+    matrix, parts = obj.matrix_world.copy(), _parts(obj, settings.convex)
     hulls = [proxy.hull_mesh("hull", moved(points, matrix)) for points in parts]
+    # 1e-9: a flat hull must not make the weights zero.
     volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
     middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
     if len(hulls) == 1:
@@ -153,6 +151,7 @@ def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
         body.data.transform(Matrix.Translation(-middle))
         children = []
     else:
+        # A compound needs a parent with a mesh; its own shape is not used.
         whole, _, _ = proxy.hull_mesh("hull", np.concatenate([moved(p, matrix) for p in parts]))
         whole.transform(Matrix.Translation(-middle))
         body = _add(obj, "body", whole)
@@ -162,19 +161,31 @@ def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
         child.data.transform(Matrix.Translation(-middle))
         child.parent = body
     bpy.context.view_layer.update()
+    # For clear(): the parent changes the matrix.
     obj[MARK] = {**obj[MARK].to_dict(), "matrix": [v for row in matrix for v in row]}
     obj.parent = body
+    # So that the asset stays where it is while it becomes a child.
     obj.matrix_parent_inverse = Matrix.Translation(-middle)
     for other in _supports(obj):
         _add_rigid(other, "PASSIVE", "MESH")
     _add_rigid(body, "ACTIVE", "COMPOUND" if children else "CONVEX_HULL")
     for child in children:  # after their parent: or Blender finds a cycle
         _add_rigid(child, "ACTIVE", "CONVEX_HULL")
+    # The mass changes how it collides with the user's own rigid bodies.
     body.rigid_body.mass = DENSITY * float(volumes.sum())
     body.rigid_body.friction, body.rigid_body.restitution = 0.6, 0.15
     world = bpy.context.scene.rigidbody_world
     world.substeps_per_frame, world.solver_iterations = 20, 20
     return body
+
+
+def _parts(obj: bpy.types.Object, convex: bool) -> list[np.ndarray]:
+    """The points (N,3) of one hull or of several, in the object's own space."""
+    # Of a coarse copy: the decomposition cuts and measures many candidates.
+    mesh = proxy.cage(obj, CAGE_FACES["RIGID"])
+    parts = [verts_of(mesh)] if convex else proxy.convex_parts(mesh)
+    bpy.data.meshes.remove(mesh)
+    return parts
 
 
 def _soft(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
@@ -206,6 +217,7 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     """A sheet that falls over the asset, which does not move."""
     points = world_verts(obj)
     low, high = points.min(0), points.max(0)
+    # Wide enough to hang down on all sides: the footprint's diagonal and half the height.
     half = 0.62 * float(np.linalg.norm((high - low)[:2])) + 0.5 * float(high[2] - low[2])
     cells = 56
     bm = bmesh.new()
@@ -225,6 +237,7 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     cloth.collision_settings.collision_quality = 2
     smooth = sheet.modifiers.new("smooth", "SUBSURF")
     smooth.levels, smooth.render_levels = 1, 2
+    # The fine mesh as a collider would slow each frame down.
     hard = _add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
     hard.parent = obj
     _collide_with([hard, *_supports(obj)])
@@ -242,8 +255,10 @@ def _set_up_cloth(
     settings.shear_stiffness = 12.0
     settings.tension_damping = settings.compression_damping = 10.0
     collision.collision_quality = 4
+    # Distances follow the size: Blender's default of 15 mm is too large for a small asset.
     collision.distance_min = 0.008 * size
     collision.use_self_collision = self_collision
+    # Smaller than nearly all edges, or adjacent vertices repel each other.
     collision.self_distance_min = min(0.3 * float(np.percentile(edge_lengths(obj.data), 5)), 0.1)
 
 
@@ -255,6 +270,7 @@ def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
     follow = obj.modifiers.new(MARK, "SURFACE_DEFORM")
     follow.target = cage
     with acting(obj):
+        # Each fine vertex is bound to the nearest face of the cage.
         bpy.ops.object.surfacedeform_bind(modifier=follow.name)
     if not follow.is_bound:
         raise AddonError(
@@ -275,6 +291,7 @@ def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
     found = []
     for other in visible_meshes(obj):
         theirs = world_verts(other)
+        # Within a reach of the footprint: it may roll there.
         near = (theirs.min(0)[:2] < high[:2] + reach) & (theirs.max(0)[:2] > low[:2] - reach)
         if near.all() and theirs.min(0)[2] < high[2] and MARK not in other:
             found.append(other)
@@ -291,6 +308,7 @@ def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
     ground = _add(obj, "ground", mesh, hidden=False)
     ground.name = GROUND
+    # A little below the lowest point, so that it does not start in contact.
     ground.location = (*obj.matrix_world.translation[:2], min(low - 0.002 * reach, 0.0))
     bpy.context.view_layer.update()
     return ground
@@ -301,6 +319,7 @@ def _collide_with(others: Sequence[bpy.types.Object]) -> None:
         if not any(m.type == "COLLISION" for m in other.modifiers):
             other.modifiers.new(MARK, "COLLISION")
             other[f"{MARK}_collider"] = True
+        # Half of Blender's default of 20 mm, which is visible as a gap.
         other.collision.thickness_outer = 0.01
         other.collision.damping = 0.4
         other.collision.friction_factor = 0.5
@@ -346,6 +365,7 @@ def _remove(made: bpy.types.Object) -> None:
 def _release(obj: bpy.types.Object) -> None:
     """Remove what makes an object collide."""
     if obj.rigid_body and f"{MARK}_collider" in obj:
+        # The operator ignores hidden objects.
         hidden = obj.hide_get()
         obj.hide_set(False)
         with acting(obj):

@@ -51,6 +51,7 @@ def build(
         mesh_object(obj)
     bpy.context.view_layer.update()
     places, size = _places(objs)
+    # The height of a box whose floor, depth and height have room for the row.
     fit = max(size[0] / (ROOM * WIDTH), size[1] / (ROOM * DEPTH), size[2] / ROOM)
     if height and height < fit * ROOM:
         raise AddonError(
@@ -145,6 +146,7 @@ def _light(collection: bpy.types.Collection, height: float) -> None:
     lamp = bpy.data.lights.new(f"{NAME} light", "AREA")
     lamp.shape = "RECTANGLE"
     lamp.size, lamp.size_y = LIGHT[0] * height, LIGHT[1] * height
+    # Blender's light has a power and a colour, whose largest channel is 1 here.
     lamp.energy, lamp.color = float(power.max()), tuple(power / power.max())
     obj = _add(collection, lamp.name, lamp)
     obj.location = (0, 0, height * 0.998)  # below the ceiling, or it would light nothing
@@ -153,6 +155,7 @@ def _light(collection: bpy.types.Collection, height: float) -> None:
     pane = _quad(collection, "pane", [(-x, -y, z), (-x, y, z), (x, y, z), (x, -y, z)])
     material = _material("pane", EMISSION)
     pane.data.materials.append(material)
+    # The pane is visible to the camera alone: the light itself is the lamp.
     for rays in ("diffuse", "glossy", "transmission", "volume_scatter", "shadow"):
         setattr(pane, f"visible_{rays}", False)
 
@@ -185,6 +188,7 @@ def _add(collection: bpy.types.Collection, name: str, data: bpy.types.ID) -> bpy
 
 def _diffuse(color: str) -> bpy.types.Material:
     name = f"{NAME} {color}"
+    # Three walls have one material.
     known = bpy.data.materials.get(name)
     return known or _material(color, None)
 

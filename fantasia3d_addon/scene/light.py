@@ -34,6 +34,7 @@ def light_file(name_or_path: str) -> Path:
     """
     if name_or_path == STUDIO:
         return STUDIO_FILE
+    # A file comes before a name: "city" may be a file of the user's.
     path = Path(bpy.path.abspath(name_or_path)).expanduser()
     if path.is_file():
         return path.resolve()
@@ -81,6 +82,7 @@ def set_world(
         ("Background", "Background", "OutputWorld", "Surface"),
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
+    # The new world is complete before the old one is touched.
     old, scene.world = scene.world, world
     _remove_unused(old)
     return world
@@ -106,6 +108,7 @@ def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
     width, height = image.size
     pixels = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(pixels)
+    # Luminance by Rec. 709.
     luminance = pixels.reshape(height, width, 4)[..., :3] @ np.float32((0.2126, 0.7152, 0.0722))
     azimuth = (0.5 - (np.arange(width) + 0.5) / width) * 2 * math.pi  # from +X, counter-clockwise
     elevation = ((np.arange(height)[:, None] + 0.5) / height - 0.5) * math.pi  # row 0 is the lowest
@@ -140,5 +143,6 @@ def _load(path: Path) -> bpy.types.Image:
     if 0 in image.size:  # Blender loads any file, and reports nothing
         bpy.data.images.remove(image)
         raise LightError(f"{path} is no picture.", "Use an HDR or EXR file.")
+    # The .blend must open on another machine.
     image.pack()
     return image

@@ -37,6 +37,7 @@ def drop(
         if not ground:
             raise AddonError(f"Nothing is below {obj.name}.", "Move it above another object.")
         distance = float(own[:, 2].min())
+    # In the world, so that parents and rotations do not matter.
     matrix = obj.matrix_world.copy()
     obj.matrix_world = Matrix.Translation((0, 0, -distance)) @ matrix
     bpy.context.view_layer.update()
@@ -65,6 +66,7 @@ def _gap(obj: bpy.types.Object, own: np.ndarray, other: bpy.types.Object) -> flo
     """
     theirs = world_verts(other)
     low, high = own.min(0), own.max(0)
+    # Bounding boxes first: rays are slow.
     if (theirs.max(0)[:2] < low[:2]).any() or (theirs.min(0)[:2] > high[:2]).any():
         return np.inf
     tree, tree_own = _tree(other), _tree(obj)

@@ -68,7 +68,27 @@ def turntable_scene(
         OutputError: this Blender writes no MP4.
     """
     mesh_object(obj)
+    _check(out, frames, turn)
     source = bpy.context.scene
+    if light.light_node(source.world, "Mapping") is None:
+        relight(source, light.STUDIO)  # the world must have a light that can rotate
+    scene = bpy.data.scenes.new(TABLE)
+    try:
+        scene.collection.objects.link(obj)
+        scene.world = source.world
+        pivot = _camera(scene, obj)
+        # It also gives the scene a copy of the world, which _animate may rotate.
+        scene_render.add_backdrop(scene, obj).name = f"{TABLE} ground"
+        _animate(scene, pivot, frames, turn)
+        scene_render.set_up_cycles(scene, size, samples)
+        _output(scene, out, out.suffix.lower() == ".mp4")
+    except BaseException:
+        remove_turntable_scene(scene)
+        raise
+    return scene
+
+
+def _check(out: Path, frames: int, turn: str) -> None:
     if frames < 2 or turn not in options.TURN.names:
         raise AddonError(
             f"A turntable of {frames} frames that turns {turn!r} is not possible.",
@@ -79,22 +99,6 @@ def turntable_scene(
         raise OutputError(f"{out} is no MP4 file.", "Use a file.mp4, or a folder for PNG files.")
     if video and not compat.has_video():
         raise OutputError("This Blender writes no MP4.", "Use a folder for PNG files instead.")
-    if light.light_node(source.world, "Mapping") is None:
-        relight(source, light.STUDIO)
-    scene = bpy.data.scenes.new(TABLE)
-    try:
-        scene.collection.objects.link(obj)
-        scene.world = source.world
-        pivot = _camera(scene, obj)
-        # It also gives the scene a copy of the world, which _animate may rotate.
-        scene_render.add_backdrop(scene, obj).name = f"{TABLE} ground"
-        _animate(scene, pivot, frames, turn)
-        scene_render.set_up_cycles(scene, size, samples)
-        _output(scene, out, video)
-    except BaseException:
-        remove_turntable_scene(scene)
-        raise
-    return scene
 
 
 def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
@@ -104,6 +108,7 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
         AddonError, OutputError: as :func:`turntable_scene`; or ``out`` can't be written.
     """
     out = Path(out).expanduser().absolute()
+    # A file or a folder, by the kind of ``out``; renamed when it is complete.
     temporary = out.with_name(f".fantasia3d-{out.name}")
     scene = turntable_scene(obj, temporary, **settings)
     try:
@@ -149,6 +154,7 @@ def _camera(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Object:
     pivot = bpy.data.objects.new(f"{TABLE} pivot", None)
     scene.collection.objects.link(pivot)
     pivot.location = scene_render.bounding_sphere(obj)[0]
+    # The camera keeps its place relative to the pivot, which is the centre of rotation.
     camera.parent = pivot
     camera.location -= pivot.location
     return pivot
@@ -179,6 +185,7 @@ def _drive(owner: bpy.types.bpy_struct, name: str, step: float, start: float = 0
 def _output(scene: bpy.types.Scene, out: Path, video: bool) -> None:
     if video:
         compat.set_video(scene)
+        # The temporary name ends in .mp4 already.
         scene.render.use_file_extension = False
         scene.render.filepath = str(out)
         return

@@ -75,9 +75,11 @@ def add_camera_about(
             math.sin(elevation),
         )
     )
+    # The cone of the view touches the sphere: sin, not tan.
     distance = MARGIN * radius / math.sin(FOVY / 2)
     camera.location = center + distance * back
     camera.rotation_euler = back.to_track_quat("Z", "Y").to_euler()
+    # By the distance, so that an asset of any size is visible.
     data.clip_start, data.clip_end = distance / 100, distance * 100
     scene.camera = camera
     return camera
@@ -112,9 +114,11 @@ def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> No
     in_front = _backdrop(scene, obj) if backdrop else contextlib.nullcontext()
     with temporary_output(path) as temporary, in_front:
         scene.render.image_settings.file_format = FORMATS[path.suffix.lower()]
+        # The path has its extension already.
         scene.render.use_file_extension = False
         scene.render.filepath = str(temporary)
         bpy.ops.render.render(write_still=True)
+        # The temporary path must not stay in the user's scene.
         scene.render.filepath = ""
 
 
@@ -154,6 +158,7 @@ def add_backdrop(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Obj
 
 def hide_world(scene: bpy.types.Scene) -> None:
     """Give ``scene`` a copy of its world in which the camera sees an even grey."""
+    # The user's own world stays as it is.
     scene.world = scene.world.copy()
     _hide_from_camera(scene.world.node_tree)
 
@@ -206,6 +211,7 @@ def set_up_cycles(scene: bpy.types.Scene, size: int = 640, samples: int | None =
     render.resolution_x = render.resolution_y = size
     render.resolution_percentage = 100
     render.film_transparent = False
+    # Dithering adds noise, and an even backdrop shows it.
     render.dither_intensity = 0.0
     cycles.device = "CPU"
     cycles.samples = samples or (48 if denoise else 160)

@@ -47,6 +47,7 @@ CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 def register() -> None:
     """Register all classes, the settings of scenes and of this Blender, and the handlers."""
+    # Before the classes: an enum of lights needs the icons.
     icons.open_collection()
     properties.clear_light_items()
     for cls in CLASSES:
@@ -66,6 +67,7 @@ def unregister() -> None:
     del bpy.types.Scene.fantasia3d
     del bpy.types.Scene.fantasia3d_tools
     del bpy.types.WindowManager.fantasia3d
+    # In reverse order: properties refer to classes that were registered before them.
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
     icons.close_collection()
