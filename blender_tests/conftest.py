@@ -12,13 +12,13 @@ import pytest
 from blender_tests.asset_fixture import write_asset
 
 FAKE_CORE = Path(__file__).parent / "fake_core"
-# Beside a Blender whose Python has no torch, nothing can be compared with the core.
+# With a Blender whose Python has no torch, nothing can be compared with the core.
 collect_ignore_glob = [] if importlib.util.find_spec("torch") else ["*_matches_cycles.py"]
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """Leave at once: bpy 4.5 hangs now and then in an ordinary exit, after all was told."""
+    """Exit at once: bpy 4.5 sometimes hangs in an ordinary exit, after the report."""
     if "bpy" in sys.modules and hasattr(config, "ended_with"):
         sys.stdout.flush()
         sys.stderr.flush()
@@ -73,7 +73,7 @@ def ready(addon, tmp_path, monkeypatch):
 
 @pytest.fixture
 def wait() -> Callable[..., None]:
-    """Calls the session's tick as a timer would, until all has ended or ``until`` says so."""
+    """Calls the session's tick as a timer would, until all has ended or ``until`` is true."""
     from fantasia3d_addon.jobs.session import session
 
     def until_the_end(until: Callable[[], bool] = lambda: False) -> None:

@@ -90,7 +90,7 @@ class Screen:
                 return
 
     def type_prompt(self, text: str) -> Iterator[float]:
-        """Click into the prompt's field and write; a field that is no text field takes nothing."""
+        """Click into the prompt's field and write; other fields ignore the text."""
         settings = bpy.context.scene.fantasia3d
         region = self.region("UI")
         x = region.x + region.width // 2 - 10
@@ -105,7 +105,7 @@ class Screen:
             yield from self.key("ESC")
 
     def press_generate(self) -> Iterator[float]:
-        """Click where the button stands; by the operator where none was hit."""
+        """Click where the button is; call the operator where none was hit."""
         yield from self.find(290, 330, lambda: bool(session.running))
         report["clicked"] = bool(session.running)
         if not session.running:
@@ -122,13 +122,13 @@ class Screen:
 
 
 @contextlib.contextmanager
-def clock(into: list, *told: object) -> Iterator[None]:
-    """Append what is told and the seconds that the block takes: on the wall, and of this thread."""
+def clock(into: list, *labels: object) -> Iterator[None]:
+    """Append the labels and the seconds that the block takes: wall time, and this thread's."""
     wall, cpu = time.perf_counter(), time.thread_time()
     try:
         yield
     finally:
-        into.append([*told, time.perf_counter() - wall, time.thread_time() - cpu])
+        into.append([*labels, time.perf_counter() - wall, time.thread_time() - cpu])
 
 
 def time_ticks_and_draws() -> None:

@@ -1,4 +1,4 @@
-"""The add-on in Blender: it comes and goes without a trace, and its buttons are its functions."""
+"""The add-on in Blender: it registers without a trace, and its buttons are its functions."""
 
 import random
 import sys
@@ -113,7 +113,7 @@ def test_every_poll_answers_in_every_scene(addon, scene):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
+def test_generate_has_a_reason_when_it_is_disabled(addon, monkeypatch, tmp_path):
     settings = bpy.context.scene.fantasia3d
     assert "Enter a prompt" in submit.reason_against_generate(bpy.context)
     settings.prompt = "a chair"
@@ -127,7 +127,7 @@ def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
     assert "Choose an HDR or EXR file" in submit.reason_against_generate(bpy.context)
 
 
-def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
+def test_the_core_accepts_every_job(addon, tmp_path):
     pytest.importorskip("jaxtyping")
     from core.protocol import Job
 

@@ -45,8 +45,8 @@ def test_relight_makes_a_picture_a_turntable_and_a_file(asset, tmp_path, quick, 
     assert headless.command(argv) == 0
     assert read(tmp_path / "a.png").shape == (32, 32, 3)
     assert len(list((tmp_path / "turn").iterdir())) == 2
-    told = capfd.readouterr().out.splitlines()
-    assert told[-3:] == [str(tmp_path / n) for n in ("a.blend", "a.png", "turn")]
+    output = capfd.readouterr().out.splitlines()
+    assert output[-3:] == [str(tmp_path / n) for n in ("a.blend", "a.png", "turn")]
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
     (obj,) = (o for o in bpy.data.objects if o.type == "MESH")
     assert obj.active_material.name.startswith("Gold")
@@ -65,7 +65,7 @@ def test_physics_saves_the_baked_cloth(asset, tmp_path, quick):
     assert bpy.context.scene.frame_current == 5
 
 
-def test_cornell_takes_many(asset, tmp_path, quick):
+def test_cornell_accepts_several_assets(asset, tmp_path, quick):
     argv = ["cornell", str(asset), str(asset), "--blend", str(tmp_path / "a.blend")]
     assert headless.command(argv) == 0
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
@@ -98,10 +98,10 @@ def test_export_writes_what_the_core_does_not(asset, tmp_path, ending):
 def test_what_cannot_be_is_one_sentence_and_status_2(tmp_path, argv, message, capfd):
     argv = [str(tmp_path) if word == "X" else word for word in argv]
     assert headless.command(argv) == 2
-    told = capfd.readouterr().err
-    assert told.startswith("error: ")
-    assert message in told
-    assert "Traceback" not in told
+    output = capfd.readouterr().err
+    assert output.startswith("error: ")
+    assert message in output
+    assert "Traceback" not in output
     with pytest.raises(AddonError):
         commands.run(argv)
 
@@ -126,5 +126,5 @@ def test_the_command_line_itself_lights_an_asset(asset, tmp_path):
     command = [sys.executable, str(ROOT / "run.py"), "--scene", "relight", str(asset)]
     command += ["--render", str(out), "--size", "32", "--samples", "2"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
-    last = done.stdout.splitlines()[-1:]  # bpy 5.2 says where its colours come from before
+    last = done.stdout.splitlines()[-1:]  # bpy 5.2 prints its colour configuration before
     assert (done.returncode, last) == (0, [str(out)]), done.stderr

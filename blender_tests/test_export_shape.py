@@ -44,7 +44,7 @@ def volume(co, faces):
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
 
 
-def test_the_shape_comes_back_as_it_stands_with_its_uv(tmp_path):
+def test_the_exported_shape_imports_in_place_with_its_uv(tmp_path):
     obj = add_block()
     obj.location, obj.rotation_euler, obj.scale = (1, 2, 3), (0.3, 0.2, 0.1), (1, 2, 0.5)
     export(obj, tmp_path / "shape.obj")

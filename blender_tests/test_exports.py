@@ -49,7 +49,7 @@ def bring_back(path) -> "bpy.types.Object":
         bpy.ops.import_scene.fbx(filepath=str(path))
     else:
         bpy.ops.wm.obj_import(filepath=str(path))
-        for image in bpy.data.images:  # Blender's OBJ importer takes all for sRGB
+        for image in bpy.data.images:  # Blender's OBJ importer assumes sRGB for all
             if "base_color" not in image.name and image.source == "FILE":
                 image.colorspace_settings.is_data = True
     return next(o for o in bpy.data.objects if o.type == "MESH")
@@ -80,13 +80,13 @@ def test_a_glb_holds_its_pictures_and_tangents(obj, tmp_path):
     path = export.export_object(obj, tmp_path / "x.glb")
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
-    told = json.loads(data[20 : 20 + length])
-    (material,) = told["materials"]
+    header = json.loads(data[20 : 20 + length])
+    (material,) = header["materials"]
     shading = material["pbrMetallicRoughness"]
     assert {"baseColorTexture", "metallicRoughnessTexture"} <= shading.keys()
     assert "normalTexture" in material
-    assert all("bufferView" in image for image in told["images"])
-    assert "TANGENT" in told["meshes"][0]["primitives"][0]["attributes"]
+    assert all("bufferView" in image for image in header["images"])
+    assert "TANGENT" in header["meshes"][0]["primitives"][0]["attributes"]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["asset", "x.glb"]
 
 
@@ -109,7 +109,7 @@ def test_directx_flips_green_alone(obj, tmp_path):
         export.export_object(obj, tmp_path / "x.glb", flip_normal_y=True)
 
 
-def test_a_solid_wood_is_baked_for_elsewhere(obj, tmp_path):
+def test_a_solid_wood_is_baked_for_the_export(obj, tmp_path):
     material_edit.replace_material(obj, "wood")
     export.export_object(obj, tmp_path / "x.obj", size=64)
     color = read(tmp_path / "x_textures" / "x_base_color.png")
@@ -136,7 +136,7 @@ def test_png_is_read_back_to_the_bit(tmp_path):
 
 
 def test_lods_have_fewer_faces_and_the_same_uvs(obj, tmp_path):
-    """The colour that each triangle's middle has in the atlas is that of the side it lies on."""
+    """The colour that each triangle's middle has in the atlas is that of its side."""
     lods = remesh.make_lods(obj, levels=2, ratio=0.5)
     faces = len(obj.data.polygons)
     assert [lod.name for lod in lods] == [f"{obj.name} LOD{i}" for i in (1, 2)]

@@ -41,10 +41,10 @@ def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch,
     out, blend, png = tmp_path / "run", tmp_path / "new" / "chair.blend", tmp_path / "chair.png"
     argv = ["generate", "a chair", "--blend", str(blend), f"--render={png}", "--out", str(out)]
     assert headless.main(argv, PYTHON, FAKE_CORE) == 0
-    told = capfd.readouterr().out
-    assert "the fake core" in told
-    assert str(blend) in told
-    assert "Fra:" not in told  # Blender's own chatter
+    output = capfd.readouterr().out
+    assert "the fake core" in output
+    assert str(blend) in output
+    assert "Fra:" not in output  # Blender's own chatter
     assert read(png).shape == (32, 32, 3)
     bpy.ops.wm.open_mainfile(filepath=str(blend))
     (mesh,) = (obj for obj in bpy.data.objects if obj.type == "MESH")
@@ -105,8 +105,8 @@ def test_the_handler_of_ctrl_c_is_as_before(monkeypatch, handler):
 
 def test_no_asset_is_a_sentence_and_status_2(tmp_path, capfd):
     assert headless.finish(tmp_path, blend=tmp_path / "x.blend") == 2
-    assert "error: " in (said := capfd.readouterr().err)
-    assert "has no asset.json" in said
+    assert "error: " in (output := capfd.readouterr().err)
+    assert "has no asset.json" in output
     assert not (tmp_path / "x.blend").exists()
 
 
@@ -121,16 +121,16 @@ def test_a_place_that_cannot_be_written_is_a_sentence_and_status_2(
 
 
 def test_the_light_is_the_assets_own_unless_another_is_named(tmp_path, quick, capfd):
-    for told, given, name in (
+    for output, given, name in (
         ("blender:city", None, "city.exr"),
         ("blender:city", "studio", "studio.exr"),
         (None, None, "studio.exr"),
         ("/gone.hdr", None, "studio.exr"),
     ):
-        folder = write_asset(tmp_path / str(len(list(tmp_path.iterdir()))), light=told)
+        folder = write_asset(tmp_path / str(len(list(tmp_path.iterdir()))), light=output)
         assert headless.finish(folder, blend=tmp_path / "x.blend", light=given) == 0
         assert [i.name for i in bpy.data.images if i.name.endswith(".exr")] == [name]
-        assert ("warning: There is no light" in capfd.readouterr().err) == (told == "/gone.hdr")
+        assert ("warning: There is no light" in capfd.readouterr().err) == (output == "/gone.hdr")
 
 
 def test_an_open_file_keeps_its_own_scene(asset, tmp_path):
@@ -150,5 +150,5 @@ def test_quiet_lets_errors_through(capfd):
         os.write(1, b"chatter\n")
         os.write(2, b"an error\n")
     print("after", flush=True)
-    told = capfd.readouterr()
-    assert (told.out, told.err) == ("after\n", "an error\n")
+    output = capfd.readouterr()
+    assert (output.out, output.err) == ("after\n", "an error\n")

@@ -69,7 +69,7 @@ def holed():
     return verts, faces[3:], uv, face_uvs[3:]
 
 
-def test_holes_are_filled_and_the_new_corners_lie_in_the_atlas(tmp_path):
+def test_holes_are_filled_and_the_new_corners_have_uvs_in_the_atlas(tmp_path):
     obj = made(tmp_path, holed())
     assert health.examine(obj).open_edges > 0
     assert health.repair(obj) == ("HOLES",)
@@ -87,7 +87,7 @@ def test_inverted_faces_are_turned(tmp_path):
     assert not health.examine(obj).inverted
 
 
-def test_specks_loose_vertices_and_a_scale_are_mended_at_once(tmp_path):
+def test_small_components_loose_vertices_and_a_scale_are_repaired_together(tmp_path):
     verts, faces, uv, face_uvs = block(12)
     speck = np.array([[2, 0, 0], [2.1, 0, 0], [2, 0.1, 0], [2, 0, 0.1]])
     sides = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -120,7 +120,7 @@ def test_two_solids_that_touch_in_a_vertex_are_parted():
     assert report.uv_fill > 0.1
 
 
-def test_what_cannot_be_repaired_is_said(tmp_path):
+def test_an_impossible_repair_is_an_error(tmp_path):
     obj = made(tmp_path)
     with pytest.raises(AddonError, match="There is no repair 'HEART'"):
         health.repair(obj, "HEART")

@@ -114,7 +114,7 @@ def test_only_what_failed_midway_is_resumed(tmp_path):
     assert entry.resumable
 
 
-def test_a_removed_run_is_gone(tmp_path):
+def test_a_removed_run_is_deleted(tmp_path):
     run = write_run(tmp_path / "run", STARTED, {"type": "done"})
     entry = history.read_entry(run)
     assert entry is not None

@@ -27,7 +27,7 @@ def start(folder: Path, prompt: str = "x", **settings: object) -> Run:
 
 
 def follow(run: Run, until: Callable[[list[Event]], bool] = lambda events: False) -> list[Event]:
-    """The events to the end, or to where ``until`` says."""
+    """The events to the end, or until ``until`` is true."""
     events: list[Event] = []
     deadline = time.monotonic() + 60
     while not run.finished and not until(events):
@@ -111,7 +111,7 @@ def test_a_death_without_an_error_names_the_log(tmp_path):
     assert f"signal {signal.SIGABRT.value}" in run.last.text
 
 
-def test_a_death_on_a_full_disk_says_so(tmp_path, monkeypatch):
+def test_a_death_on_a_full_disk_is_reported_as_such(tmp_path, monkeypatch):
     run = start(tmp_path / "run", "die")
     monkeypatch.setattr(process.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
     follow(run)
@@ -120,7 +120,7 @@ def test_a_death_on_a_full_disk_says_so(tmp_path, monkeypatch):
     assert run.last.fix == "Free some space, then resume the run."
 
 
-def test_a_death_after_its_folder_says_so(tmp_path):
+def test_a_death_after_its_folder_was_deleted_is_reported_as_such(tmp_path):
     run = start(tmp_path / "run", "long")
     follow(run, until=lambda events: len(events) > 2)
     shutil.rmtree(run.folder)
@@ -220,13 +220,13 @@ def test_a_place_that_cannot_be_written(tmp_path):
         start(tmp_path / "file" / "run")
 
 
-def test_strangers_are_not_taken_for_the_core(tmp_path):
+def test_other_processes_are_not_mistaken_for_the_core(tmp_path):
     assert not is_core(os.getpid(), tmp_path / "a run of its own")
     assert not is_core(2**22 + 1, tmp_path)
 
 
-def test_a_core_on_another_run_is_a_stranger_too(tmp_path):
-    """A number that the system gives away anew."""
+def test_a_core_on_another_run_is_another_process(tmp_path):
+    """The system has given the process number to another one."""
     run = start(tmp_path / "one", "long")
     follow(run, until=lambda events: len(events) > 2)
     assert is_core(run.pid, tmp_path / "one")

@@ -1,4 +1,4 @@
-"""The world's light: where it stands, how bright it is, and what a name means."""
+"""The world's light: its direction, its brightness, and what a name means."""
 
 from pathlib import Path
 
@@ -38,7 +38,7 @@ def brightest(picture: np.ndarray) -> tuple[float, float]:
         ((-0.5, -1, 0), 45, 0.2, 0.0),  # counter-clockwise seen from above: from left to right
     ],
 )
-def test_the_light_stands_where_its_picture_says(tmp_path, direction, rotation_deg, x, y):
+def test_the_light_is_where_its_picture_has_it(tmp_path, direction, rotation_deg, x, y):
     set_light(tmp_path, direction, rotation_deg=rotation_deg)
     found = brightest(render(add_ball(), tmp_path))
     assert found == pytest.approx((x, y), abs=0.12)

@@ -35,7 +35,7 @@ def show(path: Path, location=(1, 2, 3)) -> bpy.types.Object | None:
     return live_preview.show(bpy.context.scene.collection, path, followed)
 
 
-def test_it_stands_where_the_asset_will_and_is_updated_in_place(addon, tmp_path):
+def test_it_is_where_the_asset_will_be_and_is_updated_in_place(addon, tmp_path):
     path = tmp_path / "shape.npz"
     write_shape(path)
     obj = show(path)
@@ -69,7 +69,7 @@ def test_a_file_that_is_being_replaced_is_passed_over(addon, tmp_path):
     assert not bpy.data.objects
 
 
-def test_it_is_gone_from_a_saved_file_and_comes_back(addon, tmp_path):
+def test_it_is_not_in_a_saved_file_and_is_shown_again(addon, tmp_path):
     write_shape(tmp_path / "shape.npz")
     show(tmp_path / "shape.npz")
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "a.blend"))
@@ -78,7 +78,7 @@ def test_it_is_gone_from_a_saved_file_and_comes_back(addon, tmp_path):
     assert show(tmp_path / "shape.npz")
 
 
-def test_undo_brings_none_back_whose_run_has_ended(addon, tmp_path):
+def test_undo_restores_no_preview_of_an_ended_run(addon, tmp_path):
     bpy.ops.ed.undo_push(message="before")
     write_shape(tmp_path / "shape.npz")
     show(tmp_path / "shape.npz")

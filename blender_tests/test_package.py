@@ -63,7 +63,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
     assert package.stat().st_size < 60e6
 
 
-def test_nothing_lies_beside_the_core_that_could_hide_a_library(package):
+def test_nothing_is_next_to_the_core_that_could_hide_a_library(package):
     """It runs from its own folder, where the add-on's png.py was once taken for the package."""
     with zipfile.ZipFile(package) as archive:
         names = [name.split("/") for name in archive.namelist()]
@@ -91,7 +91,7 @@ def test_the_core_of_the_zip_makes_an_asset(package, tmp_path):
     assert read_asset(tmp_path / "run").pictures["normal"].path.is_file()
 
 
-def test_package_takes_no_other_words():
+def test_package_accepts_no_other_arguments():
     command = [sys.executable, str(ROOT / "run.py"), "package", "now"]
     environ = os.environ | {"FANTASIA3D_PYTHON": sys.executable}
     done = subprocess.run(command, env=environ, capture_output=True, text=True)

@@ -84,7 +84,7 @@ def test_a_sheet_falls_over_it_and_it_stays(obj):
     assert np.isfinite(points).all()
     top = start[:, 2].max()
     middle = np.linalg.norm(points[:, :2] - start[:, :2].mean(0), axis=1) < 0.1
-    assert points[middle, 2].min() > top - 0.05  # it lies on the top
+    assert points[middle, 2].min() > top - 0.05  # it rests on the top
     assert points[:, 2].min() < top - 0.1  # its border hangs down
     simulation.clear(obj)
     assert [o.name for o in bpy.data.objects] == [obj.name]
@@ -130,7 +130,7 @@ def test_an_open_mesh_is_no_soft_body(tmp_path):
         simulation.simulate(obj, "SOFT")
 
 
-def test_what_explodes_is_said_and_taken_back(obj, monkeypatch):
+def test_an_unstable_simulation_is_an_error_and_is_removed(obj, monkeypatch):
     monkeypatch.setattr(bake, "STRETCH", 0.5)  # even rest is too much
     before, start = everything(), world_verts(obj)
     with pytest.raises(AddonError, match=r"is not stable: an edge becomes"):
@@ -139,7 +139,7 @@ def test_what_explodes_is_said_and_taken_back(obj, monkeypatch):
     np.testing.assert_allclose(world_verts(obj), start, atol=1e-6)
 
 
-def test_stopping_half_way_takes_it_back(obj):
+def test_cancelling_removes_the_simulation(obj):
     before = everything()
     steps = simulation.steps(obj, "SOFT", simulation.Options(frames=50))
     for _ in range(3):
@@ -171,7 +171,7 @@ def test_a_torus_is_parted_so_that_its_hole_stays_open():
     solid = 2 * np.pi**2 * 1 * 0.3**2
     assert sum(volume for _, _, volume in hulls) < 1.15 * solid < 0.8 * whole
     for part in parts:
-        assert (np.linalg.norm(part.mean(0)[:2])) > 0.5  # none lies across the hole
+        assert (np.linalg.norm(part.mean(0)[:2])) > 0.5  # none crosses the hole
 
 
 def test_the_operators_are_the_functions(addon, obj):

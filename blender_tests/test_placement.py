@@ -33,18 +33,18 @@ def add_box(size, at):
     return obj
 
 
-def test_it_falls_onto_what_lies_under_it(asset):
+def test_it_falls_onto_what_is_below_it(asset):
     table = add_box((2, 2, 0.4), (0, 0, 1.0))
     add_box((1, 1, 1), (10, 0, 0))  # elsewhere
     obj = import_asset(bpy.context, asset, (0.3, 0, 5))
     assert placement.drop(obj) == pytest.approx(5 - 1.2, abs=1e-4)
     assert world_verts(obj)[:, 2].min() == pytest.approx(1.2, abs=1e-4)
-    assert placement.drop(obj) == pytest.approx(0, abs=1e-4)  # it stands already
+    assert placement.drop(obj) == pytest.approx(0, abs=1e-4)  # it is there already
     assert tuple(table.location) == (0, 0, 1)
 
 
 def test_a_ball_on_a_ball_touches_in_one_point():
-    """Radius 0.5 each, 0.3 aside: the centres come to stand 1 apart."""
+    """Radius 0.5 each, 0.3 to the side: the centres end 1 apart."""
     add_ball((0, 0, 0))
     upper = add_ball((0.3, 0, 4))
     bpy.context.view_layer.update()
@@ -60,7 +60,7 @@ def test_a_spike_below_stops_it_though_no_vertex_of_its_own_lies_above():
 
 
 @pytest.mark.parametrize("height", [3.0, -2.0])
-def test_over_nothing_it_stands_on_the_ground(asset, height):
+def test_over_nothing_it_falls_to_the_ground(asset, height):
     obj = import_asset(bpy.context, asset, (0, 0, height))
     assert placement.drop(obj) == pytest.approx(height, abs=1e-5)
     with pytest.raises(AddonError, match="Nothing is below"):

@@ -99,7 +99,7 @@ def table(lights, monkeypatch):
     ("turn", "changes"), [("CAMERA", True), ("LIGHT", True), ("OBJECT", False)]
 )
 def test_a_turntable_is_png_files_of_one_turn_and_leaves_nothing(table, tmp_path, turn, changes):
-    """A ball looks the same from all sides: what its shading does tells what turns."""
+    """A ball looks the same from all sides: its shading shows what rotates."""
     before = counts()
     out = relight.turntable(table, tmp_path / "turn", frames=4, turn=turn, size=64, samples=4)
     names = sorted(path.name for path in out.iterdir())

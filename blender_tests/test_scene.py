@@ -32,7 +32,7 @@ pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
     ("azimuth", "elevation", "place"),
     [(0, 0, (0, -1, 0)), (90, 0, (1, 0, 0)), (180, 30, (0, 0.866, 0.5)), (0, 90, (0, 0, 1))],
 )
-def test_the_camera_stands_where_its_angles_say(azimuth, elevation, place):
+def test_the_camera_is_where_its_angles_place_it(azimuth, elevation, place):
     ball = add_ball((1, 2, 3))
     bpy.context.view_layer.update()
     camera = scene_render.add_camera(bpy.context.scene, ball, azimuth, elevation)
@@ -86,7 +86,7 @@ def test_two_lights_show_it_differently_and_neither_is_black_or_pink(asset, tmp_
     assert np.abs(pictures[0] - pictures[1]).mean() > 0.05
 
 
-def test_the_backdrop_is_even_and_shadowed_and_gone_afterwards(asset, tmp_path):
+def test_the_backdrop_is_even_and_shadowed_and_removed_afterwards(asset, tmp_path):
     obj = import_asset(bpy.context, asset)
     set_light(tmp_path, (1, 0, 1), strength=0.5)
     world = bpy.context.scene.world
@@ -122,7 +122,7 @@ def test_saved_and_loaded_by_another_process_it_renders_the_same(asset, tmp_path
 
 
 @pytest.mark.parametrize("name", ["x.png", "x.jpg", "x.exr", "x.webp", "x.TIF"])
-def test_a_picture_is_of_the_kind_that_its_name_says(tmp_path, name):
+def test_a_picture_has_the_format_of_its_name(tmp_path, name):
     set_light(tmp_path, (0, -1, 0))
     ball = add_ball()
     render(ball, tmp_path, size=8, samples=1)
@@ -152,7 +152,7 @@ def test_a_failed_save_keeps_the_older_file(tmp_path, monkeypatch):
     path = tmp_path / "scene.blend"
     scene_render.save_blend(path)
     old = path.read_bytes()
-    monkeypatch.setattr(scene_render, "_save", lambda aside: aside.write_bytes(b""))
+    monkeypatch.setattr(scene_render, "_save", lambda path: path.write_bytes(b""))
     with pytest.raises(OutputError, match="wrote nothing"):
         scene_render.save_blend(path)
     assert path.read_bytes() == old

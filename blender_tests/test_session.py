@@ -47,7 +47,7 @@ os.kill(os.getpid(), 9)
 
 @contextmanager
 def another_blender(ready, runs: Path, *prompts: str, then: str = "") -> Iterator[None]:
-    """A Blender that asks for ``prompts``, sees the first begin, does ``then`` and is killed."""
+    """A Blender that requests ``prompts``, sees the first start, runs ``then`` and is killed."""
     code = AWAY.format(
         python=sys.executable,
         core=str(FAKE_CORE),
@@ -165,7 +165,7 @@ def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
         assert "Traceback" not in str(refused.value)
 
 
-def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
+def test_an_asset_of_the_history_is_imported_again(ready, wait):
     run = submit.generate(bpy.context)
     wait()
     assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
@@ -190,7 +190,7 @@ def test_jobs_run_in_the_order_in_which_they_were_queued(ready, wait):
     assert len(bpy.data.objects) == 2
 
 
-def test_the_process_is_gone_when_its_job_is_done(ready, wait):
+def test_the_process_has_exited_when_its_job_is_done(ready, wait):
     """It holds the GPU's memory."""
     bpy.ops.fantasia3d.generate()
     run = session.running[0].run
@@ -237,7 +237,7 @@ def test_an_asset_does_not_fall_into_another_file(ready, wait, tmp_path):
     assert not session.missed
 
 
-def test_a_run_that_goes_on_after_a_crash_is_found_and_followed(ready, wait, tmp_path):
+def test_a_run_that_continues_after_a_crash_is_followed(ready, wait, tmp_path):
     with another_blender(ready, tmp_path / "runs", "brief", "second"):
         pass
     session.adopt(bpy.context)
@@ -266,7 +266,7 @@ def test_a_run_of_a_living_blender_is_left_to_it(ready, wait, tmp_path):
     assert only_run(tmp_path / "runs").state == history.CANCELLED
 
 
-def test_what_was_done_while_blender_was_closed_is_told(ready, wait, tmp_path):
+def test_what_was_done_while_blender_was_closed_is_offered(ready, wait, tmp_path):
     with another_blender(ready, tmp_path / "runs", "brief"):
         pass
     entry = only_run(tmp_path / "runs")

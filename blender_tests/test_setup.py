@@ -1,4 +1,4 @@
-"""The set-up by its buttons, with a Python and a registry that are played."""
+"""The set-up by its buttons, with a simulated Python and registry."""
 
 import json
 import os
@@ -19,7 +19,7 @@ pytestmark = [
     pytest.mark.usefixtures("empty", "addon"),
     pytest.mark.skipif(os.name != "posix", reason="the stand-in is a shell program"),
 ]
-# A Python that answers the probe, copies itself as an "environment", and plays pip.
+# A Python that answers the probe, copies itself as an "environment", and simulates pip.
 PLAYED = """#!{python} -S
 import os, shutil, sys, time
 args = sys.argv[1:]
@@ -147,14 +147,14 @@ def test_a_folder_with_the_users_files_is_left_alone(box):
     assert [path.name for path in box.env.iterdir()] == ["thesis.txt"]
 
 
-def test_a_python_that_is_none_is_said(box, monkeypatch):
+def test_a_file_that_is_no_python_is_an_error(box, monkeypatch):
     place = environment.Place(box.env, box.folder / "nothing", box.wheels)
     monkeypatch.setattr(paths.Paths, "place", place)
     bpy.ops.fantasia3d.set_up()
     assert done().error[0].endswith("nothing is no Python 3.11 of 64 bits.")
 
 
-def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
+def test_network_access_is_required_unless_there_are_wheels(box, monkeypatch):
     assert environment_setup.reason_against() == ""
     box.wheels.rmdir()
     assert "does not exist" in environment_setup.reason_against()
@@ -167,7 +167,7 @@ def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
     )  # fmt: skip
 
 
-def test_check_says_what_is_missing_and_how_to_fix_it(box):
+def test_check_lists_what_is_missing_and_its_fix(box):
     assert bpy.ops.fantasia3d.check() == {"FINISHED"}
     task = done()
     assert task.text.startswith("Missing: environment")
@@ -185,7 +185,7 @@ def test_check_looks_at_the_python_that_was_chosen(box, monkeypatch):
     assert (found["torch"], found["packages"]) == ("2.13.0", "as pinned, under Python 3.11.9")
 
 
-def test_windows_is_told_of_a_path_that_is_too_long(monkeypatch):
+def test_a_path_that_is_too_long_for_windows_is_an_error(monkeypatch):
     machine = sys.modules[environment.find_python.__module__]
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(machine, "_long_paths", lambda: False)

@@ -60,7 +60,7 @@ def test_the_users_uv_is_kept_and_transform_and_modifiers_are_respected(tmp_path
     assert [layer.name for layer in obj.data.uv_layers] == ["UVMap"]
 
 
-def test_a_new_uv_lies_beside_the_users_without_overlaps(tmp_path):
+def test_a_new_uv_map_is_added_without_overlaps(tmp_path):
     obj = add_cube()
     obj.data.polygons[2].select = False
     selected = [p.select for p in obj.data.polygons]
@@ -93,7 +93,7 @@ def test_a_mesh_without_a_uv_gets_one(tmp_path):
     assert len(exported(tmp_path / "mesh.obj")[1]) == 24
 
 
-def test_what_can_take_no_texture_is_said(tmp_path):
+def test_an_object_that_cannot_be_textured_has_a_reason(tmp_path):
     assert texture_object.reason_against(None) == "Select a mesh."
     empty = bpy.data.objects.new("Nothing", bpy.data.meshes.new("Nothing"))
     assert texture_object.reason_against(empty) == "“Nothing” has no faces."
@@ -118,7 +118,7 @@ def cube_with_slots() -> bpy.types.Object:
     return obj
 
 
-def test_the_material_lies_in_a_new_slot_and_the_others_stay(asset):
+def test_the_material_is_in_a_new_slot_and_the_others_stay(asset):
     obj = cube_with_slots()
     material = texture_object.assign_material(obj, asset, "UVMap", "slot")
     assert [slot.material.name for slot in obj.material_slots] == ["wood", "iron", material.name]
@@ -129,10 +129,10 @@ def test_the_material_lies_in_a_new_slot_and_the_others_stay(asset):
 
 def test_the_whole_object_shows_it_and_its_mesh_keeps_its_own(asset):
     obj = cube_with_slots()
-    twin = bpy.data.objects.new("twin", obj.data)
+    copy = bpy.data.objects.new("copy", obj.data)
     material = texture_object.assign_material(obj, asset, "UVMap", "object")
     assert [slot.material for slot in obj.material_slots] == [material, material]
-    assert [slot.material.name for slot in twin.material_slots] == ["wood", "iron"]
+    assert [slot.material.name for slot in copy.material_slots] == ["wood", "iron"]
     obj.material_slots[0].link = "DATA"  # the way back
     assert obj.material_slots[0].material.name == "wood"
 
@@ -143,7 +143,7 @@ def test_a_mesh_without_slots_gets_the_first(asset):
     assert [slot.material for slot in obj.material_slots] == [material]
 
 
-def test_a_uv_map_that_has_gone_is_said_and_nothing_is_left(asset):
+def test_a_removed_uv_map_is_an_error_and_nothing_is_left(asset):
     obj = add_cube()
     with pytest.raises(AddonError, match="no longer has the UV map “Fantasia3D”"):
         texture_object.assign_material(obj, asset, "Fantasia3D", "slot")
@@ -162,7 +162,7 @@ def colored(name: str, color: tuple[float, ...]) -> bpy.types.Material:
 
 
 def pixels(path: Path) -> np.ndarray:
-    """(S, S, 3) of a PNG as it stands in the file; row 0 is the bottom."""
+    """(S, S, 3) of a PNG as in the file; row 0 is the bottom."""
     image = bpy.data.images.load(str(path))
     image.colorspace_settings.is_data = True
     values = np.array(image.pixels[:]).reshape(*image.size, -1)[..., :3]
@@ -210,7 +210,7 @@ def test_a_mix_of_shaders_has_the_mix_of_their_colours(tmp_path):
     np.testing.assert_allclose(middle, (srgb(0.75), srgb(0.25), 0), atol=0.006)
 
 
-def test_a_shader_whose_colour_cannot_be_told_is_named(tmp_path):
+def test_a_shader_with_an_unknown_colour_is_named(tmp_path):
     obj = add_cube()
     material = colored("odd", (1, 0, 0, 1))
     tree = material.node_tree
@@ -240,7 +240,7 @@ def test_texture_goes_from_the_button_to_the_material(ready, wait):
     assert len(bpy.data.objects) == 2
 
 
-def test_an_object_that_has_gone_is_said(ready, wait):
+def test_a_removed_object_is_an_error(ready, wait):
     obj = add_cube()
     submit.texture(bpy.context)
     bpy.data.objects.remove(obj)

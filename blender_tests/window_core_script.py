@@ -81,7 +81,7 @@ def watch(followed: FollowedRun) -> Iterator[float]:
 
 
 def tell_of(obj: bpy.types.Object) -> None:
-    """What stands in the scene."""
+    """What is in the scene."""
     material = obj.active_material
     images = [n.image for n in material.node_tree.nodes if n.type == "TEX_IMAGE"]
     report["asset"] = {

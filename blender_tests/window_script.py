@@ -84,7 +84,7 @@ def cancel() -> Iterator[float]:
 
 
 def quads(screen: Screen) -> Iterator[float]:
-    """Quads and a thumbnail, each by another Blender, while this one goes on."""
+    """Quads and a thumbnail, each by another Blender, while this one stays responsive."""
     yield from screen.look_at(bpy.data.objects[meshes()[0]])
     beats: list[float] = []
     bpy.app.timers.register(lambda: beats.append(time.thread_time()) or 0.01)

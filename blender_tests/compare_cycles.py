@@ -200,7 +200,7 @@ class Exact:
         cos_v = dot(normal, view).clamp(1e-3, 1)
         sin_v = (1 - cos_v.square()).sqrt()
         along = normalize(view - cos_v * normal, 1e-20)
-        aside = torch.linalg.cross(normal, along)
+        across = torch.linalg.cross(normal, along)
         h = visible_normals(cos_v, alpha, self.samples)
         cos_d = sin_v * h[..., 0] + cos_v * h[..., 2]
         x, y, z = (
@@ -212,7 +212,7 @@ class Exact:
         weight = masked * smith_g2(cos_v, z.clamp(min=1e-5), alpha) * (z > 0)
         density = ggx_d(h[..., 2], alpha) / (4 * masked * cos_v)
         width = (1 / (len(self.samples) * density * 2 * math.pi)).sqrt()
-        light = x[..., None] * along[:, None] + y[..., None] * aside[:, None]
+        light = x[..., None] * along[:, None] + y[..., None] * across[:, None]
         light = light + z[..., None] * normal[:, None]
         level = (width / self.SIGMA).log2().clamp(min=0).reshape(-1)
         radiance = self.maps.read(light.reshape(-1, 3), level).view_as(light)

@@ -1,5 +1,7 @@
-"""Where things lie under Windows and macOS, and what those systems say of their memory: their
-paths and their answers are played, for the tests run elsewhere."""
+"""Paths and free memory under Windows and macOS.
+
+Their paths and the output of their tools are simulated: the tests run on other systems.
+"""
 
 import os
 import sys
@@ -50,7 +52,7 @@ def test_a_version_in_the_folders_name_stays_in_its_logs(windows):
 def test_torchs_deepest_file_must_have_a_name_under_windows(
     windows, monkeypatch, length, long_paths, fits
 ):
-    """190 characters below the environment's folder, of the 259 that Windows takes."""
+    """190 characters below the environment's folder, of the 259 that Windows allows."""
     monkeypatch.setattr(machine, "_long_paths", lambda: long_paths)
     folder = PureWindowsPath("C:\\" + (length - 3) * "x")
     assert len(str(folder)) == length
@@ -61,7 +63,7 @@ def test_torchs_deepest_file_must_have_a_name_under_windows(
         machine.check_length(folder)
 
 
-def test_pythons_are_sought_where_windows_puts_them(windows, monkeypatch):
+def test_pythons_are_searched_where_windows_installs_them(windows, monkeypatch):
     monkeypatch.setenv("LOCALAPPDATA", "/local ü")
     monkeypatch.setattr(machine.shutil, "which", lambda _word: None)
     asked = []
@@ -72,7 +74,7 @@ def test_pythons_are_sought_where_windows_puts_them(windows, monkeypatch):
 
 
 def test_macos_counts_what_it_gives_without_swapping():
-    said = (
+    output = (
         "Mach Virtual Memory Statistics: (page size of 16384 bytes)\n"
         "Pages free:                               5000.\n"
         "Pages active:                           300000.\n"
@@ -80,7 +82,7 @@ def test_macos_counts_what_it_gives_without_swapping():
         "Pages speculative:                        1000.\n"
         '"Translation faults":                 999999999.\n'
     )
-    assert memory._available_on_macos(said) == 16384 * 206000
+    assert memory._available_on_macos(output) == 16384 * 206000
 
 
 def test_windows_writes_its_answer_into_64_bytes():
@@ -97,7 +99,7 @@ def test_this_machine_has_some_memory():
     assert 1e7 < memory.available() <= total
 
 
-def test_the_panel_says_what_a_job_takes_and_when_that_is_too_much():
+def test_the_panel_shows_the_memory_of_a_job_and_when_it_is_too_much():
     need = f"{memory.TRAINING['draft'] / 1e9:.1f}"
     text, enough = memory.line("draft", 0, 16e9)
     assert enough
