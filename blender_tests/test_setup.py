@@ -147,6 +147,34 @@ def test_a_folder_with_the_users_files_is_left_alone(box):
     assert [path.name for path in box.env.iterdir()] == ["thesis.txt"]
 
 
+def test_files_of_the_users_next_to_the_folder_are_left_alone(box):
+    log, lock = box.env.with_name(box.env.name + ".log"), box.env.with_name(box.env.name + ".lock")
+    log.write_text("my own log")
+    bpy.ops.fantasia3d.set_up()
+    assert "is not a log of this project" in done().error[0]
+    assert log.read_text() == "my own log"
+    assert not box.env.exists()
+    log.unlink()
+    lock.write_text("my own pins")
+    bpy.ops.fantasia3d.set_up()
+    assert done().error is None
+    log.write_text("my own log")
+    bpy.ops.fantasia3d.remove_environment("EXEC_DEFAULT")
+    assert done().error is None
+    assert not box.env.exists()
+    assert (log.read_text(), lock.read_text()) == ("my own log", "my own pins")
+
+
+def test_a_refused_set_up_keeps_the_log_of_the_last_one(box):
+    box.env.mkdir()
+    (box.env / "thesis.txt").write_text("years")
+    log = box.env.with_name(box.env.name + ".log")
+    log.write_text("$ pip install torch")
+    bpy.ops.fantasia3d.set_up()
+    assert "not this project's" in done().error[0]
+    assert log.read_text() == "$ pip install torch"
+
+
 def test_a_file_that_is_no_python_is_an_error(box, monkeypatch):
     place = environment.Place(box.env, box.folder / "nothing", box.wheels)
     monkeypatch.setattr(paths.Paths, "place", place)

@@ -31,6 +31,7 @@ class Progress(Protocol):
 SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
 LEAN_PIP = (23, 2)  # older ones download a whole wheel (torch: 0.5 GB) to read its requirements
+OTHER_FOLDER = "Set FANTASIA3D_ENV to an empty or new folder."
 SILENCE = 15.0  # seconds without output after which a long step is reported again
 POLL_SECONDS = 0.5  # between two checks for a cancel
 CHECKS = {  # what must load before a group counts as installed
@@ -123,12 +124,7 @@ def remove(folder: Path) -> None:
     """
     if not folder.exists():
         return
-    ours = (folder / paths.MARKER).exists() or (folder / paths.BUILDING).exists()
-    if not ours and (not folder.is_dir() or any(folder.iterdir())):
-        raise SetupError(
-            f"{folder} holds files that are not this project's.",
-            "Set FANTASIA3D_ENV to an empty or new folder.",
-        )
+    _check_folder(folder)
     (folder / paths.BUILDING).touch()  # so that an interrupted removal can be continued
     # The marker goes first: from here on the environment counts as incomplete.
     (folder / paths.MARKER).unlink(missing_ok=True)
@@ -138,6 +134,21 @@ def remove(folder: Path) -> None:
     shutil.rmtree(folder)
 
 
+def _check_folder(folder: Path) -> None:
+    """Refuse a folder with the user's files."""
+    ours = (folder / paths.MARKER).exists() or (folder / paths.BUILDING).exists()
+    if folder.exists() and not ours and (not folder.is_dir() or any(folder.iterdir())):
+        raise SetupError(f"{folder} holds files that are not this project's.", OTHER_FOLDER)
+
+
+def _is_our_log(log: Path) -> bool:
+    """Whether ``log`` may be overwritten: a log of a set-up starts with a command."""
+    if not log.exists():
+        return True
+    with log.open("rb") as file:
+        return file.read(2) in (b"", b"$ ")
+
+
 def tidy(folder: Path) -> None:
     """Remove the log and the lock of a removed environment too, and the data folder if it is empty.
 
@@ -145,8 +156,11 @@ def tidy(folder: Path) -> None:
     """
     if folder.exists():
         return
-    for path in (paths.log_file(folder), folder.with_name(folder.name + ".lock")):
-        path.unlink(missing_ok=True)
+    log, lock = paths.log_file(folder), folder.with_name(folder.name + ".lock")
+    if _is_our_log(log):
+        log.unlink(missing_ok=True)
+    if lock.exists() and not lock.stat().st_size:  # ours is empty: another has this name
+        lock.unlink()
     if folder.parent == paths.data_folder():
         with contextlib.suppress(OSError):  # something else is in it
             folder.parent.rmdir()
@@ -178,8 +192,11 @@ class _SetUp:
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
         # Before anything is written; 1.5: until they are unpacked, the downloads need space too.
-        machine.check_disk(self.folder, 1.5 * self.expected)  # with the downloads
+        machine.check_disk(self.folder, 1.5 * self.expected)
         log = paths.log_file(self.folder)
+        _check_folder(self.folder)  # before the log is opened, which empties it
+        if not _is_our_log(log):
+            raise SetupError(f"{log} is not a log of this project.", OTHER_FOLDER)
         self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
         with log.open("w", encoding="utf-8", errors="replace") as self.log:
             try:
