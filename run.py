@@ -309,7 +309,7 @@ def inside(argv: list[str]) -> int:
 
 def finish(order: str) -> NoReturn:
     """Import an asset with the bpy module, save the scene and render it, as ``order`` says."""
-    from fantasia3d_addon import headless
+    from fantasia3d_addon.cli import headless
 
     wishes = json.loads(order)
     asset = Path(wishes.pop("asset"))
@@ -335,7 +335,7 @@ def under_blender(argv: list[str]) -> int:
         return launch(argv)
     check_command(argv)
     if is_blenders(argv):
-        from fantasia3d_addon import headless
+        from fantasia3d_addon.cli import headless
 
         return headless.command(argv)
     core, blender = split(argv)
@@ -343,7 +343,7 @@ def under_blender(argv: list[str]) -> int:
     python_path = environment.ensure(ROOT, (), say)
     if core and argv[0] not in JOBS:
         return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
-    from fantasia3d_addon import headless
+    from fantasia3d_addon.cli import headless
 
     if core:
         # Blender's own handler is no Python function, and could not be put back after the job.
@@ -372,7 +372,7 @@ def main(argv: list[str]) -> int:
         if argv[:1] == ["--finish"]:
             finish(argv[1])
         if argv[:1] == ["--scene"]:
-            from fantasia3d_addon import headless
+            from fantasia3d_addon.cli import headless
 
             leave(headless.command(argv[1:]) or 0)
         return under_blender(argv) if "bpy" in sys.modules else launch(argv)

@@ -73,7 +73,7 @@ def island_colors(size: int) -> np.ndarray:
 
 
 def bump_normals(size: int) -> np.ndarray:
-    """The normal map (S,S,3) uint16, OpenGL, of a dome that stands out of the surface."""
+    """The normal map (S,S,3) uint16, OpenGL, of a dome on the surface."""
     u = (np.arange(size) + 0.5) / size * 2 - 1
     x, y = np.meshgrid(u, -u)  # row 0 is the top
     inside = x**2 + y**2 < 0.64
@@ -97,7 +97,7 @@ def write_png(path: Path, picture: np.ndarray) -> None:
 
 
 def write_obj(path: Path, verts, faces, uv, face_uvs) -> None:
-    """In the axes that Blender's own importer takes by default: forward -Z, up Y."""
+    """In the axes that are the default of Blender's own importer: forward -Z, up Y."""
     lines = [f"v {x:.7f} {z:.7f} {-y:.7f}" for x, y, z in verts]
     lines += [f"vt {u:.7f} {v:.7f}" for u, v in uv]
     lines += [

@@ -12,13 +12,13 @@ import pytest
 from blender_tests.asset_fixture import write_asset
 
 FAKE_CORE = Path(__file__).parent / "fake_core"
-# Beside a Blender whose Python has no torch, nothing can be compared with the core.
+# With a Blender whose Python has no torch, nothing can be compared with the core.
 collect_ignore_glob = [] if importlib.util.find_spec("torch") else ["*_matches_cycles.py"]
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """Leave at once: bpy 4.5 hangs now and then in an ordinary exit, after all was told."""
+    """Exit at once: bpy 4.5 sometimes hangs in an ordinary exit, after the report."""
     if "bpy" in sys.modules and hasattr(config, "ended_with"):
         sys.stdout.flush()
         sys.stderr.flush()
@@ -59,11 +59,12 @@ def ready(addon, tmp_path, monkeypatch):
     """The settings of the add-on with the fake core, an asset to make, and a folder for runs."""
     import bpy
 
-    from fantasia3d_addon import environment, preferences
+    from fantasia3d_addon import environment
+    from fantasia3d_addon.jobs import paths
 
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
     monkeypatch.setattr(environment, "project_root", lambda: FAKE_CORE)
-    monkeypatch.setattr(preferences.Machine, "runs", tmp_path / "runs")
+    monkeypatch.setattr(paths.Paths, "runs", tmp_path / "runs")
     settings = bpy.context.scene.fantasia3d
     settings.prompt = "a red wooden chair"
     settings.negative_prompt = str(write_asset(tmp_path / "made"))  # the fake core hands it out
@@ -72,8 +73,8 @@ def ready(addon, tmp_path, monkeypatch):
 
 @pytest.fixture
 def wait() -> Callable[..., None]:
-    """Calls the session's tick as a timer would, until all has ended or ``until`` says so."""
-    from fantasia3d_addon.session import session
+    """Calls the session's tick as a timer would, until all has ended or ``until`` is true."""
+    from fantasia3d_addon.jobs.session import session
 
     def until_the_end(until: Callable[[], bool] = lambda: False) -> None:
         deadline = time.monotonic() + 60

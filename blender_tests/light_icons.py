@@ -1,7 +1,7 @@
 """Renders the pictures of the lights that the panel offers: a ball under each of them.
 
 ``python -m blender_tests.light_icons`` (needs bpy with its studio lights) writes
-fantasia3d_addon/light_icons/. Run it when Blender's lights change.
+fantasia3d_addon/ui/light_icons/. Run it when Blender's lights change.
 """
 
 import math
@@ -10,7 +10,9 @@ import sys
 
 import bpy
 
-from fantasia3d_addon import compat, light, thumbnails
+from fantasia3d_addon.blender import compat
+from fantasia3d_addon.scene import light
+from fantasia3d_addon.ui import icons
 
 SIZE = 96  # pixels
 WHITE = 0.8  # what a white matt surface that faces the camera shows
@@ -18,7 +20,7 @@ LOOK = (0.0, -1.0, 0.35)  # towards the camera
 
 
 def main() -> None:
-    thumbnails.LIGHTS.mkdir(exist_ok=True)
+    icons.LIGHTS.mkdir(exist_ok=True)
     for name, path in {"neutral": light.STUDIO_FILE, **light.blender_lights()}.items():
         bpy.ops.wm.read_factory_settings(use_empty=True)
         scene = bpy.context.scene
@@ -28,7 +30,7 @@ def main() -> None:
         length = math.hypot(*LOOK)
         seen = light.irradiance(light.environment_image(world), [x / length for x in LOOK])
         background.inputs["Strength"].default_value = WHITE / max(seen, 1e-6)
-        scene.render.filepath = str(thumbnails.LIGHTS / f"{name}.png")
+        scene.render.filepath = str(icons.LIGHTS / f"{name}.png")
         bpy.ops.render.render(write_still=True)
 
 
@@ -38,7 +40,7 @@ def _stage(scene: bpy.types.Scene) -> None:
     ball = bpy.context.object
     ball.data.shade_smooth()
     material = bpy.data.materials.new("Ball")
-    if not compat.HAS_NODES_AT_BIRTH:
+    if not compat.ALWAYS_HAS_NODES:
         material.use_nodes = True
     shader = material.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (0.9, 0.9, 0.9, 1)

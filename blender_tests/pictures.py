@@ -5,7 +5,9 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from fantasia3d_addon import compat, light, scene
+from fantasia3d_addon.blender import compat
+from fantasia3d_addon.scene import light
+from fantasia3d_addon.scene import render as scene_render
 
 
 def write_hdr(path: Path, picture: np.ndarray) -> Path:
@@ -86,9 +88,9 @@ def render(
     """The picture (H,W,3) as sRGB from 0 to 1, row 0 at the top, without the denoiser."""
     target = bpy.context.scene
     bpy.context.view_layer.update()
-    scene.add_camera(target, obj, azimuth_deg, elevation_deg)
+    scene_render.add_camera(target, obj, azimuth_deg, elevation_deg)
     bpy.context.view_layer.update()
-    scene.set_up_cycles(target, size, samples)
+    scene_render.set_up_cycles(target, size, samples)
     return shoot(obj, folder / "picture.png", backdrop)
 
 
@@ -100,7 +102,7 @@ def shoot(obj: bpy.types.Object, path: Path, backdrop: bool = False) -> np.ndarr
     target.world.cycles.sampling_method = "MANUAL"  # a small map: the tests' lights are smooth
     target.world.cycles.sample_map_resolution = 64
     target.render.threads_mode, target.render.threads = "FIXED", 1
-    scene.render_still(path, obj, backdrop)
+    scene_render.render_still(path, obj, backdrop)
     return read(path)
 
 

@@ -22,9 +22,9 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 import fantasia3d_addon  # noqa: E402
-from fantasia3d_addon.layout import TAB  # noqa: E402
-from fantasia3d_addon.registration import CLASSES  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.ui.registration import CLASSES  # noqa: E402
+from fantasia3d_addon.ui.text import TAB  # noqa: E402
 
 ROW = 8  # pixels between two tries of a click
 BEAT = 0.005  # seconds between two beats of the clock that sees the main loop held up
@@ -90,7 +90,7 @@ class Screen:
                 return
 
     def type_prompt(self, text: str) -> Iterator[float]:
-        """Click into the prompt's field and write; a field that is no text field takes nothing."""
+        """Click into the prompt's field and write; other fields ignore the text."""
         settings = bpy.context.scene.fantasia3d
         region = self.region("UI")
         x = region.x + region.width // 2 - 10
@@ -105,7 +105,7 @@ class Screen:
             yield from self.key("ESC")
 
     def press_generate(self) -> Iterator[float]:
-        """Click where the button stands; by the operator where none was hit."""
+        """Click where the button is; call the operator where none was hit."""
         yield from self.find(290, 330, lambda: bool(session.running))
         report["clicked"] = bool(session.running)
         if not session.running:
@@ -122,13 +122,13 @@ class Screen:
 
 
 @contextlib.contextmanager
-def clock(into: list, *told: object) -> Iterator[None]:
-    """Append what is told and the seconds that the block takes: on the wall, and of this thread."""
+def clock(into: list, *labels: object) -> Iterator[None]:
+    """Append the labels and the seconds that the block takes: wall time, and this thread's."""
     wall, cpu = time.perf_counter(), time.thread_time()
     try:
         yield
     finally:
-        into.append([*told, time.perf_counter() - wall, time.thread_time() - cpu])
+        into.append([*labels, time.perf_counter() - wall, time.thread_time() - cpu])
 
 
 def time_ticks_and_draws() -> None:
@@ -136,7 +136,7 @@ def time_ticks_and_draws() -> None:
     tick = session._timer
 
     def timed_tick() -> float | None:
-        with clock(report["ticks"], bool(session.running), bool(session.arriving)):
+        with clock(report["ticks"], bool(session.running), bool(session.importing)):
             return tick()
 
     session._timer = timed_tick
@@ -160,7 +160,7 @@ def beat() -> None:
     def pulse() -> float:
         nonlocal wall, cpu
         now = time.perf_counter(), time.thread_time()
-        state = bool(session.running), bool(session.arriving)
+        state = bool(session.running), bool(session.importing)
         report["gaps"].append([*state, now[0] - wall, now[1] - cpu])
         wall, cpu = now
         return BEAT

@@ -1,4 +1,4 @@
-"""The core's shading beside Cycles': ``python -m blender_tests.shading_pictures OUT.jpg``.
+"""The core's shading next to Cycles': ``python -m blender_tests.shading_pictures OUT.jpg``.
 
 Balls of four materials under three lights; of each the core's, Cycles', and eight times their
 difference. Cycles' pixels are kept in the folder CACHE, if one is named, and taken from there.
@@ -13,7 +13,7 @@ from jaxtyping import Float
 from PIL import Image, ImageDraw
 from torch import Tensor
 
-from blender_tests.beside_cycles import KD, add_ball, ball_points, cycles_pixels, empty_scene, psnr
+from blender_tests.compare_cycles import KD, add_ball, ball_points, cycles_pixels, empty_scene, psnr
 from core.appearance.environment import Environment
 from core.appearance.lights import blender_light, load_light
 from core.appearance.shade import shade

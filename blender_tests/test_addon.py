@@ -1,4 +1,4 @@
-"""The add-on in Blender: it comes and goes without a trace, and its buttons are its functions."""
+"""The add-on in Blender: it registers without a trace, and its buttons are its functions."""
 
 import random
 import sys
@@ -9,12 +9,16 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 import fantasia3d_addon  # noqa: E402
-from fantasia3d_addon import ask, live_preview, preferences  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.properties import job_of, take_job  # noqa: E402
-from fantasia3d_addon.registration import CLASSES  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import (  # noqa: E402
+    handlers,
+    paths,
+    submit,
+)
+from fantasia3d_addon.jobs.job_settings import apply_job, job_of  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.ui.registration import CLASSES  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 ROOT = Path(__file__).parents[1]
@@ -34,8 +38,8 @@ def traces() -> set[str]:
     found |= {f"ops.{name}" for name in dir(bpy.ops.fantasia3d)}
     for owner in (bpy.types.Scene, bpy.types.WindowManager):
         found |= {f"{owner.__name__}.fantasia3d"} if hasattr(owner, "fantasia3d") else set()
-    for handlers, function in live_preview.HANDLERS:
-        found |= {function.__name__} if function in handlers else set()
+    for registered, function in handlers.HANDLERS:
+        found |= {function.__name__} if function in registered else set()
     return found | ({"a timer"} if bpy.app.timers.is_registered(session._timer) else set())
 
 
@@ -44,7 +48,7 @@ def test_register_and_unregister_twice_leave_nothing():
     for _ in range(2):
         fantasia3d_addon.register()
         assert {cls.__name__ for cls in CLASSES} < traces()
-        session.watch()
+        session.start_timer()
         fantasia3d_addon.unregister()
         assert traces() == set()
 
@@ -53,7 +57,8 @@ def test_the_package_loads_without_blender():
     """run.py shares its environment module under plain Python."""
     import subprocess
 
-    modules = ("environment", "jobs", "history", "target", "claim", "follow", "work")
+    jobs = ("process", "history", "target", "lock", "progress", "memory")
+    modules = ("environment", "background.thread", *(f"jobs.{name}" for name in jobs))
     names = ", ".join(f"fantasia3d_addon.{module}" for module in modules)
     code = f"import sys, {names}; print('bpy' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
@@ -108,21 +113,21 @@ def test_every_poll_answers_in_every_scene(addon, scene):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_generate_says_why_it_cannot_be_pressed(addon, monkeypatch, tmp_path):
+def test_generate_has_a_reason_when_it_is_disabled(addon, monkeypatch, tmp_path):
     settings = bpy.context.scene.fantasia3d
-    assert "prompt is empty" in ask.reason_against(bpy.context)
+    assert "Enter a prompt" in submit.reason_against_generate(bpy.context)
     settings.prompt = "a chair"
     monkeypatch.setenv("FANTASIA3D_PYTHON", str(tmp_path / "none"))
-    assert "Set Up first" in ask.reason_against(bpy.context)
+    assert "Press Install first" in submit.reason_against_generate(bpy.context)
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
-    assert ask.reason_against(bpy.context) == ""
+    assert submit.reason_against_generate(bpy.context) == ""
     assert bpy.ops.fantasia3d.generate.poll()
-    assert ask.reason_against_texture(bpy.context) == "Select a mesh."
+    assert submit.reason_against_texture(bpy.context) == "Select a mesh."
     settings.light = "FILE"
-    assert "Choose an HDR or EXR file" in ask.reason_against(bpy.context)
+    assert "Choose an HDR or EXR file" in submit.reason_against_generate(bpy.context)
 
 
-def test_every_job_is_one_that_the_core_takes(addon, tmp_path):
+def test_the_core_accepts_every_job(addon, tmp_path):
     pytest.importorskip("jaxtyping")
     from core.io.job import Job
 
@@ -155,7 +160,7 @@ def test_the_settings_come_back_from_their_job(addon, tmp_path):
         if name not in ("rna_type", "name"):
             settings.property_unset(name)
     assert job_of(settings) != job
-    take_job(settings, job)
+    apply_job(settings, job)
     assert job_of(settings) == job
 
 
@@ -164,8 +169,8 @@ def test_the_settings_come_back_from_their_job(addon, tmp_path):
     [
         ({"guidance": "folder"}, "is no Stable Diffusion model"),
         ({"guidance": "folder", "model_folder": "/tmp"}, "is no Stable Diffusion model"),
-        ({"guidance": "hub"}, "No model is named"),
-        ({"light": "FILE"}, "No light is named"),
+        ({"guidance": "hub"}, "No model is chosen"),
+        ({"light": "FILE"}, "No light is chosen"),
         ({"light": "FILE", "light_file": "/no/such.hdr"}, "There is no light"),
         ({"overrides": "geometry.views"}, "has no value"),
     ],
@@ -188,11 +193,12 @@ def test_the_guide_is_the_selected_mesh(addon):
 
 def test_a_light_keeps_its_number_whichever_others_there_are(addon, monkeypatch):
     """A file saved in one Blender shows the same light in another."""
-    from fantasia3d_addon import light, properties
+    from fantasia3d_addon.scene import light
+    from fantasia3d_addon.ui import properties
 
     def numbers() -> dict[str, int]:
-        properties.forget_lights()
-        return {item[0]: item[4] for item in properties._lights(None, None)}
+        properties.clear_light_items()
+        return {item[0]: item[4] for item in properties.light_items(None, None)}
 
     before, here = numbers(), light.blender_lights()
     monkeypatch.setattr(light, "blender_lights", lambda: {"aurora": Path("x"), **here})
@@ -202,5 +208,5 @@ def test_a_light_keeps_its_number_whichever_others_there_are(addon, monkeypatch)
 
 
 def test_the_network_is_used_only_where_blender_and_the_user_allow_it(addon):
-    machine = preferences.Machine(bpy.context)
+    machine = paths.Paths(bpy.context)
     assert machine.core_environ["HF_HUB_OFFLINE"] == "1"

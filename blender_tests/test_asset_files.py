@@ -20,10 +20,10 @@ N, M = 48, 24
 
 
 def standing() -> tuple:
-    """A torus that stands up, with a nose at the front (-Y), 1 m high."""
+    """An upright torus, with a nose at the front (-Y), 1 m high."""
     verts, faces = torus(N, M)
     x, y, z = verts.unbind(1)
-    verts = torch.stack([x, -z, y * 1.2], 1)  # a quarter turn about x: the ring stands
+    verts = torch.stack([x, -z, y * 1.2], 1)  # a quarter turn about x: the ring is upright
     nose = torch.exp(-20 * (verts - verts[verts[:, 1].argmin()]).pow(2).sum(1))
     verts[:, 1] -= 0.3 * nose
     return place(verts), faces

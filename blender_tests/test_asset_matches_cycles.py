@@ -8,7 +8,7 @@ from torch import Tensor
 
 bpy = pytest.importorskip("bpy")
 
-from blender_tests.beside_cycles import (  # noqa: E402
+from blender_tests.compare_cycles import (  # noqa: E402
     add_asset,
     asset_pixels,
     cycles_pixels,

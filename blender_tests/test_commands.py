@@ -9,8 +9,10 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import lobe, read, write_hdr  # noqa: E402
 from blender_tests.processes import ROOT  # noqa: E402
-from fantasia3d_addon import commands, compat, headless, scene  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
+from fantasia3d_addon.cli import commands, headless  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
+from fantasia3d_addon.scene import render  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -23,7 +25,7 @@ pytestmark = [
 @pytest.fixture
 def quick(monkeypatch):
     """Pictures of 32 pixels and two samples, whatever is asked for."""
-    set_up = scene.set_up_cycles
+    set_up = render.set_up_cycles
 
     def small(target, size=0, samples=None):
         set_up(target, 32, 2)
@@ -32,7 +34,7 @@ def quick(monkeypatch):
             target.world.cycles.sampling_method = "MANUAL"
             target.world.cycles.sample_map_resolution = 32
 
-    monkeypatch.setattr(scene, "set_up_cycles", small)
+    monkeypatch.setattr(render, "set_up_cycles", small)
 
 
 def test_relight_makes_a_picture_a_turntable_and_a_file(asset, tmp_path, quick, capfd):
@@ -43,8 +45,8 @@ def test_relight_makes_a_picture_a_turntable_and_a_file(asset, tmp_path, quick, 
     assert headless.command(argv) == 0
     assert read(tmp_path / "a.png").shape == (32, 32, 3)
     assert len(list((tmp_path / "turn").iterdir())) == 2
-    told = capfd.readouterr().out.splitlines()
-    assert told[-3:] == [str(tmp_path / n) for n in ("a.blend", "a.png", "turn")]
+    output = capfd.readouterr().out.splitlines()
+    assert output[-3:] == [str(tmp_path / n) for n in ("a.blend", "a.png", "turn")]
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
     (obj,) = (o for o in bpy.data.objects if o.type == "MESH")
     assert obj.active_material.name.startswith("Gold")
@@ -56,14 +58,14 @@ def test_physics_saves_the_baked_cloth(asset, tmp_path, quick):
     assert headless.command(argv) == 0
     assert (tmp_path / "a.png").is_file()
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
-    from fantasia3d_addon import bake_physics, physics
+    from fantasia3d_addon.physics import bake, simulation
 
-    owner = physics.owner_of(bpy.data.objects["a red wooden chair"])
-    assert bake_physics.cache_of(owner).is_baked
+    owner = simulation.owner_of(bpy.data.objects["a red wooden chair"])
+    assert bake.cache_of(owner).is_baked
     assert bpy.context.scene.frame_current == 5
 
 
-def test_cornell_takes_many(asset, tmp_path, quick):
+def test_cornell_accepts_several_assets(asset, tmp_path, quick):
     argv = ["cornell", str(asset), str(asset), "--blend", str(tmp_path / "a.blend")]
     assert headless.command(argv) == 0
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
@@ -84,7 +86,7 @@ def test_export_writes_what_the_core_does_not(asset, tmp_path, ending):
 @pytest.mark.parametrize(
     ("argv", "message"),
     [
-        (["relight", "X"], "There is nothing to make. Name --render, --turntable or --blend."),
+        (["relight", "X"], "There is nothing to write. Add --render, --turntable or --blend."),
         (["relight", "X", "--render", "a.doc"], "ends in .png"),
         (["relight", "X", "--render", "a.png"], "it has no asset.json"),
         (["relight", "X", "--ligt", "a"], "--ligt"),
@@ -96,12 +98,12 @@ def test_export_writes_what_the_core_does_not(asset, tmp_path, ending):
 def test_what_cannot_be_is_one_sentence_and_status_2(tmp_path, argv, message, capfd):
     argv = [str(tmp_path) if word == "X" else word for word in argv]
     assert headless.command(argv) == 2
-    told = capfd.readouterr().err
-    assert told.startswith("error: ")
-    assert message in told
-    assert "Traceback" not in told
+    output = capfd.readouterr().err
+    assert output.startswith("error: ")
+    assert message in output
+    assert "Traceback" not in output
     with pytest.raises(AddonError):
-        commands.carry_out(argv)
+        commands.run(argv)
 
 
 def test_the_launcher_hands_such_commands_to_blender(tmp_path):
@@ -124,5 +126,5 @@ def test_the_command_line_itself_lights_an_asset(asset, tmp_path):
     command = [sys.executable, str(ROOT / "run.py"), "--scene", "relight", str(asset)]
     command += ["--render", str(out), "--size", "32", "--samples", "2"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
-    last = done.stdout.splitlines()[-1:]  # bpy 5.2 says where its colours come from before
+    last = done.stdout.splitlines()[-1:]  # bpy 5.2 prints its colour configuration before
     assert (done.returncode, last) == (0, [str(out)]), done.stderr

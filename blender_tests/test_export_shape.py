@@ -6,8 +6,8 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block  # noqa: E402
+from fantasia3d_addon.asset.export_shape import export_shape  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
-from fantasia3d_addon.export_shape import export_shape  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -44,7 +44,7 @@ def volume(co, faces):
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
 
 
-def test_the_shape_comes_back_as_it_stands_with_its_uv(tmp_path):
+def test_the_exported_shape_imports_in_place_with_its_uv(tmp_path):
     obj = add_block()
     obj.location, obj.rotation_euler, obj.scale = (1, 2, 3), (0.3, 0.2, 0.1), (1, 2, 0.5)
     export(obj, tmp_path / "shape.obj")
@@ -90,7 +90,7 @@ def test_what_has_no_surface_is_refused(tmp_path, data):
     }
     obj = bpy.data.objects.new("x", kinds[data]())
     bpy.context.scene.collection.objects.link(obj)
-    with pytest.raises(AddonError, match=r"x has no faces\. Choose"):
+    with pytest.raises(AddonError, match=r"“x” has no faces\. Choose"):
         export(obj, tmp_path / "shape.obj")
 
 

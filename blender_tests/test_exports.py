@@ -11,20 +11,13 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import bump_normals, write_asset  # noqa: E402
 from blender_tests.pictures import read, render, set_light  # noqa: E402
-from fantasia3d_addon import (  # noqa: E402
-    asset_browser,
-    compat,
-    errand,
-    exports,
-    health,
-    maps,
-    material_edit,
-    png,
-    remesh,
-)
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.background import blender_process  # noqa: E402
+from fantasia3d_addon.blender import compat, png  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import corner_uv, triangles, verts_of  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.mesh_data import corner_uv, triangles, verts_of  # noqa: E402
+from fantasia3d_addon.material import edit as material_edit  # noqa: E402
+from fantasia3d_addon.mesh import asset_browser, export, health, maps, remesh  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -47,7 +40,7 @@ def obj(tmp_path):
 
 def bring_back(path) -> "bpy.types.Object":
     """The object that Blender's own importer makes of a file."""
-    kind = exports.ENDINGS[path.suffix]
+    kind = export.ENDINGS[path.suffix]
     if kind == "GLB":
         bpy.ops.import_scene.gltf(filepath=str(path))
     elif kind == "USD":
@@ -56,7 +49,7 @@ def bring_back(path) -> "bpy.types.Object":
         bpy.ops.import_scene.fbx(filepath=str(path))
     else:
         bpy.ops.wm.obj_import(filepath=str(path))
-        for image in bpy.data.images:  # Blender's OBJ importer takes all for sRGB
+        for image in bpy.data.images:  # Blender's OBJ importer assumes sRGB for all
             if "base_color" not in image.name and image.source == "FILE":
                 image.colorspace_settings.is_data = True
     return next(o for o in bpy.data.objects if o.type == "MESH")
@@ -69,7 +62,7 @@ def test_what_comes_back_looks_the_same_from_another_folder(obj, tmp_path, endin
     set_light(tmp_path, (0.4, -1, 0.4), strength=0.4)
     before = {kind: len(getattr(bpy.data, kind)) for kind in ("objects", "meshes", "materials")}
     out = tmp_path / "out"
-    path = exports.export_object(obj, out / f"a b.{ending}")
+    path = export.export_object(obj, out / f"a b.{ending}")
     assert {k: len(getattr(bpy.data, k)) for k in before} == before
     assert obj.name == obj.active_material.name == "a red wooden chair"
     first = render(obj, tmp_path, azimuth_deg=20, elevation_deg=15, samples=16)
@@ -84,21 +77,21 @@ def test_what_comes_back_looks_the_same_from_another_folder(obj, tmp_path, endin
 
 
 def test_a_glb_holds_its_pictures_and_tangents(obj, tmp_path):
-    path = exports.export_object(obj, tmp_path / "x.glb")
+    path = export.export_object(obj, tmp_path / "x.glb")
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
-    told = json.loads(data[20 : 20 + length])
-    (material,) = told["materials"]
+    header = json.loads(data[20 : 20 + length])
+    (material,) = header["materials"]
     shading = material["pbrMetallicRoughness"]
     assert {"baseColorTexture", "metallicRoughnessTexture"} <= shading.keys()
     assert "normalTexture" in material
-    assert all("bufferView" in image for image in told["images"])
-    assert "TANGENT" in told["meshes"][0]["primitives"][0]["attributes"]
+    assert all("bufferView" in image for image in header["images"])
+    assert "TANGENT" in header["meshes"][0]["primitives"][0]["attributes"]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["asset", "x.glb"]
 
 
 def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
-    exports.export_object(obj, tmp_path / "x.obj")
+    export.export_object(obj, tmp_path / "x.obj")
     text = (tmp_path / "x.mtl").read_text()
     named = {line.split()[0]: line.split()[-1] for line in text.splitlines() if "map_" in line}
     assert named.keys() == {"map_Kd", "map_Pr", "map_Pm", "map_Bump"}
@@ -106,19 +99,19 @@ def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
 
 
 def test_directx_flips_green_alone(obj, tmp_path):
-    exports.export_object(obj, tmp_path / "gl.obj")
-    exports.export_object(obj, tmp_path / "dx.obj", flip_normal_y=True)
+    export.export_object(obj, tmp_path / "gl.obj")
+    export.export_object(obj, tmp_path / "dx.obj", flip_normal_y=True)
     gl = read(tmp_path / "gl_textures" / "gl_normal.png")
     dx = read(tmp_path / "dx_textures" / "dx_normal.png")
     np.testing.assert_allclose(dx[..., 1], 1 - gl[..., 1], atol=1e-4)
     np.testing.assert_allclose(dx[..., ::2], gl[..., ::2], atol=1e-6)
     with pytest.raises(OutputError, match="allows OpenGL's normal maps alone"):
-        exports.export_object(obj, tmp_path / "x.glb", flip_normal_y=True)
+        export.export_object(obj, tmp_path / "x.glb", flip_normal_y=True)
 
 
-def test_a_solid_wood_is_baked_for_elsewhere(obj, tmp_path):
+def test_a_solid_wood_is_baked_for_the_export(obj, tmp_path):
     material_edit.replace_material(obj, "wood")
-    exports.export_object(obj, tmp_path / "x.obj", size=64)
+    export.export_object(obj, tmp_path / "x.obj", size=64)
     color = read(tmp_path / "x_textures" / "x_base_color.png")
     inside = color[8:24, 4:16].reshape(-1, 3)
     assert (inside[:, 0] > inside[:, 1]).all() and (inside[:, 1] > inside[:, 2]).all()
@@ -127,12 +120,12 @@ def test_a_solid_wood_is_baked_for_elsewhere(obj, tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [("x.stl", "has no format that is known"), ("file/x.glb", "can't be written")],
+    [("x.stl", "has no known format"), ("file/x.glb", "can't be written")],
 )
 def test_a_file_that_cannot_be_is_a_sentence(obj, tmp_path, name, message):
     (tmp_path / "file").touch()
     with pytest.raises(OutputError, match=message):
-        exports.export_object(obj, tmp_path / name)
+        export.export_object(obj, tmp_path / name)
 
 
 def test_png_is_read_back_to_the_bit(tmp_path):
@@ -143,7 +136,7 @@ def test_png_is_read_back_to_the_bit(tmp_path):
 
 
 def test_lods_have_fewer_faces_and_the_same_uvs(obj, tmp_path):
-    """The colour that each triangle's middle has in the atlas is that of the side it lies on."""
+    """The colour that each triangle's middle has in the atlas is that of its side."""
     lods = remesh.make_lods(obj, levels=2, ratio=0.5)
     faces = len(obj.data.polygons)
     assert [lod.name for lod in lods] == [f"{obj.name} LOD{i}" for i in (1, 2)]
@@ -192,11 +185,11 @@ def test_an_open_mesh_is_not_remeshed(tmp_path):
 def test_a_blender_without_a_window_makes_the_same_quads(obj):
     here = remesh.quad_remesh(obj, faces=300, size=32)
     obj.hide_render = False
-    work = errand.send(obj, "quads", faces=300, size=32)
-    work.join(120)
-    assert work.error is None
-    (there,) = errand.objects(work.result)
-    assert not work.result.exists()
+    task = blender_process.start(obj, "quads", faces=300, size=32)
+    task.join(120)
+    assert task.error is None
+    (there,) = blender_process.load_objects(task.result)
+    assert not task.result.exists()
     assert np.allclose(verts_of(there.data), verts_of(here.data), atol=1e-5)
     assert len(there.data.polygons) == len(here.data.polygons)
     (slot,) = there.material_slots
@@ -210,18 +203,18 @@ def test_what_a_blender_without_a_window_refuses_is_a_sentence(tmp_path):
 
     verts, faces, uv, face_uvs = block()
     folder = write_asset(tmp_path / "open", (verts, faces[3:], uv, face_uvs[3:]))
-    work = errand.send(import_asset(bpy.context, folder), "quads", faces=300)
-    work.join(120)
-    assert "is not closed and manifold" in work.error[0]
-    assert work.error[1] == "Press Repair All under Mesh Health first."
+    task = blender_process.start(import_asset(bpy.context, folder), "quads", faces=300)
+    task.join(120)
+    assert "is not closed and manifold" in task.error[0]
+    assert task.error[1] == "Press Repair All under Mesh Health first."
 
 
-def test_given_up_it_ends_and_leaves_nothing(obj, monkeypatch, tmp_path):
-    monkeypatch.setattr(errand.tempfile, "tempdir", str(tmp_path))
-    work = errand.send(obj, "quads", faces=300)
-    work.cancel()
-    work.join(20)
-    assert work.error == ("It was stopped.", "")
+def test_cancelled_it_ends_and_leaves_nothing(obj, monkeypatch, tmp_path):
+    monkeypatch.setattr(blender_process.tempfile, "tempdir", str(tmp_path))
+    task = blender_process.start(obj, "quads", faces=300)
+    task.cancel()
+    task.join(20)
+    assert task.error == ("Cancelled.", "")
     assert list(tmp_path.glob("fantasia3d-*")) == []
 
 
@@ -247,7 +240,7 @@ def test_an_asset_browser_entry_has_a_thumbnail_and_tags(obj, tmp_path, monkeypa
 
 def test_the_operators_are_the_functions(addon, obj, tmp_path):
     bpy.context.view_layer.objects.active = obj
-    exports.export_object(obj, tmp_path / "f" / "x.obj")
+    export.export_object(obj, tmp_path / "f" / "x.obj")
     assert bpy.ops.fantasia3d.export(filepath=str(tmp_path / "o" / "x"), format="obj") == {
         "FINISHED"
     }
@@ -259,5 +252,5 @@ def test_the_operators_are_the_functions(addon, obj, tmp_path):
     assert len(obj.asset_data.tags) == 2
     assert bpy.ops.fantasia3d.quad_remesh(faces=300, texture_size=32) == {"FINISHED"}
     assert bpy.context.object.name.endswith("quads")
-    with pytest.raises(RuntimeError, match="no format that is known"):
+    with pytest.raises(RuntimeError, match="no known format"):
         bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x.stl"))

@@ -14,7 +14,8 @@ bpy = pytest.importorskip("bpy")
 from blender_tests.asset_fixture import write_asset  # noqa: E402
 from blender_tests.pictures import read  # noqa: E402
 from blender_tests.processes import blender_command  # noqa: E402
-from fantasia3d_addon import headless, scene  # noqa: E402
+from fantasia3d_addon.cli import headless  # noqa: E402
+from fantasia3d_addon.scene import render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 FAKE_CORE = Path(__file__).parent / "fake_core"
@@ -24,7 +25,7 @@ PYTHON = Path(sys.executable)
 @pytest.fixture
 def quick(monkeypatch):
     """Pictures of 32 pixels and two samples."""
-    set_up = scene.set_up_cycles
+    set_up = render.set_up_cycles
 
     def small(target):
         set_up(target, 32, 2)
@@ -32,7 +33,7 @@ def quick(monkeypatch):
         target.world.cycles.sampling_method = "MANUAL"
         target.world.cycles.sample_map_resolution = 64
 
-    monkeypatch.setattr(scene, "set_up_cycles", small)
+    monkeypatch.setattr(render, "set_up_cycles", small)
 
 
 def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch, capfd):
@@ -40,10 +41,10 @@ def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch,
     out, blend, png = tmp_path / "run", tmp_path / "new" / "chair.blend", tmp_path / "chair.png"
     argv = ["generate", "a chair", "--blend", str(blend), f"--render={png}", "--out", str(out)]
     assert headless.main(argv, PYTHON, FAKE_CORE) == 0
-    told = capfd.readouterr().out
-    assert "the fake core" in told
-    assert str(blend) in told
-    assert "Fra:" not in told  # Blender's own chatter
+    output = capfd.readouterr().out
+    assert "the fake core" in output
+    assert str(blend) in output
+    assert "Fra:" not in output  # Blender's own chatter
     assert read(png).shape == (32, 32, 3)
     bpy.ops.wm.open_mainfile(filepath=str(blend))
     (mesh,) = (obj for obj in bpy.data.objects if obj.type == "MESH")
@@ -77,7 +78,7 @@ def test_a_core_that_dies_has_the_status_of_its_signal(tmp_path):
 def test_ctrl_c_is_the_cores_to_answer(tmp_path):
     """In a terminal both processes get it: the core stops cleanly, and Blender passes that on."""
     code = (
-        "import os; from pathlib import Path; from fantasia3d_addon import headless\n"
+        "import os; from pathlib import Path; from fantasia3d_addon.cli import headless\n"
         f"argv = ['generate', 'long', '--out', {str(tmp_path / 'run')!r}, '--blend', 'x.blend']\n"
         f"os._exit(headless.main(argv, Path({sys.executable!r}), Path({str(FAKE_CORE)!r})))"
     )
@@ -97,15 +98,15 @@ def test_the_handler_of_ctrl_c_is_as_before(monkeypatch, handler):
     calls = []
     monkeypatch.setattr(signal, "getsignal", lambda number: handler)
     monkeypatch.setattr(signal, "signal", lambda number, new: calls.append(new))
-    with headless._deaf_to_ctrl_c():
+    with headless._ignore_ctrl_c():
         assert calls == ([] if handler is None else [signal.SIG_IGN])
     assert calls[1:] == ([] if handler is None else [handler])
 
 
 def test_no_asset_is_a_sentence_and_status_2(tmp_path, capfd):
     assert headless.finish(tmp_path, blend=tmp_path / "x.blend") == 2
-    assert "error: " in (said := capfd.readouterr().err)
-    assert "has no asset.json" in said
+    assert "error: " in (output := capfd.readouterr().err)
+    assert "has no asset.json" in output
     assert not (tmp_path / "x.blend").exists()
 
 
@@ -120,16 +121,16 @@ def test_a_place_that_cannot_be_written_is_a_sentence_and_status_2(
 
 
 def test_the_light_is_the_assets_own_unless_another_is_named(tmp_path, quick, capfd):
-    for told, given, name in (
+    for output, given, name in (
         ("blender:city", None, "city.exr"),
         ("blender:city", "studio", "studio.exr"),
         (None, None, "studio.exr"),
         ("/gone.hdr", None, "studio.exr"),
     ):
-        folder = write_asset(tmp_path / str(len(list(tmp_path.iterdir()))), light=told)
+        folder = write_asset(tmp_path / str(len(list(tmp_path.iterdir()))), light=output)
         assert headless.finish(folder, blend=tmp_path / "x.blend", light=given) == 0
         assert [i.name for i in bpy.data.images if i.name.endswith(".exr")] == [name]
-        assert ("warning: There is no light" in capfd.readouterr().err) == (told == "/gone.hdr")
+        assert ("warning: There is no light" in capfd.readouterr().err) == (output == "/gone.hdr")
 
 
 def test_an_open_file_keeps_its_own_scene(asset, tmp_path):
@@ -149,5 +150,5 @@ def test_quiet_lets_errors_through(capfd):
         os.write(1, b"chatter\n")
         os.write(2, b"an error\n")
     print("after", flush=True)
-    told = capfd.readouterr()
-    assert (told.out, told.err) == ("after\n", "an error\n")
+    output = capfd.readouterr()
+    assert (output.out, output.err) == ("after\n", "an error\n")

@@ -6,10 +6,10 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block, write_asset  # noqa: E402
-from fantasia3d_addon import health  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import corner_uv  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.mesh_data import corner_uv  # noqa: E402
+from fantasia3d_addon.mesh import health  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -25,7 +25,7 @@ def test_a_generated_asset_is_healthy_and_its_numbers_are_right(tmp_path):
     verts, faces, uv, face_uvs = block()
     report = health.examine(obj)
     assert report.faults == ()
-    assert (report.verts, report.faces, report.pieces) == (len(verts), len(faces), 1)
+    assert (report.verts, report.faces, report.components) == (len(verts), len(faces), 1)
     assert report.closed and report.manifold
     a, b, c = (uv[face_uvs[:, i]] for i in range(3))
     cross = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
@@ -69,7 +69,7 @@ def holed():
     return verts, faces[3:], uv, face_uvs[3:]
 
 
-def test_holes_are_filled_and_the_new_corners_lie_in_the_atlas(tmp_path):
+def test_holes_are_filled_and_the_new_corners_have_uvs_in_the_atlas(tmp_path):
     obj = made(tmp_path, holed())
     assert health.examine(obj).open_edges > 0
     assert health.repair(obj) == ("HOLES",)
@@ -87,7 +87,7 @@ def test_inverted_faces_are_turned(tmp_path):
     assert not health.examine(obj).inverted
 
 
-def test_specks_loose_vertices_and_a_scale_are_mended_at_once(tmp_path):
+def test_small_components_loose_vertices_and_a_scale_are_repaired_together(tmp_path):
     verts, faces, uv, face_uvs = block(12)
     speck = np.array([[2, 0, 0], [2.1, 0, 0], [2, 0.1, 0], [2, 0, 0.1]])
     sides = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -98,10 +98,10 @@ def test_specks_loose_vertices_and_a_scale_are_mended_at_once(tmp_path):
     obj = made(tmp_path, mesh)
     obj.scale = (2, 2, 2)
     report = health.examine(obj)
-    assert (report.pieces, report.specks, report.loose) == (2, 1, 1)
+    assert (report.components, report.small_components, report.loose) == (2, 1, 1)
     assert health.repair(obj) == ("LOOSE", "SPECKS", "SCALE")
     report = health.examine(obj)
-    assert (report.faults, report.pieces, report.faces) == ((), 1, len(faces))
+    assert (report.faults, report.components, report.faces) == ((), 1, len(faces))
     assert max(obj.dimensions) == pytest.approx(2, abs=1e-3)
 
 
@@ -120,7 +120,7 @@ def test_two_solids_that_touch_in_a_vertex_are_parted():
     assert report.uv_fill > 0.1
 
 
-def test_what_cannot_be_repaired_is_said(tmp_path):
+def test_an_impossible_repair_is_an_error(tmp_path):
     obj = made(tmp_path)
     with pytest.raises(AddonError, match="There is no repair 'HEART'"):
         health.repair(obj, "HEART")
@@ -132,10 +132,10 @@ def test_what_cannot_be_repaired_is_said(tmp_path):
 def test_the_operators_are_the_functions_and_the_panel_knows_when_a_report_is_old(addon, tmp_path):
     obj = made(tmp_path, holed())
     bpy.context.view_layer.objects.active = obj
-    assert health.known(obj) is None
+    assert health.cached_report(obj) is None
     assert bpy.ops.fantasia3d.check_mesh() == {"FINISHED"}
-    assert health.known(obj) == health.examine(obj)
+    assert health.cached_report(obj) == health.examine(obj)
     assert bpy.ops.fantasia3d.repair_mesh(what="HOLES") == {"FINISHED"}
-    assert health.known(obj).closed
+    assert health.cached_report(obj).closed
     obj.data.vertices.add(1)
-    assert health.known(obj) is None
+    assert health.cached_report(obj) is None

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from fantasia3d_addon import history
-from fantasia3d_addon.claim import Claim
 from fantasia3d_addon.errors import JobError
-from fantasia3d_addon.target import Target
+from fantasia3d_addon.jobs import history, job_file
+from fantasia3d_addon.jobs.lock import RunLock
+from fantasia3d_addon.jobs.target import Target
 
 JOB = {"version": 1, "prompt": "a chair", "seed": 3, "preset": "draft"}
 
@@ -52,7 +52,7 @@ def test_what_became_of_a_run(tmp_path, events, log, state):
         assert entry.text == "No."
 
 
-def test_a_silent_process_is_dead_after_a_while(tmp_path):
+def test_a_process_without_events_is_dead_after_a_while(tmp_path):
     run = write_run(tmp_path / "run")
     os.utime(run / "log.txt", (1, 1))
     entry = history.read_entry(run)
@@ -88,21 +88,21 @@ def test_the_newest_is_first_and_what_is_no_run_is_passed_over(tmp_path):
     assert history.scan(tmp_path, known)[2].state == history.STOPPED
 
 
-def test_the_same_again_and_with_another_seed(tmp_path):
+def test_a_job_is_repeated_and_with_another_seed(tmp_path):
     run = write_run(tmp_path / "run", guide_mesh=str(tmp_path / "run" / "guide.obj"))
     (run / "guide.obj").write_text("v 0 0 0")
     entry = history.read_entry(run)
     assert entry is not None
-    job, files = history.again(entry)
+    job, files = history.copy_of_job(entry)
     assert files == {"guide.obj": run / "guide.obj"}
-    there = history.settle(job, tmp_path / "there")
+    there = job_file.with_own_paths(job, tmp_path / "there")
     assert there == JOB | {"guide_mesh": str(tmp_path / "there" / "guide.obj")}
-    assert history.again(entry, 9)[0]["seed"] == 9
-    assert all(history.another_seed(3) != 3 for _ in range(20))
-    assert 0 <= history.another_seed(2**31 - 1) < 2**31
+    assert history.copy_of_job(entry, 9)[0]["seed"] == 9
+    assert all(history.other_seed(3) != 3 for _ in range(20))
+    assert 0 <= history.other_seed(2**31 - 1) < 2**31
     (run / "guide.obj").unlink()
-    with pytest.raises(JobError, match="has gone"):
-        history.again(entry)
+    with pytest.raises(JobError, match="no longer exists"):
+        history.copy_of_job(entry)
 
 
 def test_only_what_failed_midway_is_resumed(tmp_path):
@@ -114,7 +114,7 @@ def test_only_what_failed_midway_is_resumed(tmp_path):
     assert entry.resumable
 
 
-def test_a_removed_run_is_gone(tmp_path):
+def test_a_removed_run_is_deleted(tmp_path):
     run = write_run(tmp_path / "run", STARTED, {"type": "done"})
     entry = history.read_entry(run)
     assert entry is not None
@@ -123,15 +123,15 @@ def test_a_removed_run_is_gone(tmp_path):
     history.remove(entry)  # somebody else was faster
 
 
-def test_a_claim_has_one_holder(tmp_path):
-    first = Claim.take(tmp_path)
+def test_a_lock_has_one_holder(tmp_path):
+    first = RunLock.acquire(tmp_path)
     assert first is not None
-    assert Claim.take(tmp_path) is None
+    assert RunLock.acquire(tmp_path) is None
     first.release()
-    second = Claim.take(tmp_path)
+    second = RunLock.acquire(tmp_path)
     assert second is not None
     second.release()
-    assert Claim.take(tmp_path / "nowhere") is None
+    assert RunLock.acquire(tmp_path / "nowhere") is None
 
 
 def test_a_target_is_kept_and_what_is_unknown_is_passed_over(tmp_path):

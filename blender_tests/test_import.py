@@ -16,8 +16,8 @@ from blender_tests.asset_fixture import (  # noqa: E402
     write_png,
 )
 from blender_tests.pictures import render, set_light  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.errors import AssetError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -64,7 +64,7 @@ def test_the_mesh_is_welded_and_closed_though_its_uv_has_seams(asset):
     assert len(pairs) > len(co)  # there are seams, and no vertex was doubled for them
 
 
-def test_it_stands_upright_in_metres_with_its_nose_to_the_front(asset):
+def test_it_is_upright_in_metres_with_its_nose_to_the_front(asset):
     obj = import_asset(bpy.context, asset, (1.0, 2.0, 3.0))
     assert tuple(obj.location) == (1.0, 2.0, 3.0)
     assert tuple(obj.rotation_euler) == (0.0, 0.0, 0.0)
@@ -80,7 +80,7 @@ def test_it_stands_upright_in_metres_with_its_nose_to_the_front(asset):
 
 
 def test_blenders_own_importer_makes_the_same_mesh(asset):
-    """A hand import of mesh.obj stands as ours does."""
+    """mesh.obj by Blender's own importer has the same place as by ours."""
     ours = import_asset(bpy.context, asset)
     bpy.ops.wm.obj_import(filepath=str(asset / "mesh.obj"))
     other = next(obj for obj in bpy.data.objects if obj != ours)
@@ -171,7 +171,7 @@ def test_the_users_selection_and_mode_are_left_alone(asset):
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_a_run_folder_stands_for_its_asset(tmp_path):
+def test_a_run_folder_is_accepted_for_its_asset(tmp_path):
     write_asset(tmp_path / "run" / "asset")
     assert import_asset(bpy.context.scene, tmp_path / "run").name == "a red wooden chair"
 
@@ -181,8 +181,13 @@ def break_json(folder, **changes):
     path.write_text(json.dumps(json.loads(path.read_text()) | changes))
 
 
-def cut(path, share):
-    path.write_bytes(path.read_bytes()[: int(path.stat().st_size * share)])
+def cut(path, fraction):
+    path.write_bytes(path.read_bytes()[: int(path.stat().st_size * fraction)])
+
+
+def link_outside(folder):
+    (folder / "base_color.png").rename(folder.parent / "secret.png")
+    (folder / "base_color.png").symlink_to(folder.parent / "secret.png")
 
 
 def doubled_face(folder):
@@ -213,6 +218,10 @@ BREAKS = {
         lambda f: (f / "mesh.obj").write_text("v 0 0 0\nvt 0 0\nf 1/1 2/1 3/1\n"),
         "is no triangle mesh",
     ),
+    "an index beyond 64 bits": (
+        lambda f: (f / "mesh.obj").write_text(f"v 0 0 0\nvt 0 0\nf {9**30}/1 1/1 1/1\n"),
+        "is no triangle mesh",
+    ),
     "a number that is none": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 nan\nvt 0 0\nf 1/1 1/1 1/1\n"),
         "is no triangle mesh",
@@ -230,6 +239,20 @@ BREAKS = {
         ),
         "is a DirectX normal map",
     ),
+    **{
+        f"a file outside the folder: {name}": (
+            lambda f, name=name: break_json(
+                f,
+                files=json.loads((f / "asset.json").read_text())["files"]
+                | {name: {"role": "base_color"}},
+            ),
+            "no file name",
+        )
+        for name in ("../../secret.png", "/etc/secret.png", "C:\\secret.png", "..", "a/b.png")
+    },
+    "a link to a file outside the folder": (link_outside, "is a link to another folder"),
+    "deeply nested": (lambda f: (f / "asset.json").write_text("[" * 100_000), "can't be read"),
+    "no counts": (lambda f: break_json(f, mesh=[]), "no counts of the mesh"),
     "another distribution": (lambda f: break_json(f, distribution="BECKMANN"), "BECKMANN"),
     "another color space": (
         lambda f: break_json(
@@ -286,7 +309,7 @@ def test_each_side_shows_its_own_color(asset, tmp_path, side, azimuth, elevation
         ((0, -0.3, 1), np.s_[16:24, 24:40], np.s_[40:48, 24:40]),  # top against bottom
     ],
 )
-def test_a_bump_is_lit_from_the_side_where_the_light_stands(tmp_path, towards, bright, dark):
+def test_a_bump_is_lit_from_the_side_of_the_light(tmp_path, towards, bright, dark):
     folder = write_asset(
         tmp_path / "a", plane(), size=128, normal=bump_normals(128), roughness=0.9,
         base_color=np.full((128, 128, 3), 200, np.uint8),
@@ -298,7 +321,7 @@ def test_a_bump_is_lit_from_the_side_where_the_light_stands(tmp_path, towards, b
 
 
 def test_roughness_is_read_from_green_and_metallic_from_blue(tmp_path):
-    """A smooth metal shows the mirrored light, which lies where a matt plane sees nothing."""
+    """A smooth metal shows the mirrored light, where a diffuse plane is black."""
     lights = {}
     for name, orm in {"metal": (0.05, 1.0), "matt": (1.0, 0.0), "swapped": (1.0, 0.05)}.items():
         bpy.ops.wm.read_factory_settings(use_empty=True)

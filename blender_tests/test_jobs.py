@@ -12,21 +12,22 @@ from pathlib import Path
 
 import pytest
 
-from fantasia3d_addon import jobs
 from fantasia3d_addon.errors import JobError
-from fantasia3d_addon.jobs import Event, Run, is_core
+from fantasia3d_addon.jobs import process
+from fantasia3d_addon.jobs.events import Event
+from fantasia3d_addon.jobs.process import Core, Run, is_core
 
 FAKE_CORE = Path(__file__).parent / "fake_core"
-PYTHON = Path(sys.executable)
+CORE = Core(Path(sys.executable), FAKE_CORE)
 
 
 def start(folder: Path, prompt: str = "x", **settings: object) -> Run:
     job = {"version": 1, "prompt": prompt, **settings}
-    return Run.start(folder, job, PYTHON, FAKE_CORE)
+    return Run.start(folder, job, CORE)
 
 
 def follow(run: Run, until: Callable[[list[Event]], bool] = lambda events: False) -> list[Event]:
-    """The events to the end, or to where ``until`` says."""
+    """The events to the end, or until ``until`` is true."""
     events: list[Event] = []
     deadline = time.monotonic() + 60
     while not run.finished and not until(events):
@@ -88,7 +89,7 @@ def test_resume_forgets_the_cancel_and_tells_only_what_is_new(tmp_path):
     follow(run)
     job = json.loads((run.folder / "job.json").read_text())
     (run.folder / "job.json").write_text(json.dumps(job | {"prompt": "short"}))
-    again = Run.resume(run.folder, PYTHON, FAKE_CORE)
+    again = Run.resume(run.folder, CORE)
     events = follow(again)
     assert [e.type for e in events] == ["started", *["progress"] * 5, "done"]
 
@@ -101,7 +102,7 @@ def test_an_error_carries_its_fix(tmp_path):
     assert run.last.fix == "Say chair."
 
 
-def test_a_death_without_a_word_names_the_log(tmp_path):
+def test_a_death_without_an_error_names_the_log(tmp_path):
     run = start(tmp_path / "run", "die")
     follow(run)
     assert run.last is not None
@@ -110,23 +111,23 @@ def test_a_death_without_a_word_names_the_log(tmp_path):
     assert f"signal {signal.SIGABRT.value}" in run.last.text
 
 
-def test_a_death_on_a_full_disk_says_so(tmp_path, monkeypatch):
+def test_a_death_on_a_full_disk_is_reported_as_such(tmp_path, monkeypatch):
     run = start(tmp_path / "run", "die")
-    monkeypatch.setattr(jobs.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
+    monkeypatch.setattr(process.shutil, "disk_usage", lambda _: shutil._ntuple_diskusage(9, 9, 0))
     follow(run)
     assert run.last is not None
     assert run.last.text == f"The disk of {run.folder} is full."
     assert run.last.fix == "Free some space, then resume the run."
 
 
-def test_a_death_after_its_folder_says_so(tmp_path):
+def test_a_death_after_its_folder_was_deleted_is_reported_as_such(tmp_path):
     run = start(tmp_path / "run", "long")
     follow(run, until=lambda events: len(events) > 2)
     shutil.rmtree(run.folder)
     run.kill()
     follow(run)
     assert run.last is not None
-    assert run.last.text == f"The run's folder {run.folder} has gone."
+    assert run.last.text == f"The run's folder {run.folder} no longer exists."
 
 
 def test_kill_9_is_noticed_by_who_started_it_and_by_who_found_it(tmp_path):
@@ -141,16 +142,16 @@ def test_kill_9_is_noticed_by_who_started_it_and_by_who_found_it(tmp_path):
     for end in (run.last, found.last):
         assert end is not None
         assert end.type == "error"
-        assert "stopped without a word" in end.text
+        assert "stopped unexpectedly" in end.text
 
 
 def test_a_run_is_followed_again_after_the_end_of_its_blender(tmp_path):
     """The process lives on when the one that started it dies, and its events are all there."""
     code = (
         "import sys, os, time; from pathlib import Path\n"
-        "from fantasia3d_addon.jobs import Run\n"
+        "from fantasia3d_addon.jobs.process import Core, Run\n"
         f"run = Run.start(Path({str(tmp_path / 'run')!r}), {{'version': 1, 'prompt': 'long'}}, "
-        f"Path(sys.executable), Path({str(FAKE_CORE)!r}))\n"
+        f"Core(Path(sys.executable), Path({str(FAKE_CORE)!r})))\n"
         "while not run.poll(): time.sleep(0.01)\n"
         "os.kill(os.getpid(), 9)"
     )
@@ -203,14 +204,14 @@ def test_a_run_nobody_started_is_dead_after_a_while(tmp_path, monkeypatch):
 
 
 def test_no_python_there(tmp_path):
-    with pytest.raises(JobError, match=r"There is no Python at .*Set up"):
-        Run.start(tmp_path / "run", {}, Path("/no/python"), FAKE_CORE)
+    with pytest.raises(JobError, match=r"There is no Python at .*Install"):
+        Run.start(tmp_path / "run", {}, Core(Path("/no/python"), FAKE_CORE))
 
 
 def test_a_python_that_is_no_program(tmp_path):
     (tmp_path / "python").write_text("no program")
-    with pytest.raises(JobError, match="can't be run"):
-        Run.start(tmp_path / "run", {}, tmp_path / "python", FAKE_CORE)
+    with pytest.raises(JobError, match="can't be started"):
+        Run.start(tmp_path / "run", {}, Core(tmp_path / "python", FAKE_CORE))
 
 
 def test_a_place_that_cannot_be_written(tmp_path):
@@ -219,13 +220,13 @@ def test_a_place_that_cannot_be_written(tmp_path):
         start(tmp_path / "file" / "run")
 
 
-def test_strangers_are_not_taken_for_the_core(tmp_path):
+def test_other_processes_are_not_mistaken_for_the_core(tmp_path):
     assert not is_core(os.getpid(), tmp_path / "a run of its own")
     assert not is_core(2**22 + 1, tmp_path)
 
 
-def test_a_core_on_another_run_is_a_stranger_too(tmp_path):
-    """A number that the system gives away anew."""
+def test_a_core_on_another_run_is_another_process(tmp_path):
+    """The system has given the process number to another one."""
     run = start(tmp_path / "one", "long")
     follow(run, until=lambda events: len(events) > 2)
     assert is_core(run.pid, tmp_path / "one")

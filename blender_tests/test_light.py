@@ -1,4 +1,4 @@
-"""The world's light: where it stands, how bright it is, and what a name means."""
+"""The world's light: its direction, its brightness, and what a name means."""
 
 from pathlib import Path
 
@@ -16,8 +16,8 @@ from blender_tests.pictures import (  # noqa: E402
     set_light,
     write_hdr,
 )
-from fantasia3d_addon import light  # noqa: E402
 from fantasia3d_addon.errors import LightError  # noqa: E402
+from fantasia3d_addon.scene import light  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -38,7 +38,7 @@ def brightest(picture: np.ndarray) -> tuple[float, float]:
         ((-0.5, -1, 0), 45, 0.2, 0.0),  # counter-clockwise seen from above: from left to right
     ],
 )
-def test_the_light_stands_where_its_picture_says(tmp_path, direction, rotation_deg, x, y):
+def test_the_light_is_where_its_picture_has_it(tmp_path, direction, rotation_deg, x, y):
     set_light(tmp_path, direction, rotation_deg=rotation_deg)
     found = brightest(render(add_ball(), tmp_path))
     assert found == pytest.approx((x, y), abs=0.12)
@@ -115,7 +115,7 @@ def test_a_new_light_takes_the_place_of_the_old(tmp_path):
 def test_the_studio_is_the_cores():
     """If it differs: run.py python -c "from core.io.exr import write_exr;
     from core.appearance.lights import studio;
-    write_exr('fantasia3d_addon/studio.exr', studio(128))".
+    write_exr('fantasia3d_addon/scene/studio.exr', studio(128))".
     """
     pytest.importorskip("torch")
     from core.appearance.lights import studio

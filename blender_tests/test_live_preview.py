@@ -8,8 +8,12 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import block, write_png  # noqa: E402
-from fantasia3d_addon import live_preview, thumbnails  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import live_preview  # noqa: E402
+from fantasia3d_addon.jobs.process import Run  # noqa: E402
+from fantasia3d_addon.jobs.progress import FollowedRun  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
+from fantasia3d_addon.jobs.target import Target  # noqa: E402
+from fantasia3d_addon.ui import icons  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -23,11 +27,15 @@ def write_shape(path: Path, scale: float = 1.0, n: int = 8) -> np.ndarray:
 
 
 def show(path: Path, location=(1, 2, 3)) -> bpy.types.Object | None:
-    collection = bpy.context.scene.collection
-    return live_preview.show(collection, path, "run", "a red chair", location)
+    """As the session shows it for a run whose folder's name is "run"."""
+    folder = path.parent / "run"
+    folder.mkdir(exist_ok=True)
+    (folder / "job.json").write_text('{"prompt": "a red chair"}')
+    followed = FollowedRun(Run.attach(folder), Target(location=location), None, 0)
+    return live_preview.show(bpy.context.scene.collection, path, followed)
 
 
-def test_it_stands_where_the_asset_will_and_is_updated_in_place(addon, tmp_path):
+def test_it_is_where_the_asset_will_be_and_is_updated_in_place(addon, tmp_path):
     path = tmp_path / "shape.npz"
     write_shape(path)
     obj = show(path)
@@ -61,7 +69,7 @@ def test_a_file_that_is_being_replaced_is_passed_over(addon, tmp_path):
     assert not bpy.data.objects
 
 
-def test_it_is_gone_from_a_saved_file_and_comes_back(addon, tmp_path):
+def test_it_is_not_in_a_saved_file_and_is_shown_again(addon, tmp_path):
     write_shape(tmp_path / "shape.npz")
     show(tmp_path / "shape.npz")
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "a.blend"))
@@ -70,7 +78,7 @@ def test_it_is_gone_from_a_saved_file_and_comes_back(addon, tmp_path):
     assert show(tmp_path / "shape.npz")
 
 
-def test_undo_brings_none_back_whose_run_has_ended(addon, tmp_path):
+def test_undo_restores_no_preview_of_an_ended_run(addon, tmp_path):
     bpy.ops.ed.undo_push(message="before")
     write_shape(tmp_path / "shape.npz")
     show(tmp_path / "shape.npz")
@@ -116,24 +124,24 @@ def test_twenty_thousand_faces_are_taken_in_within_a_tick(addon, tmp_path):
 def test_a_picture_is_read_anew_when_it_changes(addon, tmp_path):
     import os
 
-    path, pictures = tmp_path / "a.png", thumbnails._collections[0]
-    assert thumbnails.icon(None) == thumbnails.icon(path) == 0
+    path, pictures = tmp_path / "a.png", icons._collections[0]
+    assert icons.icon(None) == icons.icon(path) == 0
     assert not pictures
     write_png(path, np.zeros((8, 8, 3), np.uint8))
     os.utime(path, (1, 1))
-    thumbnails.icon(path)
+    icons.icon(path)
     (first,) = pictures
-    thumbnails.icon(path)
+    icons.icon(path)
     assert list(pictures) == [first]
     os.utime(path, (2, 2))
-    thumbnails.icon(path)
+    icons.icon(path)
     assert len(pictures) == 1
     assert first not in pictures
 
 
 def test_every_light_has_its_picture(addon):
-    from fantasia3d_addon import light
+    from fantasia3d_addon.scene import light
 
     for name in ("neutral", *light.blender_lights()):
-        path = thumbnails.LIGHTS / f"{name}.png"
+        path = icons.LIGHTS / f"{name}.png"
         assert path.is_file(), "run python -m blender_tests.light_icons"

@@ -6,9 +6,12 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import linear, render, set_light  # noqa: E402
-from fantasia3d_addon import compat, maps, material_edit, material_library  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.material import edit as material_edit  # noqa: E402
+from fantasia3d_addon.material import library as material_library  # noqa: E402
+from fantasia3d_addon.mesh import maps  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -133,8 +136,8 @@ def without_nodes():
 @pytest.mark.parametrize(
     ("act", "message"),
     [
-        (lambda obj: material_edit.replace_material(obj, "unobtainium"), "Name one of wood, gold"),
-        (material_edit.restore_material, "has its own material"),
+        (lambda obj: material_edit.replace_material(obj, "unobtainium"), "Use one of wood, gold"),
+        (material_edit.restore_material, "shows its own material"),
         (
             lambda obj: material_edit.adjust_material(without_nodes()),
             "has no Principled BSDF",

@@ -16,7 +16,7 @@ from blender_tests.processes import ROOT
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon.asset_folder import read_asset  # noqa: E402
+from fantasia3d_addon.asset.asset_folder import read_asset  # noqa: E402
 
 pytestmark = pytest.mark.blender
 MODULE = "bl_ext.user_default.fantasia3d"
@@ -55,7 +55,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
         names = set(archive.namelist())
         manifest = tomllib.loads(archive.read("blender_manifest.toml").decode())
     assert manifest == tomllib.loads((ROOT / "manifest.toml").read_text("utf-8"))
-    assert {"__init__.py", "studio.exr", "LICENSE", "method/pyproject.toml"} <= names
+    assert {"__init__.py", "scene/studio.exr", "LICENSE", "method/pyproject.toml"} <= names
     assert "method/core/guidance/builtin/geometry.safetensors" in names
     mine = {f"method/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "core").rglob("*.py")}
     training = {n for n in mine if "/core/prior/" in n}
@@ -66,7 +66,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
     assert package.stat().st_size < 60e6
 
 
-def test_nothing_lies_beside_the_core_that_could_hide_a_library(package):
+def test_nothing_is_next_to_the_core_that_could_hide_a_library(package):
     """It runs from its own folder, where the add-on's png.py was once taken for the package."""
     with zipfile.ZipFile(package) as archive:
         names = [name.split("/") for name in archive.namelist()]
@@ -105,7 +105,7 @@ def test_the_core_of_the_zip_makes_an_asset(package, tmp_path):
     assert read_asset(tmp_path / "run").pictures["normal"].path.is_file()
 
 
-def test_package_takes_no_other_words():
+def test_package_accepts_no_other_arguments():
     command = [sys.executable, str(ROOT / "run.py"), "package", "now"]
     environ = os.environ | {"FANTASIA3D_PYTHON": sys.executable}
     done = subprocess.run(command, env=environ, capture_output=True, text=True)

@@ -9,10 +9,10 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import add_ball, linear, read  # noqa: E402
-from fantasia3d_addon import cornell_box, placement, scene  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.mesh_data import world_verts  # noqa: E402
+from fantasia3d_addon.scene import cornell_box, placement, render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -33,18 +33,18 @@ def add_box(size, at):
     return obj
 
 
-def test_it_falls_onto_what_lies_under_it(asset):
+def test_it_falls_onto_what_is_below_it(asset):
     table = add_box((2, 2, 0.4), (0, 0, 1.0))
     add_box((1, 1, 1), (10, 0, 0))  # elsewhere
     obj = import_asset(bpy.context, asset, (0.3, 0, 5))
     assert placement.drop(obj) == pytest.approx(5 - 1.2, abs=1e-4)
     assert world_verts(obj)[:, 2].min() == pytest.approx(1.2, abs=1e-4)
-    assert placement.drop(obj) == pytest.approx(0, abs=1e-4)  # it stands already
+    assert placement.drop(obj) == pytest.approx(0, abs=1e-4)  # it is there already
     assert tuple(table.location) == (0, 0, 1)
 
 
 def test_a_ball_on_a_ball_touches_in_one_point():
-    """Radius 0.5 each, 0.3 aside: the centres come to stand 1 apart."""
+    """Radius 0.5 each, 0.3 to the side: the centres end 1 apart."""
     add_ball((0, 0, 0))
     upper = add_ball((0.3, 0, 4))
     bpy.context.view_layer.update()
@@ -60,10 +60,10 @@ def test_a_spike_below_stops_it_though_no_vertex_of_its_own_lies_above():
 
 
 @pytest.mark.parametrize("height", [3.0, -2.0])
-def test_over_nothing_it_stands_on_the_ground(asset, height):
+def test_over_nothing_it_falls_to_the_ground(asset, height):
     obj = import_asset(bpy.context, asset, (0, 0, height))
     assert placement.drop(obj) == pytest.approx(height, abs=1e-5)
-    with pytest.raises(AddonError, match="Nothing lies under"):
+    with pytest.raises(AddonError, match="Nothing is below"):
         placement.drop(obj, ground=False)
 
 
@@ -127,7 +127,7 @@ def test_the_floor_is_as_bright_as_the_light_makes_it(tmp_path):
     speck = add_box((0.001, 0.001, 0.001), (0, 0, 0.0005))
     cornell_box.build(target, [speck], height=1.0)
     speck.hide_render = True
-    scene.set_up_cycles(target, 64, 64)
+    render.set_up_cycles(target, 64, 64)
     target.cycles.max_bounces, target.cycles.use_denoising = 0, False
     target.camera.location, target.camera.rotation_euler = (0, 0, 0.9), (0, 0, 0)
     target.camera.data.angle = 0.2
@@ -143,7 +143,7 @@ def test_the_floor_is_as_bright_as_the_light_makes_it(tmp_path):
 def test_the_walls_are_red_and_green_and_the_pane_glows(asset, tmp_path):
     target = bpy.context.scene
     cornell_box.build(target, [import_asset(target, asset)])
-    scene.set_up_cycles(target, 48, 16)
+    render.set_up_cycles(target, 48, 16)
     target.cycles.use_denoising = False
     target.render.filepath = str(tmp_path / "x.png")
     bpy.ops.render.render(write_still=True)

@@ -6,7 +6,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import presets  # noqa: E402
+from fantasia3d_addon.ui import presets  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty", "addon")]
 
@@ -28,7 +28,7 @@ def scripts(tmp_path, monkeypatch):
     return tmp_path / "scripts" / "presets" / presets.FOLDER
 
 
-def test_a_preset_brings_the_settings_back_but_not_the_words(scripts):
+def test_a_preset_restores_the_settings_but_not_the_prompt(scripts):
     settings = bpy.context.scene.fantasia3d
     settings.prompt, settings.seed, settings.max_faces = "a chair", 7, 1234
     settings.light, settings.guidance, settings.hub_id = "blender:forest", "hub", "some/model"
@@ -49,7 +49,7 @@ def test_a_preset_brings_the_settings_back_but_not_the_words(scripts):
 
 
 def test_every_saved_field_is_one_of_the_settings():
-    """And every setting but the words, the seed, the task and the object is saved."""
+    """And every setting but the prompt, the seed, the task and the object is saved."""
     fields = {p.identifier for p in bpy.context.scene.fantasia3d.bl_rna.properties}
     left = {"rna_type", "name", "task", "prompt", "seed", "guide"}
     assert set(presets.SAVED) == fields - left

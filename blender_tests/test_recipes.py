@@ -1,4 +1,4 @@
-"""The recipes' code runs as it stands, but for its sizes; and no operator is missing there."""
+"""The recipes' code runs as printed, except for its sizes; and no operator is missing there."""
 
 import re
 
@@ -8,7 +8,9 @@ from blender_tests.processes import ROOT
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import asset_browser, compat, registration  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
+from fantasia3d_addon.mesh import asset_browser  # noqa: E402
+from fantasia3d_addon.ui import registration  # noqa: E402
 
 pytestmark = pytest.mark.blender
 PAGE = (ROOT / "docs" / "recipes.md").read_text("utf-8")
@@ -47,11 +49,11 @@ def test_the_tools_recipe_runs(empty, asset, tmp_path, monkeypatch):
 
 def test_the_jobs_recipe_runs(ready, capsys):
     run(JOBS)
-    said = capsys.readouterr().out.splitlines()
-    assert said[1] == "It can be asked for."
-    assert said[2] == "a red wooden chair"
-    assert said[3].startswith("done {")
-    assert said[4] == "cancelled"
+    output = capsys.readouterr().out.splitlines()
+    assert output[1] == "Ready to generate."
+    assert output[2] == "a red wooden chair"
+    assert output[3].startswith("done {")
+    assert output[4] == "cancelled"
 
 
 def test_every_operator_is_named():
@@ -61,5 +63,5 @@ def test_every_operator_is_named():
         if issubclass(cls, bpy.types.Operator)
     }
     text = re.sub(r"```.*?```", "", PAGE, flags=re.DOTALL)
-    told = set(re.findall(r"\b[a-z_]+\b", " ".join(re.findall(r"`([^`]+)`", text))))
-    assert names <= told, names - told
+    documented = set(re.findall(r"\b[a-z_]+\b", " ".join(re.findall(r"`([^`]+)`", text))))
+    assert names <= documented, names - documented

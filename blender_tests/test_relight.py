@@ -8,8 +8,10 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.pictures import add_ball, lobe, paint_white, read, render, write_hdr  # noqa: E402
-from fantasia3d_addon import compat, light, relight, scene  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError, LightError, OutputError  # noqa: E402
+from fantasia3d_addon.scene import light, relight  # noqa: E402
+from fantasia3d_addon.scene import render as scene_render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -57,7 +59,7 @@ def test_the_users_own_world_outlives_saving(lights, tmp_path):
     own = bpy.data.worlds.new("mine")
     bpy.context.scene.world = own
     relight.relight(bpy.context.scene, str(lights["left"]))
-    scene.save_blend(tmp_path / "x.blend")
+    scene_render.save_blend(tmp_path / "x.blend")
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "x.blend"))
     assert "mine" in bpy.data.worlds
 
@@ -97,7 +99,7 @@ def table(lights, monkeypatch):
     ("turn", "changes"), [("CAMERA", True), ("LIGHT", True), ("OBJECT", False)]
 )
 def test_a_turntable_is_png_files_of_one_turn_and_leaves_nothing(table, tmp_path, turn, changes):
-    """A ball looks the same from all sides: what its shading does tells what turns."""
+    """A ball looks the same from all sides: its shading shows what rotates."""
     before = counts()
     out = relight.turntable(table, tmp_path / "turn", frames=4, turn=turn, size=64, samples=4)
     names = sorted(path.name for path in out.iterdir())

@@ -19,9 +19,11 @@ from blender_tests.pictures import (  # noqa: E402
     shoot,
 )
 from blender_tests.processes import blender_command  # noqa: E402
-from fantasia3d_addon import compat, light, scene  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.scene import light  # noqa: E402
+from fantasia3d_addon.scene import render as scene_render  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -30,10 +32,10 @@ pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
     ("azimuth", "elevation", "place"),
     [(0, 0, (0, -1, 0)), (90, 0, (1, 0, 0)), (180, 30, (0, 0.866, 0.5)), (0, 90, (0, 0, 1))],
 )
-def test_the_camera_stands_where_its_angles_say(azimuth, elevation, place):
+def test_the_camera_is_where_its_angles_place_it(azimuth, elevation, place):
     ball = add_ball((1, 2, 3))
     bpy.context.view_layer.update()
-    camera = scene.add_camera(bpy.context.scene, ball, azimuth, elevation)
+    camera = scene_render.add_camera(bpy.context.scene, ball, azimuth, elevation)
     bpy.context.view_layer.update()
     back = camera.location - ball.location
     np.testing.assert_allclose(back.normalized(), place, atol=1e-3)
@@ -46,7 +48,7 @@ def test_the_whole_object_is_in_the_picture_and_fills_it(asset, azimuth):
     obj = import_asset(bpy.context, asset, (5, 0, -2))
     obj.scale = (0.1, 0.1, 0.1)
     bpy.context.view_layer.update()
-    camera = scene.add_camera(bpy.context.scene, obj, azimuth)
+    camera = scene_render.add_camera(bpy.context.scene, obj, azimuth)
     bpy.context.view_layer.update()
     points = [obj.matrix_world @ v.co for v in obj.data.vertices]
     seen = np.array([world_to_camera_view(bpy.context.scene, camera, p) for p in points])
@@ -61,10 +63,10 @@ def test_exposure_shows_white_as_just_white(tmp_path):
     for strength in (0.01, 100):
         light.set_world(bpy.context.scene, light.STUDIO_FILE, strength)
         bpy.context.view_layer.update()
-        scene.add_camera(bpy.context.scene, ball)
+        scene_render.add_camera(bpy.context.scene, ball)
         bpy.context.view_layer.update()
-        scene.expose(bpy.context.scene, ball)
-        scene.set_up_cycles(bpy.context.scene, 64, 16)
+        scene_render.expose(bpy.context.scene, ball)
+        scene_render.set_up_cycles(bpy.context.scene, 64, 16)
         picture = shoot(ball, tmp_path / "white.png")
         middle = linear(picture[28:36, 28:36])
         assert 0.6 < middle.mean() <= 0.95
@@ -84,7 +86,7 @@ def test_two_lights_show_it_differently_and_neither_is_black_or_pink(asset, tmp_
     assert np.abs(pictures[0] - pictures[1]).mean() > 0.05
 
 
-def test_the_backdrop_is_even_and_shadowed_and_gone_afterwards(asset, tmp_path):
+def test_the_backdrop_is_even_and_shadowed_and_removed_afterwards(asset, tmp_path):
     obj = import_asset(bpy.context, asset)
     set_light(tmp_path, (1, 0, 1), strength=0.5)
     world = bpy.context.scene.world
@@ -92,7 +94,7 @@ def test_the_backdrop_is_even_and_shadowed_and_gone_afterwards(asset, tmp_path):
     picture = render(obj, tmp_path, elevation_deg=25, backdrop=True)
     assert (len(bpy.data.objects) - 1, len(bpy.data.meshes), len(bpy.data.worlds)) == before
     assert bpy.context.scene.world == world
-    grey = 1.055 * scene.BACKDROP ** (1 / 2.4) - 0.055
+    grey = 1.055 * scene_render.BACKDROP ** (1 / 2.4) - 0.055
     np.testing.assert_allclose(picture[:2], grey, atol=0.01)  # far behind it
     assert picture[50, 4].mean() < grey - 0.1  # its shadow falls to the left
     assert picture[50, 60].mean() > grey - 0.03
@@ -102,7 +104,7 @@ def test_saved_and_loaded_by_another_process_it_renders_the_same(asset, tmp_path
     obj = import_asset(bpy.context, asset)
     set_light(tmp_path, (-0.5, -1, 0.5))
     first = render(obj, tmp_path)
-    scene.save_blend(tmp_path / "scene.blend")
+    scene_render.save_blend(tmp_path / "scene.blend")
     (tmp_path / "light.hdr").unlink()
     for path in asset.iterdir():
         path.unlink()  # everything is packed
@@ -120,12 +122,12 @@ def test_saved_and_loaded_by_another_process_it_renders_the_same(asset, tmp_path
 
 
 @pytest.mark.parametrize("name", ["x.png", "x.jpg", "x.exr", "x.webp", "x.TIF"])
-def test_a_picture_is_of_the_kind_that_its_name_says(tmp_path, name):
+def test_a_picture_has_the_format_of_its_name(tmp_path, name):
     set_light(tmp_path, (0, -1, 0))
     ball = add_ball()
     render(ball, tmp_path, size=8, samples=1)
     bpy.context.scene.world.cycles.sample_map_resolution = 16
-    scene.render_still(tmp_path / name, ball, backdrop=False)
+    scene_render.render_still(tmp_path / name, ball, backdrop=False)
     magic = (tmp_path / name).read_bytes()[:4]
     kinds = {b"\x89PNG": "png", b"\xff\xd8\xff\xe0": "jpg", b"v/1\x01": "exr", b"RIFF": "webp"}
     assert kinds.get(magic, "tif") == name.split(".")[1].lower()
@@ -134,10 +136,12 @@ def test_a_picture_is_of_the_kind_that_its_name_says(tmp_path, name):
 
 def test_a_picture_of_no_known_kind_is_refused(tmp_path):
     with pytest.raises(OutputError, match=r"is no picture.*\.png"):
-        scene.render_still(tmp_path / "x.doc", add_ball())
+        scene_render.render_still(tmp_path / "x.doc", add_ball())
 
 
-@pytest.mark.parametrize("save", [scene.save_blend, lambda p: scene.render_still(p, add_ball())])
+@pytest.mark.parametrize(
+    "save", [scene_render.save_blend, lambda p: scene_render.render_still(p, add_ball())]
+)
 def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path, save):
     (tmp_path / "file").touch()
     with pytest.raises(OutputError, match="can't be written"):
@@ -146,11 +150,11 @@ def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path, save):
 
 def test_a_failed_save_keeps_the_older_file(tmp_path, monkeypatch):
     path = tmp_path / "scene.blend"
-    scene.save_blend(path)
+    scene_render.save_blend(path)
     old = path.read_bytes()
-    monkeypatch.setattr(scene, "_save", lambda aside: aside.write_bytes(b""))
+    monkeypatch.setattr(scene_render, "_save", lambda path: path.write_bytes(b""))
     with pytest.raises(OutputError, match="wrote nothing"):
-        scene.save_blend(path)
+        scene_render.save_blend(path)
     assert path.read_bytes() == old
     assert [p.name for p in tmp_path.iterdir()] == ["scene.blend"]
 
@@ -158,10 +162,10 @@ def test_a_failed_save_keeps_the_older_file(tmp_path, monkeypatch):
 def test_without_cycles_there_is_a_sentence(monkeypatch):
     monkeypatch.setattr(compat, "has_cycles", lambda: False)
     with pytest.raises(AddonError, match=r"has no Cycles\. Enable"):
-        scene.set_up_cycles(bpy.context.scene)
+        scene_render.set_up_cycles(bpy.context.scene)
 
 
 def test_colours_are_shown_as_they_are():
-    scene.set_up_cycles(bpy.context.scene)
+    scene_render.set_up_cycles(bpy.context.scene)
     assert bpy.context.scene.view_settings.view_transform == "Standard"
     assert bpy.context.scene.cycles.use_denoising == compat.has_denoiser()

@@ -14,31 +14,32 @@ bpy = pytest.importorskip("bpy")
 
 from blender_tests.conftest import FAKE_CORE  # noqa: E402
 from blender_tests.processes import blender_command  # noqa: E402
-from fantasia3d_addon import ask, history  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.jobs import is_core  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import history, submit  # noqa: E402
+from fantasia3d_addon.jobs.process import is_core  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 AWAY = """
 import os, sys, time
 from pathlib import Path
 import bpy, fantasia3d_addon
-from fantasia3d_addon import ask, environment, preferences
-from fantasia3d_addon.session import session
+from fantasia3d_addon import environment
+from fantasia3d_addon.jobs import paths, submit
+from fantasia3d_addon.jobs.session import session
 os.environ["FANTASIA3D_PYTHON"] = {python!r}
 environment.project_root = lambda: Path({core!r})
-preferences.Machine.runs = Path({runs!r})
+paths.Paths.runs = Path({runs!r})
 fantasia3d_addon.register()
 settings = bpy.context.scene.fantasia3d
 settings.negative_prompt = {asset!r}
 for settings.prompt in {prompts!r}:
-    ask.generate(bpy.context)
+    submit.generate(bpy.context)
 until = time.time() + 30
 while time.time() < until and not (session.running and session.running[0].progress.step > 2):
     session.tick()
     time.sleep(0.01)
-print("begun", flush=True)
+print("started", flush=True)
 {then}
 os.kill(os.getpid(), 9)
 """
@@ -46,7 +47,7 @@ os.kill(os.getpid(), 9)
 
 @contextmanager
 def another_blender(ready, runs: Path, *prompts: str, then: str = "") -> Iterator[None]:
-    """A Blender that asks for ``prompts``, sees the first begin, does ``then`` and is killed."""
+    """A Blender that requests ``prompts``, sees the first start, runs ``then`` and is killed."""
     code = AWAY.format(
         python=sys.executable,
         core=str(FAKE_CORE),
@@ -58,7 +59,7 @@ def another_blender(ready, runs: Path, *prompts: str, then: str = "") -> Iterato
     command = blender_command(code)
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout
-        assert any(line.strip() == "begun" for line in process.stdout)
+        assert any(line.strip() == "started" for line in process.stdout)
         yield
         process.kill()
 
@@ -82,7 +83,7 @@ def test_generate_puts_the_asset_at_the_cursor(ready, wait):
 
 def test_the_operator_is_the_function(ready, wait):
     jobs = []
-    for press in (lambda: ask.generate(bpy.context), bpy.ops.fantasia3d.generate):
+    for press in (lambda: submit.generate(bpy.context), bpy.ops.fantasia3d.generate):
         press()
         wait()
         jobs.append(session.last.job)
@@ -90,19 +91,19 @@ def test_the_operator_is_the_function(ready, wait):
     assert len(bpy.data.objects) == 2
 
 
-def test_progress_is_told_while_it_runs_and_cancel_says_what_it_waits_for(ready, wait):
+def test_progress_is_shown_while_it_runs_and_cancel_shows_what_it_waits_for(ready, wait):
     ready.prompt = "long"
     bpy.ops.fantasia3d.generate()
     progress = session.running[0].progress
     assert progress.detail == "Loading the method, a few seconds"
-    wait(until=lambda: progress.share > 0)
+    wait(until=lambda: progress.fraction > 0)
     assert progress.line.startswith("Shape  0%")
     assert progress.detail.startswith("Stage 2 of 5, 1:4")  # minutes and seconds
     begin = time.monotonic()
     assert bpy.ops.fantasia3d.cancel() == {"FINISHED"}
     assert (progress.line, progress.detail) == (
         "Cancelling",
-        "Waits for the present step of “Shape”",
+        "Waiting for the present step of “Shape”",
     )
     wait()
     assert time.monotonic() - begin < 1.0
@@ -113,15 +114,15 @@ def test_progress_is_told_while_it_runs_and_cancel_says_what_it_waits_for(ready,
 def test_a_core_that_does_not_listen_can_be_stopped_and_resumed(ready, wait, monkeypatch):
     ready.prompt = "deaf"
     bpy.ops.fantasia3d.generate()
-    wait(until=lambda: session.running[0].progress.share > 0)
+    wait(until=lambda: session.running[0].progress.fraction > 0)
     assert not bpy.ops.fantasia3d.stop_now.poll()
     bpy.ops.fantasia3d.cancel()
     assert not session.running[0].progress.overdue
-    monkeypatch.setattr("fantasia3d_addon.follow.PATIENCE", 0.0)
+    monkeypatch.setattr("fantasia3d_addon.jobs.progress.PATIENCE", 0.0)
     assert session.running[0].progress.overdue
     bpy.ops.fantasia3d.stop_now()
     wait()
-    assert session.error[0].startswith("The generator stopped without a word")
+    assert session.error[0].startswith("The generator stopped unexpectedly")
     entry = only_run(session.last.run.folder.parent)
     assert (entry.state, entry.resumable) == (history.STOPPED, True)
 
@@ -149,12 +150,12 @@ def test_half_an_asset_is_an_error_in_the_panel(ready, wait):
 
 
 def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
-    run = ask.generate(bpy.context)
+    run = submit.generate(bpy.context)
     wait()
     shutil.rmtree(run / "asset")
     with pytest.raises(RuntimeError) as refused:
         bpy.ops.fantasia3d.job_import(folder=str(run))
-    sentence = "Its asset has gone from the disk. Press Repeat to make it again."
+    sentence = "Its asset no longer exists. Press Repeat to generate it again."
     assert str(refused.value).strip() == f"Error: {sentence}"
     shutil.rmtree(run)
     session.history = history.scan(run.parent, {e.folder: e for e in session.history})
@@ -164,8 +165,8 @@ def test_an_asset_that_was_deleted_is_a_sentence_and_no_traceback(ready, wait):
         assert "Traceback" not in str(refused.value)
 
 
-def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
-    run = ask.generate(bpy.context)
+def test_an_asset_of_the_history_is_imported_again(ready, wait):
+    run = submit.generate(bpy.context)
     wait()
     assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
     names = sorted(o.name for o in bpy.data.objects)
@@ -173,11 +174,11 @@ def test_an_asset_of_the_history_comes_again_by_its_button(ready, wait):
     assert bpy.context.active_object.name == names[1]
 
 
-def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait):
+def test_jobs_run_in_the_order_in_which_they_were_queued(ready, wait):
     runs = []
     for ready.prompt in ("long", "second", "third", "fourth"):
-        runs.append(ask.generate(bpy.context))
-    assert [follow.prompt for follow in session.running] == ["long"]
+        runs.append(submit.generate(bpy.context))
+    assert [followed.prompt for followed in session.running] == ["long"]
     assert [folder for folder, _ in session.waiting] == runs[1:]
     assert history.read_entry(runs[1]).state == history.WAITING
     bpy.ops.fantasia3d.queue_drop(folder=str(runs[2]))
@@ -189,7 +190,7 @@ def test_jobs_wait_their_turn_in_the_order_that_they_were_asked_for(ready, wait)
     assert len(bpy.data.objects) == 2
 
 
-def test_the_process_is_gone_when_its_job_is_done(ready, wait):
+def test_the_process_has_exited_when_its_job_is_done(ready, wait):
     """It holds the GPU's memory."""
     bpy.ops.fantasia3d.generate()
     run = session.running[0].run
@@ -204,7 +205,7 @@ def test_an_asset_waits_while_the_user_is_in_edit_mode(ready, wait):
     bpy.context.view_layer.objects.active = obj
     bpy.ops.fantasia3d.generate()
     bpy.ops.object.mode_set(mode="EDIT")
-    wait(until=lambda: bool(session.arriving))
+    wait(until=lambda: bool(session.importing))
     for _ in range(3):
         assert session.tick() is not None
     assert len(bpy.data.objects) == 1
@@ -236,11 +237,11 @@ def test_an_asset_does_not_fall_into_another_file(ready, wait, tmp_path):
     assert not session.missed
 
 
-def test_a_run_that_goes_on_after_a_crash_is_found_and_followed(ready, wait, tmp_path):
+def test_a_run_that_continues_after_a_crash_is_followed(ready, wait, tmp_path):
     with another_blender(ready, tmp_path / "runs", "brief", "second"):
         pass
     session.adopt(bpy.context)
-    assert [follow.prompt for follow in session.running] == ["brief"]
+    assert [followed.prompt for followed in session.running] == ["brief"]
     assert [history.read_entry(folder).prompt for folder, _ in session.waiting] == ["second"]
     assert session.paused
     wait()
@@ -259,13 +260,13 @@ def test_a_run_of_a_living_blender_is_left_to_it(ready, wait, tmp_path):
         with pytest.raises(AddonError, match="still running"):
             history.remove(entry)
     session.adopt(bpy.context)
-    assert [follow.prompt for follow in session.running] == ["long"]
+    assert [followed.prompt for followed in session.running] == ["long"]
     session.cancel()
     wait()
     assert only_run(tmp_path / "runs").state == history.CANCELLED
 
 
-def test_what_was_done_while_blender_was_closed_is_told(ready, wait, tmp_path):
+def test_what_was_done_while_blender_was_closed_is_offered(ready, wait, tmp_path):
     with another_blender(ready, tmp_path / "runs", "brief"):
         pass
     entry = only_run(tmp_path / "runs")
@@ -281,9 +282,9 @@ def test_what_was_done_while_blender_was_closed_is_told(ready, wait, tmp_path):
 
 
 def test_the_core_is_missing(ready, monkeypatch, tmp_path):
-    monkeypatch.setattr("fantasia3d_addon.preferences.Machine.python", tmp_path / "none")
+    monkeypatch.setattr("fantasia3d_addon.jobs.paths.Paths.python", tmp_path / "none")
     with pytest.raises(AddonError, match="There is no Python"):
-        ask.generate(bpy.context)
+        submit.generate(bpy.context)
     assert (session.running, session.waiting) == ([], [])
 
 

@@ -1,4 +1,4 @@
-"""The set-up by its buttons, with a Python and a registry that are played."""
+"""The set-up by its buttons, with a simulated Python and registry."""
 
 import json
 import os
@@ -10,15 +10,16 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import environment, preferences, setup_operators  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon import environment  # noqa: E402
+from fantasia3d_addon.jobs import environment_setup, paths  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
     pytest.mark.usefixtures("empty", "addon"),
     pytest.mark.skipif(os.name != "posix", reason="the stand-in is a shell program"),
 ]
-# A Python that answers the probe, copies itself as an "environment", and plays pip.
+# A Python that answers the probe, copies itself as an "environment", and simulates pip.
 PLAYED = """#!{python} -S
 import os, shutil, sys, time
 args = sys.argv[1:]
@@ -68,9 +69,9 @@ class Box:
         self.wheels = self.folder / "wheels"
         self.env = self.folder / ("an environment whose name is long " * 4).strip()
         place = environment.Place(self.env, self.python, self.wheels)
-        patch.setattr(preferences.Machine, "root", self.root)
-        patch.setattr(preferences.Machine, "environment", self.env)
-        patch.setattr(preferences.Machine, "place", place)
+        patch.setattr(paths.Paths, "root", self.root)
+        patch.setattr(paths.Paths, "environment", self.env)
+        patch.setattr(paths.Paths, "place", place)
         machine = sys.modules[environment.find_python.__module__]
         patch.setattr(machine, "has_nvidia", lambda: False)
         patch.setattr(machine, "python_candidates", lambda: iter([str(self.python)]))
@@ -91,19 +92,19 @@ def box(tmp_path, monkeypatch):
 
 
 def done() -> object:
-    work = session.work
-    work.join(60)
-    assert not work.running
+    task = session.task
+    task.join(60)
+    assert not task.running
     session.tick()
-    return work
+    return task
 
 
 def test_set_up_repair_and_remove(box):
     assert bpy.ops.fantasia3d.set_up() == {"FINISHED"}
-    work = done()
-    assert work.error is None
-    assert work.result == environment.env_python(box.env)
-    assert (work.share, work.text) == (1.0, f"Ready: {work.result}")
+    task = done()
+    assert task.error is None
+    assert task.result == environment.env_python(box.env)
+    assert (task.fraction, task.text) == (1.0, f"Ready: {task.result}")
     assert f"--no-index --find-links {box.wheels}" in box.installs[0]
     assert bpy.ops.fantasia3d.open_set_up_log.poll()
     bpy.ops.fantasia3d.set_up()
@@ -146,45 +147,73 @@ def test_a_folder_with_the_users_files_is_left_alone(box):
     assert [path.name for path in box.env.iterdir()] == ["thesis.txt"]
 
 
-def test_a_python_that_is_none_is_said(box, monkeypatch):
+def test_files_of_the_users_next_to_the_folder_are_left_alone(box):
+    log, lock = box.env.with_name(box.env.name + ".log"), box.env.with_name(box.env.name + ".lock")
+    log.write_text("my own log")
+    bpy.ops.fantasia3d.set_up()
+    assert "is not a log of this project" in done().error[0]
+    assert log.read_text() == "my own log"
+    assert not box.env.exists()
+    log.unlink()
+    lock.write_text("my own pins")
+    bpy.ops.fantasia3d.set_up()
+    assert done().error is None
+    log.write_text("my own log")
+    bpy.ops.fantasia3d.remove_environment("EXEC_DEFAULT")
+    assert done().error is None
+    assert not box.env.exists()
+    assert (log.read_text(), lock.read_text()) == ("my own log", "my own pins")
+
+
+def test_a_refused_set_up_keeps_the_log_of_the_last_one(box):
+    box.env.mkdir()
+    (box.env / "thesis.txt").write_text("years")
+    log = box.env.with_name(box.env.name + ".log")
+    log.write_text("$ pip install torch")
+    bpy.ops.fantasia3d.set_up()
+    assert "not this project's" in done().error[0]
+    assert log.read_text() == "$ pip install torch"
+
+
+def test_a_file_that_is_no_python_is_an_error(box, monkeypatch):
     place = environment.Place(box.env, box.folder / "nothing", box.wheels)
-    monkeypatch.setattr(preferences.Machine, "place", place)
+    monkeypatch.setattr(paths.Paths, "place", place)
     bpy.ops.fantasia3d.set_up()
     assert done().error[0].endswith("nothing is no Python 3.11 of 64 bits.")
 
 
-def test_the_network_is_asked_for_unless_there_are_wheels(box, monkeypatch):
-    assert setup_operators.reason_against() == ""
+def test_network_access_is_required_unless_there_are_wheels(box, monkeypatch):
+    assert environment_setup.reason_against() == ""
     box.wheels.rmdir()
-    assert "is not there" in setup_operators.reason_against()
+    assert "does not exist" in environment_setup.reason_against()
     place = environment.Place(box.env, box.python)
-    monkeypatch.setattr(preferences.Machine, "place", place)
+    monkeypatch.setattr(paths.Paths, "place", place)
     online = bpy.app.online_access
-    assert setup_operators.reason_against() == (
+    assert environment_setup.reason_against() == (
         "" if online else "Allow online access (Preferences, System, Network), "
-        "or name a folder of wheels."
+        "or choose a wheels folder."
     )  # fmt: skip
 
 
-def test_check_says_what_is_missing_and_how_to_mend_it(box):
+def test_check_lists_what_is_missing_and_its_fix(box):
     assert bpy.ops.fantasia3d.check() == {"FINISHED"}
-    work = done()
-    assert work.text.startswith("Missing: environment")
-    found = {line.name: line for line in work.result}
+    task = done()
+    assert task.text.startswith("Missing: environment")
+    found = {line.name: line for line in task.result}
     assert str(box.env) in found["environment"].text
-    assert 'press "Set Up"' in found["environment"].text
+    assert 'press "Install"' in found["environment"].text
 
 
 def test_check_looks_at_the_python_that_was_chosen(box, monkeypatch):
-    monkeypatch.setattr(preferences.Machine, "own_python", box.python)
+    monkeypatch.setattr(paths.Paths, "own_python", box.python)
     bpy.ops.fantasia3d.check()
-    work = done()
-    found = {line.name: line.text for line in work.result}
+    task = done()
+    found = {line.name: line.text for line in task.result}
     assert found["environment"] == str(box.python)
     assert (found["torch"], found["packages"]) == ("2.13.0", "as pinned, under Python 3.11.9")
 
 
-def test_windows_is_told_of_a_path_that_is_too_long(monkeypatch):
+def test_a_path_that_is_too_long_for_windows_is_an_error(monkeypatch):
     machine = sys.modules[environment.find_python.__module__]
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(machine, "_long_paths", lambda: False)

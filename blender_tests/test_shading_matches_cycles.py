@@ -9,7 +9,7 @@ import torch
 
 bpy = pytest.importorskip("bpy")
 
-from blender_tests.beside_cycles import (  # noqa: E402
+from blender_tests.compare_cycles import (  # noqa: E402
     KD,
     Exact,
     add_ball,
@@ -54,7 +54,7 @@ def light_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def ball(roughness: float, metallic: float, size: int) -> tuple:
-    """Where the ball is, and what :func:`shade` takes of its points."""
+    """Where the ball is, and the arguments of :func:`shade` for its points."""
     seen, normal, view = ball_points(size)
     like = torch.ones_like(normal[:, :1])
     return seen, (normal, view, torch.tensor(KD) * like, roughness * like, metallic * like)

@@ -8,9 +8,11 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
-from fantasia3d_addon import ask, compat, present_color, texture_object  # noqa: E402
+from fantasia3d_addon.asset import bake_base_color, texture_object  # noqa: E402
+from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.session import session  # noqa: E402
+from fantasia3d_addon.jobs import submit  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -48,7 +50,7 @@ def test_the_users_uv_is_kept_and_transform_and_modifiers_are_respected(tmp_path
     mirror.relative_offset_displace[0] = 1.5
     before = uv_of(obj.data, "UVMap")
     path = tmp_path / "mesh.obj"
-    assert texture_object.make_ready(bpy.context, obj, False, path) == "UVMap"
+    assert texture_object.prepare_object(bpy.context, obj, False, path) == "UVMap"
     verts, uv = exported(path)
     assert len(verts) == 16
     np.testing.assert_allclose(verts.min(0), (3, -1, -3), atol=1e-5)  # two cubes along its x
@@ -58,12 +60,12 @@ def test_the_users_uv_is_kept_and_transform_and_modifiers_are_respected(tmp_path
     assert [layer.name for layer in obj.data.uv_layers] == ["UVMap"]
 
 
-def test_a_new_uv_lies_beside_the_users_without_overlaps(tmp_path):
+def test_a_new_uv_map_is_added_without_overlaps(tmp_path):
     obj = add_cube()
     obj.data.polygons[2].select = False
     selected = [p.select for p in obj.data.polygons]
     before = uv_of(obj.data, "UVMap")
-    name = texture_object.make_ready(bpy.context, obj, True, tmp_path / "mesh.obj")
+    name = texture_object.prepare_object(bpy.context, obj, True, tmp_path / "mesh.obj")
     assert [layer.name for layer in obj.data.uv_layers] == ["UVMap", name]
     assert obj.data.uv_layers.active.name == "UVMap"
     new = uv_of(obj.data, name)
@@ -79,33 +81,33 @@ def test_a_new_uv_lies_beside_the_users_without_overlaps(tmp_path):
     assert bpy.context.view_layer.objects.active == obj
     assert [o.name for o in bpy.data.objects] == [obj.name]
     assert len(bpy.data.meshes) == 1
-    again = texture_object.make_ready(bpy.context, obj, True, tmp_path / "mesh.obj")
+    again = texture_object.prepare_object(bpy.context, obj, True, tmp_path / "mesh.obj")
     assert (again, len(obj.data.uv_layers)) == (name, 2)
 
 
 def test_a_mesh_without_a_uv_gets_one(tmp_path):
     obj = add_cube()
     obj.data.uv_layers.remove(obj.data.uv_layers[0])
-    name = texture_object.make_ready(bpy.context, obj, False, tmp_path / "mesh.obj")
+    name = texture_object.prepare_object(bpy.context, obj, False, tmp_path / "mesh.obj")
     assert name == texture_object.NEW_UV_MAP
     assert len(exported(tmp_path / "mesh.obj")[1]) == 24
 
 
-def test_what_can_take_no_texture_is_said(tmp_path):
+def test_an_object_that_cannot_be_textured_has_a_reason(tmp_path):
     assert texture_object.reason_against(None) == "Select a mesh."
     empty = bpy.data.objects.new("Nothing", bpy.data.meshes.new("Nothing"))
     assert texture_object.reason_against(empty) == "“Nothing” has no faces."
     obj = add_cube()
     assert texture_object.reason_against(obj) == ""
     bpy.ops.object.mode_set(mode="EDIT")
-    assert "edit mode" in texture_object.reason_against(obj)
+    assert "Edit Mode" in texture_object.reason_against(obj)
     bpy.ops.object.mode_set(mode="OBJECT")
     obj.data.uv_layers[0].uv[0].vector = (3, 0)
     with pytest.raises(AddonError, match="outside the unit square"):
-        texture_object.make_ready(bpy.context, obj, False, tmp_path / "mesh.obj")
+        texture_object.prepare_object(bpy.context, obj, False, tmp_path / "mesh.obj")
     obj.modifiers.new("Remesh", "REMESH")
     with pytest.raises(AddonError, match="leave no UV map “UVMap”"):
-        texture_object.make_ready(bpy.context, obj, False, tmp_path / "mesh.obj")
+        texture_object.prepare_object(bpy.context, obj, False, tmp_path / "mesh.obj")
 
 
 def cube_with_slots() -> bpy.types.Object:
@@ -116,9 +118,9 @@ def cube_with_slots() -> bpy.types.Object:
     return obj
 
 
-def test_the_material_lies_in_a_new_slot_and_the_others_stay(asset):
+def test_the_material_is_in_a_new_slot_and_the_others_stay(asset):
     obj = cube_with_slots()
-    material = texture_object.dress(obj, asset, "UVMap", "slot")
+    material = texture_object.assign_material(obj, asset, "UVMap", "slot")
     assert [slot.material.name for slot in obj.material_slots] == ["wood", "iron", material.name]
     assert [p.material_index for p in obj.data.polygons] == [0, 0, 0, 1, 0, 0]
     uv_nodes = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeUVMap"]
@@ -127,40 +129,40 @@ def test_the_material_lies_in_a_new_slot_and_the_others_stay(asset):
 
 def test_the_whole_object_shows_it_and_its_mesh_keeps_its_own(asset):
     obj = cube_with_slots()
-    twin = bpy.data.objects.new("twin", obj.data)
-    material = texture_object.dress(obj, asset, "UVMap", "object")
+    copy = bpy.data.objects.new("copy", obj.data)
+    material = texture_object.assign_material(obj, asset, "UVMap", "object")
     assert [slot.material for slot in obj.material_slots] == [material, material]
-    assert [slot.material.name for slot in twin.material_slots] == ["wood", "iron"]
+    assert [slot.material.name for slot in copy.material_slots] == ["wood", "iron"]
     obj.material_slots[0].link = "DATA"  # the way back
     assert obj.material_slots[0].material.name == "wood"
 
 
 def test_a_mesh_without_slots_gets_the_first(asset):
     obj = add_cube()
-    material = texture_object.dress(obj, asset, "UVMap", "slot")
+    material = texture_object.assign_material(obj, asset, "UVMap", "slot")
     assert [slot.material for slot in obj.material_slots] == [material]
 
 
-def test_a_uv_map_that_has_gone_is_said_and_nothing_is_left(asset):
+def test_a_removed_uv_map_is_an_error_and_nothing_is_left(asset):
     obj = add_cube()
-    with pytest.raises(AddonError, match="no UV map “Fantasia3D” any more"):
-        texture_object.dress(obj, asset, "Fantasia3D", "slot")
+    with pytest.raises(AddonError, match="no longer has the UV map “Fantasia3D”"):
+        texture_object.assign_material(obj, asset, "Fantasia3D", "slot")
     (asset / "orm.png").unlink()
     with pytest.raises(AddonError, match="is missing"):
-        texture_object.dress(obj, asset, "UVMap", "slot")
+        texture_object.assign_material(obj, asset, "UVMap", "slot")
     assert (len(bpy.data.materials), len(bpy.data.images)) == (0, 0)
 
 
 def colored(name: str, color: tuple[float, ...]) -> bpy.types.Material:
     material = bpy.data.materials.new(name)
-    if not compat.HAS_NODES_AT_BIRTH:
+    if not compat.ALWAYS_HAS_NODES:
         material.use_nodes = True
     material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
     return material
 
 
 def pixels(path: Path) -> np.ndarray:
-    """(S, S, 3) of a PNG as it stands in the file; row 0 is the bottom."""
+    """(S, S, 3) of a PNG as in the file; row 0 is the bottom."""
     image = bpy.data.images.load(str(path))
     image.colorspace_settings.is_data = True
     values = np.array(image.pixels[:]).reshape(*image.size, -1)[..., :3]
@@ -180,7 +182,7 @@ def test_the_present_colour_is_exact_and_the_object_is_left_alone(tmp_path):
     obj.data.polygons[3].material_index = 1
     obj.modifiers.new("Subdivision", "SUBSURF").subdivision_type = "SIMPLE"
     counts = [len(getattr(bpy.data, k)) for k in ("objects", "meshes", "materials", "scenes")]
-    present_color.bake(bpy.context, obj, texture_object.NEW_UV_MAP, tmp_path / "c.png", 64)
+    bake_base_color.bake(bpy.context, obj, texture_object.NEW_UV_MAP, tmp_path / "c.png", 64)
     picture = pixels(tmp_path / "c.png")
     uv = uv_of(obj.data, texture_object.NEW_UV_MAP).reshape(-1, 4, 2).mean(1)
     for face, center in enumerate(uv):
@@ -203,20 +205,20 @@ def test_a_mix_of_shaders_has_the_mix_of_their_colours(tmp_path):
     tree.links.new(diffuse.outputs[0], mix.inputs[2])
     tree.links.new(mix.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     obj.data.materials.append(material)
-    present_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
+    bake_base_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
     middle = pixels(tmp_path / "c.png")[16, 16]
     np.testing.assert_allclose(middle, (srgb(0.75), srgb(0.25), 0), atol=0.006)
 
 
-def test_a_shader_whose_colour_cannot_be_told_is_named(tmp_path):
+def test_a_shader_with_an_unknown_colour_is_named(tmp_path):
     obj = add_cube()
     material = colored("odd", (1, 0, 0, 1))
     tree = material.node_tree
     holdout = tree.nodes.new("ShaderNodeHoldout")
     tree.links.new(holdout.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
     obj.data.materials.append(material)
-    with pytest.raises(AddonError, match="“odd” can't be told: it comes from “Holdout”"):
-        present_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
+    with pytest.raises(AddonError, match="“odd” is unknown: it comes from “Holdout”"):
+        bake_base_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
     assert (len(bpy.data.materials), len(bpy.data.scenes)) == (1, 1)
 
 
@@ -238,22 +240,22 @@ def test_texture_goes_from_the_button_to_the_material(ready, wait):
     assert len(bpy.data.objects) == 2
 
 
-def test_an_object_that_has_gone_is_said(ready, wait):
+def test_a_removed_object_is_an_error(ready, wait):
     obj = add_cube()
-    ask.texture(bpy.context)
+    submit.texture(bpy.context)
     bpy.data.objects.remove(obj)
     wait()
-    assert session.error[0] == "There is no object “Cube” any more."
+    assert session.error[0] == "The object “Cube” no longer exists."
 
 
 def test_a_textured_mesh_is_repeated_from_the_files_of_its_run(ready, wait):
-    from fantasia3d_addon import history
+    from fantasia3d_addon.jobs import history
 
     obj = add_cube()
-    ask.texture(bpy.context)
+    submit.texture(bpy.context)
     wait()
     entry = history.read_entry(session.last.run.folder)
-    ask.repeat(bpy.context, entry, vary_seed=True)
+    submit.repeat(bpy.context, entry, vary_seed=True)
     again = session.running[0]
     assert again.job["seed"] != entry.job["seed"]
     assert Path(again.job["mesh"]).parent == again.run.folder

@@ -40,9 +40,9 @@ def in_a_window(script: str, out: Path, *words: str) -> dict:
     done = subprocess.run(command, cwd=HERE.parent, timeout=1800, capture_output=True, text=True)
     path = out / "report.json"
     assert path.exists(), done.stdout[-2000:] + done.stderr[-2000:]
-    told = json.loads(path.read_text())
-    assert "traceback" not in told, told["traceback"]
-    return told | {"folder": out}
+    report = json.loads(path.read_text())
+    assert "traceback" not in report, report["traceback"]
+    return report | {"folder": out}
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +70,7 @@ def test_a_prompt_is_typed_and_generate_is_clicked(report):
 
 def test_the_bar_moves_and_cancel_is_answered_within_a_second(report):
     assert len(set(report["lines"])) > 2
-    assert report["waits_for"] == "Waits for the present step of “Shape”"
+    assert report["waits_for"] == "Waiting for the present step of “Shape”"
     assert report["last"] == "cancelled"
     assert report["cancel_seconds"] < 1.0
 
@@ -85,7 +85,7 @@ def test_an_error_is_a_sentence_with_its_fix(report):
     assert report["error"] == ["There is no noun 'blorb'.", "Say chair."]
 
 
-def test_the_asset_stands_in_the_scene_and_is_one_undo_step(report):
+def test_the_asset_is_in_the_scene_and_is_one_undo_step(report):
     assert report["objects"] == report["after_redo"] == ["a red wooden chair"]
     assert report["after_undo"] == []
 
@@ -95,7 +95,7 @@ def test_blender_is_never_held_up_while_a_job_runs(report):
     assert_never_held_up(report)
 
 
-def test_quads_and_a_thumbnail_come_from_another_blender_while_this_one_goes_on(report):
+def test_quads_and_a_thumbnail_are_made_by_another_blender_while_this_one_is_responsive(report):
     assert report["quads_at_once"] == ["a red wooden chair"]
     assert report["quads"] == {"name": "a red wooden chair quads", "sides": [4], "tags": 1}
     assert report["quads_hold_up"] < 0.1  # its own drawing in software is in it
@@ -108,7 +108,7 @@ def test_the_panel_is_drawn(report):
     assert len({path.read_bytes() for path in pictures}) == len(names)
 
 
-def test_the_real_core_goes_from_the_words_to_the_asset(core_report):
+def test_the_real_core_goes_from_the_prompt_to_the_asset(core_report):
     assert core_report["prompt"] == "a red wooden chair"
     assert core_report["clicked"]
     assert core_report["error"] is None
@@ -118,12 +118,12 @@ def test_the_real_core_goes_from_the_words_to_the_asset(core_report):
     ]  # fmt: skip
 
 
-def test_the_real_shape_grows_in_the_viewport_beside_its_picture(core_report):
+def test_the_real_shape_grows_in_the_viewport_next_to_its_picture(core_report):
     assert len(core_report["shapes"]) > 1
     assert core_report["pictures"] == ["normals.png", "color.png"]
 
 
-def test_the_real_asset_stands_at_the_cursor_in_its_material(core_report):
+def test_the_real_asset_is_at_the_cursor_with_its_material(core_report):
     asset = core_report["asset"]
     assert asset["objects"] == asset["materials"] == ["a red wooden chair"]
     assert asset["location"] == core_report["cursor"]

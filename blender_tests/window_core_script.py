@@ -13,9 +13,9 @@ import bpy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from blender_tests.screen import OUT, Screen, beat, play, report, screenshot
-from fantasia3d_addon import live_preview, preferences
-from fantasia3d_addon.follow import Follow
-from fantasia3d_addon.session import session
+from fantasia3d_addon.jobs import live_preview, paths
+from fantasia3d_addon.jobs.progress import FollowedRun
+from fantasia3d_addon.jobs.session import session
 
 OVERRIDES = " ".join(sys.argv[sys.argv.index("--") + 2 :])
 PROMPT = "a red wooden chair"
@@ -60,19 +60,19 @@ def look_from(screen: Screen) -> None:
     view.view_location, view.view_distance = Vector(CURSOR) + Vector((0, 0, 0.45)), 3.2
 
 
-def watch(follow: Follow) -> Iterator[float]:
+def watch(followed: FollowedRun) -> Iterator[float]:
     """The bar, the shape in the viewport and the picture, once for each that is new."""
     report["lines"], report["shapes"], report["pictures"], taken = [], [], [], 0
     while session.running:
         yield 0.2
-        line = follow.progress.line
+        line = followed.progress.line
         if line not in report["lines"]:
             report["lines"].append(line)
-        shape = live_preview.find(follow.name)
+        shape = live_preview.find(followed.name)
         size = [round(x, 3) for x in shape.dimensions] if shape else []
         if size and size not in report["shapes"]:
             report["shapes"].append(size)
-        picture = follow.picture.name if follow.picture else ""
+        picture = followed.picture.name if followed.picture else ""
         if picture and picture not in report["pictures"]:
             report["pictures"].append(picture)
         if shape and len(report["lines"]) >= 8 * (taken + 1):
@@ -81,7 +81,7 @@ def watch(follow: Follow) -> Iterator[float]:
 
 
 def tell_of(obj: bpy.types.Object) -> None:
-    """What stands in the scene."""
+    """What is in the scene."""
     material = obj.active_material
     images = [n.image for n in material.node_tree.nodes if n.type == "TEX_IMAGE"]
     report["asset"] = {
@@ -100,5 +100,5 @@ def meshes() -> list[str]:
     return [o.name for o in bpy.data.objects if o.type == "MESH"]
 
 
-preferences.Machine.runs = OUT / "runs"
+paths.Paths.runs = OUT / "runs"
 play(steps)

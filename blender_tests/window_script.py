@@ -15,8 +15,9 @@ import bpy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from blender_tests.screen import OUT, ROOT, Screen, play, report, screenshot
-from fantasia3d_addon import environment, live_preview, preferences
-from fantasia3d_addon.session import session
+from fantasia3d_addon import environment
+from fantasia3d_addon.jobs import live_preview, paths
+from fantasia3d_addon.jobs.session import session
 
 ASSET = sys.argv[-1]
 TYPED, PROMPT = "show", "show a red wooden chair"
@@ -83,7 +84,7 @@ def cancel() -> Iterator[float]:
 
 
 def quads(screen: Screen) -> Iterator[float]:
-    """Quads and a thumbnail, each by another Blender, while this one goes on."""
+    """Quads and a thumbnail, each by another Blender, while this one stays responsive."""
     yield from screen.look_at(bpy.data.objects[meshes()[0]])
     beats: list[float] = []
     bpy.app.timers.register(lambda: beats.append(time.thread_time()) or 0.01)
@@ -112,5 +113,5 @@ def meshes() -> list[str]:
 
 os.environ["FANTASIA3D_PYTHON"] = sys.executable
 environment.project_root = lambda: ROOT / "blender_tests" / "fake_core"
-preferences.Machine.runs = OUT / "runs"
+paths.Paths.runs = OUT / "runs"
 play(steps)

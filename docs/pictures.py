@@ -19,16 +19,11 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from fantasia3d_addon import (  # noqa: E402
-    commands,
-    cornell_box,
-    light,
-    material_edit,
-    physics,
-    relight,
-    scene,
-)
-from fantasia3d_addon.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.cli import commands  # noqa: E402
+from fantasia3d_addon.material import edit as material_edit  # noqa: E402
+from fantasia3d_addon.physics import simulation  # noqa: E402
+from fantasia3d_addon.scene import cornell_box, light, relight, render  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 GAP = 6
@@ -46,8 +41,8 @@ def looked_at(folder: Path, size: int, azimuth_deg: float = 32.0) -> bpy.types.O
     target = empty()
     obj = import_asset(target, folder)
     bpy.context.view_layer.update()
-    scene.add_camera(target, obj, azimuth_deg)
-    scene.set_up_cycles(target, size, SAMPLES)
+    render.add_camera(target, obj, azimuth_deg)
+    render.set_up_cycles(target, size, SAMPLES)
     return obj
 
 
@@ -55,14 +50,14 @@ def lit(obj: bpy.types.Object, name: str, rotation_deg: float = 0.0) -> None:
     """Light it so that white is just white."""
     relight.relight(bpy.context.scene, name, rotation_deg=rotation_deg)
     bpy.context.view_layer.update()
-    scene.expose(bpy.context.scene, obj)
+    render.expose(bpy.context.scene, obj)
 
 
 def shot(obj: bpy.types.Object, backdrop: bool = True) -> Image.Image:
     """A picture through the scene's camera."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "shot.png"
-        scene.render_still(path, obj, backdrop)
+        render.render_still(path, obj, backdrop)
         return Image.open(path).convert("RGB")
 
 
@@ -98,29 +93,29 @@ def cornell(chair: Path, torus: Path, mug: Path) -> list[list[Image.Image]]:
         obj.scale = (size, size, size)
     objs[1].rotation_euler.z = -0.35
     cornell_box.build(target, objs)
-    scene.set_up_cycles(target, 420, 3 * SAMPLES)
+    render.set_up_cycles(target, 420, 3 * SAMPLES)
     target.cycles.max_bounces, target.cycles.adaptive_threshold = 10, 0.02
     target.view_settings.exposure = cornell_box.EXPOSURE
     return [[shot(objs[0], backdrop=False)]]
 
 
 def frames(
-    folder: Path, kind: str, options: physics.Options, at: tuple[int, ...]
+    folder: Path, kind: str, options: simulation.Options, at: tuple[int, ...]
 ) -> Iterator[Image.Image]:
     """Some frames of a simulation."""
     target = empty()
     obj = import_asset(target, folder)
     obj.rotation_euler.z = 0.2
     bpy.context.view_layer.update()
-    physics.simulate(obj, kind, options)
-    points = commands._reach(obj, at[0], at[-1])
-    scene.add_camera_about(target, *scene.sphere_about(points))
+    simulation.simulate(obj, kind, options)
+    points = commands._points_of_fall(obj, at[0], at[-1])
+    render.add_camera_about(target, *render.sphere_about(points))
     target.frame_set(1)
     lit(obj, light.STUDIO)
-    scene.set_up_cycles(target, 200, SAMPLES)
-    if ground := bpy.data.objects.get(physics.GROUND):
+    render.set_up_cycles(target, 200, SAMPLES)
+    if ground := bpy.data.objects.get(simulation.GROUND):
         ground.is_shadow_catcher = True
-        scene.hide_world(target)
+        render.hide_world(target)
     for frame in at:
         target.frame_set(frame)
         yield shot(obj, backdrop=False)
@@ -128,9 +123,9 @@ def frames(
 
 def physics_rows(chair: Path, _torus: Path, _mug: Path) -> list[list[Image.Image]]:
     """A soft body, a cloth, and a sheet over the chair."""
-    soft = physics.Options(frames=40, height=0.6, softness=0.75)
-    cloth = physics.Options(frames=40, height=0.4)
-    drape = physics.Options(frames=60)
+    soft = simulation.Options(frames=40, height=0.6, softness=0.75)
+    cloth = simulation.Options(frames=40, height=0.4)
+    drape = simulation.Options(frames=60)
     return [
         list(frames(chair, "SOFT", soft, (1, 14, 20, 28))),
         list(frames(chair, "CLOTH", cloth, (1, 12, 20, 36))),

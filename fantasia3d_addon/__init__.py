@@ -5,16 +5,18 @@ never imports torch or the core; they meet in a run folder (``jobs``) and an ass
 (``import_asset``). This module imports nothing, so that ``environment`` loads without Blender.
 """
 
+PACKAGE = __package__  # "fantasia3d_addon", or the extension's name in Blender
+
 
 def register() -> None:
     """Add the panel, the operators and the preferences to Blender."""
-    from . import registration
+    from .ui import registration
 
     registration.register()
 
 
 def unregister() -> None:
     """Take them away again; a running job goes on by itself."""
-    from . import registration
+    from .ui import registration
 
     registration.unregister()

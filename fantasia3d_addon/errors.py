@@ -1,8 +1,8 @@
-"""What the user can mend, said in a sentence. Anything else keeps its traceback."""
+"""Errors that the user can fix, as one sentence each. Anything else keeps its traceback."""
 
 
 class AddonError(Exception):
-    """A sentence for the user: what was got and expected (``text``), and what to do (``fix``)."""
+    """``text``: one sentence, what is wrong; ``fix``: what the user can do."""
 
     def __init__(self, text: str, fix: str = "") -> None:
         super().__init__(f"{text} {fix}".strip())
@@ -11,7 +11,7 @@ class AddonError(Exception):
 
 
 class AssetError(AddonError):
-    """A folder is no asset, or half of one."""
+    """A folder is no asset, or an incomplete one."""
 
 
 class JobError(AddonError):
@@ -19,7 +19,7 @@ class JobError(AddonError):
 
 
 class LightError(AddonError):
-    """A light is not there, or is no picture."""
+    """A light does not exist, or is no picture."""
 
 
 class OutputError(AddonError):

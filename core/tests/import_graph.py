@@ -19,9 +19,15 @@ def module_graph(package: str, root: Path = ROOT) -> Graph:
     depth: lazy imports count."""
     modules = {_name(path, root): path for path in (root / package).rglob("*.py")}
     modules = {name: path for name, path in modules.items() if ".tests" not in name}
-    return {
-        name: set(_imports(path, name)) & modules.keys() - {name} for name, path in modules.items()
-    }
+    graph: Graph = {}
+    for name, path in modules.items():
+        graph[name] = set()
+        for base, names in _imports(path, name):
+            parts = {f"{base}.{part}" for part in names} & modules.keys()
+            # "from package import module" needs the module alone, whose package has none of it.
+            graph[name] |= parts if len(parts) == len(names) > 0 else parts | {base}
+        graph[name] &= modules.keys() - {name}
+    return graph
 
 
 def folder(module: str) -> str:
@@ -67,18 +73,18 @@ def _name(path: Path, root: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-def _imports(path: Path, module: str) -> Iterator[str]:
+def _imports(path: Path, module: str) -> Iterator[tuple[str, list[str]]]:
+    """Each import: a module, and the names that are taken from it."""
     package = module if path.stem == "__init__" else module.rpartition(".")[0]
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            yield from ((alias.name, []) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             base = node.module or ""
             if node.level:  # relative: so many packages up, less the one that "." names
                 above = ".".join(package.split(".")[: len(package.split(".")) - node.level + 1])
                 base = f"{above}.{base}".rstrip(".")
-            yield base
-            yield from (f"{base}.{alias.name}" for alias in node.names)
+            yield base, [alias.name for alias in node.names]
 
 
 def _reached(graph: Graph, starts: set[str]) -> set[str]:

@@ -18,9 +18,9 @@ from run import environment
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the stand-ins are shell programs")
 
 ROOT = Path(run.__file__).parent
-layout = sys.modules[environment.env_folder.__module__]
+paths = sys.modules[environment.env_folder.__module__]
 machine = sys.modules[environment.find_python.__module__]
-words = sys.modules[environment.ensure.__module__.replace("install", "words")]
+pip_output = sys.modules[environment.ensure.__module__.replace("install", "pip_output")]
 
 
 # The folder
@@ -242,7 +242,7 @@ def test_a_killed_set_up_is_repaired_and_never_met_by_its_own_ghost(box):
         assert child.poll() is None
     child.kill()
     child.wait()
-    assert (box.env / layout.BUILDING).exists()
+    assert (box.env / paths.BUILDING).exists()
     assert environment.lacking(box.env, box.root) == ["core"]
     (box.env / "half-made").touch()
     box.patch.setenv("FAKE_SECONDS", "0")
@@ -305,12 +305,12 @@ def test_with_a_gpu_a_cpu_build_is_the_last_choice(box):
     [(CPU, "linux", False), (CUDA, "linux", True), (CUDA, "win32", False), (CUDA, "darwin", False)],
 )
 def test_a_report_tells_whether_cuda_would_come(report, platform, cuda):
-    assert words.offers_cuda(report, platform) is cuda
+    assert pip_output.offers_cuda(report, platform) is cuda
 
 
 def test_a_local_version_tells_it_too():
     report = {"install": [{"metadata": {"version": "2.13.0+cu130", "requires_dist": []}}]}
-    assert words.offers_cuda(report, "win32")
+    assert pip_output.offers_cuda(report, "win32")
 
 
 def test_a_wheel_folder_keeps_pip_off_the_network(box):
@@ -336,7 +336,7 @@ def test_a_wheel_folder_keeps_pip_off_the_network(box):
     ],
 )
 def test_large_downloads_are_told(line, step):
-    assert words.step_of(line) == (f"downloading {step}" if step else "")
+    assert pip_output.step_of(line) == (f"downloading {step}" if step else "")
 
 
 def test_pips_sources_become_uvs():
@@ -344,7 +344,7 @@ def test_pips_sources_become_uvs():
         ":env:.find-links='/a /b'\nglobal.index-url='file:///i'\nglobal.timeout='3'\n"
         "global.extra-index-url='file:///x file:///y'"
     )
-    assert words.pip_sources(config) == {
+    assert pip_output.pip_sources(config) == {
         "UV_FIND_LINKS": "/a,/b",
         "UV_DEFAULT_INDEX": "file:///i",
         "UV_INDEX": "file:///x file:///y",
@@ -355,4 +355,4 @@ def test_pips_sources_become_uvs():
     ("said", "version"), [("pip 23.0.1 from /x", (23, 0)), ("pip 26.3 from", (26, 3)), ("", (0, 0))]
 )
 def test_pips_version_is_read(said, version):
-    assert words.pip_version(said) == version
+    assert pip_output.pip_version(said) == version

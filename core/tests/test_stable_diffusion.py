@@ -4,8 +4,8 @@ import pytest
 import torch
 from diffusers import StableDiffusionPipeline as Pipeline
 
-from core.__main__ import job_of, parse
 from core.camera import Cameras
+from core.command_line import job_of, parse
 from core.config import GuidanceConfig
 from core.errors import MemoryShortError, UserError
 from core.generate import config_of, prepare

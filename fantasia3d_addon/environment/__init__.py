@@ -1,11 +1,11 @@
-"""The core's own Python environment: found, made, repaired and checked.
+"""The core's own Python environment: found, created, repaired and checked.
 
-Standard library only, and no bpy. ``run.py`` and the panel's "Set up" button share this package;
-it loads under Python 3.8 or newer. The dependencies stand in ``pyproject.toml`` alone.
+Standard library only, and no bpy. ``run.py`` and the panel's "Install" button both use this
+package; it loads under Python 3.8 or newer. The dependencies are in ``pyproject.toml`` alone.
 
-The environment lies in the user's data folder as ``fantasia3d/env-HASH``, HASH being that of the
-core's requirements. It is complete when its marker is there, which is written last: whatever a
-killed set-up leaves is made anew by the next one. Nothing is installed into Blender.
+The environment is in the user's data folder as ``fantasia3d/env-HASH``, where HASH is that of the
+core's requirements. It is complete when its marker exists, which is written last: what a killed
+set-up leaves is created again by the next one. Nothing is installed into Blender.
 
 Variables: FANTASIA3D_ENV (another folder), FANTASIA3D_PYTHON (an interpreter to use as it is),
 FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
@@ -13,7 +13,8 @@ FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 
 from .doctor import Line, examine
 from .install import Progress, ensure, remove, tidy
-from .layout import (
+from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
+from .paths import (
     Place,
     data_folder,
     env_folder,
@@ -23,7 +24,6 @@ from .layout import (
     project_root,
     requirements,
 )
-from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
 
 __all__ = [
     "PYTHON",

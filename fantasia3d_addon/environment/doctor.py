@@ -1,4 +1,4 @@
-"""What is here, what is missing, and how to mend it: ``run.py doctor`` and the panel's "Check"."""
+"""What is installed, what is missing, and how to fix it: ``run.py doctor``, the panel's "Check"."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from . import layout, machine
+from . import machine, paths
 from .machine import SetupError
 
 OK, MISSING, NOTE = "ok", "MISSING", "-"
@@ -54,15 +54,16 @@ class Line(NamedTuple):
 
 
 def examine(root: Path, folder: Path | None = None, python: Path | None = None) -> list[Line]:
-    """All findings; takes a few seconds, for torch is loaded in the environment's Python.
+    """All findings; takes a few seconds, because torch is loaded in the environment's Python.
 
     ``folder`` is that of the environment where it is not the project's own choice; ``python`` an
     interpreter that is used instead of one. Inside Blender its own module counts, and the
-    environment need not hold one.
+    environment needs none.
     """
+    # Priority: the interpreter that is given, the variable, the environment.
     named = os.environ.get("FANTASIA3D_PYTHON", "") if python is None else str(python)
     given = named if folder is None or python else ""
-    folder = folder or layout.env_folder(root)
+    folder = folder or paths.env_folder(root)
     return [*_python(root, folder, given), *_environment(root, folder, given), *_data(root)]
 
 
@@ -74,47 +75,48 @@ def _python(root: Path, folder: Path, given: str) -> list[Line]:
     try:
         return [*lines, Line(name, OK, str(machine.find_python()))]
     except SetupError as error:
-        needed = "core" in layout.lacking(folder, root) and not given
+        needed = "core" in paths.lacking(folder, root) and not given
         return [*lines, Line(name, MISSING if needed else NOTE, str(error))]
 
 
 def _environment(root: Path, folder: Path, given: str) -> list[Line]:
-    groups, make = ["blender"], "generate makes it, and so does: python3 run.py setup blender"
+    groups, make = ["blender"], "generate creates it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
-        groups, make = [], 'press "Set Up", or: python3 run.py setup'
-    lacking = [] if given else layout.lacking(folder, root, groups)
+        groups, make = [], 'press "Install", or: python3 run.py setup'
+    lacking = [] if given else paths.lacking(folder, root, groups)
     if "core" in lacking:
-        return [Line("environment", MISSING, f"{folder} is not made yet; {make}")]
+        return [Line("environment", MISSING, f"{folder} does not exist yet; {make}")]
     lines = [Line("environment", OK, given or str(folder))]
     if lacking:
         lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
-    here = [group for group in ("core", *groups) if group not in lacking]
-    pins = [pin for group in here for pin in layout.requirements(root, group)]
-    return lines + _packages(given or str(layout.env_python(folder)), pins)
+    present = [group for group in ("core", *groups) if group not in lacking]
+    pins = [pin for group in present for pin in paths.requirements(root, group)]
+    return lines + _packages(given or str(paths.env_python(folder)), pins)
 
 
 def _packages(python: str, pins: Sequence[str]) -> list[Line]:
-    """What the environment's own Python says of its packages and of the GPU."""
-    mend = "mend it with: python3 run.py setup --renew blender"
+    """What the environment's own Python reports about its packages and the GPU."""
+    fix = "fix it with: python3 run.py setup --renew blender"
     if "bpy" in sys.modules:
-        mend = 'press "Repair" under Set-Up'
+        fix = 'press "Reinstall" under Installation'
     try:
+        # In the environment's own Python: this one may have other packages.
         done = subprocess.run(
             [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
         )
     except OSError as error:
-        return [Line("packages", MISSING, f"{python} does not run ({error.strerror}); {mend}")]
+        return [Line("packages", MISSING, f"{python} does not run ({error.strerror}); {fix}")]
     if done.returncode:
-        said = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no word"]
-        return [Line("packages", MISSING, f"{said[-1]}; {mend}")]
+        lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no output"]
+        return [Line("packages", MISSING, f"{lines[-1]}; {fix}")]
     facts = json.loads(done.stdout.decode("utf-8"))
     lines = [Line("packages", OK, f"as pinned, under Python {facts['python']}")]
     if facts["wrong"]:
-        lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {mend}")]
-    lines.append(Line("torch", OK if "torch" in facts else MISSING, facts.get("torch", mend)))
+        lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {fix}")]
+    lines.append(Line("torch", OK if "torch" in facts else MISSING, facts.get("torch", fix)))
     gpu = facts.get("gpu") or f"none; the CPU is used, with {facts.get('threads', 1)} threads"
     if "gpu" not in facts and machine.has_nvidia():
-        gpu = f"there is one, but torch does not see it; {mend}"
+        gpu = f"there is one, but torch does not see it; {fix}"
     lines.append(Line("GPU", NOTE, gpu))
     if "bpy" in facts:
         lines.append(Line("Blender module", OK, f"bpy {facts['bpy']}"))
@@ -126,7 +128,8 @@ def _data(root: Path) -> list[Line]:
     weights = sorted((root / "core" / "guidance" / "builtin").glob("*.safetensors"))
     size = sum(path.stat().st_size for path in weights) / 1e6
     names = ", ".join(path.name for path in weights)
-    data = layout.data_folder()
+    data = paths.data_folder()
+    # The folder itself may not exist yet.
     place = next(path for path in (data, *data.parents) if path.exists())
     free = shutil.disk_usage(str(place)).free / 1e9
     return [
@@ -134,7 +137,7 @@ def _data(root: Path) -> list[Line]:
         if weights
         else Line("built-in weights", MISSING, "there are none; install again"),
         Line("Stable Diffusion", NOTE, _hub_models() or "none in the hub's cache; optional: "
-             "--guidance FOLDER takes any diffusers folder"),
+             "--guidance FOLDER accepts any diffusers folder"),
         Line("disk", NOTE, f"{free:.0f} GB free at {place}"),
     ]  # fmt: skip
 

@@ -16,23 +16,24 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import IO, Protocol
 
-from . import layout, machine
+from . import machine, paths
 from .machine import SetupError
-from .words import explain, offers_cuda, pip_sources, pip_version, step_of
+from .pip_output import explain, offers_cuda, pip_sources, pip_version, step_of
 
 
 class Progress(Protocol):
-    """Hears of the set-up's steps."""
+    """Receives the set-up's steps."""
 
-    def __call__(self, text: str, share: float) -> None:
-        """``text`` is a line for the user; ``share`` is done, from 0 to 1."""
+    def __call__(self, text: str, fraction: float, /) -> None:
+        """``text`` is a line for the user; ``fraction`` is done, from 0 to 1."""
 
 
 SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
-LEAN_PIP = (23, 2)  # older ones fetch a whole wheel (torch: 0.5 GB) to read what it needs
-SILENCE = 15.0  # seconds after which a long step is said to go on
-LOOK = 0.5  # seconds between two looks at whether the user gave up
+LEAN_PIP = (23, 2)  # older ones download a whole wheel (torch: 0.5 GB) to read its requirements
+OTHER_FOLDER = "Set FANTASIA3D_ENV to an empty or new folder."
+SILENCE = 15.0  # seconds without output after which a long step is reported again
+POLL_SECONDS = 0.5  # between two checks for a cancel
 CHECKS = {  # what must load before a group counts as installed
     "core": "import torch, numpy, safetensors, PIL; print('torch', torch.__version__)",
     "blender": "import bpy, os, sys; print('bpy', bpy.app.version_string); sys.stdout.flush(); "
@@ -45,46 +46,49 @@ def ensure(
     root: Path,
     groups: Sequence[str],
     progress: Progress,
+    *,
     allow_cuda: bool = False,
     renew: bool = False,
-    place: layout.Place | None = None,
+    place: paths.Place | None = None,
     stopped: Callable[[], bool] = lambda: False,
 ) -> Path:
-    """The interpreter of an environment that holds the core and ``groups``; made if need be.
+    """The interpreter of an environment with the core and ``groups``; created if necessary.
 
-    An interpreter named in FANTASIA3D_PYTHON is taken as it is, unless ``place`` says where the
-    environment shall be. ``allow_cuda`` takes torch's CUDA build on a machine without a GPU too;
-    ``renew`` makes the environment anew; ``stopped`` is asked twice a second whether to give up.
+    An interpreter in FANTASIA3D_PYTHON is used as it is, unless ``place`` names the environment.
+    ``allow_cuda`` allows torch's CUDA build on a machine without a GPU too; ``renew`` creates the
+    environment again; ``stopped`` is called twice a second: true cancels.
 
     Raises:
-        SetupError: something is missing that the user can mend; nothing half-made is left.
+        SetupError: something is missing that the user can fix; nothing incomplete is left.
     """
+    # The panel passes a place: a choice in the preferences comes before the variable.
     given = os.environ.get("FANTASIA3D_PYTHON")
     if given and place is None:
         found = shutil.which(str(Path(given).expanduser()))
         if not found:
             raise SetupError(
                 f"FANTASIA3D_PYTHON is {given}, which is no program.",
-                "Name a Python that has this project's packages, or unset it.",
+                "Set it to a Python that has this project's packages, or unset it.",
             )
         return Path(found)
-    place = place or layout.Place()
-    folder = place.folder or layout.env_folder(root)
-    if renew or layout.lacking(folder, root, groups):
+    place = place or paths.Place()
+    folder = place.folder or paths.env_folder(root)
+    # Without the lock first: the usual case is a complete environment.
+    if renew or paths.lacking(folder, root, groups):
         machine.check_length(folder)
         with _locked(folder, progress, stopped) as lock:
-            todo = ["core", *groups] if renew else layout.lacking(folder, root, groups)
+            todo = ["core", *groups] if renew else paths.lacking(folder, root, groups)
             if todo:  # no other process has done it meanwhile
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
                 set_up.carry_out(todo, allow_cuda)
-    return layout.env_python(folder)
+    return paths.env_python(folder)
 
 
 @contextlib.contextmanager
 def _locked(
     folder: Path, progress: Progress, stopped: Callable[[], bool] = lambda: False
 ) -> Generator[IO[bytes], None, None]:
-    """Hold the set-up's lock, which the system lets go when its last holder dies."""
+    """Hold the set-up's lock, which the system releases when its last holder dies."""
     path = folder.with_name(folder.name + ".lock")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -92,57 +96,73 @@ def _locked(
     except OSError as error:
         raise SetupError(
             f"{path.parent} cannot be written ({error.strerror}).",
-            "Mend its permissions, or name another folder in FANTASIA3D_ENV.",
+            "Change its permissions, or set FANTASIA3D_ENV to another folder.",
         ) from None
     with file:
-        told = False
+        reported = False
         while not machine.try_lock(file):
-            if not told:
+            if not reported:
                 progress("Another set-up of the same environment is running; waiting for it.", 0.0)
-                told = True
-            time.sleep(LOOK)
+                reported = True
+            time.sleep(POLL_SECONDS)
             _check_stopped(stopped)
         yield file
 
 
 def _check_stopped(stopped: Callable[[], bool]) -> None:
     if stopped():
-        raise SetupError("The set-up was cancelled.", "Nothing of it is left. Start it again.")
+        raise SetupError(
+            "The set-up was cancelled.", "Nothing of it is left on the disk. Start it again."
+        )
 
 
 def remove(folder: Path) -> None:
-    """Remove an environment of ours, whole or half-made; nothing else.
+    """Remove an environment of ours, complete or not; nothing else.
 
     Raises:
-        SetupError: ``folder`` holds something that this project did not make.
+        SetupError: ``folder`` contains something that this project did not create.
     """
     if not folder.exists():
         return
-    ours = (folder / layout.MARKER).exists() or (folder / layout.BUILDING).exists()
-    if not ours and (not folder.is_dir() or any(folder.iterdir())):
-        raise SetupError(
-            f"{folder} holds files that are not this project's.",
-            "Name an empty or new folder in FANTASIA3D_ENV.",
-        )
-    (folder / layout.BUILDING).touch()  # it stays ours if the removal is cut short
-    (folder / layout.MARKER).unlink(missing_ok=True)
+    _check_folder(folder)
+    (folder / paths.BUILDING).touch()  # so that an interrupted removal can be continued
+    # The marker goes first: from here on the environment counts as incomplete.
+    (folder / paths.MARKER).unlink(missing_ok=True)
     for entry in list(folder.iterdir()):
-        if entry.name != layout.BUILDING:
+        if entry.name != paths.BUILDING:
             shutil.rmtree(entry) if entry.is_dir() and not entry.is_symlink() else entry.unlink()
     shutil.rmtree(folder)
+
+
+def _check_folder(folder: Path) -> None:
+    """Refuse a folder with the user's files."""
+    ours = (folder / paths.MARKER).exists() or (folder / paths.BUILDING).exists()
+    if folder.exists() and not ours and (not folder.is_dir() or any(folder.iterdir())):
+        raise SetupError(f"{folder} holds files that are not this project's.", OTHER_FOLDER)
+
+
+def _is_our_log(log: Path) -> bool:
+    """Whether ``log`` may be overwritten: a log of a set-up starts with a command."""
+    if not log.exists():
+        return True
+    with log.open("rb") as file:
+        return file.read(2) in (b"", b"$ ")
 
 
 def tidy(folder: Path) -> None:
     """Remove the log and the lock of a removed environment too, and the data folder if it is empty.
 
-    Not while another set-up of it is waiting: its lock lies there.
+    Not while another set-up of it is waiting: that holds the lock.
     """
     if folder.exists():
         return
-    for path in (layout.log_file(folder), folder.with_name(folder.name + ".lock")):
-        path.unlink(missing_ok=True)
-    if folder.parent == layout.data_folder():
-        with contextlib.suppress(OSError):  # something else lies there
+    log, lock = paths.log_file(folder), folder.with_name(folder.name + ".lock")
+    if _is_our_log(log):
+        log.unlink(missing_ok=True)
+    if lock.exists() and not lock.stat().st_size:  # ours is empty: another has this name
+        lock.unlink()
+    if folder.parent == paths.data_folder():
+        with contextlib.suppress(OSError):  # something else is in it
             folder.parent.rmdir()
 
 
@@ -151,7 +171,7 @@ class _SetUp:
 
     def __init__(
         self,
-        place: layout.Place,
+        place: paths.Place,
         root: Path,
         progress: Progress,
         lock: IO[bytes],
@@ -161,18 +181,22 @@ class _SetUp:
         self.folder, self.root, self.progress, self.lock = place.folder, root, progress, lock
         self.base, self.stopped = place.python, stopped
         self.wheels = str(place.wheels or os.environ.get("FANTASIA3D_WHEELS") or "")
-        self.python = str(layout.env_python(self.folder))
+        self.python = str(paths.env_python(self.folder))
         self.start = time.monotonic()
         self.expected = 1.0  # bytes to be written
-        self.step, self.share = "", 0.0  # what is being done, and how much is
+        self.step, self.fraction = "", 0.0  # the present step, and the fraction done of all
 
     def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
         """Install the groups ``todo``; all from nothing if ``core`` is among them."""
         fresh, base, gpu = "core" in todo, machine.find_python(self.base), machine.has_nvidia()
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
-        machine.check_disk(self.folder, 1.5 * self.expected)  # with the downloads
-        log = layout.log_file(self.folder)
+        # Before anything is written; 1.5: until they are unpacked, the downloads need space too.
+        machine.check_disk(self.folder, 1.5 * self.expected)
+        log = paths.log_file(self.folder)
+        _check_folder(self.folder)  # before the log is opened, which empties it
+        if not _is_our_log(log):
+            raise SetupError(f"{log} is not a log of this project.", OTHER_FOLDER)
         self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
         with log.open("w", encoding="utf-8", errors="replace") as self.log:
             try:
@@ -181,7 +205,7 @@ class _SetUp:
                     self._choose_torch(gpu, allow_cuda)
                 self._install(todo)
             except BaseException:
-                if fresh and not layout.read_marker(self.folder):
+                if fresh and not paths.read_marker(self.folder):
                     remove(self.folder)
                 raise
         self.progress(f"The environment is ready ({self._seconds()} s).", 1.0)
@@ -189,36 +213,38 @@ class _SetUp:
     def _make_folder(self, base: Path) -> None:
         remove(self.folder)
         self.folder.mkdir(parents=True)
-        (self.folder / layout.BUILDING).touch()
-        self._begin(f"making a virtual environment of {base}")
+        (self.folder / paths.BUILDING).touch()
+        self._start_step(f"creating a virtual environment from {base}")
         self._run([str(base), "-m", "venv", str(self.folder)])
-        said = machine.output([self.python, "-m", "pip", "--version"])
-        if pip_version(said) < LEAN_PIP and not self.wheels:
+        version = machine.output([self.python, "-m", "pip", "--version"])
+        if pip_version(version) < LEAN_PIP and not self.wheels:
             self._pip("install", *self._tool("pip"))
 
     def _tool(self, name: str) -> list[str]:
         """The pin of one of the set-up's own tools."""
-        pins = layout.requirements(self.root, "setup")
+        pins = paths.requirements(self.root, "setup")
         return [pin for pin in pins if pin.startswith(f"{name}==")]
 
     def _install(self, todo: Sequence[str]) -> None:
-        """Install, check and mark the groups, the core's pins always among the wishes."""
-        wanted = {group: layout.requirements(self.root, group) for group in ("core", *todo)}
+        """Install, check and mark the groups; always with the core's pins, so that they stay."""
+        wanted = {group: paths.requirements(self.root, group) for group in ("core", *todo)}
         pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
-        self._begin("collecting packages")
+        self._start_step("collecting packages")
+        # --no-compile: Python compiles what is imported; the rest would be compiled in vain.
         self._pip("install", "--no-compile", *pins)
         for group in todo:
             self._check(group)
-            marker = layout.read_marker(self.folder) or {"python": sys.version, "groups": {}}
-            marker["groups"][group] = layout.digest(wanted[group])
-            layout.write_marker(self.folder, marker)
+            marker = paths.read_marker(self.folder) or {"python": sys.version, "groups": {}}
+            marker["groups"][group] = paths.digest(wanted[group])
+            paths.write_marker(self.folder, marker)
 
     def _check(self, group: str) -> None:
-        """Load what ``group`` brought."""
+        """Import the packages of ``group`` once."""
         if group not in CHECKS:
             return
-        self._begin(f"checking {group}")
+        self._start_step(f"checking {group}")
         try:
+            # -I: neither the current folder nor PYTHON variables may provide a module.
             self._run([self.python, "-I", "-c", CHECKS[group]])
         except SetupError as error:
             fix = f"On Debian and Ubuntu: apt install {LIBRARIES}." if group == "blender" else ""
@@ -228,14 +254,15 @@ class _SetUp:
             ) from None
 
     def _choose_torch(self, gpu: bool, allow_cuda: bool) -> None:
-        """Install torch's CPU build where pip alone would bring gigabytes of CUDA in vain.
+        """Install torch's CPU build where pip alone would download gigabytes of unused CUDA.
 
         On a machine with a GPU for which pip finds a CPU build only, the CUDA build is tried.
         """
-        core = layout.requirements(self.root, "core")
+        core = paths.requirements(self.root, "core")
         pin = next(line for line in core if re.match(r"torch\b", line))
+        # A dry run: pip resolves the pin and reports which build it would download.
         report = self.folder / "report.json"
-        self._begin("asking pip for torch")
+        self._start_step("asking pip for torch")
         self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
         cuda = offers_cuda(json.loads(report.read_text(encoding="utf-8")), sys.platform)
         if cuda and not gpu and not allow_cuda:
@@ -245,18 +272,18 @@ class _SetUp:
                 raise SetupError(
                     f"This machine has no NVIDIA GPU, pip finds only the CUDA build of {pin} (3 GB "
                     f"to download, 6 GB on disk), and uv cannot fetch the CPU build: {error.text}",
-                    "Name a folder with the CPU build's wheel in PIP_FIND_LINKS, or take the CUDA "
-                    "build all the same: python3 run.py setup --allow-cuda. The log is "
-                    f"{layout.log_file(self.folder)}.",
+                    "Set PIP_FIND_LINKS to a folder with the CPU build's wheel, or use the CUDA "
+                    "build anyway: python3 run.py setup --allow-cuda. The log is "
+                    f"{paths.log_file(self.folder)}.",
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:
                 self._uv(pin, "auto")
             except SetupError as error:
-                self._tell(f"taking torch's CPU build; no CUDA build: {error.text}")
+                self._report(f"taking torch's CPU build; no CUDA build: {error.text}")
 
     def _uv(self, pin: str, backend: str) -> None:
-        """Install torch through uv, which knows where torch's own builds lie."""
+        """Install torch through uv, which knows where torch's own builds are."""
         tool = self.folder / "uv"
         self._pip("install", "--no-deps", "--target", str(tool), *self._tool("uv"))
         sources = pip_sources(machine.output([self.python, "-m", "pip", "config", "list"]))
@@ -274,7 +301,7 @@ class _SetUp:
         """Run ``command``: its output goes into the log, its long steps to ``progress``.
 
         Raises:
-            SetupError: it failed; the sentence says why, as far as its output tells.
+            SetupError: it failed; the text names the cause, if its output does.
         """
         self.log.write(f"$ {' '.join(command)}\n")
         keep = () if sys.platform == "win32" else (self.lock.fileno(),)  # if it outlives this one
@@ -290,15 +317,15 @@ class _SetUp:
             ) from None
         with child:
             try:
-                said = self._follow(child)
+                last_lines = self._follow(child)
             except BaseException:  # Ctrl-C among them
                 child.terminate()
                 raise
         if child.returncode:
-            raise explain(said, layout.log_file(self.folder))
+            raise explain(last_lines, paths.log_file(self.folder))
 
     def _follow(self, child: subprocess.Popen[bytes]) -> str:
-        """The child's last lines; a long silence is filled with what the disk tells."""
+        """The child's last lines; without output, the progress on the disk is reported."""
         lines: queue.Queue[bytes | None] = queue.Queue()
 
         def read() -> None:
@@ -307,38 +334,40 @@ class _SetUp:
                 lines.put(line)
             lines.put(None)
 
+        # A thread, because reading a pipe blocks, and a cancel must be noticed meanwhile.
         threading.Thread(target=read, daemon=True).start()
-        said: list[str] = []
-        heard = time.monotonic()
+        kept: list[str] = []
+        last_output = time.monotonic()
         while True:
             _check_stopped(self.stopped)
             try:
-                raw = lines.get(timeout=LOOK)
+                raw = lines.get(timeout=POLL_SECONDS)
             except queue.Empty:
-                if time.monotonic() - heard > SILENCE:
-                    heard = time.monotonic()
-                    self._tell(f"{self.step}: {self._seconds()} s so far")
+                if time.monotonic() - last_output > SILENCE:
+                    last_output = time.monotonic()
+                    self._report(f"{self.step}: {self._seconds()} s so far")
                 continue
-            heard = time.monotonic()
+            last_output = time.monotonic()
             if raw is None:
-                return "".join(said[-200:])
+                return "".join(kept[-200:])
             line = raw.decode("utf-8", "replace")
             self.log.write(line)
             self.log.flush()
-            said.append(line)
+            kept.append(line)
             step = step_of(line)
             if step:
-                self._begin(step)
+                self._start_step(step)
 
-    def _tell(self, text: str) -> None:
-        """Report a step; its share is that of the bytes on disk: downloads count once unpacked."""
+    def _report(self, text: str) -> None:
+        """Report a step; the fraction is by the bytes on disk: downloads count once unpacked."""
+        # lstat: a link to the base Python is not written here.
         written = sum(path.lstat().st_size for path in self.folder.rglob("*"))
-        self.share = max(self.share, min(0.95, written / self.expected))
-        self.progress(text, self.share)
+        self.fraction = max(self.fraction, min(0.95, written / self.expected))
+        self.progress(text, self.fraction)
 
-    def _begin(self, step: str) -> None:
+    def _start_step(self, step: str) -> None:
         self.step = step
-        self._tell(step)
+        self._report(step)
 
     def _seconds(self) -> int:
         return round(time.monotonic() - self.start)

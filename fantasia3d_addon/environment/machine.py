@@ -1,4 +1,4 @@
-"""What this machine offers to the set-up: a Python, a GPU, room on the disk."""
+"""What this machine provides for the set-up: a Python, a GPU, disk space, locks."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ LONGEST, DEEPEST = 259, 190  # characters: of a path under Windows; of torch's f
 CLEAN = (
     "PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
     "PIP_TARGET", "PIP_PREFIX", "PIP_USER",
-)  # fmt: skip  # variables that would lead another Python astray
+)  # fmt: skip  # variables that change what another Python imports
 
 
 class SetupError(Exception):
-    """What the user can mend: ``text`` says what is missing, ``fix`` what to do."""
+    """What the user can fix: ``text`` states what is missing, ``fix`` what to do."""
 
-    status = 3  # the process's exit status: something is not installed or not there
+    status = 3  # the process's exit code: something is not installed or not found
 
     def __init__(self, text: str, fix: str = "") -> None:
         super().__init__(f"{text} {fix}".strip())
@@ -30,12 +30,12 @@ class SetupError(Exception):
 
 
 def clean_environ() -> dict[str, str]:
-    """The process's variables without those that would lead another Python astray."""
+    """The process's variables without those that change what another Python imports."""
     return {key: value for key, value in os.environ.items() if key not in CLEAN}
 
 
 def output(command: Sequence[str], timeout: float = 20) -> str:
-    """What ``command`` prints; empty if it fails, hangs or is not there."""
+    """What ``command`` prints; empty if it fails, hangs or does not exist."""
     try:
         done = subprocess.run(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
@@ -47,7 +47,7 @@ def output(command: Sequence[str], timeout: float = 20) -> str:
 
 
 def has_nvidia() -> bool:
-    """Whether an NVIDIA GPU with its driver is here."""
+    """Whether there is an NVIDIA GPU with its driver."""
     if Path("/proc/driver/nvidia/version").exists():
         return True
     tool = shutil.which("nvidia-smi")
@@ -61,7 +61,7 @@ print("%d.%d" % sys.version_info[:2], sys.maxsize > 2**32,
 
 
 def python_candidates() -> Iterator[str]:
-    """Interpreters that may be the wanted one, the likeliest first; some may not exist."""
+    """Interpreters that may have the right version, the likeliest first; some may not exist."""
     version, name = PYTHON, f"python{PYTHON}"
     home, in_blender = Path.home(), "bpy" in sys.modules
     if not in_blender and sys.executable:
@@ -92,17 +92,18 @@ def python_candidates() -> Iterator[str]:
         yield output(["py", f"-{version}", "-c", "import sys; print(sys.executable)"])
     if shutil.which("uv"):
         yield output(["uv", "python", "find", "--no-python-downloads", version])
-    if in_blender:  # the last resort: the environment dies with this Blender
+    if in_blender:  # the last resort: the environment stops working with this Blender
         yield sys.executable
 
 
 def find_python(given: Path | None = None) -> Path:
-    """A Python of the wanted version that can make environments: ``given``, or the first found.
+    """A Python of the required version that can create environments: ``given``, or the first found.
 
     Raises:
         SetupError: there is none.
     """
     version, without_venv = PYTHON, ""
+    # The first of the right version that can create environments; each is asked itself.
     for candidate in [str(given)] if given else dict.fromkeys(python_candidates()):
         answer = output([candidate, "-I", "-c", PROBE]) if candidate else ""
         found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
@@ -123,22 +124,24 @@ def find_python(given: Path | None = None) -> Path:
     raise SetupError(
         f"Python {version} is not on this machine (this one is {sys.version.split()[0]}), "
         "and Blender's Python module is made for that version alone.",
-        f"Install it beside the Python you have: from python.org, from your system's packages, or "
+        f"Install it next to the Python you have: from python.org, from your system's packages, or "
         f"with `uv python install {version}`.",
     )
 
 
 def try_lock(file: IO[bytes]) -> bool:
-    """Take the lock of an open file if nobody has it; closing the file lets it go."""
+    """Acquire the lock of an open file if it is free; closing the file releases it."""
     try:
         if sys.platform == "win32":
             import msvcrt
 
+            # Windows locks bytes: always the first one, or two processes would lock different ones.
             file.seek(0)
             msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
         else:
             import fcntl
 
+            # flock belongs to the open file, and is released by the system when its process dies.
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         return False
@@ -162,7 +165,7 @@ def _long_paths() -> bool:
     """Whether this Windows takes paths of more than 260 characters."""
     import winreg
 
-    registry: Any = winreg  # its types are there on Windows alone
+    registry: Any = winreg  # its types exist on Windows alone
     place = r"SYSTEM\CurrentControlSet\Control\FileSystem"
     try:
         with registry.OpenKey(registry.HKEY_LOCAL_MACHINE, place) as key:
@@ -172,15 +175,16 @@ def _long_paths() -> bool:
 
 
 def check_disk(folder: Path, need: float) -> None:
-    """Refuse a set-up of ``need`` bytes that the disk of ``folder`` could not hold.
+    """Refuse a set-up of ``need`` bytes for which the disk of ``folder`` has no space.
 
     Raises:
-        SetupError: there is too little room.
+        SetupError: there is too little free space.
     """
+    # The folder itself may not exist yet.
     there = next(path for path in (folder, *folder.parents) if path.exists())
     free = shutil.disk_usage(there).free
     if free < need:
         raise SetupError(
             f"The set-up needs {need / 1e9:.1f} GB; the disk of {there} has {free / 1e9:.1f} GB.",
-            "Free some space, or name a folder on another disk in FANTASIA3D_ENV.",
+            "Free some space, or set FANTASIA3D_ENV to a folder on another disk.",
         )

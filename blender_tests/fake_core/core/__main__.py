@@ -1,4 +1,4 @@
-"""Stands for the core in tests: it does what the job's prompt says, and shows a growing ball.
+"""A fake core for tests: it does what the job's prompt requests, and shows a growing ball.
 
 ``resume RUN`` reads RUN/job.json, as the add-on's jobs do; ``generate PROMPT --out RUN`` writes
 it first, as the command line does. The job's negative prompt names the asset that comes out.
@@ -24,12 +24,12 @@ events = run / "events.jsonl"
 signal.signal(signal.SIGINT, lambda *_: (run / "cancel").touch())
 
 
-def say(kind: str, **fields: object) -> None:
+def report(kind: str, **fields: object) -> None:
     with events.open("a", encoding="utf-8") as file:
         file.write(json.dumps({"type": kind, "time": time.time(), **fields}) + "\n")
 
 
-def preview(share: float) -> None:
+def preview(fraction: float) -> None:
     """A ball that grows a nose, as a mesh and as a picture of its normals."""
     import numpy as np
 
@@ -39,42 +39,42 @@ def preview(share: float) -> None:
     verts, faces, _, _ = block(24)
     ball = verts - verts.mean(0)
     ball = 0.45 * ball / np.linalg.norm(ball, axis=1, keepdims=True)
-    verts = (1 - share) * ball + share * (verts - (0, 0, 0.5))
+    verts = (1 - fraction) * ball + fraction * (verts - (0, 0, 0.5))
     folder = run / "preview"
     folder.mkdir(exist_ok=True)
     with (folder / "shape.tmp").open("wb") as file:
         np.savez(file, verts=verts.astype(np.float32), faces=faces.astype(np.int32))
     (folder / "shape.tmp").replace(folder / "shape.npz")
     y, x = np.mgrid[1:-1:128j, -1:1:128j]
-    inside = x**2 + y**2 < (0.4 + 0.4 * share) ** 2
+    inside = x**2 + y**2 < (0.4 + 0.4 * fraction) ** 2
     normal = np.stack([x, y, np.sqrt(np.maximum(0, 1 - x**2 - y**2))], -1) / 2 + 0.5
     picture = np.where(inside[..., None], normal, 0.9)
     write_png(folder / "normals.tmp", (picture * 255).astype(np.uint8))
     (folder / "normals.tmp").replace(folder / "normals.png")
-    say("preview", stage="geometry", path="preview/normals.png")
-    say("preview", stage="geometry", path="preview/shape.npz")
+    report("preview", stage="geometry", path="preview/normals.png")
+    report("preview", stage="geometry", path="preview/shape.npz")
 
 
 def train(stage: str, steps: int, pause: float, shows: bool) -> None:
     for step in range(steps):
         if (run / "cancel").exists() and prompt != "deaf":
-            say("cancelled", text="Cancelled.", fix="Resume it.")
+            report("cancelled", text="Cancelled.", fix="Resume it.")
             sys.exit(130)
         if shows and step % 10 == 0:
             preview(min(1.0, step / 60))
         left = round((steps - step) * pause + 1, 1)
-        say("progress", stage=stage, step=step + 1, steps=steps, loss=0.5, seconds_left=left)
+        report("progress", stage=stage, step=step + 1, steps=steps, loss=0.5, seconds_left=left)
         time.sleep(pause)
 
 
 print("the fake core", sorted(key for key in os.environ if key.startswith("PYTHON")), flush=True)
 if prompt == "say nothing":
     time.sleep(30)
-say("started", pid=os.getpid())
+report("started", pid=os.getpid())
 if prompt == "die":
     os.abort()
 if prompt == "fail":
-    say("error", text="There is no noun 'blorb'.", fix="Say chair.", future_key=1)
+    report("error", text="There is no noun 'blorb'.", fix="Say chair.", future_key=1)
     print("error: There is no noun 'blorb'. Say chair.", file=sys.stderr)
     sys.exit(2)
 if prompt == "half a line":
@@ -96,5 +96,5 @@ if prompt == "nonsense":
         file.write("not json\n[1]\n")
 if job.get("negative_prompt"):
     shutil.copytree(job["negative_prompt"], run / "asset")
-say("done", path="asset", text="complete")
+report("done", path="asset", text="complete")
 print(run / "asset")

@@ -1,0 +1,68 @@
+"""Exports the shape of an object of the scene as an OBJ file, for the core to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from ..blender.mesh_arrays import triangles, values, verts_of
+from ..environment.files import write_text
+from ..errors import AddonError, OutputError
+
+
+def export_shape(
+    obj: bpy.types.Object, path: Path, depsgraph: bpy.types.Depsgraph, uv_map: str = ""
+) -> None:
+    """Write ``obj`` with modifiers and transform applied as a triangle OBJ with its uv.
+
+    The axes are the default of Blender's importer: forward -Z, up Y. Where ``uv_map`` is empty,
+    the active one is used.
+
+    Raises:
+        AddonError: the object has no surface, or not that UV map.
+        OutputError: the file can't be written.
+    """
+    evaluated = obj.evaluated_get(depsgraph)
+    try:
+        mesh = evaluated.to_mesh()
+    except RuntimeError:  # an empty, a camera, a light
+        mesh = None
+    if mesh is None or not len(mesh.polygons):
+        raise AddonError(f"“{obj.name}” has no faces.", "Choose an object with a surface.")
+    try:
+        if uv_map and uv_map not in mesh.uv_layers:
+            raise AddonError(
+                f"The modifiers of {obj.name} leave no UV map “{uv_map}”.",
+                "Apply the modifier that makes new faces, then start again.",
+            )
+        text = obj_text(mesh, np.array(obj.matrix_world), uv_map)
+    finally:
+        evaluated.to_mesh_clear()
+    try:
+        write_text(path, text)
+    except OSError as error:
+        raise OutputError(
+            f"{path} can't be written ({error.strerror}).", "Choose another run folder."
+        ) from None
+
+
+def obj_text(mesh: bpy.types.Mesh, matrix: np.ndarray, uv_map: str = "") -> str:
+    """``mesh``, moved by the 4x4 ``matrix``, as the text of an OBJ file."""
+    verts = verts_of(mesh) @ matrix[:3, :3].T + matrix[:3, 3]
+    faces, corners = triangles(mesh)
+    if np.linalg.det(matrix[:3, :3]) < 0:  # a mirrored object: keep the normals outward
+        faces, corners = faces[:, ::-1], corners[:, ::-1]
+    # 9 digits restore any single precision number exactly.
+    text = _lines("v %.9g %.9g %.9g\n", verts[:, [0, 2, 1]] * (1, 1, -1))
+    uv = mesh.uv_layers[uv_map] if uv_map else mesh.uv_layers.active
+    if uv is None:
+        return text + _lines("f %d %d %d\n", faces + 1)
+    text += _lines("vt %.9g %.9g\n", values(uv.uv, "vector", 2))
+    return text + _lines("f %d/%d %d/%d %d/%d\n", np.stack([faces, corners], -1) + 1)
+
+
+def _lines(line: str, rows: np.ndarray) -> str:
+    # One format for all rows: a loop takes seconds in Python.
+    return line * len(rows) % tuple(rows.ravel().tolist())

@@ -1,0 +1,126 @@
+"""Imports an asset folder into the scene as one object."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from ..blender.names import data_name
+from ..errors import AssetError
+from .asset_folder import AssetFolder, Picture, read_asset
+from .material_nodes import UV_MAP, build_material
+
+
+def import_asset(
+    where: bpy.types.Context | bpy.types.Scene | bpy.types.LayerCollection,
+    folder: Path | AssetFolder,
+    location: Sequence[float] = (0.0, 0.0, 0.0),
+) -> bpy.types.Object:
+    """The asset in ``folder`` as one object in the collection of ``where``, base at ``location``.
+
+    ``folder`` may be an AssetFolder that was read already. The object is upright, its front to -Y,
+    in metres; welded, smooth, with a Principled material and packed maps. The user's selection and
+    mode stay as they are.
+
+    Raises:
+        AssetError: the folder is no asset, or an incomplete one; nothing of it is left in the file.
+    """
+    asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
+    name = data_name(asset.prompt)
+    made: list[bpy.types.ID] = []  # for the removal if a later step fails
+    try:
+        material = _make_material(asset, name, UV_MAP, made)
+        mesh = bpy.data.meshes.new(name)
+        made.append(mesh)
+        _fill_mesh(mesh, asset)
+        mesh.materials.append(material)
+        obj = bpy.data.objects.new(name, mesh)
+        made.append(obj)
+        obj.location = location
+        where.collection.objects.link(obj)
+    except BaseException:
+        bpy.data.batch_remove(made)
+        raise
+    return obj
+
+
+def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:
+    """The material of the asset in ``folder`` alone, for a mesh that has ``uv_map``.
+
+    Raises:
+        AssetError: as :func:`import_asset`.
+    """
+    asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
+    made: list[bpy.types.ID] = []
+    try:
+        return _make_material(asset, data_name(asset.prompt), uv_map, made)
+    except BaseException:
+        bpy.data.batch_remove(made)
+        raise
+
+
+def _make_material(
+    asset: AssetFolder, name: str, uv_map: str, made: list[bpy.types.ID]
+) -> bpy.types.Material:
+    """The material with its pictures.
+
+    Every new datablock is added to ``made`` at once, so that a failure can remove it.
+    """
+    images = {}
+    for role, picture in asset.pictures.items():
+        title = data_name(asset.prompt, f" {role.replace('_', ' ')}")
+        images[role] = _load_image(picture, title, made)
+    material = bpy.data.materials.new(name)
+    made.append(material)
+    build_material(material, images, asset.distribution, uv_map)
+    return material
+
+
+def _fill_mesh(mesh: bpy.types.Mesh, asset: AssetFolder) -> None:
+    faces = asset.faces
+    mesh.vertices.add(len(asset.verts))
+    mesh.vertices.foreach_set("co", asset.verts.ravel())
+    mesh.loops.add(faces.size)
+    mesh.loops.foreach_set("vertex_index", faces.ravel())
+    mesh.polygons.add(len(faces))
+    mesh.polygons.foreach_set("loop_start", np.arange(0, faces.size, 3, dtype=np.int32))
+    uv = mesh.uv_layers.new(name=UV_MAP, do_init=False)
+    uv.uv.foreach_set("vector", asset.corner_uv.ravel())
+    mesh.update(calc_edges=True)
+    # validate() repairs what would crash Blender; a mesh of ours has nothing to repair.
+    if mesh.validate():
+        raise AssetError(
+            f"The mesh of {asset.path} has faces that repeat a vertex or another face.",
+            "Generate it again.",
+        )
+    mesh.shade_smooth()
+
+
+def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.types.Image:
+    try:
+        image = bpy.data.images.load(str(picture.path.resolve()), check_existing=False)
+    except RuntimeError as error:
+        raise AssetError(f"{picture.path} can't be read ({error}).", "Generate it again.") from None
+    made.append(image)
+    image.name = name  # not the file's: every asset has a normal.png
+    _set_color_space(image, picture)
+    image.pack()
+    return image
+
+
+def _set_color_space(image: bpy.types.Image, picture: Picture) -> None:
+    if picture.color_space == "Non-Color":
+        # By role: the name of the data colour space depends on the OpenColorIO configuration.
+        image.colorspace_settings.is_data = True
+        return
+    try:
+        image.colorspace_settings.name = picture.color_space
+    except TypeError:
+        raise AssetError(
+            f"{picture.path} is in the color space {picture.color_space!r}, "
+            "which this Blender does not have.",
+            "Unset OCIO, or add that space to its configuration.",
+        ) from None

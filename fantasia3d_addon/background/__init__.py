@@ -1,0 +1,1 @@
+"""Background tasks: in a thread, or in a Blender process without a window."""

@@ -1,0 +1,122 @@
+"""A mesh's data as arrays, checks of the active object, and the context for Blender's operators."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+
+import bpy
+import numpy as np
+
+from ..errors import AddonError
+
+EDIT_MODE = "Leave Edit Mode first."
+
+
+def values(
+    items: bpy.types.bpy_prop_collection, name: str, width: int, kind: type = np.float32
+) -> np.ndarray:
+    """The attribute ``name`` of all ``items`` as (N, width)."""
+    flat = np.empty(len(items) * width, kind)  # foreach_get fills flat buffers alone
+    items.foreach_get(name, flat)
+    return flat.reshape(-1, width)
+
+
+def verts_of(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(V,3) float32, in the object's own space."""
+    return values(mesh.vertices, "co", 3)
+
+
+def triangles(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
+    """The vertices (T,3) and the corners (T,3) of the mesh's triangles, int32."""
+    mesh.calc_loop_triangles()
+    found = mesh.loop_triangles
+    return values(found, "vertices", 3, np.int32), values(found, "loops", 3, np.int32)
+
+
+def corner_uv(mesh: bpy.types.Mesh) -> np.ndarray | None:
+    """(L,2) of the active UV map; None where there is none."""
+    layer = mesh.uv_layers.active
+    return None if layer is None else values(layer.uv, "vector", 2)
+
+
+def moved(points: np.ndarray, matrix: object) -> np.ndarray:
+    """``points`` (N,3) through the 4x4 ``matrix``, float64."""
+    m = np.array(matrix, dtype=np.float64)
+    return points @ m[:3, :3].T + m[:3, 3]
+
+
+def world_verts(obj: bpy.types.Object) -> np.ndarray:
+    """(V,3) in the world, as the object looks: with its modifiers, after the last update."""
+    evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = evaluated.to_mesh()
+    try:
+        return moved(verts_of(mesh), evaluated.matrix_world)
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
+    """A new mesh of ``obj`` with its modifiers applied, in its own space, with its materials."""
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    evaluated = obj.evaluated_get(depsgraph)
+    return bpy.data.meshes.new_from_object(
+        evaluated, preserve_all_data_layers=True, depsgraph=depsgraph
+    )
+
+
+def apply_modifiers(obj: bpy.types.Object) -> None:
+    """Replace the mesh of ``obj`` by :func:`baked_mesh`, and remove its modifiers."""
+    old = obj.data
+    mesh = baked_mesh(obj)
+    obj.modifiers.clear()
+    obj.data = mesh
+    if not old.users:
+        name = old.name
+        bpy.data.meshes.remove(old)  # first: two meshes can't have one name
+        mesh.name = name
+
+
+def mesh_object(obj: bpy.types.Object | None) -> bpy.types.Object:
+    """``obj``, which must be a mesh with faces.
+
+    Raises:
+        AddonError: it is none.
+    """
+    reason = reason_against_mesh(obj)
+    if obj is None or reason:
+        raise AddonError(reason, "Select an object with a surface, in Object Mode.")
+    return obj
+
+
+def reason_against_mesh(obj: bpy.types.Object | None) -> str:
+    """Why ``obj`` is no mesh with faces; empty if it is one."""
+    if obj is None or obj.type != "MESH":
+        return "Select a mesh."
+    return "" if len(obj.data.polygons) else f"“{obj.name}” has no faces."
+
+
+@contextlib.contextmanager
+def acting(obj: bpy.types.Object, **more: object) -> Iterator[None]:
+    """Let Blender's operators act on ``obj`` alone; the user's own selection is restored."""
+    layer = bpy.context.view_layer
+    active, selected = layer.objects.active, list(bpy.context.selected_objects)
+    for other in selected:
+        other.select_set(False)
+    layer.objects.active = obj
+    obj.select_set(True)
+    try:
+        # Some operators read the override, others the view layer: both must agree.
+        with bpy.context.temp_override(
+            object=obj, active_object=obj, selected_objects=[obj],
+            selected_editable_objects=[obj], **more,
+        ):  # fmt: skip
+            yield
+    finally:
+        kept = set(layer.objects)  # the operator may have removed some
+        for other in list(bpy.context.selected_objects):
+            other.select_set(False)
+        for other in selected:
+            if other in kept:
+                other.select_set(True)
+        layer.objects.active = active if active in kept else None

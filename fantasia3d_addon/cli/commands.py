@@ -1,0 +1,259 @@
+"""The commands of ``run.py`` that run in Blender: relight, physics, cornell, and some exports."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+import bpy
+import numpy as np
+
+from .. import options
+from ..asset.asset_folder import read_info
+from ..asset.import_asset import import_asset
+from ..blender.mesh_arrays import mesh_object, world_verts
+from ..errors import AddonError, LightError
+from ..material import edit as material_edit
+from ..mesh import export
+from ..options import Option
+from ..physics import simulation
+from ..scene import cornell_box, light, relight
+from ..scene import render as scene_render
+
+LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset was made under
+SEVERAL_USD = {".usd": (".usdc", ".usda", ".usdz")}  # --format usd allows each of these
+
+
+class Parser(argparse.ArgumentParser):
+    """Reports what is wrong as one sentence."""
+
+    def error(self, message: str) -> NoReturn:
+        raise AddonError(f"{message[:1].upper()}{message[1:]}.", f"See: run.py {self.prog} --help")
+
+
+def parser() -> Parser:
+    """All commands and their options."""
+    top = Parser(prog="", usage="run.py COMMAND …", description=__doc__, allow_abbrev=False)
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    asset_help = "an asset or run folder; or the name of a mesh object of the open file"
+
+    def add(name: str, text: str, many: bool = False) -> Parser:
+        command = commands.add_parser(name, help=text, description=text, allow_abbrev=False)
+        nargs = {"nargs": "+"} if many else {}
+        command.add_argument("asset", metavar="ASSET", help=asset_help, **nargs)
+        return command
+
+    _add_relight(add("relight", "An asset in another light: picture, turntable, Blender file."))
+    _add_physics(add("physics", "An asset simulated and baked; --render shows one frame."))
+    _add_picture_options(add("cornell", "Assets next to each other in a Cornell box.", many=True))
+    _add_export(add("export", "An asset as one file for another program."))
+    return top
+
+
+def _add_relight(command: Parser) -> None:
+    command.add_argument("--turntable", type=Path, metavar="FILE.mp4|FOLDER")
+    _add(command, options.TURN)
+    _add(command, options.TURN_FRAMES)
+    _add_picture_options(command)
+    _add_light_options(command)
+
+
+def _add_physics(command: Parser) -> None:
+    _add(command, options.KIND, flag="--physics", required=True, default=None)
+    for option in options.SIMULATION:
+        _add(command, option)
+    command.add_argument("--at", type=int, metavar="FRAME", help="rendered; default: the last")
+    _add_picture_options(command)
+    _add_light_options(command)
+
+
+def _add_export(command: Parser) -> None:
+    command.add_argument("--format", required=True, help=", ".join(e[1:] for e in export.ENDINGS))
+    command.add_argument("--out", type=Path, required=True, metavar="FILE")
+    _add(command, options.FLIP_NORMAL_Y)
+    _add(command, options.MATERIAL, default=None)
+
+
+def _add_picture_options(command: Parser) -> None:
+    _add(command, options.MATERIAL, default=None)
+    command.add_argument("--blend", type=Path, metavar="FILE.blend")
+    command.add_argument("--render", type=Path, metavar="FILE.png")
+    _add(command, options.SIZE)
+    _add(command, options.SAMPLES)
+
+
+def _add_light_options(command: Parser) -> None:
+    command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
+    # No default: without it the exposure is set so that white is just not clipped.
+    _add(command, options.STRENGTH, default=None)
+    _add(command, options.ROTATION, flag="--rotation-deg")
+
+
+def _add(command: Parser, option: Option, flag: str = "", **more: Any) -> None:
+    """Add ``option`` as ``--its-name``; ``more`` overrides parts of it."""
+    flag = flag or f"--{option.name.replace('_', '-')}"
+    settings: dict[str, Any] = {"dest": option.name, "help": option.tip.replace("%", "%%")}
+    if isinstance(option.default, bool):
+        settings |= {"action": "store_true"}
+    elif option.items:  # in lower case, as a command line has it
+        choices = [name.lower() for name in option.names]
+        settings |= {"choices": choices, "default": str(option.default).lower()}
+    else:
+        settings |= {"type": _checked(option), "default": option.default}
+        settings |= {"metavar": "NAME" if isinstance(option.default, str) else "NUMBER"}
+    command.add_argument(flag, **(settings | more))
+
+
+def _checked(option: Option) -> Callable[[str], Any]:
+    """A reader of the option's value that refuses what is not in its range."""
+
+    def read(text: str) -> Any:
+        if isinstance(option.default, str):
+            return text
+        try:
+            value = type(option.default)(text)
+        except ValueError:
+            value = float("nan")
+        if not option.allows(value):
+            raise argparse.ArgumentTypeError(f"{text!r} is not allowed; use {option.range}")
+        return value
+
+    return read
+
+
+def run(argv: Sequence[str]) -> list[Path]:
+    """Run the command ``argv``; the files that were written.
+
+    Raises:
+        AddonError: what the user can fix.
+    """
+    args = parser().parse_args(argv)
+    _check(args)
+    is_empty = not bpy.data.filepath
+    if is_empty:
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    names = [args.asset] if isinstance(args.asset, str) else args.asset
+    objs = [_object(name) for name in names]
+    for obj in objs if args.material else ():
+        material_edit.replace_material(obj, args.material)
+    bpy.context.view_layer.update()
+    if args.command == "export":
+        return [export.export_object(objs[0], args.out, args.flip_normal_y)]
+    act = {"relight": _relight, "physics": _physics, "cornell": _cornell}[args.command]
+    return act(args, objs, is_empty)
+
+
+def _check(args: argparse.Namespace) -> None:
+    """Refuse before the work what could not be written after it."""
+    if args.command == "export":
+        ending = f".{args.format.lower()}"
+        known = ending in export.ENDINGS
+        if not known or args.out.suffix.lower() not in (ending, *SEVERAL_USD.get(ending, ())):
+            raise AddonError(
+                f"--out is {str(args.out)!r}, --format {args.format!r}.",
+                f"The format is one of {', '.join(e[1:] for e in export.ENDINGS)}, and the "
+                "file's name ends in it.",
+            )
+        return
+    if not (args.blend or args.render or getattr(args, "turntable", None)):
+        more = ", --turntable" if args.command == "relight" else ""
+        raise AddonError("There is nothing to write.", f"Add --render{more} or --blend.")
+    if args.render and args.render.suffix.lower() not in scene_render.FORMATS:
+        endings = ", ".join(scene_render.FORMATS)
+        raise AddonError(f"--render is {str(args.render)!r}.", f"Its name ends in {endings}.")
+
+
+def _object(name: str) -> bpy.types.Object:
+    """The asset of a folder, imported; or an object of the open file."""
+    if not Path(name).exists() and name in bpy.data.objects:
+        return mesh_object(bpy.data.objects[name])
+    scene = bpy.context.scene
+    obj = import_asset(scene, Path(name).expanduser(), scene.cursor.location)
+    obj[LIGHT] = str(read_info(Path(name).expanduser()).get("light") or light.STUDIO)
+    return obj
+
+
+def _relight(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: bool) -> list[Path]:
+    scene, obj = bpy.context.scene, objs[0]
+    if is_empty or not scene.camera:
+        scene_render.add_camera(scene, obj)
+    _set_light(args, obj)
+    scene_render.set_up_cycles(scene, args.size, args.samples)
+    written = _write(args, obj, backdrop=is_empty)
+    if args.turntable:
+        settings = {"frames": args.frames, "size": args.size, "samples": args.samples}
+        written.append(relight.turntable(obj, args.turntable, turn=args.turn.upper(), **settings))
+    return written
+
+
+def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: bool) -> list[Path]:
+    scene, obj = bpy.context.scene, objs[0]
+    settings = {option.name: getattr(args, option.name) for option in options.SIMULATION}
+    simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
+    first = scene.frame_start
+    # The picture is of the last frame unless --at names one.
+    last = first + args.frames - 1
+    scene.frame_end = last
+    if is_empty or not scene.camera:
+        # The camera sees the whole fall, not only the place where it starts.
+        center, radius = scene_render.sphere_about(_points_of_fall(obj, first, last))
+        scene_render.add_camera_about(scene, center, radius)
+    scene.frame_set(first)
+    _set_light(args, obj)
+    scene_render.set_up_cycles(scene, args.size, args.samples)
+    ground = bpy.data.objects.get(simulation.GROUND)
+    if ground and is_empty:  # the simulation's own ground serves as the backdrop
+        ground.is_shadow_catcher = True
+        scene_render.hide_world(scene)
+    scene.frame_set(min(max(args.at or last, first), last))
+    return _write(args, obj, backdrop=False)
+
+
+def _cornell(args: argparse.Namespace, objs: list[bpy.types.Object], _is_empty: bool) -> list[Path]:
+    scene = bpy.context.scene
+    cornell_box.build(scene, objs)
+    scene_render.set_up_cycles(scene, args.size, args.samples or 128)
+    scene.cycles.max_bounces = 10  # most of the light in the box is indirect
+    scene.cycles.adaptive_threshold = 0.02  # no part of the picture is evenly lit
+    scene.view_settings.exposure = cornell_box.EXPOSURE
+    return _write(args, objs[0], backdrop=False)
+
+
+def _points_of_fall(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:
+    """The vertices (N,3) of the asset and of its sheet at the first and at the last frame."""
+    shown = [obj, *(o for o in bpy.data.objects if o.name == f"{obj.name} sheet")]
+    points = []
+    for frame in (first, last):
+        bpy.context.scene.frame_set(frame)
+        points += [world_verts(each) for each in shown]
+    return np.concatenate(points)
+
+
+def _set_light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
+    scene, strength = bpy.context.scene, 1.0 if args.strength is None else args.strength
+    name = args.light or obj.get(LIGHT, light.STUDIO)
+    try:
+        relight.relight(scene, name, strength, args.rotation)
+    except LightError as error:
+        if args.light:
+            raise
+        # The asset's own light was deleted since: that does not stop the command.
+        print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
+        relight.relight(scene, light.STUDIO, strength, args.rotation)
+    bpy.context.view_layer.update()
+    if args.strength is None:
+        scene_render.expose(scene, obj)
+
+
+def _write(args: argparse.Namespace, obj: bpy.types.Object, backdrop: bool) -> list[Path]:
+    written = []
+    if args.blend:
+        scene_render.save_blend(args.blend)
+        written.append(args.blend)
+    if args.render:
+        scene_render.render_still(args.render, obj, backdrop=backdrop)
+        written.append(args.render)
+    return written

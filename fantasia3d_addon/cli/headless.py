@@ -1,0 +1,179 @@
+"""The add-on without a window: what ``run.py`` does inside Blender or with the bpy module."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import bpy
+
+from ..asset.asset_folder import read_info
+from ..asset.import_asset import import_asset
+from ..environment import clean_environ
+from ..errors import AddonError, LightError
+from ..scene import light as lights
+from ..scene import render as scene_render
+from . import commands
+
+USER_ERROR = 2  # the exit code for what the user can fix
+
+
+def main(argv: Sequence[str], core_python: Path, core_root: Path) -> int:
+    """Run a job of the command line and import its asset into this Blender: the exit code.
+
+    ``argv`` is that of ``run.py``, with ``--blend FILE`` and ``--render FILE``. The core parses the
+    rest itself, so that there is one command line; its progress, messages and exit codes reach
+    this terminal unchanged.
+    """
+    rest, blend = _take(argv, "--blend")
+    rest, render = _take(rest, "--render")
+    code, last_line = _run_core(rest, core_python, core_root)
+    if code or not last_line or not (blend or render):
+        return code
+    return finish(Path(last_line), blend, render)
+
+
+def finish(
+    asset: Path,
+    blend: str | Path | None = None,
+    render: str | Path | None = None,
+    light: str | None = None,
+) -> int:
+    """Import ``asset`` into this Blender, save the scene and render it: the exit code.
+
+    ``light`` is a name or a file; None is the light that the asset was made under. The asset goes
+    into the open file, or into an empty one where none is open. No file is left half-written.
+    """
+    try:
+        with _quiet():
+            _finish(asset, blend, render, light)
+    except AddonError as error:
+        return _report(error)
+    for path in (blend, render):
+        if path:
+            print(Path(path).expanduser().absolute(), flush=True)
+    return 0
+
+
+def command(argv: Sequence[str]) -> int:
+    """Run one of :mod:`commands` in this Blender: the exit code."""
+    if {"-h", "--help"} & set(argv):
+        commands.parser().parse_args(list(argv))  # prints the help and exits
+    try:
+        with _quiet():
+            written = commands.run(argv)
+    except AddonError as error:
+        return _report(error)
+    for path in written:
+        print(path.expanduser().absolute(), flush=True)
+    return 0
+
+
+def _report(error: AddonError) -> int:
+    print(f"error: {error}", file=sys.stderr, flush=True)
+    return USER_ERROR
+
+
+def _finish(
+    asset: Path, blend: str | Path | None, render: str | Path | None, light: str | None
+) -> None:
+    is_empty = not bpy.data.filepath
+    if is_empty:
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    scene = bpy.context.scene
+    obj = import_asset(scene, asset, scene.cursor.location)
+    bpy.context.view_layer.update()
+    # The user's own camera, world and render settings are kept where there are any.
+    if is_empty or not scene.camera:
+        scene_render.add_camera(scene, obj)
+    if is_empty or light or not scene.world:
+        lights.set_world(scene, _light_file(light or read_info(asset).get("light")))
+        bpy.context.view_layer.update()
+        scene_render.expose(scene, obj)
+    if is_empty:
+        scene_render.set_up_cycles(scene)
+    if blend:
+        scene_render.save_blend(Path(blend))
+    if render:
+        scene_render.render_still(Path(render), obj, backdrop=is_empty)
+
+
+def _light_file(name: str | None) -> Path:
+    """The light's file; a light that was deleted does not stop a job of an hour."""
+    try:
+        return lights.light_file(name or lights.STUDIO)
+    except LightError as error:
+        print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
+        return lights.light_file(lights.STUDIO)
+
+
+def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
+    """Run ``python -m core``; its exit code, and the last line it printed: the asset's folder.
+
+    Ctrl-C reaches the core through the terminal; it stops cleanly and exits with its own code.
+    """
+    environ = clean_environ() | {"PYTHONPATH": str(root), "PYTHONUNBUFFERED": "1"}
+    last_line = ""
+    with subprocess.Popen(
+        [str(python), "-P", "-m", "core", *argv],  # -P: the user's folder may hold a "core" too
+        env=environ,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
+        errors="replace",
+    ) as process:
+        assert process.stdout
+        with _ignore_ctrl_c():  # after the start, or the core would inherit it
+            for line in process.stdout:
+                print(line, end="", flush=True)
+                last_line = line.strip() or last_line
+            process.wait()
+    code = process.returncode
+    return (code if code >= 0 else 128 - code), last_line  # as a shell reports signals
+
+
+@contextlib.contextmanager
+def _ignore_ctrl_c() -> Iterator[None]:
+    """Leave Ctrl-C to the child process."""
+    handler = signal.getsignal(signal.SIGINT)
+    if handler is None:  # Blender's own handler, which Python could not restore
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)
+
+
+def _take(argv: Sequence[str], option: str) -> tuple[list[str], str | None]:
+    """``argv`` without ``option``, and its value."""
+    rest, value, words = [], None, iter(argv)
+    for word in words:
+        name, equals, given = word.partition("=")
+        if name == option:
+            value = given if equals else next(words, None)
+        else:
+            rest.append(word)
+    return rest, value
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep Blender's own output, a line for each sample, off the terminal."""
+    # Blender prints from C: only the file descriptor itself can be redirected.
+    sys.stdout.flush()
+    stdout = os.dup(1)
+    with open(os.devnull, "wb") as nowhere:  # noqa: PTH123
+        os.dup2(nowhere.fileno(), 1)
+    try:
+        yield
+    finally:
+        sys.stdout.flush()
+        os.dup2(stdout, 1)
+        os.close(stdout)

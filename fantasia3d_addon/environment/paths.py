@@ -1,0 +1,107 @@
+"""What the environment must contain, where it is, and whether it is complete."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .files import write_text
+from .machine import SetupError
+
+MARKER = "fantasia3d.json"  # in a complete environment, written last
+BUILDING = "fantasia3d.building"  # in one that is being created: it may be removed again
+
+
+def project_root() -> Path:
+    """The folder with ``pyproject.toml`` and ``core``: in the packaged add-on, or this tree."""
+    addon = Path(__file__).resolve().parent.parent
+    # In the installed extension, and in this repository.
+    for root in (addon / "method", addon.parent):
+        if (root / "pyproject.toml").is_file() and (root / "core").is_dir():
+            return root
+    raise SetupError(f"There is no core next to {addon}.", "Install the whole package again.")
+
+
+def requirements(root: Path, group: str) -> list[str]:
+    """The pinned requirements of ``group``: ``core``, or an optional one of pyproject.toml."""
+    import tomllib  # not in Python 3.8 to 3.10, under which run.py still starts
+
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    return project["dependencies"] if group == "core" else project["optional-dependencies"][group]
+
+
+def digest(lines: Sequence[str]) -> str:
+    """A short hash of requirements, for the folder's name and the marker."""
+    return hashlib.sha256("\n".join(sorted(lines)).encode()).hexdigest()[:12]
+
+
+def data_folder() -> Path:
+    """The user's data folder of this project (not created here)."""
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local"
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Application Support"
+    else:
+        base = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    return Path(base) / "fantasia3d"
+
+
+class Place(NamedTuple):
+    """Where and from what an environment is created; None is the project's own choice."""
+
+    folder: Path | None = None  # of the environment
+    python: Path | None = None  # the interpreter that it is created from
+    wheels: Path | None = None  # a folder of wheels, used instead of the registry
+
+
+def env_folder(root: Path) -> Path:
+    """Where the environment of this version's requirements is, or will be.
+
+    FANTASIA3D_ENV names another folder.
+    """
+    given = os.environ.get("FANTASIA3D_ENV")
+    if given:
+        return Path(given).expanduser().absolute()
+    return data_folder() / f"env-{digest(requirements(root, 'core'))}"
+
+
+def env_python(folder: Path) -> Path:
+    """The interpreter of the environment ``folder``."""
+    return folder / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+
+
+def log_file(folder: Path) -> Path:
+    """The log of the last set-up of ``folder``, next to it."""
+    return folder.with_name(folder.name + ".log")
+
+
+def read_marker(folder: Path) -> dict[str, Any]:
+    """What the environment ``folder`` contains; empty while it is not complete."""
+    try:
+        marker = json.loads((folder / MARKER).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return marker if env_python(folder).exists() else {}
+
+
+def write_marker(folder: Path, marker: dict[str, Any]) -> None:
+    """Record, in one step, what ``folder`` contains."""
+    write_text(folder / MARKER, json.dumps(marker, indent=1) + "\n")
+
+
+def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:
+    """Those of ``core`` and ``groups`` that are not installed as pyproject.toml pins them.
+
+    Without the core's packages as pinned, nothing in ``folder`` counts.
+    """
+    done = read_marker(folder).get("groups", {})
+    wanted = {group: digest(requirements(root, group)) for group in ("core", *groups)}
+    # Groups are installed on top of the core: with another core they are not valid.
+    if done.get("core") != wanted["core"]:
+        return list(wanted)
+    return [group for group, value in wanted.items() if done.get(group) != value]

@@ -1,0 +1,76 @@
+"""Puts a finished run's asset into the scene: a new object, or a material for the user's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+
+from ..asset.asset_folder import AssetFolder
+from ..asset.import_asset import import_asset
+from ..asset.texture_object import assign_material
+from ..errors import AddonError
+from .job_file import IMPORTED
+from .target import Target
+
+# Operators that hold references into the scene while they run: nothing may be added meanwhile.
+MODAL_TOOLS = ("TRANSFORM_OT_", "MESH_OT_", "SCULPT_OT_", "PAINT_OT_", "GPENCIL_OT_")
+
+
+def import_result(
+    folder: Path,
+    target: Target,
+    scene: bpy.types.Scene,
+    asset: AssetFolder | None = None,
+    push_undo: bool = True,
+) -> str:
+    """Import the asset of the run in ``folder`` at ``target``; the name of its object.
+
+    ``asset`` is the asset folder where it was read already. One undo step; ``push_undo`` is off
+    for operators, which have their own.
+
+    Raises:
+        AddonError: the asset is broken, or the target object was removed.
+    """
+    if target.object:
+        obj = bpy.data.objects.get(target.object)
+        if obj is None:
+            raise AddonError(
+                f"The object “{target.object}” no longer exists.",
+                "Import the asset from the history: it includes the mesh.",
+            )
+        assign_material(obj, asset or folder, target.uv_map, target.assign)
+    else:
+        where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
+        obj = import_asset(where, asset or folder, target.location)
+    mark_imported(folder)
+    if push_undo:
+        _push_undo(f"Generate {obj.name}")
+    return obj.name
+
+
+def mark_imported(folder: Path) -> None:
+    """Remember that the asset came into a scene; without effect in a read-only folder."""
+    try:
+        (folder / IMPORTED).touch()
+    except OSError:
+        return  # it is offered once more at the next start, which does no harm
+
+
+def reason_to_wait() -> str:
+    """What the user is doing that an import would disturb; empty if nothing."""
+    if bpy.app.is_job_running("RENDER"):
+        return "Import waits until the render is done."
+    for window in bpy.context.window_manager.windows:
+        active = window.view_layer.objects.active
+        if active and active.mode != "OBJECT":
+            return "Import waits until you are back in Object Mode."
+        if any(op.bl_idname.startswith(MODAL_TOOLS) for op in window.modal_operators):
+            return "Import waits until you are done with the tool."
+    return ""
+
+
+def _push_undo(message: str) -> None:
+    if not bpy.app.background:  # without a window there is no undo
+        with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+            bpy.ops.ed.undo_push(message=message)

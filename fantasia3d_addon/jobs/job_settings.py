@@ -1,0 +1,116 @@
+"""The scene's settings as a job of the core, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import bpy
+
+from ..errors import AddonError
+from ..scene import light
+
+FILE = "FILE"  # the value of the light's enum for a file of the user's own
+Settings = bpy.types.PropertyGroup  # FANTASIA3D_PG_settings, which ui/ declares
+
+
+def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
+    """job.json for ``settings``, without the files that its run folder gets.
+
+    Raises:
+        AddonError: a required field is empty, or the light does not exist.
+    """
+    job = {
+        "version": 1,
+        "command": command,
+        "prompt": settings.prompt.strip(),
+        "negative_prompt": settings.negative_prompt.strip(),
+        "seed": settings.seed,
+        "preset": settings.preset,
+        "guidance": guidance_of(settings),
+        "light": light_of(settings),
+        "texture_size": int(settings.texture_size),
+        "max_faces": settings.max_faces,
+        "device": settings.device,
+        "settings": overrides_of(settings),
+    }
+    # Blender holds single precision: 0.7 would be written as 0.699999988079071.
+    if command == "generate":
+        return job | {"guide_strength": round(settings.guide_strength, 4)}
+    return job | {"guide_strength": round(settings.color_strength, 4), "uv": "keep"}
+
+
+def apply_job(settings: Settings, job: Mapping[str, Any]) -> None:
+    """Set the panel's fields to those of a job of the history, but for its objects."""
+    settings.task = job.get("command", "generate")
+    for name in ("prompt", "negative_prompt", "seed", "preset", "max_faces", "device"):
+        if name in job:
+            setattr(settings, name, job[name])
+    settings.texture_size = str(job.get("texture_size", 0))
+    # The core has one strength for both commands, the panel one for each.
+    strength = "color_strength" if settings.task == "texture" else "guide_strength"
+    setattr(settings, strength, job.get("guide_strength", 0.5))
+    settings.use_present_color = bool(job.get("base_color"))
+    settings.overrides = " ".join(f"{k}={v}" for k, v in job.get("settings", {}).items())
+    _apply_guidance(settings, str(job.get("guidance", "builtin")))
+    _apply_light(settings, str(job.get("light", light.STUDIO)))
+
+
+def light_of(settings: Settings) -> str:
+    """The light as the core takes it: "studio", or a file's path."""
+    if settings.light == light.STUDIO:
+        return light.STUDIO
+    if settings.light == FILE and not settings.light_file.strip():
+        raise AddonError("No light is chosen.", "Choose an HDR or EXR file.")
+    name = settings.light_file if settings.light == FILE else settings.light
+    return str(light.light_file(name))
+
+
+def guidance_of(settings: Settings) -> str:
+    """The guidance as the core takes it: "builtin", a folder, or a hub id."""
+    if settings.guidance == "builtin":
+        return "builtin"
+    if settings.guidance == "hub":
+        if not settings.hub_id.strip():
+            raise AddonError("No model is chosen.", "Enter its hub id: owner/name.")
+        return settings.hub_id.strip()
+    folder = Path(bpy.path.abspath(settings.model_folder.strip())).expanduser()
+    if not settings.model_folder.strip() or not (folder / "model_index.json").is_file():
+        raise AddonError(
+            "The model folder is no Stable Diffusion model.",
+            "Choose the folder that contains model_index.json.",
+        )
+    return str(folder.resolve())
+
+
+def overrides_of(settings: Settings) -> dict[str, str]:
+    """The settings ``stage.field=value`` that the user wrote."""
+    found = {}
+    for word in settings.overrides.split():
+        key, equals, value = word.partition("=")
+        if not (key and equals and value):
+            raise AddonError(
+                f"The setting {word!r} has no value.", "Write it as geometry.fine.steps=100."
+            )
+        found[key] = value
+    return found
+
+
+def _apply_guidance(settings: Settings, name: str) -> None:
+    if name == "builtin":
+        settings.guidance = "builtin"
+    elif Path(name).is_absolute():
+        settings.guidance, settings.model_folder = "folder", name
+    else:
+        settings.guidance, settings.hub_id = "hub", name
+
+
+def _apply_light(settings: Settings, name: str) -> None:
+    named = {str(path): f"blender:{key}" for key, path in light.blender_lights().items()}
+    if name == light.STUDIO:
+        settings.light = light.STUDIO
+    elif name in named:
+        settings.light = named[name]
+    else:
+        settings.light, settings.light_file = FILE, name

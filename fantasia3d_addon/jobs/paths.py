@@ -1,0 +1,80 @@
+"""Where the core's Python, the runs and the models are on this machine, by the preferences."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import bpy
+
+from .. import PACKAGE, environment
+from .process import Core
+
+
+class Paths:
+    """The add-on's preferences as paths; the defaults where it is used as a plain module."""
+
+    def __init__(self, context: bpy.types.Context) -> None:
+        addon = context.preferences.addons.get(PACKAGE)
+        self._preferences = addon.preferences if addon else None
+
+    def _path(self, name: str) -> Path | None:
+        text = getattr(self._preferences, name, "").strip()
+        return Path(bpy.path.abspath(text)).expanduser() if text else None
+
+    @property
+    def root(self) -> Path:
+        """The folder that holds the core; SetupError where there is none."""
+        return environment.project_root()
+
+    @property
+    def environment(self) -> Path:
+        """The folder of the core's Python environment."""
+        return self._path("environment_folder") or environment.env_folder(self.root)
+
+    @property
+    def place(self) -> environment.Place:
+        """Where the environment is created, and from what."""
+        return environment.Place(
+            self.environment, self._path("base_python"), self._path("wheels_folder")
+        )
+
+    @property
+    def own_python(self) -> Path | None:
+        """The interpreter that the user chose instead of the environment's."""
+        named = self._path("python") or os.environ.get("FANTASIA3D_PYTHON")
+        return Path(shutil.which(str(named)) or named) if named else None
+
+    @property
+    def python(self) -> Path:
+        """The interpreter that runs the core; it may not exist yet."""
+        return self.own_python or environment.env_python(self.environment)
+
+    @property
+    def core(self) -> Core:
+        """How the core is started; SetupError where it is missing."""
+        return Core(self.python, self.root, self.core_environ)
+
+    @property
+    def runs(self) -> Path:
+        """The folder of all run folders."""
+        return self._path("runs_folder") or _user_folder() / "runs"
+
+    @property
+    def core_environ(self) -> dict[str, str]:
+        """Variables for the core's process: its models, and whether it may use the network."""
+        # Blender's own switch and the user's must both allow it.
+        online = bpy.app.online_access and getattr(self._preferences, "download_models", False)
+        models = self._path("models_folder")
+        return {"HF_HUB_OFFLINE": "0" if online else "1"} | (
+            {"HF_HUB_CACHE": str(models)} if models else {}
+        )
+
+
+def _user_folder() -> Path:
+    """A folder of the user's own that survives an update of the add-on."""
+    try:
+        return Path(bpy.utils.extension_path_user(PACKAGE))
+    except ValueError:  # used as a plain module, not installed as an extension
+        return Path(bpy.utils.user_resource("DATAFILES", path="fantasia3d"))

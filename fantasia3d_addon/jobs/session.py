@@ -1,0 +1,359 @@
+"""The jobs of this Blender: the runs that it follows, its queue, its history, its set-up task.
+
+One :class:`Session` lives from register to unregister. Its :meth:`tick` is called by a timer in a
+window (timers never fire in the background) or by a loop in a script; it never blocks.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import bpy
+
+from ..asset.asset_folder import AssetFolder, read_asset
+from ..background.thread import Task
+from ..environment import SetupError
+from ..errors import AddonError
+from . import history, live_preview
+from .history import Entry
+from .import_result import import_result, mark_imported, reason_to_wait
+from .job_file import new_run_folder, with_own_paths, write_job
+from .lock import RunLock
+from .memory import FreeMemory
+from .paths import Paths
+from .process import Run
+from .progress import FollowedRun
+from .target import Target
+
+TICK_SECONDS = 0.25
+ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
+
+
+class Session:
+    """The state of this Blender that is not part of the file."""
+
+    def __init__(self) -> None:
+        self.running: list[FollowedRun] = []  # one, and those that earlier Blenders left running
+        self.waiting: list[tuple[Path, RunLock | None]] = []  # the queue, first in first out
+        self.paused = False  # the queue waits for the user
+        self.importing: list[tuple[FollowedRun, Task]] = []  # done, being read, not in the scene
+        self.missed: list[Entry] = []  # done while no Blender, or another file, was open
+        self.last: FollowedRun | None = None  # the last run that ended
+        self.error: tuple[str, str] | None = None  # the last one: its text and its fix
+        self.asset = ""  # the name of the last object that was imported
+        self.task: Task | None = None  # a set-up, check or removal of the environment
+        self.history: list[Entry] = []
+        self.free_memory = FreeMemory()
+        self._scan: Task | None = None  # reads the history
+        self._file_number = 0  # counts the files that were opened
+        # Blender knows a timer by its identity, and a bound method is a new object each time.
+        self._timer = self.tick
+        self._adopter = self._adopt_later
+
+    @property
+    def busy(self) -> bool:
+        """Whether a job is running, waiting to start, or being imported."""
+        return bool(self.running or self.importing or (self.waiting and not self.paused))
+
+    @property
+    def run(self) -> FollowedRun | None:
+        """The run that is shown first: one that is running, or else the last."""
+        return self.running[0] if self.running else self.last
+
+    @property
+    def names(self) -> list[str]:
+        """The run folders' names of the running jobs."""
+        return [followed.name for followed in self.running]
+
+    @property
+    def log(self) -> Path | None:
+        """The log of the run that is shown first."""
+        return self.run.run.log if self.run and self.run.run.log.exists() else None
+
+    def target_at_cursor(self, context: bpy.types.Context, **more: Any) -> Target:
+        """The target of an asset that is requested now: this file, this scene, the 3D cursor."""
+        return Target(
+            file=bpy.data.filepath,
+            scene=context.scene.name,
+            location=tuple(context.scene.cursor.location),
+            **more,
+        )
+
+    # The queue
+
+    def submit(
+        self,
+        context: bpy.types.Context,
+        job: Mapping[str, Any],
+        target: Target,
+        files: Mapping[str, Path] | None = None,
+    ) -> Path:
+        """Put ``job`` into the queue, with copies of its ``files`` by name; its run folder.
+
+        Raises:
+            AddonError: the folder for runs can't be written; nothing is left in it then.
+        """
+        folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
+        try:
+            for name, path in (files or {}).items():
+                shutil.copyfile(path, folder / name)
+            target.write(folder)
+            # job.json is last: a folder without it is no run, whatever else is in it.
+            write_job(folder, with_own_paths(job, folder))
+        except BaseException as error:
+            shutil.rmtree(folder, ignore_errors=True)  # we created it a moment ago
+            if isinstance(error, OSError):
+                raise AddonError(
+                    f"{folder} can't be written ({error.strerror}).",
+                    "Choose another folder for runs in the add-on's preferences.",
+                ) from None
+            raise
+        self.enqueue(context, folder)
+        return folder
+
+    def enqueue(self, context: bpy.types.Context, folder: Path) -> None:
+        """Start or resume the run in ``folder`` when its turn comes.
+
+        Raises:
+            AddonError: another Blender follows it, or it can't be started.
+        """
+        lock = RunLock.acquire(folder)
+        if lock is None:
+            raise AddonError(
+                "Another Blender follows this run.", "Cancel it there, or wait until it ends."
+            )
+        self.error, self.paused = None, False
+        self.waiting.append((folder, lock))
+        self._start_next(raise_error=True)
+        self.refresh()
+        self.start_timer()
+
+    def remove_from_queue(self, folder: Path) -> None:
+        """Remove a waiting job from the queue, and its folder from the disk."""
+        for item in [item for item in self.waiting if item[0] == folder]:
+            self.waiting.remove(item)
+            if item[1]:
+                item[1].release()
+            entry = history.read_entry(folder)
+            # A run that was started before holds work: only one that never ran is removed.
+            if entry and entry.state == history.WAITING:
+                history.remove(entry)
+        self.refresh()
+
+    def _start_next(self, raise_error: bool = False) -> None:
+        """Start the first job of the queue, if none is running."""
+        if self.running or self.paused or not self.waiting:
+            return
+        folder, lock = self.waiting.pop(0)
+        try:
+            run = Run.resume(folder, Paths(bpy.context).core)
+        except (AddonError, SetupError) as error:
+            if lock:
+                lock.release()
+            self.error = (error.text, error.fix)
+            if raise_error:
+                raise
+            return
+        self.follow(run, lock)
+
+    # The runs
+
+    def follow(self, run: Run, lock: RunLock | None) -> FollowedRun:
+        """Follow ``run`` from now on."""
+        followed = FollowedRun(run, Target.read(run.folder), lock, self._file_number)
+        self.running.append(followed)
+        self.asset = ""
+        self.start_timer()
+        return followed
+
+    def adopt(self, context: bpy.types.Context) -> None:
+        """Take over what an earlier Blender left: running jobs, its queue, finished assets.
+
+        A run that another living Blender follows is left to it.
+        """
+        self.history = history.scan(Paths(context).runs)
+        ours = {*(f.run.folder for f in self.running), *(folder for folder, _ in self.waiting)}
+        for entry in reversed(self.history):  # the oldest first, as they were queued
+            if entry.folder not in ours and entry.state in history.ADOPTABLE:
+                self._adopt(entry)
+        self.start_timer()
+
+    def _adopt(self, entry: Entry) -> None:
+        lock = RunLock.acquire(entry.folder)
+        if lock is None:
+            return
+        if entry.state == history.RUNNING:
+            self.follow(Run.attach(entry.folder), lock)
+        elif entry.state == history.WAITING:
+            self.waiting.append((entry.folder, lock))
+            self.paused = True  # minutes of work do not start without the user
+        else:
+            lock.release()
+            if history.awaits_import(entry):
+                self.missed.append(entry)
+
+    def _adopt_later(self) -> None:
+        self.adopt(bpy.context)
+        self.refresh()
+
+    def cancel(self, name: str = "") -> None:
+        """Ask the run of that name, or the first, to stop after its present step."""
+        for followed in [f for f in self.running if name in ("", f.name)][:1]:
+            followed.cancel()
+        self.start_timer()
+
+    def kill(self) -> None:
+        """End the processes whose cancel takes long; they resume from their checkpoints."""
+        for followed in self.running:
+            if followed.progress.cancelling:
+                followed.run.kill()
+
+    def mark_imported(self, folder: Path) -> None:
+        """The asset of the run in ``folder`` is in a scene now: do not offer it again."""
+        mark_imported(folder)
+        self.missed = [entry for entry in self.missed if entry.folder != folder]
+
+    def refresh(self) -> None:
+        """Read the history again, in the background."""
+        if self._scan is None or not self._scan.running:
+            runs, known = Paths(bpy.context).runs, {e.folder: e for e in self.history}
+            self._scan = Task("History", lambda _progress: history.scan(runs, known))
+            self.start_timer()
+
+    def start_task(self, task: Task) -> Task:
+        """Show a set-up, check or removal of the environment until it ends."""
+        self.task = task
+        self.start_timer()
+        return task
+
+    # From register to unregister
+
+    def file_opened(self) -> None:
+        """Another file is open now: what was requested in the last one does not belong in it."""
+        self._file_number += 1
+
+    def open(self) -> None:
+        """Look for what an earlier Blender left, once there is a window."""
+        if not bpy.app.background:
+            bpy.app.timers.register(self._adopter, first_interval=ADOPT_SECONDS)
+
+    def start_timer(self) -> None:
+        """Have :meth:`tick` called as long as there is something to follow."""
+        if not bpy.app.timers.is_registered(self._timer):
+            bpy.app.timers.register(self._timer, first_interval=0.05, persistent=True)
+
+    def close(self) -> None:
+        """Stop following and forget everything; running processes continue by themselves."""
+        for timer in (self._timer, self._adopter):
+            if bpy.app.timers.is_registered(timer):
+                bpy.app.timers.unregister(timer)
+        for followed in [*self.running, *(followed for followed, _ in self.importing)]:
+            followed.release()
+        for _, lock in self.waiting:
+            if lock:
+                lock.release()
+        live_preview.remove()
+        self.__init__()
+
+    # The timer
+
+    def tick(self) -> float | None:
+        """Handle what has happened; the seconds until the next call, None when all has ended."""
+        for followed in list(self.running):
+            followed.poll()
+            if followed.run.finished:
+                self._end(followed)
+            elif followed.shape:
+                self._show_shape(followed)
+        self._import_finished()
+        self._start_next()
+        if self._scan and not self._scan.running:
+            if isinstance(self._scan.result, list):
+                self.history = self._scan.result
+            self._scan = None
+            _update_list(self.history)
+        _redraw()
+        working = (self.task and self.task.running) or self._scan
+        return TICK_SECONDS if self.busy or working else None
+
+    def _end(self, followed: FollowedRun) -> None:
+        self.running.remove(followed)
+        self.last = followed
+        live_preview.remove(keep=self.names)
+        if followed.end and followed.end.type == "done":
+            folder = followed.run.folder
+            # In a thread: reading a mesh of 200,000 faces takes longer than a tick may.
+            task = Task("Asset", lambda _progress: read_asset(folder))
+            self.importing.append((followed, task))
+        else:
+            followed.release()
+            if followed.end and followed.end.type == "error":
+                self.error = (followed.end.text, followed.end.fix)
+        self.refresh()
+
+    def _show_shape(self, followed: FollowedRun) -> None:
+        """Show the newest preview mesh of ``followed``, in the file that requested it."""
+        path, followed.shape = followed.shape, None
+        # A material for the user's own object changes no shape: there is nothing to preview.
+        if path and self._is_file_open(followed) and not followed.target.object:
+            collection = scene_of(followed.target).collection
+            live_preview.show(collection, path, followed)
+
+    def _is_file_open(self, followed: FollowedRun) -> bool:
+        """Whether the file that requested ``followed`` is open."""
+        same = followed.file_number == self._file_number  # also after it was saved as another
+        return same or followed.target.file == bpy.data.filepath
+
+    def _import_finished(self) -> None:
+        """Import the finished assets, unless the user is in the middle of an operation."""
+        ready = [item for item in self.importing if not item[1].running]
+        for followed, task in [] if reason_to_wait() else ready:
+            self.importing.remove((followed, task))
+            if not self._is_file_open(followed):
+                entry = history.read_entry(followed.run.folder)
+                self.missed += [entry] if entry else []
+            elif task.error:
+                self.error = task.error
+            else:
+                self._import(followed, task)
+            followed.release()
+
+    def _import(self, followed: FollowedRun, task: Task) -> None:
+        scene = scene_of(followed.target)
+        asset = task.result if isinstance(task.result, AssetFolder) else None
+        try:
+            self.asset = import_result(followed.run.folder, followed.target, scene, asset)
+        except AddonError as error:
+            self.error = (error.text, error.fix)
+
+
+def scene_of(target: Target) -> bpy.types.Scene:
+    """The scene that the asset was requested in; the present one where that was removed."""
+    return bpy.data.scenes.get(target.scene) or bpy.context.scene
+
+
+def _update_list(entries: list[Entry]) -> None:
+    """Give the panel's list the entries of the history."""
+    listed = bpy.context.window_manager.fantasia3d.entries
+    # Only where they differ: writing the property makes Blender redraw.
+    if [item.name for item in listed] != [str(entry.folder) for entry in entries]:
+        listed.clear()
+        for entry in entries:
+            listed.add().name = str(entry.folder)
+
+
+def _redraw() -> None:
+    """Redraw the sidebars and the preferences, which do not notice a job's progress."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "PREFERENCES":
+                area.tag_redraw()
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()
+
+
+session = Session()  # the one of this Blender; unregistration empties it

@@ -1,0 +1,41 @@
+"""Where a run's asset goes: kept in the run folder, so that a later Blender knows it. No bpy."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from .job_file import write_json
+
+NAME = "target.json"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Target:
+    """A place in a Blender file, or an object in it that receives a material."""
+
+    file: str = ""  # the .blend; empty for one that was not saved
+    scene: str = ""
+    location: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of the asset's base
+    object: str = ""  # that receives the material; empty for a new object
+    uv_map: str = ""  # of that object: the map that the textures use
+    assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object
+
+    def write(self, run: Path) -> None:
+        """Write it into the run folder; OSError where that can't be written."""
+        write_json(run / NAME, dataclasses.asdict(self))
+
+    @classmethod
+    def read(cls, run: Path) -> Target:
+        """That of a run folder; an empty one where there is none."""
+        try:
+            data = json.loads((run / NAME).read_text("utf-8"))
+            # A newer add-on may have written more fields: what is unknown here is left out.
+            known = {field.name for field in dataclasses.fields(cls)}
+            given = {key: value for key, value in data.items() if key in known}
+            location = tuple(given.get("location", (0.0, 0.0, 0.0)))  # JSON has lists alone
+            return cls(**given | {"location": location})
+        except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+            return cls()

@@ -1,0 +1,1 @@
+"""Material tools: replacement materials, tint and scales over an asset's own maps."""

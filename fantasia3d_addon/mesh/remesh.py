@@ -1,0 +1,157 @@
+"""Levels of detail that keep the UVs, and quad meshes with the maps baked onto new UVs."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from .. import options
+from ..asset.material_nodes import build_material
+from ..background.thread import ReportProgress, ignore_progress
+from ..blender.mesh_arrays import acting, apply_modifiers, mesh_object, verts_of
+from ..blender.names import data_name
+from ..errors import AddonError
+from ..material.edit import principled
+from . import health, maps
+
+QUADS_FRACTION = 0.3  # of the time; the bake of the maps is the rest
+REACH = 0.02  # of the object's size: the greatest distance of the quads from the surface
+
+
+def make_lods(obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5) -> list[bpy.types.Object]:
+    """``levels`` objects, each with ``ratio`` of the faces of the one before, the UVs kept.
+
+    They share the material and the place of ``obj``, and are hidden in a collection of their own:
+    "NAME LODs" with "NAME LOD1" and so on.
+
+    Raises:
+        AddonError: a number is out of range, or the object is no mesh.
+    """
+    mesh_object(obj)
+    if not (options.LEVELS.allows(levels) and options.RATIO.allows(ratio)):
+        raise AddonError(
+            f"{levels} levels with a ratio of {ratio:g} can't be made.",
+            f"Use {options.LEVELS.range} levels, and a ratio of {options.RATIO.range}.",
+        )
+    collection = bpy.data.collections.new(data_name(obj.name, " LODs"))
+    bpy.context.scene.collection.children.link(collection)
+    made = []
+    for level in range(1, levels + 1):
+        name = data_name(obj.name, f" LOD{level}")
+        lod = bpy.data.objects.new(name, obj.data.copy())
+        lod.data.name = name
+        lod.matrix_world = obj.matrix_world
+        collection.objects.link(lod)
+        # So that the ratio is one of triangles.
+        if any(len(polygon.vertices) > 3 for polygon in lod.data.polygons):
+            lod.modifiers.new("triangles", "TRIANGULATE")
+        fewer = lod.modifiers.new("fewer", "DECIMATE")
+        # Of the original each time: decimating a decimated mesh adds up its errors.
+        fewer.ratio, fewer.use_collapse_triangulate = ratio**level, True
+        bpy.context.view_layer.update()
+        apply_modifiers(lod)
+        lod.hide_set(True)
+        lod.hide_render = True
+        made.append(lod)
+    return made
+
+
+def quad_remesh(
+    obj: bpy.types.Object,
+    faces: int = 4000,
+    size: int = 0,
+    progress: ReportProgress = ignore_progress,
+) -> bpy.types.Object:
+    """A new object like ``obj`` of about ``faces`` quads, with UVs and maps of its own.
+
+    ``size``: texels along a side; 0 is that of the present maps. ``obj`` is kept, hidden.
+    ``progress`` is called for the quads and for each map, which take seconds.
+
+    Raises:
+        AddonError: the mesh is not closed and manifold, or the remesher found none.
+    """
+    _check(obj)
+    quads = bpy.data.objects.new(data_name(obj.name, " quads"), obj.data.copy())
+    quads.data.name = quads.name
+    place_like(quads, obj)
+    try:
+        progress("Quads", 0.0)
+        _to_quads(quads, faces)
+        health.unwrap(quads)
+        _bake_material(obj, quads, size, progress)
+    except BaseException:
+        mesh = quads.data
+        bpy.data.objects.remove(quads)
+        bpy.data.meshes.remove(mesh)
+        raise
+    hide(obj)
+    return quads
+
+
+def _check(obj: bpy.types.Object) -> None:
+    mesh_object(obj)
+    report = health.examine(obj)
+    if not (report.closed and report.manifold):
+        raise AddonError(
+            f"The mesh of {obj.name} is not closed and manifold: it has {report.open_edges} open "
+            f"and {report.nonmanifold} non-manifold edges or vertices.",
+            "Press Repair All under Mesh Health first.",
+        )
+
+
+def place_like(quads: bpy.types.Object, obj: bpy.types.Object) -> None:
+    """Link ``quads`` to the collections of ``obj``, at the same place."""
+    for collection in obj.users_collection:
+        collection.objects.link(quads)
+    quads.matrix_world = obj.matrix_world
+    bpy.context.view_layer.update()
+
+
+def hide(obj: bpy.types.Object) -> None:
+    """Hide ``obj`` in the viewport and in renders."""
+    obj.hide_set(True)
+    obj.hide_render = True
+
+
+def _to_quads(quads: bpy.types.Object, faces: int) -> None:
+    with acting(quads):
+        done = bpy.ops.object.quadriflow_remesh(
+            mode="FACES", target_faces=faces, use_preserve_sharp=False, smooth_normals=True
+        )
+    mesh = quads.data
+    if done != {"FINISHED"} or not len(mesh.polygons) or not np.isfinite(verts_of(mesh)).all():
+        raise AddonError(f"No quads were found for {quads.name}.", "Use more faces.")
+    # The UVs of the old faces do not fit the new ones.
+    while mesh.uv_layers:
+        mesh.uv_layers.remove(mesh.uv_layers[0])
+
+
+def _bake_material(
+    source: bpy.types.Object, target: bpy.types.Object, size: int, progress: ReportProgress
+) -> None:
+    """Bake the maps of ``source`` into a new material of ``target``, packed."""
+    own = [principled(slot.material) for slot in source.material_slots]
+    if not own or None in own:
+        raise AddonError(
+            f"{source.name} has a material without a Principled BSDF.", "Use one that has it."
+        )
+    if not size:
+        size = max((max(w, h) for _, w, h in health.textures_of(source)), default=1024)
+
+    def report(channel: str, fraction: float) -> None:
+        title = channel.replace("_", " ").capitalize()
+        progress(title, QUADS_FRACTION + (1 - QUADS_FRACTION) * fraction)
+
+    found = maps.bake_maps(source, target, size, REACH, report)
+    material = bpy.data.materials.new(target.name)
+    with tempfile.TemporaryDirectory() as folder:
+        paths = maps.save_images(found, Path(folder), "quads")
+        images = maps.load_images(paths, pack=True)
+    for role, image in images.items():
+        image.name = data_name(target.name, f" {role.replace('_', ' ')}")
+    build_material(material, images, own[0].distribution, target.data.uv_layers.active.name)
+    target.data.materials.clear()
+    target.data.materials.append(material)

@@ -1,0 +1,380 @@
+"""Rigid body, soft body, cloth, and a sheet draped over an asset: one call each, baked.
+
+The fine mesh itself is never simulated. A soft body or cloth is a coarse cage of it, and the asset
+follows the cage by a Surface Deform modifier: its vertices stay welded, so no seam can open, and a
+bake takes seconds. A rigid body is one convex hull or several, with the true centre of mass, and
+the asset is parented to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+
+from .. import options
+from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
+from ..errors import AddonError
+from ..mesh import health
+from ..scene.placement import visible_meshes
+from . import proxy
+from .bake import bake_until_stable, cache_of, edge_lengths
+
+KINDS = options.KIND.names
+# Custom property: on the asset, what clear() needs; on objects made for it, the asset's name.
+MARK = "fantasia3d_physics"
+GROUND = "Fantasia3D ground"
+CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
+DENSITY = 400.0  # kg / m³: wood
+_NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a user may choose, as ``options.SIMULATION`` describes it; lengths in metres."""
+
+    frames: int = int(options.FRAMES.default)
+    height: float = float(options.HEIGHT.default)
+    convex: bool = bool(options.CONVEX.default)  # rigid bodies
+    softness: float = float(options.SOFTNESS.default)  # soft bodies
+    self_collision: bool = bool(options.SELF_COLLISION.default)  # cloth
+
+
+def simulate(obj: bpy.types.Object, kind: str, settings: Options | None = None) -> None:
+    """Make ``obj`` a simulated ``kind`` from the scene's first frame on, and bake it.
+
+    It collides with what is below it; where nothing is, a ground plane is created. An earlier
+    simulation of it is removed first.
+
+    Raises:
+        AddonError: the mesh can't be simulated (the text names the repair), or the
+            simulation is not stable; the object is as before then.
+    """
+    for _ in steps(obj, kind, settings or Options()):
+        pass
+
+
+def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float]:
+    """:func:`simulate`, a frame at a time: yields the fraction done."""
+    _check(obj, kind, settings)
+    clear(obj)
+    scene = bpy.context.scene
+    obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current}
+    scene.frame_set(scene.frame_start)  # a simulation starts there, and so must its objects
+    try:
+        make = {"RIGID": _rigid, "SOFT": _soft, "CLOTH": _cloth, "DRAPE": _drape}[kind]
+        if kind != "DRAPE":  # there the sheet falls, not the asset
+            obj.location.z += settings.height
+        bpy.context.view_layer.update()
+        owner = make(obj, settings)
+        yield from bake_until_stable(owner, settings.frames)
+    except BaseException:
+        clear(obj)
+        raise
+
+
+def clear(obj: bpy.types.Object) -> None:
+    """Remove the simulation of ``obj`` and what was made for it; ``obj`` is as before."""
+    if not is_simulated(obj):
+        return
+    before = obj[MARK]
+    scene = bpy.context.scene
+    scene.frame_set(scene.frame_start)
+    for modifier in [m for m in obj.modifiers if m.name == MARK]:
+        obj.modifiers.remove(modifier)
+    if obj.parent and obj.parent.get(MARK) == obj.name:
+        obj.parent = None
+        obj.matrix_world = _matrix(before["matrix"])
+    obj.location = before["location"]
+    del obj[MARK]
+    for made in [o for o in bpy.data.objects if o.get(MARK) == obj.name]:
+        _remove(made)
+    # Several simulations may use one collider: the last one releases it.
+    others = any(MARK in o for o in bpy.data.objects if o.name != GROUND)
+    for other in [o for o in bpy.data.objects if f"{MARK}_collider" in o]:
+        if not others:
+            _release(other)
+    bpy.context.view_layer.update()
+
+
+def is_simulated(obj: bpy.types.Object) -> bool:
+    """Whether ``obj`` was simulated by :func:`simulate`."""
+    return hasattr(obj.get(MARK), "to_dict")
+
+
+def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:
+    """The object that is simulated in place of ``obj``."""
+    return next((o for o in bpy.data.objects if o.get(MARK) == obj.name and cache_of(o)), None)
+
+
+def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
+    mesh_object(obj)
+    if kind not in KINDS:
+        raise AddonError(f"There is no simulation {kind!r}.", f"Use one of {', '.join(KINDS)}.")
+    for option in _NUMBERS:
+        value = getattr(settings, option.name)
+        if not option.allows(value):
+            raise AddonError(
+                f"{option.label} is {value:g}, which is not possible.", f"Use {option.range}."
+            )
+    report = health.examine(obj)
+    if kind in ("SOFT", "CLOTH") and report.doubled:
+        raise AddonError(
+            f"The mesh of {obj.name} is not welded: {report.doubled} vertices have the place of "
+            "another, and it would tear there.",
+            "Press Weld under Mesh Health first.",
+        )
+    if kind == "SOFT" and not report.closed:
+        raise AddonError(
+            f"The mesh of {obj.name} is not closed: it has {report.open_edges} open edges, and no "
+            "volume that could keep its shape.",
+            "Press Fill Holes under Mesh Health, or use Cloth.",
+        )
+
+
+# What is simulated
+
+
+def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    """A body with its origin in the centre of mass, to which the asset is parented."""
+    matrix, parts = obj.matrix_world.copy(), _parts(obj, settings.convex)
+    hulls = [proxy.hull_mesh("hull", moved(points, matrix)) for points in parts]
+    # 1e-9: a flat hull must not make the weights zero.
+    volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
+    middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
+    if len(hulls) == 1:
+        body = _add(obj, "body", hulls[0][0])
+        body.data.transform(Matrix.Translation(-middle))
+        children = []
+    else:
+        # A compound needs a parent with a mesh; its own shape is not used.
+        whole, _, _ = proxy.hull_mesh("hull", np.concatenate([moved(p, matrix) for p in parts]))
+        whole.transform(Matrix.Translation(-middle))
+        body = _add(obj, "body", whole)
+        children = [_add(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
+    body.location = middle
+    for child in children:
+        child.data.transform(Matrix.Translation(-middle))
+        child.parent = body
+    bpy.context.view_layer.update()
+    # For clear(): the parent changes the matrix.
+    obj[MARK] = {**obj[MARK].to_dict(), "matrix": [v for row in matrix for v in row]}
+    obj.parent = body
+    # So that the asset stays where it is while it becomes a child.
+    obj.matrix_parent_inverse = Matrix.Translation(-middle)
+    for other in _supports(obj):
+        _add_rigid(other, "PASSIVE", "MESH")
+    _add_rigid(body, "ACTIVE", "COMPOUND" if children else "CONVEX_HULL")
+    for child in children:  # after their parent: or Blender finds a cycle
+        _add_rigid(child, "ACTIVE", "CONVEX_HULL")
+    # The mass changes how it collides with the user's own rigid bodies.
+    body.rigid_body.mass = DENSITY * float(volumes.sum())
+    body.rigid_body.friction, body.rigid_body.restitution = 0.6, 0.15
+    world = bpy.context.scene.rigidbody_world
+    world.substeps_per_frame, world.solver_iterations = 20, 20
+    return body
+
+
+def _parts(obj: bpy.types.Object, convex: bool) -> list[np.ndarray]:
+    """The points (N,3) of one hull or of several, in the object's own space."""
+    # Of a coarse copy: the decomposition cuts and measures many candidates.
+    mesh = proxy.cage(obj, CAGE_FACES["RIGID"])
+    parts = [verts_of(mesh)] if convex else proxy.convex_parts(mesh)
+    bpy.data.meshes.remove(mesh)
+    return parts
+
+
+def _soft(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    cage = _caged(obj, CAGE_FACES["SOFT"])
+    # Without struts a closed cage folds flat: springs along its edges keep lengths, not volume.
+    proxy.add_struts(cage.data)
+    soft = cage.modifiers.new(MARK, "SOFT_BODY").settings
+    firm = 0.9 - 0.8 * settings.softness
+    # The goal would pin the vertices to where they are.
+    soft.use_goal, soft.use_edges = False, True
+    soft.pull = soft.push = firm
+    soft.bend, soft.damping = firm + 0.1, 2.0
+    soft.mass, soft.friction = 1.0, 0.5
+    soft.step_min, soft.error_threshold = 5, 0.1
+    _collide_with(_supports(obj))
+    return cage
+
+
+def _cloth(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    cage = _caged(obj, CAGE_FACES["CLOTH"])
+    cloth = cage.modifiers.new(MARK, "CLOTH")
+    _set_up_cloth(cloth, cage, settings.self_collision)
+    cloth.settings.bending_stiffness = 2.0
+    _collide_with(_supports(obj))
+    return cage
+
+
+def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
+    """A sheet that falls over the asset, which does not move."""
+    points = world_verts(obj)
+    low, high = points.min(0), points.max(0)
+    # Wide enough to hang down on all sides: the footprint's diagonal and half the height.
+    half = 0.62 * float(np.linalg.norm((high - low)[:2])) + 0.5 * float(high[2] - low[2])
+    cells = 56
+    bm = bmesh.new()
+    bmesh.ops.create_grid(bm, x_segments=cells, y_segments=cells, size=half)
+    mesh = bpy.data.meshes.new(f"{obj.name} sheet")
+    bm.to_mesh(mesh)
+    bm.free()
+    mesh.shade_smooth()
+    sheet = _add(obj, "sheet", mesh, hidden=False)
+    middle = (low + high) / 2
+    rise = max(0.05 * float((high - low).max()), min(settings.height, 0.3))
+    sheet.location = (middle[0], middle[1], high[2] + rise)
+    cloth = sheet.modifiers.new(MARK, "CLOTH")
+    _set_up_cloth(cloth, sheet, settings.self_collision)
+    cloth.settings.bending_stiffness = 0.1
+    cloth.settings.mass, cloth.settings.quality = 0.1, 6
+    cloth.collision_settings.collision_quality = 2
+    smooth = sheet.modifiers.new("smooth", "SUBSURF")
+    smooth.levels, smooth.render_levels = 1, 2
+    # The fine mesh as a collider would slow each frame down.
+    hard = _add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
+    hard.parent = obj
+    _collide_with([hard, *_supports(obj)])
+    return sheet
+
+
+def _set_up_cloth(
+    cloth: bpy.types.ClothModifier, obj: bpy.types.Object, self_collision: bool
+) -> None:
+    """The settings that both kinds of cloth have in common; distances by the mesh's own edges."""
+    size = float(max(obj.dimensions))
+    settings, collision = cloth.settings, cloth.collision_settings
+    settings.quality, settings.mass, settings.air_damping = 8, 0.3, 0.4
+    settings.tension_stiffness = settings.compression_stiffness = 25.0
+    settings.shear_stiffness = 12.0
+    settings.tension_damping = settings.compression_damping = 10.0
+    collision.collision_quality = 4
+    # Distances follow the size: Blender's default of 15 mm is too large for a small asset.
+    collision.distance_min = 0.008 * size
+    collision.use_self_collision = self_collision
+    # Smaller than nearly all edges, or adjacent vertices repel each other.
+    collision.self_distance_min = min(0.3 * float(np.percentile(edge_lengths(obj.data), 5)), 0.1)
+
+
+def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
+    """The cage of ``obj``, bound so that ``obj`` follows it."""
+    cage = _add(obj, "cage", proxy.cage(obj, faces))
+    cage.matrix_world = obj.matrix_world
+    bpy.context.view_layer.update()
+    follow = obj.modifiers.new(MARK, "SURFACE_DEFORM")
+    follow.target = cage
+    with acting(obj):
+        # Each fine vertex is bound to the nearest face of the cage.
+        bpy.ops.object.surfacedeform_bind(modifier=follow.name)
+    if not follow.is_bound:
+        raise AddonError(
+            f"{obj.name} can't be bound to a coarse copy of itself: its mesh is not manifold.",
+            "Press Repair All under Mesh Health, or Quad Remesh.",
+        )
+    return cage
+
+
+# What it collides with
+
+
+def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
+    """The visible objects below or around the footprint of ``obj``; a new ground if none."""
+    points = world_verts(obj)
+    low, high = points.min(0), points.max(0)
+    reach = float((high - low).max())
+    found = []
+    for other in visible_meshes(obj):
+        theirs = world_verts(other)
+        # Within a reach of the footprint: it may roll there.
+        near = (theirs.min(0)[:2] < high[:2] + reach) & (theirs.max(0)[:2] > low[:2] - reach)
+        if near.all() and theirs.min(0)[2] < high[2] and MARK not in other:
+            found.append(other)
+    if any(world_verts(other).min(0)[2] <= low[2] + 1e-3 for other in found):
+        return found
+    return [*found, _ground(obj, float(low[2]), reach)]
+
+
+def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object:
+    """A wide plane at z = 0, or just below the object if that is lower."""
+    half = 6 * reach
+    mesh = bpy.data.meshes.new(GROUND)
+    corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    ground = _add(obj, "ground", mesh, hidden=False)
+    ground.name = GROUND
+    # A little below the lowest point, so that it does not start in contact.
+    ground.location = (*obj.matrix_world.translation[:2], min(low - 0.002 * reach, 0.0))
+    bpy.context.view_layer.update()
+    return ground
+
+
+def _collide_with(others: Sequence[bpy.types.Object]) -> None:
+    for other in others:
+        if not any(m.type == "COLLISION" for m in other.modifiers):
+            other.modifiers.new(MARK, "COLLISION")
+            other[f"{MARK}_collider"] = True
+        # Half of Blender's default of 20 mm, which is visible as a gap.
+        other.collision.thickness_outer = 0.01
+        other.collision.damping = 0.4
+        other.collision.friction_factor = 0.5
+        other.collision.cloth_friction = 20.0
+
+
+def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
+    if obj.rigid_body is None:
+        with acting(obj):
+            bpy.ops.rigidbody.object_add(type=kind)
+        obj[f"{MARK}_collider"] = True
+    obj.rigid_body.collision_shape = shape
+    obj.rigid_body.use_margin = True
+    obj.rigid_body.collision_margin = 0.001
+
+
+# Helper objects
+
+
+def _add(
+    obj: bpy.types.Object, part: str, mesh: bpy.types.Mesh, hidden: bool = True
+) -> bpy.types.Object:
+    """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
+    made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
+    made[MARK] = obj.name
+    for collection in obj.users_collection or [bpy.context.scene.collection]:
+        collection.objects.link(made)
+    if hidden:
+        made.hide_render = True
+        made.display_type = "WIRE"
+        made.hide_set(True)
+    return made
+
+
+def _remove(made: bpy.types.Object) -> None:
+    _release(made)
+    mesh = made.data
+    bpy.data.objects.remove(made)
+    if not mesh.users:
+        bpy.data.meshes.remove(mesh)
+
+
+def _release(obj: bpy.types.Object) -> None:
+    """Remove what makes an object collide."""
+    if obj.rigid_body and f"{MARK}_collider" in obj:
+        # The operator ignores hidden objects.
+        hidden = obj.hide_get()
+        obj.hide_set(False)
+        with acting(obj):
+            bpy.ops.rigidbody.object_remove()
+        obj.hide_set(hidden)
+    for modifier in [m for m in obj.modifiers if m.name == MARK and m.type == "COLLISION"]:
+        obj.modifiers.remove(modifier)
+    obj.pop(f"{MARK}_collider", None)
+
+
+def _matrix(numbers: Sequence[float]) -> Matrix:
+    return Matrix([list(numbers[4 * row : 4 * row + 4]) for row in range(4)])

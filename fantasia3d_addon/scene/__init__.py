@@ -1,0 +1,1 @@
+"""The scene around an asset: light, camera, render, turntable, Cornell box, placement."""

@@ -1,0 +1,148 @@
+"""The world's light: an HDR or EXR picture, the core's studio, or one of Blender's lights."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from ..blender import compat
+from ..errors import LightError
+
+WORLD = "Fantasia3D light"
+STUDIO = "studio"
+# The core's own studio light as a file; blender_tests/test_light.py has the command.
+STUDIO_FILE = Path(__file__).with_name("studio.exr")
+
+
+def blender_lights() -> dict[str, Path]:
+    """The world lights that come with this Blender, by name."""
+    folder = Path(bpy.utils.system_resource("DATAFILES")) / "studiolights" / "world"
+    return {path.stem: path for path in sorted(folder.glob("*.exr"))}
+
+
+def light_file(name_or_path: str) -> Path:
+    """The picture of a light; names have the same meaning as in the core.
+
+    ``"studio"`` is the core's; ``"blender:city"`` or ``"city"`` one of Blender's; else a file.
+
+    Raises:
+        LightError: there is none.
+    """
+    if name_or_path == STUDIO:
+        return STUDIO_FILE
+    # A file comes before a name: "city" may be a file of the user's.
+    path = Path(bpy.path.abspath(name_or_path)).expanduser()
+    if path.is_file():
+        return path.resolve()
+    named = blender_lights()
+    name = name_or_path.removeprefix("blender:")
+    if name in named:
+        return named[name]
+    raise LightError(
+        f"There is no light {name_or_path!r}.",
+        f"Use an HDR or EXR file, or one of {', '.join([STUDIO, *named])}.",
+    )
+
+
+def set_world(
+    scene: bpy.types.Scene,
+    path: Path,
+    strength: float = 1.0,
+    rotation_deg: float = 0.0,
+) -> bpy.types.World:
+    """Light ``scene`` from all sides by the lat-long picture ``path``, which is packed.
+
+    ``rotation_deg`` turns the light counter-clockwise seen from above. The picture's middle
+    column is at +X, its top at +Z.
+
+    Raises:
+        LightError: the file is no picture.
+    """
+    image = _load(path)
+    world = bpy.data.worlds.new(WORLD)
+    tree = compat.empty_nodes(world)
+    nodes = {
+        kind: tree.nodes.new(f"ShaderNode{kind}")
+        for kind in ("TexCoord", "Mapping", "TexEnvironment", "Background", "OutputWorld")
+    }
+    for column, node in enumerate(nodes.values()):
+        node.location = (300 * column - 900, 0)
+    # The node rotates the direction that is looked up: the light itself turns the other way.
+    nodes["Mapping"].inputs["Rotation"].default_value[2] = -math.radians(rotation_deg)
+    nodes["TexEnvironment"].image = image
+    nodes["Background"].inputs["Strength"].default_value = strength
+    for source, out, sink, into in (
+        ("TexCoord", "Generated", "Mapping", "Vector"),
+        ("Mapping", "Vector", "TexEnvironment", "Vector"),
+        ("TexEnvironment", "Color", "Background", "Color"),
+        ("Background", "Background", "OutputWorld", "Surface"),
+    ):
+        tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
+    # The new world is complete before the old one is touched.
+    old, scene.world = scene.world, world
+    _remove_unused(old)
+    return world
+
+
+def light_node(world: bpy.types.World | None, kind: str) -> bpy.types.Node | None:
+    """The node of :func:`set_world` of ``kind``: "Mapping", "Background", "TexEnvironment"."""
+    if world is None or not world.name.startswith(WORLD) or not world.node_tree:
+        return None
+    return next((n for n in world.node_tree.nodes if n.bl_idname == f"ShaderNode{kind}"), None)
+
+
+def environment_image(world: bpy.types.World) -> bpy.types.Image:
+    """The picture that :func:`set_world` lights ``world`` with."""
+    return next(n.image for n in world.node_tree.nodes if n.bl_idname == "ShaderNodeTexEnvironment")
+
+
+def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
+    """The brightness of a white diffuse surface that faces ``normal``, under a lat-long ``image``.
+
+    The mean luminance over the hemisphere about ``normal``, weighted by the cosine with it.
+    """
+    width, height = image.size
+    pixels = np.empty(width * height * 4, np.float32)
+    image.pixels.foreach_get(pixels)
+    # Luminance by Rec. 709.
+    luminance = pixels.reshape(height, width, 4)[..., :3] @ np.float32((0.2126, 0.7152, 0.0722))
+    azimuth = (0.5 - (np.arange(width) + 0.5) / width) * 2 * math.pi  # from +X, counter-clockwise
+    elevation = ((np.arange(height)[:, None] + 0.5) / height - 0.5) * math.pi  # row 0 is the lowest
+    x, y, z = normal
+    flat = x * np.cos(azimuth) + y * np.sin(azimuth)
+    cosine = np.cos(elevation) * flat + np.sin(elevation) * z
+    # A lat-long picture's rows shrink towards the poles: cos(elevation) is a texel's area.
+    weight = np.cos(elevation) * cosine.clip(0)
+    return float((luminance * weight).sum() / weight.sum())
+
+
+def _remove_unused(world: bpy.types.World | None) -> None:
+    """Remove an earlier light of ours that no scene uses; keep the user's own world."""
+    if world is None:
+        return
+    if not world.name.startswith(WORLD):
+        world.use_fake_user = True  # without users, Blender would not save it
+        return
+    if world.users:
+        return
+    image = environment_image(world)
+    bpy.data.worlds.remove(world)
+    if not image.users:
+        bpy.data.images.remove(image)
+
+
+def _load(path: Path) -> bpy.types.Image:
+    try:
+        image = bpy.data.images.load(str(path), check_existing=False)
+    except RuntimeError as error:
+        raise LightError(f"{path} can't be read ({error}).", "Use an HDR or EXR file.") from None
+    if 0 in image.size:  # Blender loads any file, and reports nothing
+        bpy.data.images.remove(image)
+        raise LightError(f"{path} is no picture.", "Use an HDR or EXR file.")
+    # The .blend must open on another machine.
+    image.pack()
+    return image

@@ -1,0 +1,193 @@
+"""Relights the scene, and renders a turntable that shows an asset from all sides."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import shutil
+from pathlib import Path
+
+import bpy
+
+from .. import options
+from ..blender import compat
+from ..blender.mesh_arrays import mesh_object
+from ..blender.output import reason_of
+from ..errors import AddonError, OutputError
+from . import light
+from . import render as scene_render
+
+TABLE = "Fantasia3D turntable"
+
+
+def relight(
+    scene: bpy.types.Scene, name_or_path: str, strength: float = 1.0, rotation_deg: float = 0.0
+) -> bpy.types.World:
+    """Light ``scene`` by a name or file as :func:`light.light_file` takes it.
+
+    The scene's own world stays in the file.
+
+    ``rotation_deg`` turns the light counter-clockwise seen from above.
+
+    Raises:
+        LightError: there is no such light, or it is no picture.
+    """
+    return light.set_world(scene, light.light_file(name_or_path), strength, rotation_deg)
+
+
+def turn_light(world: bpy.types.World | None, strength: float, rotation_deg: float) -> None:
+    """Change strength and rotation of the light that :func:`relight` set.
+
+    Raises:
+        AddonError: the world is not one of :func:`relight`.
+    """
+    mapping, background = light.light_node(world, "Mapping"), light.light_node(world, "Background")
+    if mapping is None or background is None:
+        raise AddonError("The world is not lit by this add-on.", "Press Apply Lighting first.")
+    mapping.inputs["Rotation"].default_value[2] = -math.radians(rotation_deg)
+    background.inputs["Strength"].default_value = strength
+
+
+def turntable_scene(
+    obj: bpy.types.Object,
+    out: Path,
+    *,
+    frames: int = int(options.TURN_FRAMES.default),
+    turn: str = str(options.TURN.default),
+    size: int = int(options.SIZE.default),
+    samples: int | None = None,
+) -> bpy.types.Scene:
+    """A scene of its own that shows ``obj`` under its scene's world in one full turn.
+
+    ``out`` ends in .mp4, or is a folder for frame_0001.png and so on. ``turn``: what rotates, the
+    camera, the light, or the object (then camera and light rotate around it together). Render it
+    and give it to :func:`remove_turntable_scene`.
+
+    Raises:
+        AddonError: no light, no Cycles, or fewer than two frames.
+        OutputError: this Blender writes no MP4.
+    """
+    mesh_object(obj)
+    _check(out, frames, turn)
+    source = bpy.context.scene
+    if light.light_node(source.world, "Mapping") is None:
+        relight(source, light.STUDIO)  # the world must have a light that can rotate
+    scene = bpy.data.scenes.new(TABLE)
+    try:
+        scene.collection.objects.link(obj)
+        scene.world = source.world
+        pivot = _camera(scene, obj)
+        # It also gives the scene a copy of the world, which _animate may rotate.
+        scene_render.add_backdrop(scene, obj).name = f"{TABLE} ground"
+        _animate(scene, pivot, frames, turn)
+        scene_render.set_up_cycles(scene, size, samples)
+        _output(scene, out, out.suffix.lower() == ".mp4")
+    except BaseException:
+        remove_turntable_scene(scene)
+        raise
+    return scene
+
+
+def _check(out: Path, frames: int, turn: str) -> None:
+    if frames < 2 or turn not in options.TURN.names:
+        raise AddonError(
+            f"A turntable of {frames} frames that turns {turn!r} is not possible.",
+            f"Use two frames or more, and one of {', '.join(options.TURN.names)}.",
+        )
+    video = out.suffix.lower() == ".mp4"
+    if not video and out.suffix:
+        raise OutputError(f"{out} is no MP4 file.", "Use a file.mp4, or a folder for PNG files.")
+    if video and not compat.has_video():
+        raise OutputError("This Blender writes no MP4.", "Use a folder for PNG files instead.")
+
+
+def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
+    """Render :func:`turntable_scene`, whose options these are, and remove the scene again.
+
+    Raises:
+        AddonError, OutputError: as :func:`turntable_scene`; or ``out`` can't be written.
+    """
+    out = Path(out).expanduser().absolute()
+    # A file or a folder, by the kind of ``out``; renamed when it is complete.
+    temporary = out.with_name(f".fantasia3d-{out.name}")
+    scene = turntable_scene(obj, temporary, **settings)
+    try:
+        _render(scene)
+        if not temporary.exists():
+            raise OSError(0, "Blender wrote nothing")
+        if temporary.is_dir() and out.is_dir():  # other files in the user's folder stay
+            for frame in temporary.iterdir():
+                frame.replace(out / frame.name)
+        else:
+            temporary.replace(out)
+    except (OSError, RuntimeError) as error:
+        raise OutputError(
+            f"{out} can't be written ({reason_of(error)}).", "Choose another place."
+        ) from None
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+        with contextlib.suppress(OSError):
+            temporary.unlink(missing_ok=True)
+        remove_turntable_scene(scene)
+    return out
+
+
+def remove_turntable_scene(scene: bpy.types.Scene) -> None:
+    """Remove a scene of :func:`turntable_scene`, with everything that was made for it."""
+    # By name: the asset itself is in the scene too.
+    made: set[bpy.types.ID] = {o for o in scene.collection.objects if o.name.startswith(TABLE)}
+    made |= {obj.data for obj in made if obj.data}
+    world = scene.world
+    bpy.data.batch_remove({*made, scene})
+    if world and not world.users:
+        bpy.data.worlds.remove(world)
+
+
+def _render(scene: bpy.types.Scene) -> None:
+    bpy.ops.render.render(animation=True, scene=scene.name)
+
+
+def _camera(scene: bpy.types.Scene, obj: bpy.types.Object) -> bpy.types.Object:
+    """A still's camera, parented to an empty in the object's centre; the empty, which rotates."""
+    camera = scene_render.add_camera(scene, obj)
+    camera.name = camera.data.name = f"{TABLE} camera"
+    pivot = bpy.data.objects.new(f"{TABLE} pivot", None)
+    scene.collection.objects.link(pivot)
+    pivot.location = scene_render.bounding_sphere(obj)[0]
+    # The camera keeps its place relative to the pivot, which is the centre of rotation.
+    camera.parent = pivot
+    camera.location -= pivot.location
+    return pivot
+
+
+def _animate(scene: bpy.types.Scene, pivot: bpy.types.Object, frames: int, turn: str) -> None:
+    """One full turn in ``frames``, the last one step before the first: the film loops."""
+    scene.frame_start, scene.frame_end = 1, frames
+    scene.render.fps = 24
+    step = 2 * math.pi / frames
+    if turn != "LIGHT":
+        _drive(pivot, "rotation_euler", step)
+    if turn != "CAMERA":  # "OBJECT" rotates the camera too, and the light with it
+        mapping = light.light_node(scene.world, "Mapping")
+        start = mapping.inputs["Rotation"].default_value[2]
+        _drive(mapping.inputs["Rotation"], "default_value", -step, start)
+
+
+def _drive(owner: bpy.types.bpy_struct, name: str, step: float, start: float = 0.0) -> None:
+    """Let the third component of ``name`` grow by ``step`` a frame.
+
+    A driver is the same in 4.2 and 5.2; the curves of an action are not.
+    """
+    driver = owner.driver_add(name, 2).driver
+    driver.expression = f"{start!r} + {step!r} * (frame - 1)"
+
+
+def _output(scene: bpy.types.Scene, out: Path, video: bool) -> None:
+    if video:
+        compat.set_video(scene)
+        # The temporary name ends in .mp4 already.
+        scene.render.use_file_extension = False
+        scene.render.filepath = str(out)
+        return
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.filepath = str(out / "frame_")

@@ -1,0 +1,1 @@
+"""The interface: properties, preferences, panels and operators."""

@@ -1,0 +1,183 @@
+"""The main panel's operators: each reads properties, calls one function, and reports."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from ..blender.mesh_arrays import EDIT_MODE
+from ..jobs import history, submit
+from ..jobs.import_result import mark_imported
+from ..jobs.session import session
+from .operator_helpers import USER_ERRORS, import_at_cursor, queue_job, report_error
+
+
+class FANTASIA3D_OT_generate(bpy.types.Operator):
+    """Generate a textured mesh from the prompt, in the background"""
+
+    bl_idname = "fantasia3d.generate"
+    bl_label = "Generate"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        reason = submit.reason_against_generate(context)
+        cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return queue_job(self, lambda: submit.generate(context))
+
+
+class FANTASIA3D_OT_texture(bpy.types.Operator):
+    """Generate a material for the active mesh from the prompt, in the background"""
+
+    bl_idname = "fantasia3d.texture"
+    bl_label = "Texture"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        reason = submit.reason_against_texture(context)
+        cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return queue_job(self, lambda: submit.texture(context))
+
+
+class FANTASIA3D_OT_cancel(bpy.types.Operator):
+    """Stop after the present step; the run can be resumed"""
+
+    bl_idname = "fantasia3d.cancel"
+    bl_label = "Cancel"
+
+    run: StringProperty(name="Run", description="Name of the run folder; empty: the first run")
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("No job is running.")
+        return bool(session.running)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        session.cancel(self.run)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_stop_now(bpy.types.Operator):
+    """End a process whose cancel takes long; the run resumes from its last checkpoint"""
+
+    bl_idname = "fantasia3d.stop_now"
+    bl_label = "Stop Now"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("Press Cancel first.")
+        return any(followed.progress.cancelling for followed in session.running)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        session.kill()
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_dismiss(bpy.types.Operator):
+    """Hide the message"""
+
+    bl_idname = "fantasia3d.dismiss"
+    bl_label = "Dismiss"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        session.error, session.last, session.asset = None, None, ""
+        for entry in session.missed:
+            mark_imported(entry.folder)  # it is not offered again at the next start
+        session.missed.clear()
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_import_asset(bpy.types.Operator):
+    """Import an asset folder into the scene, at the 3D cursor"""
+
+    bl_idname = "fantasia3d.import_asset"
+    bl_label = "Import Asset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    directory: StringProperty(
+        name="Folder", description="An asset folder, or the run folder around it",
+        subtype="DIR_PATH",
+    )  # fmt: skip
+    filter_folder: BoolProperty(default=True, options={"HIDDEN"})  # the file browser's own filter
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set(EDIT_MODE)
+        return context.mode == "OBJECT"
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        try:
+            import_at_cursor(context, Path(bpy.path.abspath(self.directory)))
+        except USER_ERRORS as error:
+            return report_error(self, error)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_new_seed(bpy.types.Operator):
+    """Choose another seed at random"""
+
+    bl_idname = "fantasia3d.new_seed"
+    bl_label = "New Seed"
+    bl_options = {"UNDO"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.scene.fantasia3d.seed = random.randrange(history.SEEDS)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
+    """Use the active mesh as the shape to start from"""
+
+    bl_idname = "fantasia3d.guide_from_selection"
+    bl_label = "Use Selected Mesh"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("Select a mesh.")
+        return context.active_object is not None and context.active_object.type == "MESH"
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.scene.fantasia3d.guide = context.active_object
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_open_log(bpy.types.Operator):
+    """Open the log of the last run"""
+
+    bl_idname = "fantasia3d.open_log"
+    bl_label = "Open Log"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("There is no log yet.")
+        return session.log is not None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return bpy.ops.wm.path_open(filepath=str(session.log))
+
+
+CLASSES = (
+    FANTASIA3D_OT_generate,
+    FANTASIA3D_OT_texture,
+    FANTASIA3D_OT_cancel,
+    FANTASIA3D_OT_stop_now,
+    FANTASIA3D_OT_dismiss,
+    FANTASIA3D_OT_import_asset,
+    FANTASIA3D_OT_new_seed,
+    FANTASIA3D_OT_guide_from_selection,
+    FANTASIA3D_OT_open_log,
+)

@@ -1,0 +1,214 @@
+"""The main panel: what to make, its progress, its result."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..blender import compat
+from ..environment import SetupError
+from ..jobs import memory, submit
+from ..jobs.import_result import reason_to_wait
+from ..jobs.job_settings import FILE
+from ..jobs.paths import Paths
+from ..jobs.progress import FollowedRun
+from ..jobs.session import session
+from . import icons
+from .presets import FANTASIA3D_PT_presets
+from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
+from .text import TAB, collapsible, error_and_fix, wrapped_label
+
+PICTURE = 7.0  # height of the preview, in rows
+
+
+class FANTASIA3D_PT_generate(bpy.types.Panel):
+    """Generate from text."""
+
+    bl_idname = "FANTASIA3D_PT_generate"
+    bl_label = "Generate from Text"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
+    bl_order = 0
+
+    def draw_header_preset(self, context: bpy.types.Context) -> None:
+        FANTASIA3D_PT_presets.draw_panel_header(self.layout)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, settings = self.layout, context.scene.fantasia3d
+        if not is_set_up(context):
+            box = layout.box()
+            wrapped_label(box, context, "Installation required, once:", "INFO")
+            draw_set_up(box, context)
+        layout.row().prop(settings, "task", expand=True)
+        column = layout.column(align=True)
+        compat.text_field(column, settings, "prompt", placeholder="a red wooden chair")
+        column.prop(settings, "negative_prompt", text="", placeholder="Negative prompt")
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        _draw_settings(layout, settings)
+        if settings.task == "texture":
+            _draw_mesh(layout, context)
+        _draw_collapsed(layout, context)
+        _draw_button(layout, context)
+        for followed in session.running:
+            _draw_run(layout, context, followed)
+        _draw_result(layout, context)
+
+
+def is_set_up(context: bpy.types.Context) -> bool:
+    """Whether the core's Python exists."""
+    try:
+        return Paths(context).python.exists()
+    except SetupError:
+        return False
+
+
+def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    column = layout.column()
+    column.prop(settings, "preset")
+    row = column.row(align=True)
+    row.prop(settings, "seed")
+    row.operator("fantasia3d.new_seed", text="", icon="FILE_REFRESH")
+    column.prop(settings, "guidance")
+    if settings.guidance == "folder":
+        column.prop(settings, "model_folder")
+    elif settings.guidance == "hub":
+        column.prop(settings, "hub_id", placeholder="owner/name")
+
+
+def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """The settings of a job that textures the active mesh."""
+    settings, obj = context.scene.fantasia3d, context.active_object
+    column = layout.column()
+    # A label in the two columns of Blender's property split, which labels do not follow.
+    split = column.split(factor=0.4)
+    right = split.row()
+    right.alignment = "RIGHT"
+    right.label(text="Mesh")
+    is_mesh = obj is not None and obj.type == "MESH"
+    split.label(text=obj.name if is_mesh else "None selected", icon="OUTLINER_OB_MESH")
+    column.row().prop(settings, "uv", expand=True)
+    column.row().prop(settings, "assign", expand=True)
+    column.prop(settings, "use_present_color")
+    if settings.use_present_color:
+        column.prop(settings, "color_strength")
+
+
+def _draw_collapsed(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """Settings that the quality decides unless they are set here."""
+    settings = context.scene.fantasia3d
+    if settings.task == "generate":
+        _draw_guide(layout, settings)
+    body = collapsible(layout, "light", "Light")
+    if body:
+        body.template_icon_view(settings, "light", show_labels=True, scale=5, scale_popup=5)
+        body.prop(settings, "light", text="")
+        if settings.light == FILE:
+            body.prop(settings, "light_file", text="")
+    body = collapsible(layout, "output", "Output")
+    if body:
+        body.prop(settings, "texture_size")
+        if settings.task == "generate":
+            body.prop(settings, "max_faces")
+        wrapped_label(body, context, _memory_line(settings)[0], dimmed=True)
+    body = collapsible(layout, "advanced", "Advanced")
+    if body:
+        body.prop(settings, "device")
+        body.prop(settings, "overrides", placeholder="stage.field=value")
+
+
+def _draw_guide(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    body = collapsible(layout, "guide", "Guide Mesh")
+    if body:
+        row = body.row(align=True)
+        row.prop(settings, "guide")
+        row.operator("fantasia3d.guide_from_selection", text="", icon="RESTRICT_SELECT_OFF")
+        row = body.row()
+        row.active = settings.guide is not None
+        row.prop(settings, "guide_strength")
+
+
+def _memory_line(settings: bpy.types.PropertyGroup) -> tuple[str, bool]:
+    """The memory that the job needs as text, and whether this machine has it."""
+    return memory.line(settings.preset, int(settings.texture_size), session.free_memory())
+
+
+def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """The large button, and why it is disabled."""
+    if context.scene.fantasia3d.task == "texture":
+        reason = submit.reason_against_texture(context)
+        label, operator = "Texture", "fantasia3d.texture"
+    else:
+        reason = submit.reason_against_generate(context)
+        label, operator = "Generate", "fantasia3d.generate"
+    column = layout.column()
+    row = column.row()
+    row.scale_y = 1.5
+    if session.busy:
+        row.operator(operator, text="Add to Queue", icon="ADD")
+    else:
+        row.operator(operator, text=label, icon="SHADERFX")
+    if reason:
+        wrapped_label(column, context, reason, "INFO", dimmed=True)
+    text, is_enough = _memory_line(context.scene.fantasia3d)
+    # While a job runs, its own memory is in use: the sum would be wrong.
+    if not is_enough and not session.running:
+        wrapped_label(column, context, text, "ERROR")
+
+
+def _draw_run(
+    layout: bpy.types.UILayout, context: bpy.types.Context, followed: FollowedRun
+) -> None:
+    """The picture, the progress bar, the time left, and Cancel."""
+    box, progress = layout.box().column(), followed.progress
+    picture = icons.icon(followed.picture, at_once=True)
+    if picture:
+        box.template_icon(picture, scale=PICTURE)
+    wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH")
+    box.progress(factor=progress.fraction, text=progress.line)
+    if progress.detail:
+        wrapped_label(box, context, progress.detail, dimmed=True)
+    if followed.warning:
+        error_and_fix(box, context, followed.warning, "INFO")
+    row = box.row(align=True)
+    if progress.overdue:
+        row.operator("fantasia3d.stop_now", icon="X")
+    else:
+        row.enabled = not progress.cancelling
+        row.operator("fantasia3d.cancel", icon="CANCEL").run = followed.name
+
+
+def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """The result of the last run, and assets that wait for their import."""
+    last = session.last
+    if session.error:
+        _draw_error(layout, context, session.error)
+    elif last and last.end and last.end.type == "cancelled":
+        row = layout.row(align=True)
+        row.label(text="Cancelled", icon="CANCEL")
+        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+        row.operator("fantasia3d.dismiss", text="", icon="X")
+    elif session.asset:
+        wrapped_label(layout, context, f"Imported: {session.asset}", "CHECKMARK")
+    for entry in session.missed:
+        row = layout.row(align=True)
+        row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
+        row.operator("fantasia3d.job_import", icon="IMPORT").folder = str(entry.folder)
+    if session.importing:
+        wrapped_label(layout, context, f"The asset is ready. {reason_to_wait()}", "CHECKMARK")
+
+
+def _draw_error(
+    layout: bpy.types.UILayout, context: bpy.types.Context, error: tuple[str, str]
+) -> None:
+    last = session.last
+    box = layout.box().column()
+    error_and_fix(box, context, error, "ERROR")
+    row = box.row(align=True)
+    row.operator("fantasia3d.open_log", icon="TEXT")
+    if last and last.end and last.end.type == "error" and last.run.resumable:
+        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+    row.operator("fantasia3d.dismiss", text="", icon="X")
+
+
+CLASSES = (FANTASIA3D_PT_generate, FANTASIA3D_PT_set_up)

@@ -1,0 +1,79 @@
+"""What the operators have in common: when they may run, and how they report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import bpy
+
+from ..asset.import_asset import import_asset
+from ..blender.mesh_arrays import EDIT_MODE, reason_against_mesh
+from ..environment import SetupError
+from ..errors import AddonError
+from ..jobs.session import session
+
+UNDO = {"REGISTER", "UNDO"}
+USER_ERRORS = (AddonError, SetupError)  # what the user can fix; anything else is a bug
+
+
+def reason_against_tool(context: bpy.types.Context) -> str:
+    """Why no tool can act on the active object; empty if one can."""
+    if context.mode != "OBJECT":
+        return EDIT_MODE
+    return reason_against_mesh(context.active_object)
+
+
+def can_run(cls: type[bpy.types.Operator], context: bpy.types.Context, more: str = "") -> bool:
+    """The poll of a tool, with its reason; ``more`` is a reason of the operator's own."""
+    reason = reason_against_tool(context) or more
+    cls.poll_message_set(reason)
+    return not reason
+
+
+def run_and_report(operator: bpy.types.Operator, act: Callable[[], object]) -> set[str]:
+    """Call ``act``; report what the user can fix as an error message."""
+    try:
+        act()
+    except AddonError as error:
+        operator.report({"ERROR"}, str(error))
+        return {"CANCELLED"}
+    return {"FINISHED"}
+
+
+def rendering() -> bool:
+    """Whether a render job of this window is running."""
+    return not bpy.app.background and bpy.app.is_job_running("RENDER")
+
+
+def queue_job(operator: bpy.types.Operator, submit: Callable[[], Path]) -> set[str]:
+    """Put a job into the queue by ``submit``, which returns its run folder, and report it."""
+    try:
+        folder = submit()
+    except USER_ERRORS as error:
+        return report_error(operator, error)
+    started = any(followed.run.folder == folder for followed in session.running)
+    operator.report({"INFO"}, f"{'Started' if started else 'Queued'}: {folder.name}")
+    return {"FINISHED"}
+
+
+def report_error(operator: bpy.types.Operator, error: AddonError | SetupError) -> set[str]:
+    """Report an error and its fix, in the panel and in the status bar."""
+    session.error = (error.text, error.fix)
+    operator.report({"ERROR"}, str(error))
+    return {"CANCELLED"}
+
+
+def import_at_cursor(context: bpy.types.Context, folder: Path) -> bpy.types.Object:
+    """Import the asset in ``folder`` at the 3D cursor and select it.
+
+    Raises:
+        AddonError: the folder is no asset.
+    """
+    obj = import_asset(context, folder, context.scene.cursor.location)
+    session.mark_imported(folder)
+    for other in context.selected_objects:
+        other.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+    return obj

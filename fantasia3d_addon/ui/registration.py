@@ -1,0 +1,73 @@
+"""Everything that Blender must know of the add-on, in order."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..jobs import handlers
+from ..jobs.session import session
+from . import (
+    export_operators,
+    generate_operators,
+    generate_panel,
+    icons,
+    job_operators,
+    job_panel,
+    material_operators,
+    mesh_operators,
+    physics_operators,
+    preferences,
+    presets,
+    properties,
+    scene_operators,
+    setup_operators,
+    tool_properties,
+    tools_panel,
+)
+
+MODULES = (  # each has its CLASSES
+    properties,
+    preferences,
+    presets,
+    generate_operators,
+    job_operators,
+    setup_operators,
+    generate_panel,
+    job_panel,
+    tool_properties,
+    scene_operators,
+    material_operators,
+    physics_operators,
+    mesh_operators,
+    export_operators,
+    tools_panel,
+)
+CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
+
+
+def register() -> None:
+    """Register all classes, the settings of scenes and of this Blender, and the handlers."""
+    # Before the classes: an enum of lights needs the icons.
+    icons.open_collection()
+    properties.clear_light_items()
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    pointer = bpy.props.PointerProperty
+    bpy.types.Scene.fantasia3d = pointer(type=properties.FANTASIA3D_PG_settings)
+    bpy.types.Scene.fantasia3d_tools = pointer(type=tool_properties.FANTASIA3D_PG_tools)
+    bpy.types.WindowManager.fantasia3d = pointer(type=properties.FANTASIA3D_PG_jobs)
+    handlers.add()
+    session.open()
+
+
+def unregister() -> None:
+    """Undo :func:`register`, backwards."""
+    session.close()
+    handlers.remove()
+    del bpy.types.Scene.fantasia3d
+    del bpy.types.Scene.fantasia3d_tools
+    del bpy.types.WindowManager.fantasia3d
+    # In reverse order: properties refer to classes that were registered before them.
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)
+    icons.close_collection()

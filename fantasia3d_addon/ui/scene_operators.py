@@ -1,0 +1,158 @@
+"""The operators for light, turntable, Cornell box and placement. Each calls one function."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import bpy
+from bpy.props import StringProperty
+
+from .. import options
+from ..scene import cornell_box, placement, relight
+from .operator_helpers import UNDO, can_run, rendering, run_and_report
+from .option_properties import option_property
+
+
+class FANTASIA3D_OT_relight(bpy.types.Operator):
+    """Light the scene by an HDR or EXR picture; the scene's own world stays in the file"""
+
+    bl_idname = "fantasia3d.relight"
+    bl_label = "Apply Lighting"
+    bl_options = UNDO
+
+    light: StringProperty(
+        name="Light", description="studio, one of Blender's by name, or a file", default="studio"
+    )
+    strength: option_property(options.STRENGTH)
+    rotation: option_property(options.ROTATION)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        turn = math.degrees(self.rotation)
+        return run_and_report(
+            self, lambda: relight.relight(context.scene, self.light, self.strength, turn)
+        )
+
+
+class FANTASIA3D_OT_turntable(bpy.types.Operator):
+    """Render the active asset in one full turn: an MP4 file, or PNG files in a folder"""
+
+    bl_idname = "fantasia3d.turntable"
+    bl_label = "Render Turntable"
+
+    filepath: StringProperty(
+        name="File", description="An MP4 file, or a folder for PNG files", subtype="FILE_PATH",
+        default="//turntable.mp4",
+    )  # fmt: skip
+    filter_glob: StringProperty(default="*.mp4", options={"HIDDEN"})
+    frames: option_property(options.TURN_FRAMES)
+    turn: option_property(options.TURN)
+    size: option_property(options.SIZE)
+    samples: option_property(options.SAMPLES)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return can_run(cls, context, "A render is running." if rendering() else "")
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        out, obj = Path(bpy.path.abspath(self.filepath)), context.active_object
+        settings = {name: getattr(self, name) for name in ("frames", "turn", "size", "samples")}
+        render = relight.turntable if bpy.app.background else _render_in_window
+        return run_and_report(self, lambda: render(obj, out, **settings))
+
+
+class FANTASIA3D_OT_cornell_box(bpy.types.Operator):
+    """Build a Cornell box around the selected assets, with its own light and camera"""
+
+    bl_idname = "fantasia3d.cornell_box"
+    bl_label = "Cornell Box"
+    bl_options = UNDO
+
+    height: option_property(options.BOX_HEIGHT)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        built = cornell_box.box_of(context.scene) is not None
+        return can_run(cls, context, "This scene has a Cornell box already." if built else "")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        meshes = [obj for obj in context.selected_objects if obj.type == "MESH"]
+        return run_and_report(self, lambda: cornell_box.build(context.scene, meshes, self.height))
+
+
+class FANTASIA3D_OT_remove_cornell_box(bpy.types.Operator):
+    """Remove the Cornell box; the assets, the world and the camera are as before"""
+
+    bl_idname = "fantasia3d.remove_cornell_box"
+    bl_label = "Remove Cornell Box"
+    bl_options = UNDO
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set("This scene has no Cornell box.")
+        return cornell_box.box_of(context.scene) is not None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return run_and_report(self, lambda: cornell_box.remove(context.scene))
+
+
+class FANTASIA3D_OT_drop(bpy.types.Operator):
+    """Move the active asset down onto the surface below it, or onto the ground at z = 0"""
+
+    bl_idname = "fantasia3d.drop"
+    bl_label = "Drop to Surface"
+    bl_options = UNDO
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return can_run(cls, context)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return run_and_report(self, lambda: placement.drop(context.active_object))
+
+
+class FANTASIA3D_OT_origin_to_base(bpy.types.Operator):
+    """Set the origin to the lowest point, below the asset's centre"""
+
+    bl_idname = "fantasia3d.origin_to_base"
+    bl_label = "Set Origin to Base"
+    bl_options = UNDO
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return can_run(cls, context)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return run_and_report(self, lambda: placement.origin_to_base(context.active_object))
+
+
+def _render_in_window(obj: bpy.types.Object, out: Path, **settings: object) -> None:
+    """Render as a job of Blender, which leaves the window responsive, and clean up afterwards."""
+    name = relight.turntable_scene(obj, out, **settings).name
+    bpy.ops.render.render("INVOKE_DEFAULT", animation=True, scene=name)
+
+    def clean_up() -> float | None:
+        if rendering():
+            return 0.5
+        # By name: a reference to a datablock does not survive an undo.
+        scene = bpy.data.scenes.get(name)
+        if scene:
+            relight.remove_turntable_scene(scene)
+        return None
+
+    # 2 s: the job must have started before it is looked at.
+    bpy.app.timers.register(clean_up, first_interval=2.0, persistent=True)
+
+
+CLASSES = (
+    FANTASIA3D_OT_relight,
+    FANTASIA3D_OT_turntable,
+    FANTASIA3D_OT_cornell_box,
+    FANTASIA3D_OT_remove_cornell_box,
+    FANTASIA3D_OT_drop,
+    FANTASIA3D_OT_origin_to_base,
+)

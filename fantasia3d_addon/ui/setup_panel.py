@@ -1,0 +1,74 @@
+"""The installation in the panel and in the preferences: buttons, progress, what was found."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..environment import Line
+from ..jobs import environment_setup
+from ..jobs.session import session
+from .text import TAB, error_and_fix, wrapped_label
+
+ICONS = {"ok": "CHECKMARK", "MISSING": "ERROR", "-": "DOT"}  # by a Line's state
+
+
+class FANTASIA3D_PT_set_up(bpy.types.Panel):
+    """The method's Python environment."""
+
+    bl_idname = "FANTASIA3D_PT_set_up"
+    bl_label = "Installation"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
+    bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 90
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_set_up(self.layout, context, repair=True)
+        self.layout.operator("fantasia3d.open_preferences", icon="PREFERENCES")
+
+
+def draw_set_up(
+    layout: bpy.types.UILayout, context: bpy.types.Context, repair: bool = False
+) -> None:
+    """The buttons that create and check the core's Python, and their result.
+
+    ``repair`` adds those that create it again and remove it.
+    """
+    task = session.task
+    if task and task.running:
+        layout.progress(factor=task.fraction, text=f"{task.title}  {task.fraction:.0%}")
+        wrapped_label(layout, context, task.text, dimmed=True)
+        row = layout.row(align=True)
+        row.enabled = not task.cancelled
+        row.operator("fantasia3d.cancel_set_up", icon="CANCEL")
+        return
+    row = layout.row(align=True)
+    row.operator("fantasia3d.set_up", icon="IMPORT")
+    row.operator("fantasia3d.check", icon="VIEWZOOM")
+    reason = environment_setup.reason_against()
+    if reason and not repair:  # not in both places: the main panel's box shows it first
+        wrapped_label(layout, context, reason, "INFO", dimmed=True)
+    if repair:
+        row = layout.row(align=True)
+        row.operator("fantasia3d.repair", icon="FILE_REFRESH")
+        row.operator("fantasia3d.remove_environment", icon="TRASH")
+    if task:
+        _draw_result(layout, context)
+
+
+def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    task = session.task
+    if task is None:
+        return
+    if task.error:
+        error_and_fix(layout, context, task.error, "ERROR")
+        layout.operator("fantasia3d.open_set_up_log", icon="TEXT")
+        return
+    lines = task.result if isinstance(task.result, list) else []  # only a check has lines
+    missing = any(isinstance(line, Line) and line.state == "MISSING" for line in lines)
+    wrapped_label(layout, context, task.text, "ERROR" if missing else "CHECKMARK")
+    column = layout.column(align=True)
+    for line in lines:
+        text, icon = f"{line.name}: {line.text}", ICONS.get(line.state, "DOT")
+        wrapped_label(column, context, text, icon, dimmed=line.state != "MISSING")

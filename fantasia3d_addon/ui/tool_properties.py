@@ -1,0 +1,51 @@
+"""The fields of the tools' panels, kept in the scene."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import EnumProperty, PointerProperty, StringProperty
+
+from .. import options
+from ..material import library as material_library
+from .option_properties import option_property
+from .properties import light_items
+
+MATERIALS = tuple(
+    (name, name.title(), f"The library's material “{name}”") for name in material_library.NAMES
+)
+
+
+class FANTASIA3D_PG_tools(bpy.types.PropertyGroup):
+    """The fields of the tools' panels."""
+
+    light: EnumProperty(name="Light", description="What lights the scene", items=light_items)
+    light_file: StringProperty(
+        name="File", description="A lat-long HDR or EXR picture", subtype="FILE_PATH"
+    )
+    turn: option_property(options.TURN)
+    turn_frames: option_property(options.TURN_FRAMES)
+    turn_size: option_property(options.SIZE)
+    material: EnumProperty(
+        name="Material", description="A material of the add-on's library", items=MATERIALS
+    )
+    own_material: PointerProperty(
+        name="Custom Material",
+        description="A material of this file, instead of one of the library",
+        type=bpy.types.Material,
+    )
+    keep_normals: option_property(options.KEEP_NORMALS)
+    kind: option_property(options.KIND)
+    frames: option_property(options.FRAMES)
+    height: option_property(options.HEIGHT)
+    convex: option_property(options.CONVEX)
+    softness: option_property(options.SOFTNESS)
+    self_collision: option_property(options.SELF_COLLISION)
+    levels: option_property(options.LEVELS)
+    ratio: option_property(options.RATIO)
+    quads: option_property(options.QUADS)
+    format: option_property(options.FORMAT)
+    flip_normal_y: option_property(options.FLIP_NORMAL_Y)
+    tags: option_property(options.TAGS)
+
+
+CLASSES = (FANTASIA3D_PG_tools,)
