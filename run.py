@@ -15,25 +15,24 @@ Commands:
     relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE
+    words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     bench [NAME...]            measure this machine
-    doctor                     what is here, what is missing, how to mend it
+    doctor                     what is here, what is missing, how to fix it
     setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
     package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
     python [ARGUMENTS]         the environment's Python
 
-COMMAND --help tells a command's options. The first run makes an environment for the method's
-Python packages in your data folder (about 3 GB; `doctor` tells where).
+COMMAND --help lists a command's options. The first run makes an environment for the method's
+Python packages in your data folder (about 3 GB; `doctor` says where).
 
-Exit status: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
+Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
 5 no surface could be kept; 130 cancelled.
 """
 
 from __future__ import annotations
 
-import contextlib
 import difflib
-import io
 import json
 import os
 import shutil
@@ -43,114 +42,89 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn
 
 ROOT = Path(__file__).resolve().parent
 if str(ROOT) not in sys.path:  # Blender runs this file without its folder
     sys.path.insert(0, str(ROOT))
 
-from fantasia3d_addon import environment  # noqa: E402 -- standard library only, no bpy
+# Standard library only, no bpy:
+from core.errors import UserError  # noqa: E402
+from fantasia3d_addon import environment  # noqa: E402
 
-JOBS = ("generate", "texture", "resume")  # these end in an asset that Blender may take
-CORE = (*JOBS, "render", "inspect", "export", "bench")
-SCENE = ("relight", "physics", "cornell")  # Blender's alone
-SCENE_FORMATS = ("usd", "usdc", "usda", "usdz", "fbx")  # which the core does not write
-OWN = ("doctor", "setup", "package", "test", "python")
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from core.command_line import Commands
+
+OWN = ("doctor", "setup", "package")
+PASS_ON = ("test", "python")  # whose arguments belong to another program
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
-
-
-class InputError(Exception):
-    """What the user asked for cannot be: a sentence and its cure."""
-
-    status = 2
 
 
 # The command line
 
 
-def take(arguments: Sequence[str], option: str) -> tuple[str | None, list[str]]:
-    """The value of ``option`` (``--name VALUE`` or ``--name=VALUE``), and the other arguments.
+def parser() -> Commands:
+    """Every command and its options: the core's, Blender's and this file's, each declared once."""
+    from core.command_line import Commands, add_core_commands
+    from fantasia3d_addon.cli.parser import add_blender_commands
+
+    commands = Commands((__doc__ or "").partition("\n")[0])
+    add_core_commands(commands)
+    add_blender_commands(commands)
+    commands.add("doctor", "What is here, what is missing, how to fix it.")
+    setup = commands.add("setup", "Make the Python environment now.")
+    setup.add_argument(
+        "groups", nargs="*", metavar="blender|test", help="packages beyond the core's"
+    )
+    setup.add_argument("--renew", action="store_true", help="make it again from nothing")
+    setup.add_argument("--allow-cuda", action="store_true", help="take torch's CUDA build")
+    package = commands.add("package", "The extension for Blender, as a zip.")
+    package.add_argument("--out", type=Path, default=ROOT / "out", metavar="FOLDER")
+    return commands
+
+
+def parse(argv: Sequence[str]) -> Namespace:
+    """The options of ``argv``.
 
     Raises:
-        InputError: the value is missing, or there are two.
+        UserError: a command or an option that does not exist, with the nearest that does; a file
+            that could not be written after an hour's work.
     """
-    value: str | None = None
-    rest: list[str] = []
-    words = iter(arguments)
-    for word in words:
-        name, equals, given = word.partition("=")
-        if name != option:
-            rest.append(word)
-            continue
-        if value is not None:
-            raise InputError(f"{option} stands there twice. Name one file.")
-        value = given if equals else next(words, "")
-        if not value or (not equals and value.startswith("--")):
-            raise InputError(f"{option} has no value. Write {option} FILE.")
-    return value, rest
+    from fantasia3d_addon.cli import parser as route
 
-
-def split(argv: Sequence[str]) -> tuple[list[str], dict[str, str]]:
-    """The core's part of a command line, and Blender's: the files for ``blend`` and ``render``.
-
-    The core's part is empty where Blender alone has something to do (``export --format blend``).
-    """
-    arguments = list(argv)
-    blender: dict[str, str] = {}
-    if argv[0] in JOBS:
-        for name in ("blend", "render"):
-            value, arguments = take(arguments, f"--{name}")
-            if value is not None:
-                blender[name] = value
-    elif argv[0] == "export" and take(argv, "--format")[0] == "blend":
-        out, rest = take(take(argv, "--format")[1], "--out")
-        if out is None:
-            raise InputError("export has no --out. Write --out FILE.blend.")
-        if len(rest) != 2:
-            raise InputError(f"export takes one asset, and got {rest[1:]}. Name its folder.")
-        return [], {"asset": rest[1], "blend": out}
-    return arguments, blender
-
-
-def is_blenders(argv: Sequence[str]) -> bool:
-    """Whether a command is for Blender alone, by one of the add-on's own commands."""
-    if argv[0] in SCENE:
-        return True
-    return argv[0] == "export" and (take(argv, "--format")[0] or "").lower() in SCENE_FORMATS
-
-
-def check_targets(blender: dict[str, str]) -> None:
-    """Refuse files that could not be written after an hour's work.
-
-    Raises:
-        InputError: a wrong ending, a folder, or a place that cannot be written.
-    """
+    commands = parser()
+    names = (*commands.names, *PASS_ON)
+    if argv[0] not in names:
+        near = difflib.get_close_matches(argv[0], names, n=1)
+        hint = f"Did you mean {near[0]}?" if near else f"Use one of {', '.join(names)}."
+        raise UserError(f"There is no command {argv[0]!r}.", hint)
+    args = commands.parse(argv)
     for name, endings in (("blend", (".blend",)), ("render", PICTURES)):
-        if name not in blender:
-            continue
-        path = Path(blender[name]).expanduser().absolute()
-        if path.suffix.lower() not in endings:
-            raise InputError(f"--{name} is {blender[name]!r}. Its name ends in {endings[0]}.")
-        place = next(p for p in path.parents if p.exists())
-        if path.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
-            raise InputError(f"{path} cannot be written. Name a file in a folder of yours.")
+        path = getattr(args, name, None)
+        if path:
+            check_target(f"--{name}", path, endings)
+    if route.saves_blend(args):
+        check_target("--out", args.out, (".blend",))
+    return args
 
 
-def check_command(argv: Sequence[str]) -> None:
-    """Refuse a command that is not there, by name."""
-    known = (*CORE, *SCENE, *OWN)
-    if argv[0] in known:
-        return
-    near = difflib.get_close_matches(argv[0], known, n=1)
-    hint = f"Did you mean {near[0]}?" if near else f"It takes {', '.join(known)}."
-    raise InputError(f"There is no command {argv[0]!r}. {hint}")
+def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
+    """Raise UserError for a wrong ending, a folder, or a place that cannot be written."""
+    if path.suffix.lower() not in endings:
+        raise UserError(f"{option} is {str(path)!r}.", f"Its name ends in {endings[0]}.")
+    full = path.expanduser().absolute()
+    place = next(p for p in full.parents if p.exists())
+    if full.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
+        raise UserError(f"{full} cannot be written.", "Name a file in a folder of yours.")
 
 
 # Handing over
 
 
 def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
-    """Become ``command`` where the system can; else run it and return its exit status."""
+    """Become ``command`` where the system can; else run it and return its exit code."""
     words = [str(word) for word in command]
     sys.stdout.flush()
     sys.stderr.flush()
@@ -160,8 +134,8 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
     with subprocess.Popen(words, env=environment.clean_environ(), cwd=folder) as child:
         # The child gets Ctrl-C too and answers by itself. Only now, or it would inherit this.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-    status = child.returncode
-    return status if status >= 0 else 128 - status
+    code = child.returncode
+    return code if code >= 0 else 128 - code
 
 
 def say(text: str, share: float) -> None:
@@ -170,36 +144,30 @@ def say(text: str, share: float) -> None:
 
 
 def launch(argv: list[str]) -> int:
-    """Carry out a command line under plain Python: the exit status."""
+    """Carry out a command line under plain Python: the exit code."""
     if not argv or argv[0] in ("-h", "--help", "help"):
         print((__doc__ or "").strip())
         return 0 if argv else 2
-    check_command(argv)
     if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
         return hand_over([environment.find_python(), Path(__file__).resolve(), *argv])
-    if argv[0] in OWN:
-        own = {"doctor": doctor, "setup": setup, "package": package, "test": test, "python": python}
-        return own[argv[0]](argv[1:])
-    if is_blenders(argv):
-        python_path = environment.ensure(ROOT, ("blender",), say)
-        return hand_over([python_path, Path(__file__).resolve(), "--scene", *argv])
-    core, blender = split(argv)
-    check_targets(blender)
+    if argv[0] in PASS_ON:
+        return {"test": test, "python": python}[argv[0]](argv[1:])
+    from fantasia3d_addon.cli import parser as route
+
+    args = parse(argv)
+    if args.command in OWN:
+        return {"doctor": doctor, "setup": setup, "package": package}[args.command](args)
+    blender = route.runs_in_blender(args) or route.imports_asset(args)
     python_path = environment.ensure(ROOT, ("blender",) if blender else (), say)
-    if core:
-        return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
-    return hand_over([python_path, Path(__file__).resolve(), "--finish", json.dumps(blender)])
+    return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
 
 
-def setup(arguments: list[str]) -> int:
+def setup(args: Namespace) -> int:
     """Make the environment, with the groups that are named."""
-    flags = {word for word in arguments if word in ("--renew", "--allow-cuda")}
-    groups = [word for word in arguments if word not in flags]
-    wrong = [word for word in groups if word not in ("blender", "test")]
+    wrong = [name for name in args.groups if name not in ("blender", "test")]
     if wrong:
-        raise InputError(f"setup has no {wrong[0]!r}, but blender, test, --renew, --allow-cuda.")
-    cuda, renew = "--allow-cuda" in flags, "--renew" in flags
-    print(environment.ensure(ROOT, groups, say, allow_cuda=cuda, renew=renew))
+        raise UserError(f"setup has no {wrong[0]!r}.", "Use blender, test, --renew, --allow-cuda.")
+    print(environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew))
     return 0
 
 
@@ -209,12 +177,11 @@ def test(arguments: list[str]) -> int:
     return hand_over([python_path, "-m", "pytest", *arguments], ROOT)
 
 
-def package(arguments: list[str]) -> int:
+def package(args: Namespace) -> int:
     """Build the extension's zip with Blender's own builder, and validate it."""
-    out, rest = take(arguments, "--out")
-    if rest:
-        raise InputError(f"package takes --out FOLDER alone, and got {rest[0]!r}.")
-    folder = Path(out or ROOT / "out").expanduser().absolute()
+    folder = args.out.expanduser().absolute()
+    if folder.exists() and not folder.is_dir():
+        raise UserError(f"{folder} is a file.", "Name a folder: package --out FOLDER.")
     builder = find_builder(environment.ensure(ROOT, ("blender",), say))
     with tempfile.TemporaryDirectory() as temporary:
         source = Path(temporary) / "fantasia3d"
@@ -232,7 +199,7 @@ def use_builder(command: Sequence[str | Path], folder: str) -> None:
     environ = environment.clean_environ()
     done = subprocess.run(command, env=environ, cwd=folder, capture_output=True, text=True)
     if done.returncode:
-        raise InputError(f"Blender's builder refuses: {(done.stdout + done.stderr).strip()}")
+        raise UserError(f"Blender's builder refuses: {(done.stdout + done.stderr).strip()}")
 
 
 def find_builder(python_path: Path) -> list[str | Path]:
@@ -243,7 +210,7 @@ def find_builder(python_path: Path) -> list[str | Path]:
     )
     found = list(Path(done.stdout.strip()).glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
     if not found:
-        raise InputError("This bpy has no extension builder. Run setup blender --renew.")
+        raise UserError("This bpy has no extension builder.", "Run setup blender --renew.")
     return [python_path, found[0]]
 
 
@@ -268,62 +235,49 @@ def python(arguments: list[str]) -> int:
 # Inside the environment
 
 
-class Heard(io.StringIO):
-    """Standard output that is remembered too: the core's last line is the asset's folder."""
+def inside(argv: list[str], only_core: bool = False) -> int:
+    """Carry out a command in this process; hand its asset over to Blender's part afterwards."""
+    from core.command_line import carry_out, exit_code
+    from fantasia3d_addon.cli import parser as route
 
-    def __init__(self, stream: TextIO) -> None:
-        super().__init__()
-        self.stream = stream
-
-    def write(self, text: str) -> int:
-        self.stream.write(text)
-        return super().write(text)
-
-    def flush(self) -> None:
-        self.stream.flush()
-
-    def isatty(self) -> bool:
-        return self.stream.isatty()
-
-    def fileno(self) -> int:
-        return self.stream.fileno()
-
-
-def inside(argv: list[str]) -> int:
-    """Carry out a command of the core's in this process; become Blender's part afterwards."""
-    from core.command_line import main
-
-    core, blender = split(argv)
-    if not blender:
-        return main(core)
-    heard = Heard(sys.stdout)
-    with contextlib.redirect_stdout(heard):
-        status = main(core)
-    if status:
-        return status
-    asset = Path(heard.getvalue().strip().splitlines()[-1])
-    job = json.loads((asset.parent / "job.json").read_text(encoding="utf-8"))
-    order = json.dumps({**blender, "asset": str(asset), "light": job.get("light")})
+    args = parse(argv)
+    if route.runs_in_blender(args):
+        leave(in_blender(args))
+    made: list[Path | None] = []
+    code = exit_code(lambda: made.append(carry_out(args)))
+    if code or only_core or not route.imports_asset(args):
+        return code
+    # In a process of its own: neither torch nor what the training holds has a place in Blender's.
+    request = {"asset": str(made[0]), "blend": args.blend, "render": args.render}
+    order = json.dumps({key: str(value) for key, value in request.items() if value})
     return hand_over([sys.executable, Path(__file__).resolve(), "--finish", order])
+
+
+def in_blender(args: Namespace) -> int:
+    """Carry out a command of Blender's, in this process: the exit code."""
+    from fantasia3d_addon.cli import headless, parser
+
+    if parser.saves_blend(args):
+        return headless.finish(args.asset, blend=args.out)
+    return headless.command(args)
 
 
 def finish(order: str) -> NoReturn:
     """Import an asset with the bpy module, save the scene and render it, as ``order`` says."""
     from fantasia3d_addon.cli import headless
 
-    wishes = json.loads(order)
-    asset = Path(wishes.pop("asset"))
-    leave(headless.finish(asset, **wishes) or 0)
+    request = {key: Path(value) for key, value in json.loads(order).items()}
+    leave(headless.finish(request.pop("asset"), **request))
 
 
-def leave(status: int) -> NoReturn:
+def leave(code: int) -> NoReturn:
     """End the process at once: bpy may hang or crash at an ordinary exit."""
     blender = sys.modules.get("bpy")
     if blender:  # which would have done this itself
         shutil.rmtree(blender.app.tempdir, ignore_errors=True)
     sys.stdout.flush()
     sys.stderr.flush()
-    os._exit(status)
+    os._exit(code)
 
 
 # Under Blender
@@ -331,31 +285,33 @@ def leave(status: int) -> NoReturn:
 
 def under_blender(argv: list[str]) -> int:
     """Carry out a command line inside Blender, whose own scene takes the asset."""
-    if not argv or argv[0] in (*OWN, "-h", "--help", "help"):
+    if not argv or argv[0] in (*OWN, *PASS_ON, "-h", "--help", "help"):
         return launch(argv)
-    check_command(argv)
-    if is_blenders(argv):
-        from fantasia3d_addon.cli import headless
-
-        return headless.command(argv)
-    core, blender = split(argv)
-    check_targets(blender)
-    python_path = environment.ensure(ROOT, (), say)
-    if core and argv[0] not in JOBS:
-        return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
+    from core.command_line import JOBS, default_run_folder
     from fantasia3d_addon.cli import headless
+    from fantasia3d_addon.cli import parser as route
 
-    if core:
-        # Blender's own handler is no Python function, and could not be put back after the job.
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        return headless.main(argv, python_path, ROOT)
-    return headless.finish(Path(blender["asset"]), blend=blender["blend"]) or 0
+    args = parse(argv)
+    if route.runs_in_blender(args):
+        return in_blender(args)
+    python_path = environment.ensure(ROOT, (), say)
+    core = [python_path, Path(__file__).resolve()]
+    if args.command not in JOBS:
+        return hand_over([*core, "--inside", *argv])
+    # The run's folder is chosen here, so that its asset is known without asking the core.
+    more: list[str] = []
+    folder = args.run if args.command == "resume" else args.out
+    if folder is None:
+        folder = default_run_folder(args.prompt)
+        more = ["--out", str(folder)]
+    # Blender's own handler is no Python function, and could not be put back after the job.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    command = [*core, "--core", *argv, *more]
+    return headless.run_job(command, folder / "asset", args.blend, args.render)
 
 
-def doctor(arguments: list[str]) -> int:
+def doctor(_: Namespace) -> int:
     """Print what is here and what is missing; 0 when ``generate`` can run at once, else 3."""
-    if arguments:
-        raise InputError(f"doctor takes no arguments, and got {arguments[0]!r}.")
     lines = environment.examine(ROOT)
     for line in lines:
         print(f"{line.name:<17} {line.state:<8} {line.text}")
@@ -365,18 +321,14 @@ def doctor(arguments: list[str]) -> int:
 
 
 def main(argv: list[str]) -> int:
-    """Carry out a command line wherever this runs: the exit status."""
+    """Carry out a command line wherever this runs: the exit code."""
     try:
-        if argv[:1] == ["--inside"]:
-            return inside(argv[1:])
+        if argv[:1] in (["--inside"], ["--core"]):
+            return inside(argv[1:], only_core=argv[0] == "--core")
         if argv[:1] == ["--finish"]:
             finish(argv[1])
-        if argv[:1] == ["--scene"]:
-            from fantasia3d_addon.cli import headless
-
-            leave(headless.command(argv[1:]) or 0)
         return under_blender(argv) if "bpy" in sys.modules else launch(argv)
-    except (InputError, environment.SetupError) as error:
+    except (UserError, environment.SetupError) as error:
         print(f"error: {error}", file=sys.stderr)
         return error.status
     except KeyboardInterrupt:

@@ -22,6 +22,13 @@ FAKE_CORE = Path(__file__).parent / "fake_core"
 PYTHON = Path(sys.executable)
 
 
+def run_core(prompt, folder, blend=None, render=None) -> int:
+    """A job of the fake core, whose asset Blender takes."""
+    command = [PYTHON, "-P", "-m", "core", "generate", prompt, "--out", folder]
+    environ = {"PYTHONPATH": str(FAKE_CORE)}
+    return headless.run_job(command, folder / "asset", blend, render, environ)
+
+
 @pytest.fixture
 def quick(monkeypatch):
     """Pictures of 32 pixels and two samples."""
@@ -39,8 +46,7 @@ def quick(monkeypatch):
 def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch, capfd):
     monkeypatch.setenv("FAKE_ASSET", str(asset))
     out, blend, png = tmp_path / "run", tmp_path / "new" / "chair.blend", tmp_path / "chair.png"
-    argv = ["generate", "a chair", "--blend", str(blend), f"--render={png}", "--out", str(out)]
-    assert headless.main(argv, PYTHON, FAKE_CORE) == 0
+    assert run_core("a chair", out, blend, png) == 0
     output = capfd.readouterr().out
     assert "the fake core" in output
     assert str(blend) in output
@@ -57,30 +63,26 @@ def test_a_job_ends_in_a_file_and_a_picture(asset, tmp_path, quick, monkeypatch,
 
 def test_without_files_to_make_blender_does_nothing(asset, tmp_path, monkeypatch):
     monkeypatch.setenv("FAKE_ASSET", str(asset))
-    argv = ["generate", "a chair", "--out", str(tmp_path / "run")]
-    assert headless.main(argv, PYTHON, FAKE_CORE) == 0
+    assert run_core("a chair", tmp_path / "run") == 0
     assert not bpy.data.objects
 
 
 def test_the_cores_sentence_and_status_are_passed_on(tmp_path, capfd):
     blend = tmp_path / "x.blend"
-    argv = ["generate", "fail", "--blend", str(blend), "--out", str(tmp_path / "run")]
-    assert headless.main(argv, PYTHON, FAKE_CORE) == 2
+    assert run_core("fail", tmp_path / "run", blend) == 2
     assert "error: There is no noun 'blorb'. Say chair." in capfd.readouterr().err
     assert not blend.exists()
 
 
 def test_a_core_that_dies_has_the_status_of_its_signal(tmp_path):
-    argv = ["generate", "die", "--out", str(tmp_path / "run")]
-    assert headless.main(argv, PYTHON, FAKE_CORE) == 134
+    assert run_core("die", tmp_path / "run") == 134
 
 
 def test_ctrl_c_is_the_cores_to_answer(tmp_path):
     """In a terminal both processes get it: the core stops cleanly, and Blender passes that on."""
     code = (
-        "import os; from pathlib import Path; from fantasia3d_addon.cli import headless\n"
-        f"argv = ['generate', 'long', '--out', {str(tmp_path / 'run')!r}, '--blend', 'x.blend']\n"
-        f"os._exit(headless.main(argv, Path({sys.executable!r}), Path({str(FAKE_CORE)!r})))"
+        "import os; from pathlib import Path; from blender_tests.test_headless import run_core\n"
+        f"os._exit(run_core('long', Path({str(tmp_path / 'run')!r}), Path('x.blend')))"
     )
     process = subprocess.Popen(blender_command(code), start_new_session=True)
     events, deadline = tmp_path / "run" / "events.jsonl", time.monotonic() + 60

@@ -59,6 +59,11 @@ class Commands:
     def __getitem__(self, name: str) -> Parser:
         return self._parsers.choices[name]
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All commands."""
+        return tuple(self._parsers.choices)
+
     def parse(self, argv: Sequence[str]) -> argparse.Namespace:
         """The options of ``argv``; a misspelt one is named, with the nearest that there is."""
         args, unknown = self.parser.parse_known_args(argv)
@@ -116,6 +121,9 @@ def add_core_commands(commands: Commands) -> None:
     export.add_argument("asset", type=Path)
     export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
+
+    words = add("words", "What the built-in prior understands of a prompt, as JSON.")
+    words.add_argument("prompt")
 
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
@@ -272,7 +280,8 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     """Carry out a parsed command; the folder of the asset that it made, if it made one."""
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
-    {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}[args.command](args)
+    other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
+    (other | {"words": _words})[args.command](args)
     return None
 
 
@@ -305,8 +314,9 @@ def _resume(args: argparse.Namespace) -> Path:
 def _render(args: argparse.Namespace) -> None:
     from core.picture import render_asset
 
-    options = {key: value for key, value in vars(args).items() if key != "command"}
-    render_asset(options.pop("asset"), options.pop("out"), **options)
+    names = ("light", "azimuth_deg", "elevation_deg", "fovy_deg", "distance", "size", "map")
+    options = {name: getattr(args, name) for name in names}
+    render_asset(args.asset, args.out, **options)
 
 
 def _inspect(args: argparse.Namespace) -> None:
@@ -319,6 +329,15 @@ def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
 
     export(args.asset, args.format, args.out)
+
+
+def _words(args: argparse.Namespace) -> None:
+    from core.guidance.builtin.vocabulary import understood, words_report
+
+    report, code = words_report(args.prompt)
+    print(json.dumps(report, indent=1, ensure_ascii=False))
+    if code:
+        understood(args.prompt)  # raises what the report says
 
 
 def _bench(args: argparse.Namespace) -> None:

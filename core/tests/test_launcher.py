@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 
 import run
+from core.errors import Cancelled, NoSurfaceError, UserError
+from fantasia3d_addon.cli import parser
 from run import environment
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the stand-ins are shell programs")
@@ -22,45 +24,55 @@ ROOT = Path(run.__file__).parent
 
 
 @pytest.mark.parametrize(
-    ("line", "core", "blender"),
+    ("line", "blender"),
     [
-        (["generate", "a chair"], ["generate", "a chair"], {}),
+        (["generate", "a chair"], False),
         (
             ["generate", "a chair", "--blend", "c d.blend", "--seed", "3", "--render=ü.png"],
-            ["generate", "a chair", "--seed", "3"],
-            {"blend": "c d.blend", "render": "ü.png"},
+            "import",
         ),
-        (["resume", "out/r", "--render", "r.png"], ["resume", "out/r"], {"render": "r.png"}),
-        (["export", "a", "--format", "glb", "--out", "f"],) * 2 + ({},),
-        (
-            ["export", "--format=blend", "a/asset", "--out", "f.blend"],
-            [],
-            {"asset": "a/asset", "blend": "f.blend"},
-        ),
-        (["render", "a", "--out", "f.png"], ["render", "a", "--out", "f.png"], {}),
+        (["resume", "out/r", "--render", "r.png"], "import"),
+        (["export", "a", "--format", "glb", "--out", "f.glb"], False),
+        (["export", "a", "--format", "fbx", "--out", "f.fbx"], "alone"),
+        (["export", "a", "--format", "glb", "--out", "f.glb", "--material", "gold"], "alone"),
+        (["export", "--format=blend", "a/asset", "--out", "f.blend"], "alone"),
+        (["relight", "a", "--render", "f.png"], "alone"),
+        (["render", "a", "--out", "f.png"], False),
+        (["words", "a chair"], False),
     ],
 )
-def test_blender_takes_its_options_and_the_core_the_rest(line, core, blender):
-    assert run.split(line) == (core, blender)
+def test_each_command_goes_to_the_core_or_to_blender(line, blender):
+    args = run.parse(line)
+    assert parser.imports_asset(args) == (blender == "import")
+    assert parser.runs_in_blender(args) == (blender == "alone")
 
 
 @pytest.mark.parametrize(
     ("line", "say"),
     [
         (["generat", "a chair"], "no command 'generat'. Did you mean generate?"),
-        (["generate", "a chair", "--blend"], "--blend has no value"),
-        (["generate", "a chair", "--blend", "--seed", "3"], "--blend has no value"),
+        (["generate", "a chair", "--blend"], "--blend: expected one argument"),
+        (["generate", "a chair", "--blend", "--seed", "3"], "--blend: expected one argument"),
+        (["relight", "X", "--ligt", "a"], "Did you mean --light?"),
+        (["physics", "X", "--physics", "magic"], "invalid choice: 'magic'"),
+        (["physics", "X"], "--physics"),
+        (
+            ["physics", "X", "--physics", "soft", "--softness", "5"],
+            "'5' is not allowed; use 0 to 1",
+        ),
         (["generate", "x", "--blend", "a.blend", "--blend", "b.blend"], "twice"),
         (["generate", "x", "--blend", "a.obj"], "ends in .blend"),
         (["generate", "x", "--render", "picture"], "ends in .png"),
         (["texture", "m.obj", "x", "--render", f"{__file__}/x.png"], "cannot be written"),
-        (["export", "--format", "blend", "--out", "x.blend"], "takes one asset"),
-        (["export", "asset", "--format", "blend"], "no --out"),
+        (["export", "--format", "blend", "--out", "x.blend"], "required: asset"),
+        (["export", "asset", "--format", "blend"], "required: --out"),
+        (["export", "asset", "--format", "blend", "--out", "x.obj"], "ends in .blend"),
         (["setup", "everything"], "setup has no 'everything'"),
-        (["doctor", "now"], "doctor takes no arguments"),
+        (["doctor", "now"], "doctor has no option 'now'"),
+        (["package", "--out", __file__], "is a file"),
     ],
 )
-def test_wrong_input_is_one_sentence_and_status_2(box, capsys, line, say):
+def test_wrong_input_is_one_sentence_and_exit_code_2(box, capsys, line, say):
     assert run.main(line) == 2
     said = capsys.readouterr().err
     assert say in said
@@ -79,7 +91,18 @@ def test_help_needs_no_environment(box, capsys):
 def test_help_names_every_command(capsys):
     run.main(["--help"])
     said = capsys.readouterr().out
-    assert [name for name in (*run.CORE, *run.OWN) if f"\n    {name} " not in said] == []
+    names = (*run.parser().names, *run.PASS_ON)
+    assert [name for name in names if f"\n    {name} " not in said] == []
+
+
+def test_the_help_of_a_command_needs_no_environment(box, capsys):
+    with pytest.raises(SystemExit) as ended:
+        run.main(["generate", "--help"])
+    assert ended.value.code == 0
+    said = capsys.readouterr().out
+    assert "--seed" in said  # the core's
+    assert "--blend" in said  # Blender's
+    assert not box.log
 
 
 @pytest.mark.parametrize(
@@ -93,35 +116,35 @@ def test_an_old_python_gets_far_enough_to_say_what_it_needs(path):
 
 
 @pytest.mark.parametrize("line", [["generate", "a chair"], ["resume", "RUN"]])
-def test_blender_takes_the_asset_that_the_core_names_last(tmp_path, monkeypatch, capsys, line):
+def test_blender_takes_the_asset_that_the_core_made(tmp_path, monkeypatch, line):
     asset = tmp_path / "a chair, ü" / "asset"
-    asset.mkdir(parents=True)
-    (asset.parent / "job.json").write_text('{"light": "city.exr"}')
     became = []
-
-    def work(arguments: list[str]) -> int:
-        assert arguments == line
-        print("geometry 1/2")
-        print(asset, flush=True)
-        return 0
-
-    monkeypatch.setattr("core.command_line.main", work)
+    monkeypatch.setattr("core.command_line.carry_out", lambda args: asset)
     monkeypatch.setattr(run, "hand_over", lambda command: became.append(command) or 0)
     assert run.main(["--inside", *line, "--blend", "c.blend"]) == 0
-    assert capsys.readouterr().out == f"geometry 1/2\n{asset}\n"
     assert became[0][2] == "--finish"
-    assert json.loads(became[0][3]) == {
-        "asset": str(asset),
-        "blend": "c.blend",
-        "light": "city.exr",
-    }
+    assert json.loads(became[0][3]) == {"asset": str(asset), "blend": "c.blend"}
+    assert run.main(["--core", *line, "--blend", "c.blend"]) == 0
+    assert len(became) == 1, "the core alone"
 
 
-@pytest.mark.parametrize("status", [2, 5, 130])
-def test_a_failed_job_ends_before_blender_with_its_status(monkeypatch, status):
-    monkeypatch.setattr("core.command_line.main", lambda _: status)
+@pytest.mark.parametrize("error", [UserError, NoSurfaceError, Cancelled])
+def test_a_failed_job_ends_before_blender_with_its_exit_code(monkeypatch, capsys, error):
+    def fail(args):
+        raise error("It failed.")
+
+    monkeypatch.setattr("core.command_line.carry_out", fail)
     monkeypatch.setattr(run, "hand_over", lambda _: pytest.fail("Blender was started"))
-    assert run.main(["--inside", "generate", "a chair", "--render", "c.png"]) == status
+    assert run.main(["--inside", "generate", "a chair", "--render", "c.png"]) == error.status
+    assert "It failed." in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("prompt", "code"), [("a red chair", 0), ("a blorb", 2)])
+def test_words_are_reported_as_json(capsys, prompt, code):
+    assert run.main(["--inside", "words", prompt]) == code
+    report = json.loads(capsys.readouterr().out)
+    assert report["prompt"] == prompt
+    assert report.get("thing") == ("chair" if code == 0 else None)
 
 
 def launcher(*arguments: str, **environ: str) -> subprocess.Popen[str]:
@@ -135,13 +158,13 @@ def launcher(*arguments: str, **environ: str) -> subprocess.Popen[str]:
     )
 
 
-def test_the_exit_status_passes_through():
+def test_the_exit_code_passes_through():
     child = launcher("python", "-c", "import sys; sys.exit(7)")
     child.communicate()
     assert child.returncode == 7
 
 
-def test_a_sentence_of_the_cores_passes_through_with_its_status():
+def test_a_sentence_of_the_cores_passes_through_with_its_exit_code():
     child = launcher("inspect", "--siez", "3", "x")
     out, err = child.communicate()
     assert child.returncode == 2, err
@@ -160,7 +183,7 @@ def test_ctrl_c_reaches_the_work_and_ends_it():
 
 
 @pytest.mark.parametrize("code", ["sys.exit(7)", "os.kill(os.getpid(), 9)"])
-def test_where_a_process_cannot_become_another_it_waits_and_tells_the_status(code):
+def test_where_a_process_cannot_become_another_it_waits_and_returns_the_exit_code(code):
     script = (
         "import sys, types, signal; sys.modules['bpy'] = types.ModuleType('bpy')\n"
         "import run; status = run.hand_over([sys.executable, '-c', sys.argv[1]])\n"
@@ -181,7 +204,7 @@ def test_another_pythons_variables_do_not_reach_the_environment():
     assert child.communicate()[0].split() == ["None", "None"]
 
 
-def test_doctor_says_what_is_missing_and_how_to_mend_it(tmp_path):
+def test_doctor_says_what_is_missing_and_how_to_fix_it(tmp_path):
     child = launcher("doctor", FANTASIA3D_PYTHON="", FANTASIA3D_ENV=str(tmp_path / "none"))
     out, err = child.communicate()
     assert child.returncode == 3

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, NoReturn
 
 import bpy
 import numpy as np
@@ -18,7 +16,6 @@ from ..blender.mesh_arrays import mesh_object, world_verts
 from ..errors import AddonError, LightError
 from ..material import edit as material_edit
 from ..mesh import export
-from ..options import Option
 from ..physics import simulation
 from ..scene import cornell_box, light, relight
 from ..scene import render as scene_render
@@ -27,116 +24,18 @@ LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset 
 SEVERAL_USD = {".usd": (".usdc", ".usda", ".usdz")}  # --format usd allows each of these
 
 
-class Parser(argparse.ArgumentParser):
-    """Reports what is wrong as one sentence."""
-
-    def error(self, message: str) -> NoReturn:
-        raise AddonError(f"{message[:1].upper()}{message[1:]}.", f"See: run.py {self.prog} --help")
-
-
-def parser() -> Parser:
-    """All commands and their options."""
-    top = Parser(prog="", usage="run.py COMMAND …", description=__doc__, allow_abbrev=False)
-    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    asset_help = "an asset or run folder; or the name of a mesh object of the open file"
-
-    def add(name: str, text: str, many: bool = False) -> Parser:
-        command = commands.add_parser(name, help=text, description=text, allow_abbrev=False)
-        nargs = {"nargs": "+"} if many else {}
-        command.add_argument("asset", metavar="ASSET", help=asset_help, **nargs)
-        return command
-
-    _add_relight(add("relight", "An asset in another light: picture, turntable, Blender file."))
-    _add_physics(add("physics", "An asset simulated and baked; --render shows one frame."))
-    _add_picture_options(add("cornell", "Assets next to each other in a Cornell box.", many=True))
-    _add_export(add("export", "An asset as one file for another program."))
-    return top
-
-
-def _add_relight(command: Parser) -> None:
-    command.add_argument("--turntable", type=Path, metavar="FILE.mp4|FOLDER")
-    _add(command, options.TURN)
-    _add(command, options.TURN_FRAMES)
-    _add_picture_options(command)
-    _add_light_options(command)
-
-
-def _add_physics(command: Parser) -> None:
-    _add(command, options.KIND, flag="--physics", required=True, default=None)
-    for option in options.SIMULATION:
-        _add(command, option)
-    command.add_argument("--at", type=int, metavar="FRAME", help="rendered; default: the last")
-    _add_picture_options(command)
-    _add_light_options(command)
-
-
-def _add_export(command: Parser) -> None:
-    command.add_argument("--format", required=True, help=", ".join(e[1:] for e in export.ENDINGS))
-    command.add_argument("--out", type=Path, required=True, metavar="FILE")
-    _add(command, options.FLIP_NORMAL_Y)
-    _add(command, options.MATERIAL, default=None)
-
-
-def _add_picture_options(command: Parser) -> None:
-    _add(command, options.MATERIAL, default=None)
-    command.add_argument("--blend", type=Path, metavar="FILE.blend")
-    command.add_argument("--render", type=Path, metavar="FILE.png")
-    _add(command, options.SIZE)
-    _add(command, options.SAMPLES)
-
-
-def _add_light_options(command: Parser) -> None:
-    command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
-    # No default: without it the exposure is set so that white is just not clipped.
-    _add(command, options.STRENGTH, default=None)
-    _add(command, options.ROTATION, flag="--rotation-deg")
-
-
-def _add(command: Parser, option: Option, flag: str = "", **more: Any) -> None:
-    """Add ``option`` as ``--its-name``; ``more`` overrides parts of it."""
-    flag = flag or f"--{option.name.replace('_', '-')}"
-    settings: dict[str, Any] = {"dest": option.name, "help": option.tip.replace("%", "%%")}
-    if isinstance(option.default, bool):
-        settings |= {"action": "store_true"}
-    elif option.items:  # in lower case, as a command line has it
-        choices = [name.lower() for name in option.names]
-        settings |= {"choices": choices, "default": str(option.default).lower()}
-    else:
-        settings |= {"type": _checked(option), "default": option.default}
-        settings |= {"metavar": "NAME" if isinstance(option.default, str) else "NUMBER"}
-    command.add_argument(flag, **(settings | more))
-
-
-def _checked(option: Option) -> Callable[[str], Any]:
-    """A reader of the option's value that refuses what is not in its range."""
-
-    def read(text: str) -> Any:
-        if isinstance(option.default, str):
-            return text
-        try:
-            value = type(option.default)(text)
-        except ValueError:
-            value = float("nan")
-        if not option.allows(value):
-            raise argparse.ArgumentTypeError(f"{text!r} is not allowed; use {option.range}")
-        return value
-
-    return read
-
-
-def run(argv: Sequence[str]) -> list[Path]:
-    """Run the command ``argv``; the files that were written.
+def run(args: argparse.Namespace) -> list[Path]:
+    """Run a parsed command; the files that were written.
 
     Raises:
         AddonError: what the user can fix.
     """
-    args = parser().parse_args(argv)
     _check(args)
     is_empty = not bpy.data.filepath
     if is_empty:
         bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    names = [args.asset] if isinstance(args.asset, str) else args.asset
-    objs = [_object(name) for name in names]
+    names = args.asset if isinstance(args.asset, list) else [args.asset]
+    objs = [_object(str(name)) for name in names]
     for obj in objs if args.material else ():
         material_edit.replace_material(obj, args.material)
     bpy.context.view_layer.update()

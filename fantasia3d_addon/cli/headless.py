@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import os
 import signal
@@ -23,19 +24,21 @@ from . import commands
 USER_ERROR = 2  # the exit code for what the user can fix
 
 
-def main(argv: Sequence[str], core_python: Path, core_root: Path) -> int:
-    """Run a job of the command line and import its asset into this Blender: the exit code.
+def run_job(
+    command: Sequence[str | Path],
+    asset: Path,
+    blend: Path | None = None,
+    render: Path | None = None,
+    environ: dict[str, str] | None = None,
+) -> int:
+    """Run the core's ``command``, then import its ``asset`` into this Blender: the exit code.
 
-    ``argv`` is that of ``run.py``, with ``--blend FILE`` and ``--render FILE``. The core parses the
-    rest itself, so that there is one command line; its progress, messages and exit codes reach
-    this terminal unchanged.
+    The core's progress, messages and exit code reach this terminal unchanged.
     """
-    rest, blend = _take(argv, "--blend")
-    rest, render = _take(rest, "--render")
-    code, last_line = _run_core(rest, core_python, core_root)
-    if code or not last_line or not (blend or render):
+    code = _run_core(command, environ or {})
+    if code or not (blend or render):
         return code
-    return finish(Path(last_line), blend, render)
+    return finish(asset, blend, render)
 
 
 def finish(
@@ -60,13 +63,11 @@ def finish(
     return 0
 
 
-def command(argv: Sequence[str]) -> int:
+def command(args: argparse.Namespace) -> int:
     """Run one of :mod:`commands` in this Blender: the exit code."""
-    if {"-h", "--help"} & set(argv):
-        commands.parser().parse_args(list(argv))  # prints the help and exits
     try:
         with _quiet():
-            written = commands.run(argv)
+            written = commands.run(args)
     except AddonError as error:
         return _report(error)
     for path in written:
@@ -112,18 +113,16 @@ def _light_file(name: str | None) -> Path:
         return lights.light_file(lights.STUDIO)
 
 
-def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
-    """Run ``python -m core``; its exit code, and the last line it printed: the asset's folder.
+def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
+    """Run ``command``; its exit code.
 
     Ctrl-C reaches the core through the terminal; it stops cleanly and exits with its own code.
     """
-    environ = clean_environ() | {"PYTHONPATH": str(root), "PYTHONUNBUFFERED": "1"}
-    last_line = ""
     with subprocess.Popen(
-        [str(python), "-P", "-m", "core", *argv],  # -P: the user's folder may hold a "core" too
-        env=environ,
+        [str(word) for word in command],
+        env=clean_environ() | {"PYTHONUNBUFFERED": "1"} | environ,
         stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
+        stdout=subprocess.PIPE,  # Blender may have no terminal of its own to pass on
         encoding="utf-8",
         errors="replace",
     ) as process:
@@ -131,10 +130,9 @@ def _run_core(argv: Sequence[str], python: Path, root: Path) -> tuple[int, str]:
         with _ignore_ctrl_c():  # after the start, or the core would inherit it
             for line in process.stdout:
                 print(line, end="", flush=True)
-                last_line = line.strip() or last_line
             process.wait()
     code = process.returncode
-    return (code if code >= 0 else 128 - code), last_line  # as a shell reports signals
+    return code if code >= 0 else 128 - code  # as a shell reports signals
 
 
 @contextlib.contextmanager
@@ -149,18 +147,6 @@ def _ignore_ctrl_c() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, handler)
-
-
-def _take(argv: Sequence[str], option: str) -> tuple[list[str], str | None]:
-    """``argv`` without ``option``, and its value."""
-    rest, value, words = [], None, iter(argv)
-    for word in words:
-        name, equals, given = word.partition("=")
-        if name == option:
-            value = given if equals else next(words, None)
-        else:
-            rest.append(word)
-    return rest, value
 
 
 @contextlib.contextmanager
