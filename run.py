@@ -266,8 +266,8 @@ def finish(order: str) -> NoReturn:
     """Import an asset with the bpy module, save the scene and render it, as ``order`` says."""
     from fantasia3d_addon.cli import headless
 
-    request = {key: Path(value) for key, value in json.loads(order).items()}
-    leave(headless.finish(request.pop("asset"), **request))
+    request = json.loads(order)
+    leave(headless.finish(Path(request["asset"]), request.get("blend"), request.get("render")))
 
 
 def leave(code: int) -> NoReturn:

@@ -26,7 +26,7 @@ from core.appearance.brdf import (
 from core.appearance.environment import Environment
 from core.appearance.lamps import split_lamps
 from core.appearance.latlong import Levels, convolve, resample
-from core.appearance.occlusion import Openness
+from core.appearance.occlusion import VertexVisibility
 from core.appearance.shade import shade
 from core.appearance.shaded import UvMesh, surface_at
 from core.camera import Cameras
@@ -132,10 +132,12 @@ def asset_pixels(
     fragments = rasterize(mesh.verts, mesh.faces, CAMERA.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, CAMERA)
     m = maps_source(asset)(surface.points, surface.uv)
-    shares = None
+    occlusion = None
     if self_shadow:
-        shares = interpolate(Openness.of(mesh.verts, mesh.faces).shares(environment), fragments)
-    color = shade(surface.shading_normal(m.kn), surface.to_eye, *m[:3], environment, shares)
+        occlusion = interpolate(
+            VertexVisibility.of(mesh.verts, mesh.faces).occlusion(environment), fragments
+        )
+    color = shade(surface.shading_normal(m.kn), surface.to_eye, *m[:3], environment, occlusion)
     picture = torch.zeros(size * size, 3).index_copy(0, fragments.pixel, color)
     return picture.view(size, size, 3), fragments.face_id[0] >= 0
 

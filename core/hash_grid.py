@@ -50,7 +50,7 @@ class HashGrid(nn.Module):
     def forward(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n w"]:
         """Features of points in [-extent, extent]³, coarse levels first; outside: the nearest's."""
         unit = (points / (2 * self.extent) + 0.5).clamp(0, 1)
-        if kernels.fit(self.table, points):
+        if kernels.supports(self.table, points):
             return kernels.SampleHashGrid.apply(self.table, unit, self.resolutions, self.sizes)
         return _Sample.apply(self.table, unit.T.contiguous(), self.resolutions, self.sizes)
 

@@ -14,7 +14,7 @@ def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b
 
 def normalize(x: Float[Tensor, "*b c"], eps: float = 1e-12) -> Float[Tensor, "*b c"]:
     """``x`` at unit length; ``eps`` bounds the squared length, so that a zero stays zero."""
-    if kernels.fit(x):
+    if kernels.supports(x):
         return kernels.Normalize.apply(x, eps)
     return x * torch.rsqrt(dot(x, x).clamp(min=eps))
 

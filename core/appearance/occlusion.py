@@ -29,51 +29,51 @@ CHANNELS = 3 + 1 + len(DEGREES)  # 20
 
 
 @dataclass(frozen=True)
-class Openness:
+class VertexVisibility:
     """What V vertices see of K directions."""
 
     directions: Float[Tensor, "k 3"]
     cosine: Float[Tensor, "v k"]  # to the normal, no less than 0, times solid angle by π
-    free: Bool[Tensor, "v k"]  # the way out is free; also below the horizon, which nothing asks of
+    clear: Bool[Tensor, "v k"]  # no face is in the way; also below the horizon, where none looks
     normals: Float[Tensor, "v 3"]
 
     @classmethod
     def of(
         cls, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], count: int = DIRECTIONS
-    ) -> "Openness":
+    ) -> "VertexVisibility":
         """Look around from each vertex; on the CPU, 1.2 s for 20,000 faces."""
         directions = spread(count)
         normals = vertex_normals(verts, faces)
         cosine = (normals.cpu() @ directions.t()).clamp(min=0)
-        free = free_ways(verts.cpu(), faces.cpu(), normals.cpu(), directions)
+        clear = clear_directions(verts.cpu(), faces.cpu(), normals.cpu(), directions)
         weighed = cosine * (4 / count)
         device = verts.device
-        return cls(directions.to(device), weighed.to(device), free.to(device), normals)
+        return cls(directions.to(device), weighed.to(device), clear.to(device), normals)
 
-    def shares(self, environment: Environment) -> Float[Tensor, "v 20"]:
+    def occlusion(self, environment: Environment) -> Float[Tensor, "v 20"]:
         """For :func:`hidden`, at each vertex; to be interpolated over the faces.
 
         By channel of colour, the fraction of the light that comes through; the fraction of the
         view, weighed by the cosine, that is closed; where it is open, in harmonics.
         """
-        free, light = self.free.to(self.cosine), environment.around(self.directions)
-        whole, through = self.cosine @ light, (self.cosine * free) @ light
+        clear, light = self.clear.to(self.cosine), environment.around(self.directions)
+        whole, through = self.cosine @ light, (self.cosine * clear) @ light
         lamps = environment.lamps
         if len(lamps.power):
             axis = lamps.direction.to(self.cosine)
             cosine = (self.normals @ axis.t()).clamp(min=0)
             near = (axis @ self.directions.t()).topk(NEAREST, 1).indices
-            seen = free[:, near].mean(2)
+            seen = clear[:, near].mean(2)
             power = lamps.power.to(self.cosine) / math.pi
             whole, through = whole + cosine @ power, through + (cosine * seen) @ power
         share = (through / whole.clamp(min=1e-8)).clamp(max=1)
-        closed = (self.cosine * (1 - free)).sum(1, keepdim=True).clamp(max=MOST_CLOSED)
+        closed = (self.cosine * (1 - clear)).sum(1, keepdim=True).clamp(max=MOST_CLOSED)
         size = 4 * math.pi / len(self.directions)
-        return torch.cat([share, closed, free @ harmonics(self.directions) * size], 1)
+        return torch.cat([share, closed, clear @ harmonics(self.directions) * size], 1)
 
 
-def hidden(
-    shares: Float[Tensor, "p 20"],
+def occluded(
+    occlusion: Float[Tensor, "p 20"],
     normal: Float[Tensor, "p 3"],
     view: Float[Tensor, "p 3"],
     kd: Float[Tensor, "p 3"],
@@ -83,11 +83,11 @@ def hidden(
 
     Jimenez's geometric series: what is hidden shines with kd of the light that arrives here.
     """
-    share, closed, open_ = shares.split([3, 1, len(DEGREES)], 1)
+    share, closed, open_ = occlusion.split([3, 1, len(DEGREES)], 1)
     change = share / (1 - kd * closed)
     mirrored = 2 * dot(normal, view) * normal - view
     # A lobe of this width about an axis keeps as much of a harmonic of each degree (vMF).
-    degree = torch.tensor(DEGREES).to(shares)
+    degree = torch.tensor(DEGREES).to(occlusion)
     kept = torch.exp(-degree * (degree + 1) * roughness**4 / 2)
     return change, dot(open_, kept * harmonics(normalize(mirrored))).clamp(0, 1)
 
@@ -100,7 +100,7 @@ def spread(count: int) -> Float[Tensor, "{count} 3"]:
     return torch.stack([r * turn.cos(), r * turn.sin(), z], 1)
 
 
-def free_ways(
+def clear_directions(
     verts: Float[Tensor, "v 3"],
     faces: Int[Tensor, "f 3"],
     normals: Float[Tensor, "v 3"],
@@ -112,12 +112,12 @@ def free_ways(
     tree.init(v, f)
     size = float(np.ptp(v, axis=0).max())
     start = v + ABOVE * size * normals.double().numpy()
-    free = torch.ones(len(v), len(directions), dtype=torch.bool)
+    clear = torch.ones(len(v), len(directions), dtype=torch.bool)
     point, way = ((normals @ directions.t()) > 0).nonzero(as_tuple=True)
     along = directions.double().numpy()[way.numpy()]
     hit = tree.intersect_ray_first(v, f, start[point.numpy()], along)[0]
-    free[point, way] = torch.from_numpy(np.asarray(hit) < 0)
-    return free
+    clear[point, way] = torch.from_numpy(np.asarray(hit) < 0)
+    return clear
 
 
 def harmonics(d: Float[Tensor, "p 3"]) -> Float[Tensor, "p 16"]:

@@ -13,7 +13,7 @@ from torch import Tensor
 
 from core.appearance.brdf import lookup_albedo
 from core.appearance.environment import Environment, Incoming
-from core.appearance.occlusion import hidden
+from core.appearance.occlusion import occluded
 from core.ops import dot, normalize
 
 # Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
@@ -28,16 +28,16 @@ def shade(
     roughness: Float[Tensor, "p 1"],
     metallic: Float[Tensor, "p 1"],
     environment: Environment,
-    shares: Float[Tensor, "p s"] | None = None,
+    occlusion: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
     """Linear radiance towards the eye at P points.
 
     ``normal`` and ``view`` (from the surface to the eye) are unit vectors in the world; ``kd`` is
-    linear. ``shares``: what the object hides (:mod:`core.appearance.occlusion`); None: nothing.
+    linear. ``occlusion``: what the object hides (:mod:`core.appearance.occlusion`); None: nothing.
     Gradients to everything but the light.
     """
     given = [normal, view, kd, roughness, metallic]
-    given += [] if shares is None else [shares]
+    given += [] if occlusion is None else [occlusion]
     parts = zip(*(x.split(CHUNK) for x in given), strict=True)
     return torch.cat([shade_chunk(environment, *part) for part in parts])
 
@@ -49,7 +49,7 @@ def shade_chunk(
     kd: Float[Tensor, "p 3"],
     roughness: Float[Tensor, "p 1"],
     metallic: Float[Tensor, "p 1"],
-    shares: Float[Tensor, "p s"] | None = None,
+    occlusion: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
     """:func:`shade` in one component."""
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
@@ -57,8 +57,8 @@ def shade_chunk(
     light = environment.incoming(normal, view, roughness)
     lamp = environment.lamps.reflected(normal, view, cos_v, roughness)
     arriving = light.diffuse + environment.lamps.irradiance(normal)
-    if shares is not None:
-        change, open_ = hidden(shares, normal, view, kd, roughness)
+    if occlusion is not None:
+        change, open_ = occluded(occlusion, normal, view, kd, roughness)
         arriving, lamp = arriving * change, lamp * open_
         own = (1 - open_) * kd * arriving  # the object, where the mirror shows it
         light = Incoming(light.diffuse, *(open_ * x + own for x in light[1:]))

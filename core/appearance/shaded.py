@@ -66,7 +66,7 @@ class Shaded(NamedTuple):
     material: Material  # there
 
 
-class Surface(NamedTuple):
+class SurfacePoints(NamedTuple):
     """The surface at the covered pixels."""
 
     points: Float[Tensor, "p 3"]
@@ -86,7 +86,7 @@ class Surface(NamedTuple):
         return lifted(normal, self.to_eye, self.side * self.front)
 
 
-def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
+def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> SurfacePoints:
     """Interpolate the mesh's attributes at the covered pixels."""
     points = interpolate(mesh.verts, fragments)
     normal = interpolate(mesh.normals, fragments)
@@ -98,7 +98,7 @@ def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> Surface:
     side = torch.ones_like(to_eye[:, :1])
     if not mesh.closed:
         side = torch.where(dot(front, to_eye) < 0, -side, side)
-    return Surface(points, uv, normal, tangent, to_eye, side, front)
+    return SurfacePoints(points, uv, normal, tangent, to_eye, side, front)
 
 
 def render_shaded(
@@ -107,11 +107,11 @@ def render_shaded(
     cameras: Cameras,
     size: int,
     environment: Environment,
-    shares: Float[Tensor, "v s"] | None = None,
+    occlusion: Float[Tensor, "v s"] | None = None,
 ) -> Shaded:
     """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material.
 
-    ``shares``: what it hides from itself, by vertex (:class:`core.appearance.occlusion.Openness`).
+    ``occlusion``: what it hides from itself, by vertex (:meth:`VertexVisibility.occlusion`).
     """
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
@@ -122,7 +122,7 @@ def render_shaded(
         surface.to_eye,
         *material[:3],
         environment,
-        None if shares is None else interpolate(shares, fragments),
+        None if occlusion is None else interpolate(occlusion, fragments),
     )
     srgb = linear_to_srgb(saturate(color))
     smooth = surface.side * normalize(surface.normal)

@@ -3,7 +3,7 @@
 import torch
 
 from core.appearance.environment import Environment, load_light
-from core.appearance.occlusion import Openness
+from core.appearance.occlusion import VertexVisibility
 from core.appearance.shade import shade
 from core.benchmarks import ball, least_ms, row
 from core.camera import Cameras
@@ -67,16 +67,16 @@ def shade_rows() -> list[dict]:
 
         name = f"shade 100,000 points with gradient, {model}"
         lines.append(row(name, least_ms(points), "ms", target))
-    return [*lines, *openness_rows(environment)]
+    return [*lines, *occlusion_rows(environment)]
 
 
-def openness_rows(environment: Environment) -> list[dict]:
+def occlusion_rows(environment: Environment) -> list[dict]:
     """Self-shadowing: once for a shape, and once for each turn of the light."""
     mesh = ball(20_000)
-    seconds = least_ms(lambda: Openness.of(*mesh), 1) / 1e3
-    openness = Openness.of(*mesh)
+    seconds = least_ms(lambda: VertexVisibility.of(*mesh), 1) / 1e3
+    visibility = VertexVisibility.of(*mesh)
     name = f"what a ball of {len(mesh[1]):,} faces hides from itself"
     table = row(
-        f"{name}, under a turned light", least_ms(lambda: openness.shares(environment)), "ms"
+        f"{name}, under a turned light", least_ms(lambda: visibility.occlusion(environment)), "ms"
     )
     return [row(name, seconds, "s"), table]

@@ -1,7 +1,7 @@
 """The CPU's hot loops, compiled by numba: compiled versions of plain torch formulas.
 
 Torch stays the definition, runs on every device, and is what these are tested against; callers ask
-``fit`` of their tensors. Numba compiles at the first use and keeps the result on disk.
+``supports`` of their tensors. Numba compiles at the first use and keeps the result on disk.
 
 The arithmetic is float32 step by step, as torch's is (numba takes a bare 0.5 for float64), so that
 both draw the same picture.
@@ -17,7 +17,7 @@ from core.kernels import rasterizer as _rasterizer
 from core.kernels import visibility as _visibility
 
 
-def fit(*tensors: Tensor) -> bool:
+def supports(*tensors: Tensor) -> bool:
     """Whether the compiled version takes these: on a CPU, floats in single precision."""
     return all(
         t.device.type == "cpu" and (t.dtype == torch.float32 or not t.dtype.is_floating_point)

@@ -129,7 +129,7 @@ def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTabl
 
     On a closed surface these are the edges with exactly one face towards the camera.
     """
-    if kernels.fit(fragments.screen):
+    if kernels.supports(fragments.screen):
         view, edge, first = kernels.silhouette_edges(
             fragments.screen, fragments.in_front, faces, edges[:2], fragments.cull
         )

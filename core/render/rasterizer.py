@@ -93,7 +93,7 @@ def to_clip(verts: Float[Tensor, "v 3"], mvp: Float[Tensor, "b 4 4"]) -> Float[T
 
 def covered(face_id: Int[Tensor, "b h w"], faces: Int[Tensor, "f 3"]) -> tuple[Tensor, ...]:
     """The covered pixels' ``pixel``, ``view``, ``face`` and ``corners`` (see Fragments)."""
-    if kernels.fit(face_id, faces):
+    if kernels.supports(face_id, faces):
         return kernels.covered(face_id, faces)
     flat = face_id.view(-1)
     pixel = (flat >= 0).nonzero().squeeze(1)
@@ -125,7 +125,7 @@ def barycentrics(
 
     A sliver, of which only rounding is left, gives its middle without gradient.
     """
-    if kernels.fit(clip, corners):
+    if kernels.supports(clip, corners):
         return kernels.Barycentrics.apply(clip, view, corners, pixel, height, width)
     index = (corners + (view * clip.shape[1])[:, None]).t().contiguous()
     centre = pixel_centres(pixel, height, width)
@@ -171,7 +171,7 @@ def depths(
     bary: Float[Tensor, "p 3"],
 ) -> Float[Tensor, " p"]:
     """The points' depth, 0 near plane to 1 far plane: linear in clip coordinates, not in pixels."""
-    if kernels.fit(clip, bary):
+    if kernels.supports(clip, bary):
         return kernels.depths(clip, view, corners, bary)
     index = corners + (view * clip.shape[1])[:, None]
     zw = interpolate(clip[..., 2:].reshape(-1, 2), Points(view, index, bary))
@@ -202,7 +202,7 @@ class WeightedSum(torch.autograd.Function):
     @staticmethod
     def forward(ctx, table: Tensor, index: Tensor, weight: Tensor) -> Tensor:
         ctx.save_for_backward(table, index, weight)
-        if kernels.fit(table, weight):
+        if kernels.supports(table, weight):
             return kernels.weighted_sum(table, index, weight)
         return embedding_bag(index, table, per_sample_weights=weight.contiguous(), mode="sum")
 
@@ -210,7 +210,7 @@ class WeightedSum(torch.autograd.Function):
     @once_differentiable
     def backward(ctx, g: Tensor) -> tuple[Tensor | None, None, Tensor | None]:
         table, index, weight = ctx.saved_tensors
-        if kernels.fit(table, weight, g):
+        if kernels.supports(table, weight, g):
             return kernels.weighted_sum_backward(g, table, index, weight)
         to_table, to_weight = None, None
         if ctx.needs_input_grad[0]:

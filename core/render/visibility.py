@@ -59,7 +59,7 @@ def visibility(
     and half the work. At equal depth the face with the smaller index wins.
     """
     b = clip.shape[0]
-    if kernels.fit(clip, faces):
+    if kernels.supports(clip, faces):
         return kernels.visibility(clip, faces, height, width, cull)
     keys = torch.full((b * height * width,), EMPTY, dtype=torch.int64, device=clip.device)
     if len(faces) and b:

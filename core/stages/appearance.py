@@ -9,7 +9,7 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
-from core.appearance.occlusion import Openness
+from core.appearance.occlusion import VertexVisibility
 from core.appearance.shaded import UvMesh
 from core.config import AppearanceConfig, PhaseConfig
 from core.io.progress import Progress
@@ -26,8 +26,8 @@ def learn_appearance(
 ) -> None:
     """Train Γ by score distillation on the finished shape."""
     setup.training.resume()
-    openness = Openness.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
-    subject = LitObject(mesh, environment, openness)
+    visibility = VertexVisibility.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
+    subject = LitObject(mesh, environment, visibility)
     train(setup.training, appearance_phases(setup, subject), progress)
 
 
@@ -37,16 +37,16 @@ class LitObject:
 
     mesh: UvMesh
     environment: Environment
-    openness: Openness | None  # what the object hides from itself; None: nothing
+    visibility: VertexVisibility | None  # what the object hides from itself; None: nothing
 
     def scene(self, setup: ColorSetup) -> LitScene:
         """The object in the light of one step."""
         # Turned at random, or the light's own brightness would end up in kd.
         turn = 2 * math.pi * float(torch.rand(1, generator=setup.training.generator))
         lit = self.environment.rotated(turn if setup.config.rotate_light else 0.0)
-        shares = self.openness.shares(lit) if self.openness else None
+        occlusion = self.visibility.occlusion(lit) if self.visibility else None
         net, guidance = setup.training.module, setup.guidance
-        return LitScene(net, self.mesh, lit, guidance, still=self.environment, shares=shares)
+        return LitScene(net, self.mesh, lit, guidance, still=self.environment, occlusion=occlusion)
 
 
 def appearance_phases(setup: ColorSetup, subject: LitObject) -> list[Phase]:

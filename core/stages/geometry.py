@@ -10,9 +10,9 @@ from torch import Tensor
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
 from core.geometry.mesh import drop_floaters, polished
-from core.geometry.pieces import joined
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
+from core.geometry.struts import joined_by_struts
 from core.geometry.tet_grid import TetGrid, tet_grid
 from core.guidance.guidance import Views, coarse_latent
 from core.guidance.sds import anneal
@@ -238,7 +238,7 @@ def final_mesh(
             "Use another seed, a --guide mesh, or a lower --set geometry.learning_rate.",
         )
     if config.join:  # before small components are dropped: a thin part may have come off
-        surface = joined(surface, grid, FLOATER_RATIO)
+        surface = joined_by_struts(surface, grid, FLOATER_RATIO)
     verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_RATIO)
     return polished(verts, faces, config.polish), faces
 

@@ -30,22 +30,22 @@ class LitScene(Scene):
         guidance: PromptedGuidance,
         *,
         still: Environment,
-        shares: Float[Tensor, "v s"] | None = None,
+        occlusion: Float[Tensor, "v s"] | None = None,
     ) -> None:
         """
         Args:
             lit: the light of this step.
             still: the light before its turn, in which the preview shows the object.
-            shares: of the light, that the object does not hide from itself.
+            occlusion: of the light, that the object does not hide from itself.
         """
         self.net, self.mesh, self.lit, self.guidance = net, mesh, lit, guidance
-        self.still, self.shares = still, shares
+        self.still, self.occlusion = still, occlusion
         self.device = mesh.verts.device
         self.points: list[Float[Tensor, "_p 3"]] = []  # seen with gradient, part by part
 
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
         """The colours, encoded; and the geometry, for a guidance that can use it."""
-        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.shares)
+        shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.occlusion)
         if torch.is_grad_enabled():
             self.points.append(shaded.points)
         z = self.guidance.encode_color(shaded.srgb, shaded.o)

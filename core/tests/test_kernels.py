@@ -36,7 +36,7 @@ def both(monkeypatch: pytest.MonkeyPatch) -> Callable:
     def run(function: Callable) -> tuple:
         compiled = function()
         with monkeypatch.context() as patch:
-            patch.setattr(kernels, "fit", lambda *_: False)
+            patch.setattr(kernels, "supports", lambda *_: False)
             return compiled, function()
 
     return run
@@ -118,8 +118,8 @@ def test_edges_with_many_faces_agree(both: Callable) -> None:
 
 def test_double_precision_goes_the_plain_way() -> None:
     verts, faces = SHAPES["ring"]
-    assert kernels.fit(verts, faces)
-    assert not kernels.fit(verts.double(), faces)
+    assert kernels.supports(verts, faces)
+    assert not kernels.supports(verts.double(), faces)
     seen = visibility(torch.nn.functional.pad(verts, (0, 1), value=1.0)[None].double(), faces, 9, 9)
     assert int(seen.max()) >= 0
 

@@ -19,7 +19,7 @@ CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
 def back_end(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Everything here holds for the plain torch and for its compiled version."""
     if request.param == "torch":
-        monkeypatch.setattr(kernels, "fit", lambda *_: False)
+        monkeypatch.setattr(kernels, "supports", lambda *_: False)
 
 
 def slow_twin(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool) -> Tensor:

@@ -45,7 +45,7 @@ def test_faces_are_those_that_rays_hit_first(
     if name == "bob" and not BOB.exists():
         pytest.skip("the shared bob.obj is not here")
     if back_end == "torch":
-        monkeypatch.setattr(kernels, "fit", lambda *_: False)
+        monkeypatch.setattr(kernels, "supports", lambda *_: False)
     verts, faces = MESHES[name]()
     size = 96
     tracer = RayMeshIntersector(trimesh.Trimesh(verts.numpy(), faces.numpy(), process=False))

@@ -8,7 +8,14 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.latlong import directions
-from core.appearance.occlusion import CHANNELS, Openness, free_ways, harmonics, hidden, spread
+from core.appearance.occlusion import (
+    CHANNELS,
+    VertexVisibility,
+    clear_directions,
+    harmonics,
+    occluded,
+    spread,
+)
 from core.appearance.shade import shade
 from core.ops import dot, normalize
 from core.tests.meshes import sphere
@@ -40,51 +47,55 @@ def sky() -> Environment:
 @pytest.mark.parametrize(("radius", "height"), [(1.0, 0.5), (1.0, 1.0), (0.5, 1.0)])
 def test_a_plate_closes_its_form_factor(even: Environment, radius: float, height: float) -> None:
     """R² / (R² + h²) of a small patch below a round plate's middle."""
-    closed = Openness.of(*plate_under_a_disk(radius, height), 2048).shares(even)[:3, 3]
+    closed = VertexVisibility.of(*plate_under_a_disk(radius, height), 2048).occlusion(even)[:3, 3]
     assert torch.allclose(closed, torch.full((3,), radius**2 / (radius**2 + height**2)), atol=0.015)
 
 
 def test_under_even_light_what_is_not_closed_comes_through(even: Environment) -> None:
-    shares = Openness.of(*plate_under_a_disk(1.0, 0.5)).shares(even)[:3]
-    assert torch.allclose(shares[:, :3], 1 - shares[:, 3:4].expand(-1, 3), atol=2e-3)
+    occlusion = VertexVisibility.of(*plate_under_a_disk(1.0, 0.5)).occlusion(even)[:3]
+    assert torch.allclose(occlusion[:, :3], 1 - occlusion[:, 3:4].expand(-1, 3), atol=2e-3)
 
 
 def test_a_ball_hides_nothing_from_itself(sky: Environment) -> None:
-    shares = Openness.of(*sphere(3)).shares(sky)
-    assert torch.allclose(shares[:, :3], torch.ones(len(shares), 3), atol=1e-3)
-    assert float(shares[:, 3].max()) < 1e-3
+    occlusion = VertexVisibility.of(*sphere(3)).occlusion(sky)
+    assert torch.allclose(occlusion[:, :3], torch.ones(len(occlusion), 3), atol=1e-3)
+    assert float(occlusion[:, 3].max()) < 1e-3
     normal = normalize(torch.randn(50, 3, generator=torch.Generator().manual_seed(0)))
     one = torch.ones(50, 1)
     given = (normal, normal, 0.6 * one.expand(-1, 3), 0.4 * one, 0.5 * one)
     bare = shade(*given, sky)
-    assert torch.allclose(shade(*given, sky, shares[:50]), bare, rtol=0.02)
+    assert torch.allclose(shade(*given, sky, occlusion[:50]), bare, rtol=0.02)
 
 
 def test_white_stays_white_in_a_hollow_under_even_light(even: Environment) -> None:
     """The furnace: what a white object hides of an even light, it gives back."""
-    shares = Openness.of(*plate_under_a_disk(1.0, 0.5)).shares(even)[:3]
-    change, _ = hidden(shares, UP.expand(3, 3), UP.expand(3, 3), torch.ones(3, 3), torch.ones(3, 1))
+    occlusion = VertexVisibility.of(*plate_under_a_disk(1.0, 0.5)).occlusion(even)[:3]
+    change, _ = occluded(
+        occlusion, UP.expand(3, 3), UP.expand(3, 3), torch.ones(3, 3), torch.ones(3, 1)
+    )
     assert torch.allclose(change, torch.ones(3, 3), atol=0.01)
-    dark, _ = hidden(shares, UP.expand(3, 3), UP.expand(3, 3), torch.zeros(3, 3), torch.ones(3, 1))
-    assert torch.allclose(dark, shares[:, :3])
+    dark, _ = occluded(
+        occlusion, UP.expand(3, 3), UP.expand(3, 3), torch.zeros(3, 3), torch.ones(3, 1)
+    )
+    assert torch.allclose(dark, occlusion[:, :3])
 
 
 def test_a_mirror_under_a_plate_shows_the_plate(even: Environment) -> None:
-    shares = Openness.of(*plate_under_a_disk(1.0, 0.3), 1024).shares(even)[:1]
+    occlusion = VertexVisibility.of(*plate_under_a_disk(1.0, 0.3), 1024).occlusion(even)[:1]
     slanted = normalize(torch.tensor([[1.0, 0, 0.25]]))
     kd, smooth = torch.full((1, 3), 0.5), torch.full((1, 1), 0.2)
-    up = hidden(shares, UP, UP, kd, smooth)[1]
-    aside = hidden(shares, UP, slanted, kd, smooth)[1]
+    up = occluded(occlusion, UP, UP, kd, smooth)[1]
+    aside = occluded(occlusion, UP, slanted, kd, smooth)[1]
     assert float(up) < 0.1
     assert float(aside) > 0.45  # soft, as sixteen harmonics are
 
 
 def test_a_mirror_shows_the_object_in_the_objects_colour(even: Environment) -> None:
     """A metal that sees nothing but the object: kd of the light that arrives, times its own kd."""
-    shares = torch.zeros(1, CHANNELS)
-    shares[:, :3] = 0.4
+    occlusion = torch.zeros(1, CHANNELS)
+    occlusion[:, :3] = 0.4
     kd, one = torch.tensor([[0.9, 0.5, 0.2]]), torch.ones(1, 1)
-    color = shade(UP, UP, kd, 0.2 * one, one, even, shares)
+    color = shade(UP, UP, kd, 0.2 * one, one, even, occlusion)
     assert torch.allclose(color, kd * 0.4 * kd, atol=0.01)
 
 
@@ -96,7 +107,7 @@ def test_a_suns_light_is_all_there_or_not(even: Environment) -> None:
         d = directions(256, 512)
         lamp = Environment.of(1e-3 + 2e4 * (d @ toward[0] > 0.9995)[..., None].expand(-1, -1, 3))
         assert len(lamp.lamps.power) > 0
-        share = Openness.of(*mesh).shares(lamp)[:3, :3]
+        share = VertexVisibility.of(*mesh).occlusion(lamp)[:3, :3]
         assert bool((share > 0.9).all()) if seen else bool((share < 0.1).all())
 
 
@@ -105,8 +116,10 @@ def test_it_turns_with_the_light(sky: Environment) -> None:
     angle = 1.1
     c, s = math.cos(angle), math.sin(angle)
     turn = torch.tensor([[c, -s, 0.0], [s, c, 0], [0, 0, 1]])
-    still = Openness.of(*mesh, 1024).shares(sky)[:3, :3]
-    both = Openness.of(mesh[0] @ turn.T, mesh[1], 1024).shares(sky.rotated(angle))[:3, :3]
+    still = VertexVisibility.of(*mesh, 1024).occlusion(sky)[:3, :3]
+    both = VertexVisibility.of(mesh[0] @ turn.T, mesh[1], 1024).occlusion(sky.rotated(angle))[
+        :3, :3
+    ]
     assert torch.allclose(both, still, atol=0.02)
 
 
@@ -131,7 +144,7 @@ def test_rays_are_those_of_embree() -> None:
     faces = torch.cat([faces, faces + len(balls[0])])
     normals = normalize(torch.cat([balls[0] + torch.tensor([0.45, 0, 0]), balls[1] * 0 + 1]))
     ways = spread(64)
-    free = free_ways(verts, faces, normals, ways)
+    free = clear_directions(verts, faces, normals, ways)
     mesh = trimesh.Trimesh(verts.numpy(), faces.numpy(), process=False)
     at, k = ((normals @ ways.t()) > 0).nonzero(as_tuple=True)
     start = verts + 2e-3 * 1.7 * normals
@@ -145,13 +158,13 @@ def test_shading_with_shadows_has_exact_gradients(sky: Environment) -> None:
     generator = torch.Generator().manual_seed(0)
     normal = normalize(torch.randn(4, 3, generator=generator))
     view = normalize(normal + 0.4 * torch.randn(4, 3, generator=generator))
-    shares = torch.rand(4, CHANNELS, generator=generator) * 0.2 + 0.3
+    occlusion = torch.rand(4, CHANNELS, generator=generator) * 0.2 + 0.3
     rough = torch.tensor([[0.234], [0.433], [0.567], [0.871]])
     kd, metal = torch.rand(4, 3, generator=generator), torch.rand(4, 1, generator=generator)
-    open_ = hidden(shares, normal, view, kd, rough)[1]
+    open_ = occluded(occlusion, normal, view, kd, rough)[1]
     assert bool(((open_ > 0) & (open_ < 1)).any())
     assert float(dot(normal, view).min()) > 0
     given = tuple(x.double().requires_grad_() for x in (normal, view, kd, rough, metal))
     assert torch.autograd.gradcheck(
-        lambda *x: shade(*x, sky, shares.double()), given, eps=1e-7, atol=1e-4, rtol=1e-3
+        lambda *x: shade(*x, sky, occlusion.double()), given, eps=1e-7, atol=1e-4, rtol=1e-3
     )

@@ -9,8 +9,8 @@ import torch
 
 from core.config import DRAFT, PAPER, STANDARD
 from core.geometry.mesh import health
-from core.geometry.pieces import capsule, joined, strut
 from core.geometry.sdf_net import SdfNet, Surface, surface
+from core.geometry.struts import capsule, joined_by_struts, strut
 from core.geometry.tet_grid import tet_grid
 from core.stages.geometry import final_mesh
 
@@ -28,7 +28,7 @@ def drawn(*solids: torch.Tensor) -> Surface:
 
 def test_two_balls_apart_become_one_closed_solid_of_little_more_volume():
     apart = drawn(ball(-0.5, 0.3), ball(0.5, 0.25))
-    one = joined(apart, GRID, KEEP)
+    one = joined_by_struts(apart, GRID, KEEP)
     before, after = health(apart.verts, apart.faces), health(one.verts, one.faces)
     assert before["components"] == 2
     assert (after["components"], after["closed"], after["manifold"]) == (1, True, True)
@@ -40,25 +40,25 @@ def test_two_balls_apart_become_one_closed_solid_of_little_more_volume():
 
 def test_what_is_in_one_piece_comes_back_as_it_is():
     whole = drawn(ball(0.0, 0.5))
-    assert joined(whole, GRID, KEEP) is whole
+    assert joined_by_struts(whole, GRID, KEEP) is whole
 
 
 def test_three_in_a_row_are_all_joined():
-    one = joined(drawn(ball(-0.6, 0.2), ball(0.0, 0.2), ball(0.6, 0.2)), GRID, KEEP)
+    one = joined_by_struts(drawn(ball(-0.6, 0.2), ball(0.0, 0.2), ball(0.6, 0.2)), GRID, KEEP)
     assert health(one.verts, one.faces)["components"] == 1
 
 
 def test_crumbs_and_voids_get_no_strut():
     crumb = drawn(ball(-0.3, 0.5), ball(0.6, 0.1))
-    assert joined(crumb, GRID, KEEP) is crumb
+    assert joined_by_struts(crumb, GRID, KEEP) is crumb
     shell = surface(torch.maximum(ball(0.0, 0.6), -ball(0.0, 0.4)), GRID.tet_verts, GRID)
     assert health(shell.verts, shell.faces)["components"] == 2
-    assert joined(shell, GRID, KEEP) is shell
+    assert joined_by_struts(shell, GRID, KEEP) is shell
 
 
 def test_nothing_at_all_stays_nothing():
     empty = drawn(torch.ones(len(GRID.tet_verts)))
-    assert joined(empty, GRID, KEEP) is empty
+    assert joined_by_struts(empty, GRID, KEEP) is empty
 
 
 class TwoBalls(SdfNet):

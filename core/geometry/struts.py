@@ -19,7 +19,7 @@ MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
 ASIDE = 0.25  # of the distance to the line of the centroids, what counts as length of a strut
 
 
-def joined(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
+def joined_by_struts(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
     """``drawn`` with a strut from each piece to the rest of it, the smallest piece first.
 
     A strut is a capsule: the lattice's values become the smaller of their own and its distance.
