@@ -161,7 +161,7 @@ def summary(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
     creases = [noun["crease"] for noun in found if noun["crease"] is not None]
     good = sum(not misses(noun) for noun in found)
     return [
-        row("planes, worst noun's median", max(n["flat"] or 0 for n in found), "deg", 2.5),
+        row("planes, worst noun's mean error", max(n["flat"] or 0 for n in found), "deg", 2.5),
         row("creases, least of the true angle", min(creases, default=1.0), "", CREASE[0], True),
         row("missing, worst noun's share", max(n["missing"] for n in found), "", 0.03),
         row(f"nouns that miss nothing, of {len(found)}", good, "", len(found), True),

@@ -75,7 +75,7 @@ def scores(
     """Measures of the mesh.
 
     chamfer: mean distance of the two surfaces' points, both ways, × 1000.
-    flat: median angle to the true normal on planes; edge: its mean at edges.
+    flat, edge: mean angle to the true normal on planes and at edges.
     crease: the angle across edges over the true one; 1 is right, less is rounded.
     missing: share of the true surface that the mesh lacks; extra: of the mesh that is not there.
     genus, components, closed, degenerate_faces: of the mesh; true_genus, true_components.
@@ -89,8 +89,8 @@ def scores(
     names = ("genus", "components", "closed", "degenerate_faces", "faces")
     return {
         "chamfer": round(500 * float(lost.mean() + added.mean()), 2),
-        "flat": _rounded(np.median, angle[truth.flat & met]),
-        "edge": _rounded(np.mean, angle[truth.edge & met]),
+        "flat": _mean(angle[truth.flat & met]),
+        "edge": _mean(angle[truth.edge & met]),
         "crease": _crease((tree, n), (true_tree, truth.normals), truth.points[truth.edge & met]),
         "missing": round(float(1 - met.mean()), 4),
         "extra": round(float((added > LOST).mean()), 4),
@@ -152,6 +152,5 @@ def _degrees(cosine: np.ndarray) -> np.ndarray:
     return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
 
 
-def _rounded(mean: object, values: np.ndarray) -> float | None:
-    assert callable(mean)
-    return round(float(mean(values)), 2) if len(values) else None
+def _mean(values: Float[np.ndarray, " n"]) -> float | None:
+    return round(float(values.mean()), 2) if len(values) else None
