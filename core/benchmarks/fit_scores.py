@@ -28,7 +28,8 @@ CREASE_QUANTILE = 0.03  # of the cosines of all pairs: the angle across, but for
 CURVE_REACH = 0.15  # about a point, where a ball's curvature is measured
 TRUTH_RESOLUTION = 96  # of the lattice that tells the solid's holes and pieces
 
-Points = Float[np.ndarray, "n 3"]
+Points = Float[np.ndarray, "_ 3"]
+Normed = tuple[KDTree, Points]  # points to search in, and their normals
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,7 @@ def curvature_error(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], radi
     return float(np.abs(np.array(found) * radius - 1).mean())
 
 
-def _crease(mesh: tuple[KDTree, Points], truth: tuple[KDTree, Points], at: Points) -> float | None:
+def _crease(mesh: Normed, truth: Normed, at: Points) -> float | None:
     """Mean of the mesh's angle across the edges over the true one."""
     if not len(at):
         return None
@@ -136,7 +137,7 @@ def _crease(mesh: tuple[KDTree, Points], truth: tuple[KDTree, Points], at: Point
     return round(float(np.nanmean(ratio)), 3)
 
 
-def _across(tree: KDTree, normals: Points, at: Points) -> Float[np.ndarray, " n"]:
+def _across(tree: KDTree, normals: Points, at: Points) -> Float[np.ndarray, " _"]:
     """The largest angle between normals about each point; NaN where there are too few."""
     chance, most = np.random.default_rng(0), 60
     found = []
@@ -152,5 +153,5 @@ def _degrees(cosine: np.ndarray) -> np.ndarray:
     return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
 
 
-def _mean(values: Float[np.ndarray, " n"]) -> float | None:
+def _mean(values: Float[np.ndarray, " _"]) -> float | None:
     return round(float(values.mean()), 2) if len(values) else None
