@@ -21,7 +21,7 @@ from core.benchmarks.oracle import oracle
 from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig, with_settings
 from core.io.job import Job, write_text
-from core.io.png import unit_bytes, write_png
+from core.io.png import write_png
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.prior.draw import Draw

@@ -144,9 +144,8 @@ def _across(tree: KDTree, normals: Points, at: Points) -> Float[np.ndarray, " _"
     for near in tree.query_ball_point(at, CREASE_REACH):
         some = near if len(near) <= most else chance.choice(near, most, replace=False)
         n = normals[some]
-        cosine = np.quantile(n @ n.T, CREASE_QUANTILE) if len(some) > 5 else np.nan
-        found.append(_degrees(cosine))
-    return np.array(found)
+        found.append(np.quantile(n @ n.T, CREASE_QUANTILE) if len(some) > 5 else np.nan)
+    return _degrees(np.array(found))
 
 
 def _degrees(cosine: np.ndarray) -> np.ndarray:
