@@ -128,9 +128,12 @@ def add_core_commands(commands: Commands) -> None:
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
-    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="of prior: which")
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="prior, fit: which")
     bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
-    bench.add_argument("--out", type=Path, metavar="FOLDER", help="of prior: where the runs go")
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help="prior, fit: where the runs go")
+    bench.add_argument(
+        "--set", action="append", default=[], metavar="stage.field=value", help="of fit: over draft"
+    )
 
 
 def _add_job_options(command: argparse.ArgumentParser) -> None:
@@ -347,5 +350,9 @@ def _bench(args: argparse.Namespace) -> None:
         from core.benchmarks.bench_prior import bench_prior
 
         bench_prior(args.nouns, args.seeds, args.out, args.json)
+    elif args.names == ["fit"]:  # a minute or two a noun, and a folder
+        from core.benchmarks.bench_fit import bench_fit
+
+        bench_fit(args.nouns, args.set, args.out, args.json)
     else:
         bench(args.names, args.json)

@@ -74,6 +74,8 @@ class GeometryConfig:
     smooth_normals: float = 0.0  # weight of 1 - cos between adjacent faces
     join: bool = False  # struts between the connected components of the finished mesh
     polish: int = 0  # rounds of Taubin smoothing of the finished mesh
+    flatten: int = 0  # rounds of bilateral filtering of its normals after that
+    flatten_sigma: float = 0.3  # how far unit normals may differ and still be of one plane
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,6 +9,7 @@ from torch import Tensor
 
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
+from core.geometry.bilateral import flattened
 from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
@@ -240,7 +241,8 @@ def final_mesh(
     if config.join:  # before small components are dropped: a thin part may have come off
         surface = joined_by_struts(surface, grid, FLOATER_RATIO)
     verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_RATIO)
-    return polished(verts, faces, config.polish), faces
+    verts = polished(verts, faces, config.polish)
+    return flattened(verts, faces, config.flatten, config.flatten_sigma), faces
 
 
 def random_rotations(n: int, generator: torch.Generator) -> Float[Tensor, "n 3 3"]:

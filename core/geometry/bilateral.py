@@ -1,0 +1,128 @@
+"""Bilateral filtering of a mesh's normals: planes get flat, and the edges between them stay.
+
+Faces take the mean normal of the faces around them, near and alike ones most (Zheng, Fu, Au and Tai
+2011, "Bilateral Normal Filtering for Mesh Denoising", Eq. 4, the local scheme):
+
+    n_i <- K_i Σ_j a_j W_c(|c_i - c_j|) W_s(|n_i - n_j|) n_j,   W(x) = exp(-x² / 2σ²)
+
+then the vertices move until the faces agree with their new normals (Sun et al. 2007, Eq. 9):
+
+    v <- v + 1 / |F(v)| Σ_{j in F(v)} n_j (n_j · (c_j - v))
+
+a, c and n are a face's area, centre and unit normal, F(v) the faces around a vertex.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from scipy.sparse import csr_array
+from torch import Tensor
+
+NORMAL_ROUNDS = 10  # of the normals, in one round of the filter
+VERTEX_ROUNDS = 15  # of the vertices after them
+REACH = 2.0  # σ_c, of the mean distance between the centres of faces that touch
+UNDO_ROUNDS = 4  # enough: what is put back lies in small groups of vertices
+LEAST_AREA = 1e-3  # of the mean face's; a smaller one that was larger before is put back
+
+Verts = Float[np.ndarray, "v 3"]
+Normals = Float[np.ndarray, "f 3"]
+Faces = Int[np.ndarray, "f 3"]
+
+
+def flattened(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], rounds: int, sigma: float
+) -> Float[Tensor, "v 3"]:
+    """Vertices after ``rounds`` of the filter; faces that it would turn over stay as they were.
+
+    ``sigma``: σ_s, the difference of unit normals that is still alike; larger ones melt edges and
+    make round legs square.
+    """
+    if rounds == 0:
+        return verts
+    v, f = verts.detach().cpu().double().numpy(), faces.cpu().numpy()
+    moved, around = v, Around.of(f, len(v))
+    for _ in range(rounds):
+        normals = _filtered(moved, around, sigma)
+        for _ in range(VERTEX_ROUNDS):
+            moved = _towards(moved, normals, around)
+    return torch.from_numpy(_sound(v, moved, f)).to(verts)
+
+
+@dataclass(frozen=True)
+class Around:
+    """What touches what."""
+
+    faces: Faces
+    one: Int[np.ndarray, " p"]  # pairs of faces that share a vertex, each in both orders,
+    other: Int[np.ndarray, " p"]  # sorted by ``one``
+    start: Int[np.ndarray, " f1"]  # of each face's pairs
+    corners: csr_array  # (V, 3F): the sum over the corners at a vertex
+    count: Float[np.ndarray, " v"]  # faces at a vertex, 1 where there are none
+
+    @classmethod
+    def of(cls, faces: Faces, vert_count: int) -> "Around":
+        """The tables of a mesh."""
+        at, size = faces.reshape(-1), 3 * len(faces)
+        corners = csr_array((np.ones(size), (at, np.arange(size))), (vert_count, size))
+        inside = csr_array((np.ones(size), (at, np.arange(size) // 3)), (vert_count, len(faces)))
+        pairs = (inside.T @ inside).tocoo()
+        apart = pairs.row != pairs.col
+        one, other = pairs.row[apart].astype(np.int64), pairs.col[apart].astype(np.int64)
+        order = np.argsort(one, kind="stable")
+        start = np.concatenate([[0], np.bincount(one, minlength=len(faces)).cumsum()])
+        count = np.maximum(np.bincount(at, minlength=vert_count), 1).astype(float)
+        return cls(faces, one[order], other[order], start, corners, count)
+
+    def mean(self, weights: Float[np.ndarray, " p"], values: Normals) -> Normals:
+        """Σ_j w_ij x_j of each face i."""
+        shape = (len(self.faces), len(self.faces))
+        return csr_array((weights, self.other, self.start), shape) @ values
+
+
+def _filtered(verts: Verts, around: Around, sigma: float) -> Normals:
+    """The faces' normals after ``NORMAL_ROUNDS`` (Zheng et al., Eq. 4)."""
+    normals, areas = _normals(verts, around.faces)
+    centres = verts[around.faces].mean(1)
+    apart = np.linalg.norm(centres[around.one] - centres[around.other], axis=1)
+    near = areas[around.other] * _gauss(apart, REACH * apart.mean())
+    for _ in range(NORMAL_ROUNDS):
+        unlike = np.linalg.norm(normals[around.one] - normals[around.other], axis=1)
+        mean = around.mean(near * _gauss(unlike, sigma), normals) + areas[:, None] * normals
+        normals = mean / np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-20)
+    return normals
+
+
+def _towards(verts: Verts, normals: Normals, around: Around) -> Verts:
+    """The vertices, one step nearer to the planes of the faces around them (Sun et al., Eq. 9)."""
+    corners = verts[around.faces]
+    off = corners.mean(1, keepdims=True) - corners
+    step = np.einsum("fc,fkc->fk", normals, off)[:, :, None] * normals[:, None]
+    return verts + (around.corners @ step.reshape(-1, 3)) / around.count[:, None]
+
+
+def _sound(before: Verts, after: Verts, faces: Faces) -> Verts:
+    """``after``, but around faces that have turned over or lost their area as it was before."""
+    after = after.copy()
+    was, area_before = _normals(before, faces)
+    for _ in range(UNDO_ROUNDS):
+        now, area = _normals(after, faces)
+        least = LEAST_AREA * area_before.mean()
+        wrong = ((was * now).sum(1) < 0) | ((area < least) & (area_before >= least))
+        if not wrong.any():
+            break
+        after[faces[wrong]] = before[faces[wrong]]
+    return after
+
+
+def _normals(verts: Verts, faces: Faces) -> tuple[Normals, Float[np.ndarray, " f"]]:
+    """Unit normals, and areas."""
+    a, b, c = (verts[faces[:, k]] for k in range(3))
+    cross = np.cross(b - a, c - a)
+    length = np.linalg.norm(cross, axis=1)
+    return cross / np.maximum(length, 1e-20)[:, None], length / 2
+
+
+def _gauss(x: Float[np.ndarray, " p"], sigma: float) -> Float[np.ndarray, " p"]:
+    return np.exp(-(x * x) / (2 * sigma * sigma))
