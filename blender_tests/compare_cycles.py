@@ -86,7 +86,7 @@ def add_asset(folder: Path) -> None:
 
 def middle_of(folder: Path) -> Float[Tensor, "3"]:
     """Of the bounding box."""
-    verts = read_asset(folder).verts
+    verts = read_asset(folder).mesh.verts
     return (verts.amin(0) + verts.amax(0)) / 2
 
 
