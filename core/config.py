@@ -43,6 +43,7 @@ class RefineConfig:
     ray_mask: float = 0.0  # weight of the mask along empty rays; the whole lattice then moves
     denoise_steps: int = 5
     guidance_scale: float = 3.0
+    restore: bool = False  # where the guidance can, instead of noise and denoising
     learning_rate: float = 2e-3
 
 
@@ -192,7 +193,7 @@ DRAFT = Config(
             t_high=(0.6, 0.4),
             guidance_scale=4.0,
         ),
-        refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3),
+        refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3, restore=True),
         views=6,
         views_at_once=6,
         cameras=BELOW_TOO,

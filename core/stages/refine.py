@@ -77,6 +77,10 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
     surfaces = [views.surface for _, views in seen if views.surface is not None]
     views = Views(cameras, torch.cat(surfaces) if surfaces else None)
 
+    # RESTORED: a guidance with its own network for it gets the pictures as they are
+    if rounds.restore and (crisp := guidance.restore(z, views)) is not None:
+        return Targets(cameras, crisp)
+
     # NOISE: less from round to round: first for what is missing, at last for the details
     level = anneal(*rounds.t, fraction(number, rounds.rounds))
     t = min(round(level * len(guidance.alpha_bar)), len(guidance.alpha_bar) - 1)
