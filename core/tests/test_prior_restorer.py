@@ -7,12 +7,14 @@ import pytest
 import torch
 
 from core.camera import Cameras
+from core.config import RefineConfig
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.guidance import BuiltinGuidance
 from core.guidance.builtin.network import UNet, UNetConfig, camera_map
 from core.guidance.builtin.restore import TIME, as_render, restored
 from core.guidance.builtin.weights import load_weights, save_weights
-from core.guidance.guidance import Views
+from core.guidance.gaussian import GaussianGuidance, mesh_reference
+from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, write_shard
 from core.prior.draw import Draw
 from core.prior.families import build
@@ -30,6 +32,7 @@ from core.prior.soften import (
 )
 from core.prior.tracer import render
 from core.prior.train import TrainConfig, Training
+from core.stages.refine import cleaned
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1)
 TINY = UNetConfig(words=WORDS, widths=(8, 8, 16, 16), code=16)
@@ -290,3 +293,30 @@ def test_the_restorer_gets_the_words_and_the_cameras():
     tall = ADJECTIVES.index("tall")
     assert (t == TIME).all()
     assert words.tolist() == [[NOUNS.index("house") + 1, tall, 0]] * 2
+
+
+class Recorded(PromptedGuidance):
+    """Restores to a constant, and counts how often it is asked to denoise."""
+
+    def __init__(self, guidance: Guidance, constant: float | None) -> None:
+        super().__init__(guidance)
+        self.constant, self.denoised = constant, 0
+
+    def restore(self, pictures, views):
+        return None if self.constant is None else torch.full_like(pictures, self.constant)
+
+    def predict(self, z_t, t, views, *, cond_only=False):
+        self.denoised += 1
+        return Predictions(z_t, z_t)
+
+
+@pytest.mark.parametrize(
+    ("restore", "constant", "denoises"), [(True, 0.5, 0), (True, None, 2), (False, 0.5, 2)]
+)
+def test_refining_restores_where_it_is_told_to_and_the_guidance_can(restore, constant, denoises):
+    guidance = Recorded(GaussianGuidance(mesh_reference([], 16), 16), constant)
+    rounds = RefineConfig(rounds=1, denoise_steps=2, restore=restore)
+    z, views = torch.zeros(2, 4, 16, 16), Views(Cameras.orbit([0.0, 90.0], [0.0, 0.0]))
+    out = cleaned(z, guidance, views, rounds, 0, generator=_generator())
+    assert guidance.denoised == denoises
+    assert bool((out == 0.5).all()) == (denoises == 0)

@@ -171,12 +171,14 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
 
     Raises ``MissingError`` when the weights are not there or broken.
     """
-    nets = []
+    nets = {}
     for name in (*NETWORKS, RESTORER):
+        if name == RESTORER and not (WEIGHTS / f"{name}.safetensors").exists():
+            continue  # refining then denoises
         path = WEIGHTS / f"{name}.safetensors"
         try:
-            nets.append(load_weights(path).to(device))
+            nets[name] = load_weights(path).to(device)
         except (FileNotFoundError, SafetensorError, ValueError) as error:
             raise weights_error(path, error) from error
-    geometry, appearance, restorer = nets
-    return BuiltinGuidance(geometry, appearance, offered_words(), ignore_unknown, restorer)
+    first = (nets[name] for name in NETWORKS)
+    return BuiltinGuidance(*first, offered_words(), ignore_unknown, nets.get(RESTORER))

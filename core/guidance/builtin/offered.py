@@ -9,7 +9,7 @@ from core.errors import MissingError
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")
-RESTORER = "restorer"  # offers no words of its own
+RESTORER = "restorer"  # of no words of its own; the project works without its file
 
 
 def read_metadata(path: Path) -> dict[str, Any]:
