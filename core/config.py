@@ -193,7 +193,7 @@ DRAFT = Config(
             t_high=(0.6, 0.4),
             guidance_scale=4.0,
         ),
-        refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3, restore=True),
+        refine=RefineConfig(rounds=3, steps=40, learning_rate=3e-3),
         views=6,
         views_at_once=6,
         cameras=BELOW_TOO,

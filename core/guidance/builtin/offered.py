@@ -9,7 +9,7 @@ from core.errors import MissingError
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")
-RESTORER = "restorer"  # of no words of its own; the project works without its file
+RESTORER = "restorer"  # has no words of its own; may be missing
 
 
 def read_metadata(path: Path) -> dict[str, Any]:
