@@ -43,6 +43,7 @@ class RefineConfig:
     ray_mask: float = 0.0  # weight of the mask along empty rays; the whole lattice then moves
     denoise_steps: int = 5
     guidance_scale: float = 3.0
+    restore: bool = False  # where the guidance can, instead of noise and denoising
     learning_rate: float = 2e-3
 
 

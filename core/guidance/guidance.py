@@ -127,6 +127,14 @@ class PromptedGuidance(ABC):
         """What the words themselves state of the material; None where they leave all open."""
         return None
 
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """The latents of a shape's own renders made crisp; None where the guidance has no such
+        network. No gradient."""
+        del pictures, views
+        return None
+
     @abstractmethod
     def predict(
         self,

@@ -26,9 +26,27 @@ from core.prior.evaluate import (
     score_pattern,
 )
 from core.prior.models import CATALOGUE, INSTALL, make_models
-from core.prior.train import APPEARANCE, GEOMETRY, Appearance, Geometry, TrainConfig, Training, run
+from core.prior.restorer import RESTORER, RESTORING, Restoring, restoring_loss
+from core.prior.restorer_score import report
+from core.prior.soft_pairs import write_pair_files
+from core.prior.train import (
+    APPEARANCE,
+    GEOMETRY,
+    Appearance,
+    Geometry,
+    TrainConfig,
+    Training,
+    denoising_loss,
+    run,
+)
 
 DEFAULT_FOLDER = Path("out/prior")
+# Each network's sizes, source of batches, schedule and loss.
+TRAININGS = {
+    "geometry": (GEOMETRY, Geometry, TrainConfig(), denoising_loss),
+    "appearance": (APPEARANCE, Appearance, TrainConfig(), denoising_loss),
+    "restorer": (RESTORER, Restoring, RESTORING, restoring_loss),
+}
 PATTERNED = 32  # objects, of each pattern
 
 
@@ -39,6 +57,7 @@ def parser() -> argparse.ArgumentParser:
 
     data = commands.add_parser("data", help="render shards of the families")
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
+    data.add_argument("--pairs", type=int, default=0, help="files of 256 soft and crisp views each")
     data.add_argument("--workers", type=int, default=2)
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
@@ -47,16 +66,17 @@ def parser() -> argparse.ArgumentParser:
     train = commands.add_parser(
         "train", help="train one network; goes on from the checkpoint in --out if there is one"
     )
-    train.add_argument("network", choices=("geometry", "appearance"))
+    train.add_argument("network", choices=tuple(TRAININGS))
     train.add_argument("--minutes", type=float, help="the whole budget of this training")
     train.add_argument(
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
     )
+    train.add_argument("--batch", type=int, help="pictures of one step; more on a GPU")
     train.add_argument("--seed", type=int, default=0)
     train.add_argument("--device", default="cpu", help="cpu or cuda")
 
     evaluate = commands.add_parser("evaluate", help="nouns, azimuths, colours, on fresh renders")
-    evaluate.add_argument("network", choices=("geometry", "appearance"))
+    evaluate.add_argument("network", choices=tuple(TRAININGS))
     evaluate.add_argument("--weights", type=Path, help="others than the shipped ones")
     evaluate.add_argument("--views", type=int, default=16, help="of each noun")
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
@@ -89,6 +109,8 @@ def data(options: argparse.Namespace) -> None:
         print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
     for path in write_shards(options.out, range(options.shards), options.workers):
         print(path, flush=True)
+    for path in write_pair_files(options.out, range(options.pairs), options.workers):
+        print(path, flush=True)
 
 
 def train(options: argparse.Namespace) -> None:
@@ -98,17 +120,19 @@ def train(options: argparse.Namespace) -> None:
             f"There are no shards in {options.out}.",
             f"Make them first: python -m core.prior data --out {options.out}",
         )
-    config = TrainConfig(seed=options.seed)
+    unet, source, config, objective = TRAININGS[options.network]
+    config = replace(config, seed=options.seed)
     if options.minutes is not None:
         config = replace(config, minutes=options.minutes)
-    geometry = options.network == "geometry"
-    training = Training(GEOMETRY if geometry else APPEARANCE, config, options.device)
+    if options.batch is not None:
+        config = replace(config, batch=options.batch)
+    training = Training(unet, config, options.device, objective)
     checkpoint = options.out / f"{options.network}.safetensors"
     if checkpoint.exists():
         training.resume(checkpoint)
     elif options.start:
         training.start_from(options.start)
-    run(training, (Geometry if geometry else Appearance)(options.out), checkpoint)
+    run(training, source(options.out), checkpoint)
 
 
 def ship(options: argparse.Namespace) -> None:
@@ -117,8 +141,11 @@ def ship(options: argparse.Namespace) -> None:
     if missing:
         raise UserError(f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words.py.")
     known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
-    for name in ("geometry", "appearance"):
-        net = load_weights(options.out / f"{name}_ema.safetensors")
+    for name in TRAININGS:
+        trained = options.out / f"{name}_ema.safetensors"
+        if not trained.exists():  # the others are replaced, this one stays
+            continue
+        net = load_weights(trained)
         path = WEIGHTS / f"{name}.safetensors"
         save_weights(path, net.config, dict(net.named_parameters()), known)
         print(path)
@@ -127,6 +154,9 @@ def ship(options: argparse.Namespace) -> None:
 def evaluate(options: argparse.Namespace) -> None:
     """Print each noun's scores and their means."""
     net = load_weights(options.weights or WEIGHTS / f"{options.network}.safetensors")
+    if options.network == "restorer":
+        report(net, options.nouns, options.views, options.seed)
+        return
     generator = torch.Generator().manual_seed(options.seed)
     score = score_noun if options.network == "geometry" else score_paint
     scores = []

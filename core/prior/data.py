@@ -143,11 +143,11 @@ def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
 
 def read_shards(paths: list[Path]) -> Samples:
     """Shards, joined."""
-    return joined([_read(path) for path in paths])
+    return joined([samples_of(load_file(path)) for path in paths])
 
 
-def _read(path: Path) -> Samples:
-    tensors = load_file(path)
+def samples_of(tensors: dict[str, Tensor]) -> Samples:
+    """The samples of a file's tensors."""
     if "told" in tensors:  # what files of earlier versions call the state of the parts
         tensors["part_state"] = tensors.pop("told")
     return Samples(**tensors)

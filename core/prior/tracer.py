@@ -5,6 +5,7 @@ through pixel centres, normals are in the object's frame.
 """
 
 from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
@@ -12,11 +13,24 @@ from torch import Tensor
 from torch.nn.functional import normalize
 
 from core.camera import Cameras
-from core.prior.families import Shape, gradient
+from core.prior.families import gradient
 
 REACH = 1.0  # radius of the ball that holds every object, with its jitter
 HIT = 1.5e-3  # distance that counts as the surface, training units
 STEPS = 96
+
+
+@runtime_checkable
+class Solid(Protocol):
+    """What can be traced, such as ``core.prior.families.Shape``."""
+
+    def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """Signed distance or less, negative inside, training units."""
+        ...
+
+    def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """Index of the part that is nearest."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -39,7 +53,7 @@ def rays(cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
     return cameras.eye, normalize(local @ cameras.rotation, dim=-1)
 
 
-def trace(shape: Shape, origin: Tensor, direction: Tensor, start: Tensor | None = None) -> Tensor:
+def trace(shape: Solid, origin: Tensor, direction: Tensor, start: Tensor | None = None) -> Tensor:
     """Distance along each ray (N,) to the surface; infinite where it misses.
 
     Up to ``start`` (N,) the rays are known to be free; it is infinite where they miss.
@@ -69,7 +83,7 @@ def _within_reach(origin: Tensor, direction: Tensor) -> tuple[Tensor, Tensor]:
 
 
 def free_lengths(
-    shape: Shape, cameras: Cameras, size: int, block: int = 4
+    shape: Solid, cameras: Cameras, size: int, block: int = 4
 ) -> Float[Tensor, "b {size} {size}"]:
     """How far each pixel's ray is surely free; infinite where it misses.
 
@@ -99,7 +113,7 @@ def free_lengths(
     return square.repeat_interleave(block, 1).repeat_interleave(block, 2)
 
 
-def render(shape: Shape, cameras: Cameras, size: int = 64, samples: int = 2) -> Pictures:
+def render(shape: Solid, cameras: Cameras, size: int = 64, samples: int = 2) -> Pictures:
     """The object's pictures, averaged over ``samples``² rays a pixel."""
     fine = size * samples
     eye, direction = rays(cameras, fine)

@@ -10,6 +10,7 @@ import math
 import signal
 import time
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
@@ -43,8 +44,9 @@ from core.prior.velocity import v_target
 MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")
 MIXED += ("boat", "rocket", "cottage", "church", "lighthouse", "hammer", "axe", "drum")
 
-# Pictures, words, camera maps, and the surface or None.
+# Pictures, words, camera maps, and the surface (for the restorer: the soft pictures) or None.
 Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
+Objective = Callable[["Training", Batch], Tensor]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,13 +174,36 @@ class Appearance(Source):
         return pictures, words, camera, surface
 
 
+def denoising_loss(training: "Training", batch: Batch) -> Tensor:
+    """The mean squared error of v at random times, with some conditions dropped."""
+    x, words, camera, surface = batch
+    config, g, device = training.config, training.generator, training.device
+    words, camera = drop_conditions(words, camera, config, g)
+    t = draw_times(config.batch, config, g).to(device)
+    eps = torch.randn(x.shape, generator=g).to(device)
+    x, words, camera = (tensor.to(device) for tensor in (x, words, camera))
+    given = None
+    if surface is not None:  # of the words that are left after some captions were dropped
+        given = hint(surface.to(device), words)
+    alpha_bar = training.alpha_bar[t]
+    z_t = add_noise(x, eps, alpha_bar)
+    with torch.autocast(device.type, torch.bfloat16):
+        v = training.net(z_t, t, words, camera, given)
+    return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
+
+
 class Training:
     """A network in training: weights, their moving average, the optimiser, the time spent."""
 
     def __init__(
-        self, unet: UNetConfig, config: TrainConfig, device: "torch.device | str" = "cpu"
+        self,
+        unet: UNetConfig,
+        config: TrainConfig,
+        device: "torch.device | str" = "cpu",
+        objective: Objective = denoising_loss,
     ) -> None:
         self.config, self.unet, self.device = config, unet, torch.device(device)
+        self.objective = objective
         torch.manual_seed(config.seed)  # the network's first weights
         self.net = UNet(unet).to(self.device)
         self.params = list(self.net.parameters())
@@ -198,20 +223,8 @@ class Training:
     def advance(self, source: Source) -> None:
         """One step of the optimiser."""
         start = time.monotonic()
-        config, g = self.config, self.generator
-        x, words, camera, surface = source.batch(config.batch, g)
-        words, camera = drop_conditions(words, camera, config, g)
-        t = draw_times(config.batch, config, g).to(self.device)
-        eps = torch.randn(x.shape, generator=g).to(self.device)
-        x, words, camera = (tensor.to(self.device) for tensor in (x, words, camera))
-        given = None
-        if surface is not None:  # of the words that are left after some captions were dropped
-            given = hint(surface.to(self.device), words)
-        alpha_bar = self.alpha_bar[t]
-        z_t = add_noise(x, eps, alpha_bar)
-        with torch.autocast(self.device.type, torch.bfloat16):
-            v = self.net(z_t, t, words, camera, given)
-        loss = (v.float() - v_target(x, eps, alpha_bar)).square().mean()
+        config = self.config
+        loss = self.objective(self, source.batch(config.batch, self.generator))
         self.optimizer.zero_grad()
         loss.backward()
         nn.utils.clip_grad_norm_(self.params, 1.0)
@@ -229,11 +242,14 @@ class Training:
     def start_from(self, path: Path) -> None:
         """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
 
-        A new word starts as the mean of its slot's words, a new slot as zeros.
+        A new word starts as the mean of its slot's words, a new slot as zeros. A stem that the
+        older network lacks keeps its first weights, which change nothing.
         """
         old = load_file(path)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                if name not in old and name.startswith("stem."):
+                    continue
                 if name not in old:
                     p.zero_()
                 elif name.startswith("words."):

@@ -15,7 +15,7 @@ from torch import Tensor
 from core.camera import Cameras, sample_cameras
 from core.config import RefineConfig
 from core.guidance.denoise import denoise
-from core.guidance.guidance import Views
+from core.guidance.guidance import PromptedGuidance, Views
 from core.guidance.sds import add_noise, anneal
 from core.stages.scene import Scene, portions
 from core.stages.training import Setup, fraction
@@ -65,7 +65,7 @@ def round_targets(
 
 
 def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> Targets:
-    """What there is, made noisy and denoised."""
+    """Pictures of what there is, cleaned."""
     config, guidance, generator = setup.config, setup.guidance, setup.training.generator
 
     # PICTURES: of what there is, all round
@@ -77,6 +77,23 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
     surfaces = [views.surface for _, views in seen if views.surface is not None]
     views = Views(cameras, torch.cat(surfaces) if surfaces else None)
 
+    return Targets(cameras, cleaned(z, guidance, views, rounds, number, generator=generator))
+
+
+def cleaned(
+    z: Float[Tensor, "b 4 s s"],
+    guidance: PromptedGuidance,
+    views: Views,
+    rounds: RefineConfig,
+    number: int,
+    *,
+    generator: torch.Generator,
+) -> Float[Tensor, "b 4 s s"]:
+    """What the guidance makes of the pictures in the round ``number``: restored or denoised."""
+    # RESTORED: a guidance with its own network for it gets the pictures as they are
+    if rounds.restore and (crisp := guidance.restore(z, views)) is not None:
+        return crisp
+
     # NOISE: less from round to round: first for what is missing, at last for the details
     level = anneal(*rounds.t, fraction(number, rounds.rounds))
     t = min(round(level * len(guidance.alpha_bar)), len(guidance.alpha_bar) - 1)
@@ -84,9 +101,7 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
     z_t = add_noise(z, eps, guidance.alpha_bar.to(z)[t].expand(len(z)))
 
     # DENOISED: what the guidance means by them
-    scale, steps = rounds.guidance_scale, rounds.denoise_steps
-    clean = denoise(guidance, z_t, t, views, scale, steps)
-    return Targets(cameras, clean)
+    return denoise(guidance, z_t, t, views, rounds.guidance_scale, rounds.denoise_steps)
 
 
 def fit_loss(z: Float[Tensor, "b 4 s s"], target: Float[Tensor, "b 4 s s"]) -> Float[Tensor, ""]:

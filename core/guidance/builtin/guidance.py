@@ -15,8 +15,15 @@ from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
-from core.guidance.builtin.offered import NETWORKS, WEIGHTS, offered_words, weights_error
+from core.guidance.builtin.offered import (
+    NETWORKS,
+    RESTORER,
+    WEIGHTS,
+    offered_words,
+    weights_error,
+)
 from core.guidance.builtin.palette import finishes_of
+from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
@@ -48,8 +55,9 @@ class BuiltinGuidance(Guidance):
         appearance: UNet,
         known: Vocabulary = SLOTS,
         ignore_unknown: bool = False,
+        restorer: UNet | None = None,
     ) -> None:
-        self.geometry, self.appearance = geometry, appearance
+        self.geometry, self.appearance, self.restorer = geometry, appearance, restorer
         self.known, self.ignore_unknown = known, ignore_unknown
         self.device = next(geometry.parameters()).device
         self.alpha_bar = alpha_bar_schedule().to(self.device)
@@ -104,6 +112,19 @@ class PromptedBuiltin(PromptedGuidance):
         )
 
     @torch.no_grad()
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """By the restorer, of geometry pictures; None without one."""
+        net = self.builtin.restorer
+        if net is None or views.surface is not None:
+            return None
+        words = self._indices(GEOMETRY_SLOTS)[:1].expand(len(pictures), -1)
+        camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
+        with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
+            return as_render(restored(net, pictures, words, camera))
+
+    @torch.no_grad()
     def predict(
         self,
         z_t: Float[Tensor, "b 4 s s"],
@@ -150,11 +171,14 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
 
     Raises ``MissingError`` when the weights are not there or broken.
     """
-    nets = []
-    for name in NETWORKS:
+    nets = {}
+    for name in (*NETWORKS, RESTORER):
+        if name == RESTORER and not (WEIGHTS / f"{name}.safetensors").exists():
+            continue  # refining then denoises
         path = WEIGHTS / f"{name}.safetensors"
         try:
-            nets.append(load_weights(path).to(device))
+            nets[name] = load_weights(path).to(device)
         except (FileNotFoundError, SafetensorError, ValueError) as error:
             raise weights_error(path, error) from error
-    return BuiltinGuidance(*nets, offered_words(), ignore_unknown)
+    first = (nets[name] for name in NETWORKS)
+    return BuiltinGuidance(*first, offered_words(), ignore_unknown, nets.get(RESTORER))

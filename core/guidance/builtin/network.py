@@ -28,6 +28,7 @@ class UNetConfig:
     code: int = 192  # channels of the embedding of time and words
     picture: int = 4  # channels of the picture
     hint: int = 0  # channels of a picture that is given; 0 is none
+    stem: int = 0  # channels of the branch at the picture's full resolution; 0 is none
 
 
 def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
@@ -108,6 +109,38 @@ class Stage(nn.Module):
         return self.attention(self.block(x, code))
 
 
+class Stem(nn.Module):
+    """A branch at the picture's own resolution, where the U-Net sees blocks of ``BLOCK``².
+
+    It adds to the U-Net's entry and to its exit. Both additions start at zero, so that a network
+    trained without the branch is unchanged when it gets one.
+    """
+
+    def __init__(self, config: UNetConfig) -> None:
+        super().__init__()
+        channels, width = config.stem, config.widths[0]
+        self.enter = nn.Conv2d(config.picture + config.hint, channels, 3, padding=1)
+        self.down = nn.Conv2d(channels * BLOCK**2, width, 1)
+        self.up = nn.Conv2d(width, channels * BLOCK**2, 1)
+        self.blocks = nn.ModuleList(Block(channels, channels, config.code) for _ in range(2))
+        self.norm = nn.GroupNorm(8, channels)
+        self.exit = nn.Conv2d(channels, config.picture, 3, padding=1)
+        for parameter in (*self.down.parameters(), *self.exit.parameters()):
+            nn.init.zeros_(parameter)
+
+    def entry(self, pictures: Tensor) -> tuple[Tensor, Tensor]:
+        """Its features (B, stem, s, s), and what it adds to the U-Net's (B, width, s/2, s/2)."""
+        fine = self.enter(pictures)
+        return fine, self.down(F.pixel_unshuffle(fine, BLOCK))
+
+    def forward(self, fine: Tensor, h: Tensor, code: Tensor) -> Tensor:
+        """What it adds to the picture (B, p, s, s); ``h`` is the U-Net's last feature map."""
+        fine = fine + F.pixel_shuffle(self.up(h), BLOCK)
+        for block in self.blocks:
+            fine = block(fine, code)
+        return self.exit(F.silu(self.norm(fine)))
+
+
 class UNet(nn.Module):
     """v of a noisy picture, given words, a camera and, if so built, another picture."""
 
@@ -141,6 +174,7 @@ class UNet(nn.Module):
             inner = below
         self.norm = nn.GroupNorm(8, widths[0])
         self.exit = nn.Conv2d(widths[0], config.picture * BLOCK**2, 3, padding=1)
+        self.stem = Stem(config) if config.stem else None
         # A quarter faster on a CPU with bfloat16 units. Not in torch's stubs.
         self.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
 
@@ -163,6 +197,10 @@ class UNet(nn.Module):
         pictures = z if hint is None else torch.cat([z, hint], 1)
         code = self.code(t, words)
         h = self.entry(torch.cat([F.pixel_unshuffle(pictures, BLOCK), camera], 1))
+        fine = None
+        if self.stem is not None:
+            fine, more = self.stem.entry(pictures)
+            h = h + more
         skips = []
         for down, shrink in zip(self.down, self.shrink, strict=True):
             h = down(h, code)
@@ -173,4 +211,6 @@ class UNet(nn.Module):
             h = refine(up(torch.cat([h, skips.pop()], 1), code), code)
             if not isinstance(grow, nn.Identity):
                 h = grow(F.interpolate(h, scale_factor=2.0))
-        return F.pixel_shuffle(self.exit(F.silu(self.norm(h))), BLOCK)
+        h = F.silu(self.norm(h))
+        out = F.pixel_shuffle(self.exit(h), BLOCK)
+        return out if self.stem is None or fine is None else out + self.stem(fine, h, code)

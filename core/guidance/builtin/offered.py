@@ -9,6 +9,7 @@ from core.errors import MissingError
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")
+RESTORER = "restorer"  # has no words of its own; may be missing
 
 
 def read_metadata(path: Path) -> dict[str, Any]:

@@ -1,0 +1,82 @@
+"""Training of the restorer: soft renders in, crisp ones out (``core.guidance.builtin.restore``).
+
+Part of each batch is exact and must come back unchanged: what refines must first do no harm.
+"""
+
+from dataclasses import replace
+from pathlib import Path
+
+import torch
+from torch import Tensor
+
+from core.guidance.builtin.network import BLOCK, camera_map
+from core.guidance.builtin.restore import restored
+from core.prior.data import SIZE
+from core.prior.soft_pairs import PAIRS, read_pairs
+from core.prior.soften import soft_pictures
+from core.prior.train import GEOMETRY, Batch, Geometry, TrainConfig, Training
+
+STEM = 24  # channels at full resolution: a step costs half as much again
+RESTORER = replace(GEOMETRY, stem=STEM)
+RESTORING = TrainConfig(
+    minutes=120.0, batch=16, learning_rate=5e-4, warm_up=60, ema=0.995, drop_both=0.05
+)
+EXACT = 0.2  # fraction of the pictures softened on the fly that are left exact
+FROM_SOLIDS = 0.4  # fraction of a batch from soft solids, where the folder has any
+KNEE = 0.02  # errors above it count linearly: their median keeps planes flat, a mean rounds edges
+
+
+def restoring_loss(training: Training, batch: Batch) -> Tensor:
+    """The mean pseudo-Huber error, its knee at ``KNEE``, of the restored pictures."""
+    x, words, camera, solids = batch
+    assert solids is not None
+    generator, device = training.generator, training.device
+    unnamed = torch.rand(len(x), generator=generator) < training.config.drop_both
+    words = words * ~unnamed[:, None]
+    x, words, camera, solids = (tensor.to(device) for tensor in (x, words, camera, solids))
+    # Here and not in the batch, so that a GPU does it.
+    drawn = len(x) - len(solids)
+    strength = torch.rand(drawn, generator=generator)
+    strength[: round(drawn * EXACT)] = 0
+    soft = torch.cat([soft_pictures(x[:drawn], strength, generator), solids])
+    with torch.autocast(device.type, torch.bfloat16):
+        error = restored(training.net, soft, words, camera) - x
+    return ((error / KNEE).square() + 1).sqrt().sub(1).mul(KNEE).mean()
+
+
+class Restoring(Geometry):
+    """Batches of geometry pictures, with the renders of soft solids in the place of the surface:
+    they belong to the last of the pictures, the others are to be softened."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        self._read_pairs()
+
+    def rescan(self) -> None:
+        """Read the shards and the pairs that have come."""
+        super().rescan()
+        self._read_pairs()
+
+    def _read_pairs(self) -> None:
+        paths = sorted(self.folder.glob(PAIRS))
+        self.pairs = read_pairs(paths) if paths else None
+
+    def batch(self, count: int, generator: torch.Generator) -> Batch:
+        """Pictures, words, camera maps, soft pictures of the last ones."""
+        solids = round(count * FROM_SOLIDS) if self.pairs else 0
+        pictures, words, camera, _ = super().batch(count - solids, generator)
+        if not solids:
+            return pictures, words, camera, pictures[:0]
+        *more, soft = self._soft_solids(solids, generator)
+        both = zip((pictures, words, camera), more, strict=True)
+        pictures, words, camera = (torch.cat(pair) for pair in both)
+        return pictures, words, camera, soft
+
+    def _soft_solids(
+        self, count: int, generator: torch.Generator
+    ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+        assert self.pairs is not None
+        s, index = self.pairs.samples, torch.randint(len(self.pairs), (count,), generator=generator)
+        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
+        camera = camera_map(s.cameras(index), SIZE // BLOCK)
+        return s.pictures(index), words, camera, self.pairs.soft_pictures(index)

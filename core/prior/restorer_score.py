@@ -1,0 +1,67 @@
+"""What the restorer gains and what it harms, on fresh objects softened as a fit does."""
+
+from dataclasses import dataclass
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+from torch.nn.functional import normalize
+
+from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.restore import as_render, restored
+from core.prior.data import NOUNS, SIZE, VIEWS
+from core.prior.soft_pairs import make_pairs
+
+COVERED = 0.95  # coverage of the pixels that are compared
+
+
+@dataclass(frozen=True)
+class RestoreScore:
+    """Of one noun: mean angles to the true normals, in degrees."""
+
+    noun: str
+    soft: float  # of the softened renders
+    restored: float  # of these restored
+    exact: float  # of the exact renders restored: what the network itself adds
+
+    def __str__(self) -> str:
+        ratio = self.restored / self.soft
+        return (
+            f"{self.noun:12} soft {self.soft:5.1f}, restored {self.restored:5.1f} "
+            f"({ratio:.2f} of it), exact restored {self.exact:4.1f}"
+        )
+
+
+def mean_angle(pictures: Float[Tensor, "b 4 s s"], true: Float[Tensor, "b 4 s s"]) -> float:
+    """Between the normals of both, degrees, over the pixels that the true picture covers."""
+    covered = true[:, 3] > 2 * COVERED - 1
+    a, b = (normalize(x[:, :3], dim=1, eps=1e-4) for x in (pictures, true))
+    cosine = (a * b).sum(1)[covered].clamp(-1, 1)
+    return torch.rad2deg(cosine.acos()).mean().item()
+
+
+@torch.no_grad()
+def score_restoring(net: UNet, noun: str, views: int, seed: int) -> RestoreScore:
+    """Of ``views`` views of fresh objects; the same seed is the same objects."""
+    pairs = make_pairs(seed, -(-views // VIEWS), noun)
+    s, soft = pairs.samples, pairs.soft_pictures()
+    words = torch.stack([s.noun + 1, s.adjective, s.part_state], 1)
+    camera, true = camera_map(s.cameras(), SIZE // BLOCK), s.pictures()
+    sharp, same = (as_render(restored(net, x, words, camera)) for x in (soft, true))
+    return RestoreScore(
+        noun, mean_angle(soft, true), mean_angle(sharp, true), mean_angle(same, true)
+    )
+
+
+def report(net: UNet, nouns: list[str], views: int, seed: int) -> list[RestoreScore]:
+    """Print each noun's score and the means."""
+    scores = []
+    for noun in nouns:
+        scores.append(score_restoring(net, noun, views, seed + NOUNS.index(noun)))
+        print(scores[-1], flush=True)
+    soft, after, exact = (
+        sum(getattr(score, name) for score in scores) / len(scores)
+        for name in ("soft", "restored", "exact")
+    )
+    print(RestoreScore("mean", soft, after, exact))
+    return scores

@@ -1,0 +1,89 @@
+"""Pairs of views for the restorer: solids, and the same views of the solids softened."""
+
+import multiprocessing
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from jaxtyping import Float
+from safetensors.torch import load_file, save_file
+from torch import Tensor
+
+from core.camera import sample_cameras
+from core.prior.data import CAMERAS, NOUNS, SIZE, VIEWS, Samples, joined, samples_of
+from core.prior.draw import Draw
+from core.prior.families import build
+from core.prior.soften import draw_softness, soft_shape
+from core.prior.tracer import Pictures, render
+
+PAIRS = "pairs_*.safetensors"
+OBJECTS = 64  # of one file
+FIRST_SEED = 500_000  # away from the shards' seeds and the evaluation's
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """Views of solids with the same views of the solids softened."""
+
+    samples: Samples
+    soft: Tensor  # (N, 4, s, s) int8, [n * o, 2o - 1] × 127
+
+    def __len__(self) -> int:
+        return len(self.soft)
+
+    def soft_pictures(self, index: "Tensor | slice" = slice(None)) -> Float[Tensor, "n 4 s s"]:
+        """[n * o, 2o - 1] of the softened."""
+        return self.soft[index].float() / 127
+
+
+def as_picture(seen: Pictures) -> Float[Tensor, "b 4 s s"]:
+    """[n * o, 2o - 1]."""
+    return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
+
+
+def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "") -> Pairs:
+    """``objects`` random objects, of one ``noun`` if it is given, and a soft form of each."""
+    generator = torch.Generator().manual_seed(seed)
+    draw = Draw(generator)
+    rows, soft = [], []
+    for _ in range(objects):
+        kind = NOUNS.index(noun) if noun else int(draw(0, len(NOUNS)))
+        shape = build(NOUNS[kind], "", Draw(generator))
+        melted = soft_shape(shape.sdf, draw_softness(draw), generator)
+        cameras = sample_cameras(VIEWS, CAMERAS, generator)
+        rows.append(Samples.of(render(shape, cameras, SIZE), cameras, kind))
+        soft.append((as_picture(render(melted, cameras, SIZE)) * 127).round().to(torch.int8))
+    return Pairs(joined(rows), torch.cat(soft))
+
+
+def write_pairs(folder: Path, number: int, objects: int = OBJECTS) -> Path:
+    """Make the file ``number`` unless the folder has it; by a temporary file, then renamed."""
+    path = folder / f"pairs_{number:05d}.safetensors"
+    if not path.exists():
+        pairs = make_pairs(FIRST_SEED + number, objects)
+        temporary = path.with_suffix(".part")
+        tensors = vars(pairs.samples) | {"soft": pairs.soft}
+        save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)
+        temporary.rename(path)
+    return path
+
+
+def _work(job: tuple[Path, int]) -> Path:
+    torch.set_num_threads(1)
+    return write_pairs(*job)
+
+
+def write_pair_files(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+    """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    if not numbers:
+        return
+    with multiprocessing.get_context("spawn").Pool(workers) as pool:
+        yield from pool.imap(_work, [(folder, number) for number in numbers])
+
+
+def read_pairs(paths: list[Path]) -> Pairs:
+    """Files of pairs, joined."""
+    parts = [load_file(path) for path in paths]
+    soft = torch.cat([part.pop("soft") for part in parts])
+    return Pairs(joined([samples_of(part) for part in parts]), soft)
