@@ -110,7 +110,7 @@ def test_package_accepts_no_other_arguments():
     environ = os.environ | {"FANTASIA3D_PYTHON": sys.executable}
     done = subprocess.run(command, env=environ, capture_output=True, text=True)
     assert done.returncode == 2
-    assert "package takes --out FOLDER alone" in done.stderr
+    assert "package has no option 'now'" in done.stderr
 
 
 @pytest.mark.slow
