@@ -168,6 +168,9 @@ def job_of(args: argparse.Namespace) -> "Job":
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
+    for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
+        if given[name] == 0:  # which stands for the preset's own in job.json
+            raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
     if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
