@@ -102,14 +102,20 @@ def _packages(python: str, pins: Sequence[str]) -> list[Line]:
     try:
         # In the environment's own Python: this one may have other packages.
         done = subprocess.run(
-            [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
+            [python, "-c", machine.NOT_FROM_HERE + PROBE, *pins],
+            stdin=subprocess.DEVNULL,
+            env=machine.clean_environ(),
+            capture_output=True,
         )
     except OSError as error:
         return [Line("packages", MISSING, f"{python} does not run ({error.strerror}); {fix}")]
     if done.returncode:
         lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no output"]
         return [Line("packages", MISSING, f"{lines[-1]}; {fix}")]
-    facts = json.loads(done.stdout.decode("utf-8"))
+    try:
+        facts = json.loads(done.stdout.decode("utf-8").splitlines()[-1])
+    except (ValueError, IndexError):
+        return [Line("packages", MISSING, f"{python} is no Python; {fix}")]
     lines = [Line("packages", OK, f"as pinned, under Python {facts['python']}")]
     if facts["wrong"]:
         lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {fix}")]
