@@ -191,6 +191,14 @@ def _setting(text: str) -> tuple[str, str]:
 
 
 def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+    """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
+    from core.io.lock import run_lock
+
+    with run_lock(run.path):
+        return _run_job(run, inputs)
+
+
+def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
