@@ -19,6 +19,7 @@ from ..errors import AddonError, LightError
 from ..scene import light as lights
 from ..scene import render as scene_render
 from . import commands
+from .interrupt import ends_at_ctrl_c
 
 USER_ERROR = 2  # the exit code for what the user can fix
 
@@ -50,7 +51,7 @@ def finish(
     into the open file, or into an empty one where none is open. No file is left half-written.
     """
     try:
-        with _quiet():
+        with ends_at_ctrl_c(), _quiet():
             _finish(asset, blend, render, light)
     except AddonError as error:
         return _report(error)
@@ -65,7 +66,7 @@ def command(argv: Sequence[str]) -> int:
     if {"-h", "--help"} & set(argv):
         commands.parser().parse_args(list(argv))  # prints the help and exits
     try:
-        with _quiet():
+        with ends_at_ctrl_c(), _quiet():
             written = commands.run(argv)
     except AddonError as error:
         return _report(error)
