@@ -79,11 +79,12 @@ def test_doctor_says_that_a_program_is_no_python(box):
     lines = {line.name: line for line in environment.examine(box.root)}
     assert lines["packages"].state == "MISSING"
     assert "/bin/true is no Python" in lines["packages"].text
+    assert "FANTASIA3D_PYTHON" in lines["packages"].text, "a set-up would not mend it"
 
 
 def test_a_wheel_folder_that_is_not_there_is_said_first(box):
     box.patch.setenv("FANTASIA3D_WHEELS", str(box.folder / "none"))
-    with pytest.raises(environment.SetupError, match="none, which is no folder"):
+    with pytest.raises(environment.SetupError, match="wheel folder .*none does not exist"):
         box.ensure()
     assert not box.log and not box.env.exists()
 
@@ -203,6 +204,11 @@ def test_a_folder_of_the_users_is_left_alone(box):
     [
         (NO_NETWORK, "registry cannot be reached"),
         ("ERROR: No matching distribution found for bpy==4.5.15", "no package bpy==4.5.15"),
+        (
+            "WARNING: Location '/no wheels' is ignored: it is either a non-existing path or lacks a"
+            " specific scheme.\nERROR: No matching distribution found for torch",
+            "wheel folder /no wheels does not exist",
+        ),
         ("OSError: [Errno 28] No space left on device", "disk filled up"),
         ("noise\nERROR: the moon is full\nmore noise", r"ERROR: the moon is full"),
     ],

@@ -206,8 +206,8 @@ class _SetUp:
         self.wheels = str(place.wheels or os.environ.get("FANTASIA3D_WHEELS") or "")
         if self.wheels and not Path(self.wheels).is_dir():
             raise SetupError(
-                f"FANTASIA3D_WHEELS is {self.wheels}, which is no folder.",
-                "Set it to a folder of wheels, or unset it.",
+                f"The wheel folder {self.wheels} does not exist.",
+                "Choose another (FANTASIA3D_WHEELS, or the add-on's preferences), or none.",
             )
         self.python = str(paths.env_python(self.folder))
         self.start = time.monotonic()
