@@ -180,9 +180,11 @@ def test(arguments: list[str]) -> int:
 def package(args: Namespace) -> int:
     """Build the extension's zip with Blender's own builder, and validate it."""
     folder = args.out.expanduser().absolute()
-    if folder.exists() and not folder.is_dir():
-        raise UserError(f"{folder} is a file.", "Name a folder: package --out FOLDER.")
-    builder = find_builder(environment.ensure(ROOT, ("blender",), say))
+    if not next(path for path in (folder, *folder.parents) if path.exists()).is_dir():
+        raise UserError(
+            f"--out is {folder}, which is not a folder.", "Name a folder, or a new one."
+        )
+    builder = environment.find_builder(environment.ensure(ROOT, ("blender",), say))
     with tempfile.TemporaryDirectory() as temporary:
         source = Path(temporary) / "fantasia3d"
         fill_package(source)
@@ -200,18 +202,6 @@ def use_builder(command: Sequence[str | Path], folder: str) -> None:
     done = subprocess.run(command, env=environ, cwd=folder, capture_output=True, text=True)
     if done.returncode:
         raise UserError(f"Blender's builder refuses: {(done.stdout + done.stderr).strip()}")
-
-
-def find_builder(python_path: Path) -> list[str | Path]:
-    """The command of Blender's builder, which lies beside the bpy module of ``python_path``."""
-    code = "import importlib.util as u; print(u.find_spec('bpy').submodule_search_locations[0])"
-    done = subprocess.run(
-        [str(python_path), "-c", code], capture_output=True, text=True, check=True
-    )
-    found = list(Path(done.stdout.strip()).glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
-    if not found:
-        raise UserError("This bpy has no extension builder.", "Run setup blender --renew.")
-    return [python_path, found[0]]
 
 
 def fill_package(folder: Path) -> None:

@@ -103,6 +103,65 @@ def test_what_cannot_be_is_one_sentence_and_exit_code_2(tmp_path, argv, message,
         commands.run(run.parse(argv))
 
 
+RELIGHT = ["relight", "X", "--render", "a.png"]
+PHYSICS = ["physics", "X", "--physics", "soft", "--render", "a.png"]
+
+
+@pytest.mark.parametrize(
+    ("command", "option", "value", "takes"),
+    [
+        (RELIGHT, "--strength", "nan", "0 to 1e+06"),
+        (RELIGHT, "--strength", "inf", "0 to 1e+06"),
+        (RELIGHT, "--strength", "-1", "0 to 1e+06"),
+        (RELIGHT, "--strength", "bright", "0 to 1e+06"),
+        (RELIGHT, "--rotation-deg", "nan", "any number"),
+        (RELIGHT, "--rotation-deg", "-inf", "any number"),
+        (RELIGHT, "--size", "0", "16 to 8192"),
+        (RELIGHT, "--size", "-1", "16 to 8192"),
+        (RELIGHT, "--size", "1000000", "16 to 8192"),
+        (RELIGHT, "--size", "nan", "16 to 8192"),
+        (RELIGHT, "--samples", "-1", "0 to 65536"),
+        (RELIGHT, "--samples", "99999999", "0 to 65536"),
+        (RELIGHT, "--frames", "1", "2 to 5000"),
+        (PHYSICS, "--height", "inf", "0 to 1000"),
+        (PHYSICS, "--height", "-5", "0 to 1000"),
+        (PHYSICS, "--height", "1e30", "0 to 1000"),
+        (PHYSICS, "--softness", "nan", "0 to 1"),
+        (PHYSICS, "--softness", "5", "0 to 1"),
+        (PHYSICS, "--frames", "0", "2 to 5000"),
+        (["cornell", "X", "--render", "a.png"], "--size", "0", "16 to 8192"),
+    ],
+)
+def test_a_number_out_of_its_range_is_refused_with_the_range(command, option, value, takes, capfd):
+    assert run.main([*command, f"{option}={value}"]) == 2
+    said = capfd.readouterr().err
+    assert said.startswith("error: ") and said.count("\n") == 1
+    assert option in said and f"'{value}'" in said and f"use {takes}" in said.replace(".", "")
+
+
+def test_a_light_with_nan_is_refused_and_leaves_the_old_picture(asset, tmp_path, capfd):
+    exr = pytest.importorskip("core.io.exr", reason="the core is not in this Python")
+    import torch
+
+    pixels = torch.ones(8, 16, 3)
+    pixels[2, 3] = float("nan")
+    exr.write_exr(tmp_path / "nan.exr", pixels)
+    (tmp_path / "a.png").write_bytes(b"old")
+    line = ["relight", str(asset), "--light", str(tmp_path / "nan.exr")]
+    assert headless.command(run.parse([*line, "--render", str(tmp_path / "a.png")])) == 2
+    assert "not finite numbers" in capfd.readouterr().err
+    assert (tmp_path / "a.png").read_bytes() == b"old"
+
+
+@pytest.mark.parametrize("name", ["a.fbx", "a.obj"])
+def test_a_folder_is_no_place_for_an_export(asset, tmp_path, name, capfd):
+    (tmp_path / name).mkdir()
+    line = ["export", str(asset), "--format", name[2:], "--out", str(tmp_path / name)]
+    assert headless.command(run.parse(line)) == 2
+    assert f"{name} is a folder" in capfd.readouterr().err
+    assert {path.name for path in tmp_path.iterdir()} == {asset.name, name}
+
+
 @pytest.mark.slow
 def test_the_command_line_itself_lights_an_asset(asset, tmp_path):
     if bpy.app.binary_path:

@@ -25,11 +25,14 @@ import os, shutil, sys, time
 args = sys.argv[1:]
 with open({calls!r}, "a", encoding="utf-8") as file:
     print(*args, file=file)
+isolated = args[:3] == ["-I", "-X", "utf8"]
+if isolated:
+    del args[:3]
 if args[:2] == ["-m", "venv"]:
     os.makedirs(args[2] + "/bin", exist_ok=True)
     shutil.copy(sys.argv[0], args[2] + "/bin/python")
-elif args[:2] == ["-I", "-c"]:
-    print({probe!r} if "version_info" in args[2] else "loads")
+elif isolated and args[0] == "-c":
+    print({probe!r} if "version_info" in args[1] else "loads")
 elif args[0] == "-c":
     print({facts!r})
 elif "--version" in args:

@@ -6,11 +6,13 @@ World: right-handed, +Z up, the object's front faces -Y. Camera: x right, y up, 
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
+
+from core.ranges import Range
 
 NEAR, FAR = 0.1, 10.0
 
@@ -105,11 +107,14 @@ class Cameras:
 class CameraConfig:
     """The distribution that a training draws its cameras from."""
 
-    distance: tuple[float, float] = (3.0, 3.0)  # uniform, training units
-    fovy_deg: tuple[float, float] = (40.0, 40.0)  # uniform
-    elevation_deg: tuple[float, float] = (-20.0, 78.0)
+    # Uniform, training units; nearer than the object's cube the camera would stand in it.
+    distance: Annotated[tuple[float, float], Range(1.5, 9.0, rising=True)] = (3.0, 3.0)
+    fovy_deg: Annotated[tuple[float, float], Range(1, 170, rising=True)] = (40.0, 40.0)  # uniform
+    elevation_deg: Annotated[tuple[float, float], Range(-90, 90, rising=True)] = (-20.0, 78.0)
     elevation: Literal["sphere", "angle"] = "sphere"  # what is uniform: the sine, or the angle
-    azimuth_jitter: float = 1.0  # fraction of a stratum; the strata fill the circle
+    azimuth_jitter: Annotated[float, Range(0, 1)] = (
+        1.0  # fraction of a stratum; the strata fill the circle
+    )
 
 
 def sample_cameras(n: int, config: CameraConfig, generator: torch.Generator) -> Cameras:

@@ -179,6 +179,9 @@ def job_of(args: argparse.Namespace) -> "Job":
     }
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
+    for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
+        if given[name] == 0:  # which stands for the preset's own in job.json
+            raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
     if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
@@ -199,6 +202,14 @@ def _setting(text: str) -> tuple[str, str]:
 
 
 def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+    """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
+    from core.io.lock import run_lock
+
+    with run_lock(run.path):
+        return _run_job(run, inputs)
+
+
+def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.

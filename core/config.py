@@ -7,11 +7,24 @@
 import dataclasses
 import difflib
 from dataclasses import dataclass, field, fields, replace
-from typing import Any, Literal, get_args, get_origin
+from typing import Annotated, Any, Literal, get_args, get_origin
 
 from core.camera import CameraConfig
 from core.errors import UserError
 from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
+from core.ranges import (
+    Count,
+    Fraction,
+    Fractions,
+    Interval,
+    Pixels,
+    Range,
+    Rate,
+    Scale,
+    Steps,
+    Weight,
+    range_of,
+)
 
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
@@ -22,29 +35,29 @@ ShadingModel = Literal["lobes", "split_sum"]
 class PhaseConfig:
     """One phase of a training: how much noise is added, and how its score is weighed."""
 
-    steps: int
-    size: int  # side of the rendered picture, pixels
+    steps: Steps
+    size: Pixels  # side of the rendered picture, pixels
     weighting: Weighting  # w(t)
-    t_low: float = 0.02  # fraction of the diffusion's T steps
-    t_high: tuple[float, float] = (0.5, 0.5)  # at the phase's first and last step
-    guidance_scale: float = 100.0  # 1 is no guidance
+    t_low: Fraction = 0.02  # fraction of the diffusion's T steps
+    t_high: Fractions = (0.5, 0.5)  # at the phase's first and last step
+    guidance_scale: Scale = 100.0  # 1 is no guidance
 
 
 @dataclass(frozen=True, kw_only=True)
 class RefineConfig:
     """A phase beyond the paper: rounds of regression to denoised pictures."""
 
-    rounds: int = 0  # 0 leaves it out
-    steps: int = 40  # of the optimiser, in one round
-    views: int = 20  # pictures of one round
-    batch: int = 10  # of them in one step
-    size: int = 128  # side of the rendered picture, pixels
-    t: tuple[float, float] = (0.5, 0.25)  # noise given to the pictures, first and last round
-    ray_mask: float = 0.0  # weight of the mask along empty rays; the whole lattice then moves
-    denoise_steps: int = 5
-    guidance_scale: float = 3.0
+    rounds: Steps = 0  # 0 leaves it out
+    steps: Count = 40  # of the optimiser, in one round
+    views: Count = 20  # pictures of one round
+    batch: Count = 10  # of them in one step
+    size: Pixels = 128  # side of the rendered picture, pixels
+    t: Fractions = (0.5, 0.25)  # noise given to the pictures, first and last round
+    ray_mask: Weight = 0.0  # weight of the mask along empty rays; the whole lattice then moves
+    denoise_steps: Count = 5
+    guidance_scale: Scale = 3.0
     restore: bool = False  # where the guidance can, instead of noise and denoising
-    learning_rate: float = 2e-3
+    learning_rate: Rate = 2e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,69 +66,74 @@ class GeometryConfig:
 
     net: SdfNetConfig = HASH
     # Lattice cubes along an edge, coarse and fine; 65³ nodes are what others call a 128 grid.
-    resolution: tuple[int, int] = (64, 64)
-    radii: tuple[float, float, float] = (0.6, 0.6, 0.6)  # the first ellipsoid, training units
-    fit_steps: int = 401  # Eq. 3
+    resolution: Annotated[tuple[int, int], Range(4, 512)] = (64, 64)
+    # The first ellipsoid, training units; the lattice reaches 1.05.
+    radii: Annotated[tuple[float, float, float], Range(0.05, 1.0)] = (0.6, 0.6, 0.6)
+    fit_steps: Count = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
     grow: RefineConfig = RefineConfig()  # on the coarse lattice
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
     refine: RefineConfig = RefineConfig()
-    views: int = 24  # cameras of one step
-    views_at_once: int = 24  # cameras rendered together; the rest is accumulated
+    views: Count = 24  # cameras of one step
+    views_at_once: Count = 24  # cameras rendered together; the rest is accumulated
     cameras: CameraConfig = SPHERE
-    learning_rate: float = 1e-3
-    learning_rate_end: float = 1.0  # fraction of the rate that is left at the last step
+    learning_rate: Rate = 1e-3
+    learning_rate_end: Fraction = 1.0  # fraction of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
-    gradient_cap: float = 0.0  # upper bound of the score's RMS; 0 is none
-    gradient_clip: float = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
+    gradient_cap: Weight = 0.0  # upper bound of the score's RMS; 0 is none
+    gradient_clip: Weight = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
     # Fraction of all distilling steps, from the first on: the coarse ones among them also move the
     # mask along empty rays.
-    ray_mask_share: float = 0.0
-    eikonal: float = 0.0  # weight of (|∇s| - 1)²
-    smooth_normals: float = 0.0  # weight of 1 - cos between adjacent faces
+    ray_mask_share: Fraction = 0.0
+    eikonal: Weight = 0.0  # weight of (|∇s| - 1)²
+    smooth_normals: Weight = 0.0  # weight of 1 - cos between adjacent faces
     join: bool = False  # struts between the connected components of the finished mesh
-    polish: int = 0  # rounds of Taubin smoothing of the finished mesh
-    flatten: int = 0  # rounds of bilateral filtering of its normals after that
-    flatten_sigma: float = 0.3  # how far unit normals may differ and still be of one plane
+    polish: Annotated[int, Range(0, 1000)] = 0  # rounds of Taubin smoothing of the finished mesh
+    # Rounds of bilateral filtering of its normals after that.
+    flatten: Annotated[int, Range(0, 1000)] = 0
+    # How far unit normals may differ and still be of one plane.
+    flatten_sigma: Annotated[float, Range(0.01, 2.0)] = 0.3
 
 
 @dataclass(frozen=True, kw_only=True)
 class AppearanceConfig:
     """Γ and its training (§4.3)."""
 
-    hidden: int = 32
-    layers: int = 2
-    log2_hash_size: int = 19
-    finest: int = 4096
+    hidden: Annotated[int, Range(1, 4096)] = 32
+    layers: Annotated[int, Range(1, 16)] = 2
+    log2_hash_size: Annotated[int, Range(4, 24)] = 19
+    finest: Annotated[int, Range(16, 65536)] = 4096
     early: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="sigma2_sqrt")
     late: PhaseConfig = PhaseConfig(steps=1000, size=512, weighting="inv_sigma2")
     refine: RefineConfig = RefineConfig()
-    views: int = 24
-    views_at_once: int = 24
+    views: Count = 24
+    views_at_once: Count = 24
     cameras: CameraConfig = SPHERE
-    learning_rate: float = 1e-2
-    learning_rate_end: float = 1.0  # fraction left at the end of distilling and of refining
-    gradient_cap: float = 0.0
+    learning_rate: Rate = 1e-2
+    learning_rate_end: Fraction = 1.0  # fraction left at the end of distilling and of refining
+    gradient_cap: Weight = 0.0
     shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
     # know no such shadows.
     self_shadow: bool = False
     rotate_light: bool = True  # a fixed light bakes into kd
-    kd_range: tuple[float, float] = (0.03, 0.97)
-    roughness_range: tuple[float, float] = (0.08, 0.9)
-    metallic_range: tuple[float, float] = (0.0, 1.0)
-    metallic_start: float = 0.5  # fraction of its range that metallic starts at
-    bump: float = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
-    smooth: float = 0.0  # weight of the material's change between neighbouring points
+    kd_range: Interval = (0.03, 0.97)
+    roughness_range: Interval = (0.08, 0.9)
+    metallic_range: Interval = (0.0, 1.0)
+    metallic_start: Fraction = 0.5  # fraction of its range that metallic starts at
+    bump: Annotated[float, Range(0, 10)] = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
+    smooth: Weight = 0.0  # weight of the material's change between neighbouring points
 
 
 @dataclass(frozen=True, kw_only=True)
 class TextureConfig:
     """The unwrap and the bake (§4.3, "Texturing")."""
 
-    size: int = 2048  # side of the maps, texels
-    max_faces: int = 20000  # the mesh is simplified to this before the unwrap
-    samples: int = 4  # of one texel
+    size: Annotated[int, Range(64, 8192)] = 2048  # side of the maps, texels
+    max_faces: Annotated[int, Range(100, 100_000_000)] = (
+        20000  # the mesh is simplified to this before the unwrap
+    )
+    samples: Annotated[int, Range(1, 64)] = 4  # of one texel
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,7 +143,7 @@ class GuidanceConfig:
     soft_views: bool = False  # mix the texts of neighbouring views by the camera's angle
     # Weight of Perp-Neg (Armandpour et al. 2023) against several faces; 0 is off, any other costs
     # three more U-Net runs a picture.
-    perp_neg: float = 0.0
+    perp_neg: Annotated[float, Range(0, 100)] = 0.0
     default_negative: bool = True  # an empty negative prompt is the default text, not none
 
 
@@ -257,11 +275,38 @@ def with_settings(config: Config, settings: dict[str, Any]) -> Config:
     Values may be text, as they come from ``--set``; tuples are numbers with commas.
 
     Raises:
-        UserError: an unknown key (with the nearest known one), or a value of another type.
+        UserError: an unknown key (with the nearest known one), a value of another type or out of
+            its range.
     """
     for key, value in settings.items():
         config = _with_setting(config, key, key.split("."), value)
     return config
+
+
+def check(config: Any, prefix: str = "") -> None:
+    """Refuse a config with a value out of its range.
+
+    Raises:
+        UserError: the first one, by name, with its range.
+    """
+    for f in fields(config):
+        value, key = getattr(config, f.name), prefix + f.name
+        if dataclasses.is_dataclass(value):
+            check(value, f"{key}.")
+        else:
+            _check_range(key, f.type, value)
+    if isinstance(config, PhaseConfig) and config.t_low > min(config.t_high):
+        raise UserError(
+            f"{prefix}t_low is {config.t_low}.",
+            f"It takes no more than {prefix}t_high, which is {min(config.t_high)}.",
+        )
+
+
+def _check_range(key: str, kind: Any, value: Any) -> None:
+    allowed = range_of(kind)
+    if allowed and not allowed.allows(value):
+        shown = ",".join(map(str, value)) if isinstance(value, tuple) else value
+        raise UserError(f"{key} is {shown}.", f"It takes {allowed}.")
 
 
 def setting_names(config: Any, prefix: str = "") -> list[str]:
@@ -283,6 +328,8 @@ def _with_setting(config: Any, key: str, path: list[str], value: Any) -> Any:
     if name not in kinds or bool(rest) != dataclasses.is_dataclass(here):
         raise UserError(f"There is no setting {key!r}.", _did_you_mean(key))
     new = _with_setting(here, key, rest, value) if rest else _parse(key, kinds[name], here, value)
+    if not rest:
+        _check_range(key, kinds[name], new)
     return replace(config, **{name: new})
 
 
@@ -308,11 +355,8 @@ def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
             if len(parts) != len(here):
                 raise ValueError
             return tuple(type(x)(p) for x, p in zip(here, parts, strict=True))
-        number = type(here)(value)
-        if number != number or number in (float("inf"), float("-inf")):
-            raise ValueError
-        return number
-    except (ValueError, KeyError, TypeError):
+        return type(here)(value)
+    except (ValueError, KeyError, TypeError, OverflowError):
         takes = " or ".join(get_args(kind)) if get_origin(kind) is Literal else _describe(here)
         raise UserError(f"{key} is {value!r}.", f"It takes {takes}.") from None
 

@@ -6,10 +6,12 @@ from core.errors import MissingError, UserError
 
 
 def device_of(name: str) -> torch.device:
-    """The torch device ``name``; "auto" is the first GPU, or else the CPU."""
+    """The torch device ``name``; "auto" is a CUDA GPU, or else the CPU."""
     found = {"cuda": torch.cuda.is_available(), "mps": torch.backends.mps.is_available()}
     if name == "auto":
-        return torch.device(next((kind for kind, here in found.items() if here), "cpu"))
+        # Not mps: Apple GPUs have no float64, which visibility, tangents and meshes compute in, so
+        # that the first render would fail. It must be asked for by name until someone has run it.
+        return torch.device("cuda" if found["cuda"] else "cpu")
     kind = name.split(":")[0]
     if kind not in ("cpu", *found):
         raise UserError(f"There is no device {name!r}.", "Use auto, cpu, cuda or mps.")

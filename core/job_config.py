@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from core.config import AppearanceConfig, Config, preset, with_settings
+from core.config import AppearanceConfig, Config, check, preset, with_settings
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
 
@@ -17,6 +17,7 @@ def config_of(job: Job) -> Config:
         config = replace(config, texture=replace(config.texture, max_faces=job.max_faces))
     # Before what a strength shortens: it then shortens what the user has set, too.
     config = with_settings(config, job.settings)
+    check(config)
     if job.base_color:
         config = retouching(config, job.guide_strength)
     return shortened(config, job.guide_strength) if job.guide_mesh else config

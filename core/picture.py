@@ -49,7 +49,8 @@ def render_asset(
     Raises:
         UserError: no asset, an unknown map or file type, numbers out of range.
     """
-    _check(out, map, fovy_deg, distance, size)
+    _check(out, map, distance, size)
+    _check_angles(azimuth_deg, elevation_deg, fovy_deg)
     asset = read_asset(folder)
     verts, _, scale = normalise(asset.mesh.verts)
     far = FRAMING if distance is None else distance * scale
@@ -61,17 +62,24 @@ def render_asset(
         write_png(out, over_grey(encoded(picture, o, map), o))
 
 
-def _check(out: Path, map: str, fovy_deg: float, distance: float | None, size: int) -> None:
+def _check(out: Path, map: str, distance: float | None, size: int) -> None:
     if map not in MAPS:
         raise UserError(f"There is no map {map!r}.", f"Use one of {', '.join(MAPS)}.")
     if out.suffix.lower() not in (".png", ".exr"):
         raise UserError(f"{out} is no PNG or EXR.", "Use a name that ends in .png or .exr.")
-    if not 1 <= fovy_deg <= 170:
-        raise UserError(f"The field of view is {fovy_deg}°.", "It takes 1 to 170.")
     if distance is not None and not 0 < distance < math.inf:
         raise UserError(f"The distance is {distance} m.", "It takes more than 0.")
     if not 1 <= size <= 8192:
         raise UserError(f"The size is {size}.", "It takes 1 to 8192 pixels.")
+
+
+def _check_angles(azimuth_deg: float, elevation_deg: float, fovy_deg: float) -> None:
+    if not -36000 <= azimuth_deg <= 36000:  # false for NaN too; beyond, float32 loses the degree
+        raise UserError(f"The azimuth is {azimuth_deg}°.", "It takes -36000 to 36000.")
+    if not -90 <= elevation_deg <= 90:
+        raise UserError(f"The elevation is {elevation_deg}°.", "It takes -90 to 90.")
+    if not 1 <= fovy_deg <= 170:
+        raise UserError(f"The field of view is {fovy_deg}°.", "It takes 1 to 170.")
 
 
 @torch.no_grad()

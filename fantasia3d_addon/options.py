@@ -49,7 +49,13 @@ class Option:
 # Light and turntable
 
 STRENGTH = Option(
-    "strength", "Strength", "Factor on the light's own radiance", 1.0, low=0.0, soft_high=10.0
+    "strength",
+    "Strength",
+    "Factor on the light's own radiance",
+    1.0,
+    low=0.0,
+    high=1e6,
+    soft_high=10.0,
 )
 ROTATION = Option(
     "rotation", "Rotation", "Turns the light about the vertical axis, counter-clockwise from above",
@@ -102,7 +108,7 @@ KIND = Option(
 FRAMES = Option("frames", "Frames", "Number of frames to bake", 60, low=2, high=5000)
 HEIGHT = Option(
     "height", "Height", "How far above its present place the fall starts", 0.5, low=0.0,
-    subtype="DISTANCE",
+    high=1000.0, subtype="DISTANCE",
 )  # fmt: skip
 CONVEX = Option(
     "convex", "Convex Hull", "One convex hull as the collision shape: faster, but it fills hollows",

@@ -10,7 +10,7 @@ draft's on a CPU. Ψ is an MLP of three layers. The SDF is negative inside.
 import itertools
 import math
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Annotated, Literal, NamedTuple
 
 import torch
 from jaxtyping import Float, Int
@@ -20,6 +20,7 @@ from core.geometry.marching_tets import crossing_edges, marching_tets
 from core.geometry.residual import Residual
 from core.geometry.tet_grid import EXTENT, TetGrid
 from core.hash_grid import HashGrid
+from core.ranges import Range
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,15 +28,17 @@ class SdfNetConfig:
     """Ψ's encoding and widths; the defaults are the paper's and the released code's."""
 
     encoding: Literal["hash", "fourier"] = "hash"
-    width: int = 32  # hidden units
-    hidden: int = 2  # hidden layers; the paper's three layers are two hidden and the output
-    levels: int = 16  # of the hash grid, and so on
-    features: int = 2
-    log2_size: int = 19
-    base: int = 16
-    finest: int = 4096
-    octaves: int = 3  # of the Fourier features
-    residual: float = 0.0  # scale of a lattice of values beside Ψ, on the fine lattice; 0 is none
+    width: Annotated[int, Range(1, 4096)] = 32  # hidden units
+    # Hidden layers; the paper's three layers are two hidden and the output.
+    hidden: Annotated[int, Range(1, 16)] = 2
+    levels: Annotated[int, Range(1, 32)] = 16  # of the hash grid, and so on
+    features: Annotated[int, Range(1, 8)] = 2
+    log2_size: Annotated[int, Range(4, 24)] = 19
+    base: Annotated[int, Range(1, 1024)] = 16
+    finest: Annotated[int, Range(16, 65536)] = 4096
+    octaves: Annotated[int, Range(0, 16)] = 3  # of the Fourier features
+    # Scale of a lattice of values added to Ψ, on the fine lattice; 0 is none.
+    residual: Annotated[float, Range(0.0, 10.0)] = 0.0
 
 
 FINER = 1.001  # a lattice whose cells are not larger than this times the residual's has it

@@ -23,12 +23,18 @@ def call(kind):
     with open({calls!r}, "a", encoding="utf-8") as file:
         print(kind, *args[-2:], file=file)
 
+if args[0] == "-c" and "path if path" in args[1]:
+    print({python_version!r} + "|" + os.environ.get("FAKE_LACKS", ""))
+    sys.exit()
+if args[:3] != ["-I", "-X", "utf8"]:
+    sys.exit("not isolated: " + " ".join(args))
+del args[:3]
 if args[:2] == ["-m", "venv"]:
     call("venv")
     os.makedirs(args[2] + "/bin", exist_ok=True)
     shutil.copy(sys.argv[0], args[2] + "/bin/python")
-elif args[:2] == ["-I", "-c"]:
-    print({probe!r} if "version_info" in args[2] else "loads")
+elif args[:1] == ["-c"]:
+    print({probe!r} if "version_info" in args[1] else "loads")
 elif "--version" in args:
     print("pip 26.3 from somewhere")
 elif "config" in args:
@@ -93,7 +99,11 @@ class Machine:
 
     def source(self, probe: str) -> str:
         return FAKE.format(
-            python=sys.executable, calls=str(self.calls), probe=probe, report=json.dumps(CPU)
+            python=sys.executable,
+            calls=str(self.calls),
+            python_version="3.11",
+            probe=probe,
+            report=json.dumps(CPU),
         )
 
     def pin(self, *core: str, blender: str = "bpy==4.5.15") -> None:

@@ -5,6 +5,7 @@ import json
 import pytest
 
 from core.command_line import job_of, main, parse
+from core.device import device_of
 from core.errors import UserError
 
 
@@ -28,6 +29,11 @@ def wrong(capsys, *argv):
         (["generate", "a chair", "--preset", "fast"], "draft, standard, paper"),
         (["generate", "a chair", "--set", "geometry.fine.stepz=3"], "geometry.fine.steps"),
         (["generate", "a chair", "--set", "geometry.fine.steps"], "has no value"),
+        (["generate", "a chair", "--set", "geometry.coarse.steps=-3"], "0 to 1000000"),
+        (["generate", "a chair", "--set", "geometry.radii=nan,1,1"], "0.05 to 1"),
+        (["generate", "a chair", "--set", "texture.size=0"], "64 to 8192"),
+        (["generate", "a chair", "--texture-size", "0"], "64 to 8192"),
+        (["generate", "a chair", "--max-faces", "0"], "100 or more"),
         (["generate", "a chair", "--device", "abacus"], "auto, cpu, cuda or mps"),
         (["generate", "a chair", "--light", "nowhere.exr"], "nowhere.exr"),
         (["generate", "a chair", "--guide", "nowhere.obj"], "nowhere.obj"),
@@ -39,6 +45,13 @@ def wrong(capsys, *argv):
         (["render", "nowhere", "--out", "x.gif"], ".png or .exr"),
         (["render", "nowhere", "--out", "x.png", "--map", "shadow"], "no map 'shadow'"),
         (["render", "nowhere", "--out", "x.png", "--size", "0"], "1 to 8192"),
+        (["render", "nowhere", "--out", "x.png", "--size", "1000000"], "1 to 8192"),
+        (["render", "nowhere", "--out", "x.png", "--azimuth-deg", "nan"], "azimuth is nan"),
+        (["render", "nowhere", "--out", "x.png", "--azimuth-deg", "inf"], "-36000 to 36000"),
+        (["render", "nowhere", "--out", "x.png", "--elevation-deg", "nan"], "-90 to 90"),
+        (["render", "nowhere", "--out", "x.png", "--elevation-deg", "100"], "-90 to 90"),
+        (["render", "nowhere", "--out", "x.png", "--fovy-deg", "nan"], "1 to 170"),
+        (["render", "nowhere", "--out", "x.png", "--distance", "nan"], "more than 0"),
         (["inspect", "nowhere"], "nowhere"),
         (["inspect", "x" * 300], "name too long"),
         (["generate", "a chair", "--out", "x" * 300], "name too long"),
@@ -59,6 +72,14 @@ def test_a_missing_device_is_status_3(capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("torch.cuda.is_available", lambda: False)
     assert wrong(capsys, "generate", "a chair", "--device", "cuda")[0] == 3
+
+
+@pytest.mark.parametrize(("cuda", "chosen"), [(True, "cuda"), (False, "cpu")])
+def test_auto_leaves_an_apple_gpu_alone(monkeypatch, cuda, chosen):
+    monkeypatch.setattr("torch.cuda.is_available", lambda: cuda)
+    monkeypatch.setattr("torch.backends.mps.is_available", lambda: True)
+    assert device_of("auto").type == chosen
+    assert device_of("mps").type == "mps"
 
 
 def test_options_reach_the_job(tmp_path, monkeypatch):

@@ -1,9 +1,15 @@
 """Settings: presets, --set, and what is said about a wrong one."""
 
+import dataclasses
+from dataclasses import fields, replace
+
 import pytest
 
-from core.config import PRESETS, preset, setting_names, with_settings
+from core.config import PRESETS, check, preset, setting_names, with_settings
 from core.errors import UserError
+from core.io.job import Job
+from core.job_config import config_of
+from core.ranges import range_of
 
 
 def test_every_setting_can_be_set_to_its_own_value():
@@ -32,7 +38,29 @@ def test_a_setting_reaches_its_field_and_no_other():
         ("geometry.views.more", "3", "no setting"),
         ("geometry.views", "many", "a whole number"),
         ("geometry.views", "3.5", "a whole number"),
-        ("geometry.eikonal", "nan", "a number"),
+        ("geometry.eikonal", "nan", "geometry.eikonal is nan. It takes 0 to"),
+        ("geometry.eikonal", "inf", "0 to"),
+        ("geometry.eikonal", "much", "a number"),
+        ("geometry.resolution", "0,0", "geometry.resolution is 0,0. It takes 4 to 512"),
+        ("geometry.resolution", "64,100000", "4 to 512"),
+        ("geometry.resolution", "inf,64", "2 numbers"),
+        ("geometry.radii", "nan,0.5,0.5", "geometry.radii is nan,0.5,0.5. It takes 0.05 to 1"),
+        ("geometry.radii", "0.5,inf,0.5", "0.05 to 1"),
+        ("geometry.coarse.steps", "-3", "geometry.coarse.steps is -3. It takes 0 to 1000000"),
+        ("geometry.coarse.steps", "1e9", "a whole number"),
+        ("geometry.coarse.steps", float("inf"), "a whole number"),
+        ("geometry.views", "0", "geometry.views is 0. It takes 1 to"),
+        ("geometry.views_at_once", "0", "1 to"),
+        ("geometry.cameras.distance", "3,2", "1.5 to 9, rising"),
+        ("geometry.cameras.fovy_deg", "0,0", "1 to 170"),
+        ("geometry.coarse.t_high", "1.5,0.5", "0 to 1"),
+        ("geometry.net.width", "0", "1 to"),
+        ("appearance.kd_range", "0.9,0.1", "0 to 1, rising"),
+        ("appearance.learning_rate", "0", "1e-09 to 1"),
+        ("texture.size", "0", "texture.size is 0. It takes 64 to 8192"),
+        ("texture.size", "100000", "64 to 8192"),
+        ("texture.max_faces", "-1", "100 to"),
+        ("texture.samples", "0", "1 to 64"),
         ("geometry.net.encoding", "spline", "hash or fourier"),
         ("appearance.rotate_light", "maybe", "true or false"),
         ("geometry.radii", "1,2", "3 numbers"),
@@ -70,3 +98,44 @@ def test_shading_model_is_a_setting() -> None:
     with pytest.raises(UserError, match="appearance.shading is 'phong'") as caught:
         with_settings(draft, {"appearance.shading": "phong"})
     assert caught.value.fix == "It takes lobes or split_sum."
+
+
+def numbers(config, prefix=""):
+    """Key and type of every setting that is a number or several."""
+    for f in fields(config):
+        value = getattr(config, f.name)
+        if dataclasses.is_dataclass(value):
+            yield from numbers(value, f"{prefix}{f.name}.")
+        elif not isinstance(value, bool | str):
+            yield prefix + f.name, f.type
+
+
+def test_every_number_has_a_range_and_refuses_what_is_beyond_it():
+    draft = preset("draft")
+    for key, kind in numbers(draft):
+        allowed = range_of(kind)
+        assert allowed, f"{key} has no range"
+        value = draft
+        for part in key.split("."):
+            value = getattr(value, part)
+        n = len(value) if isinstance(value, tuple) else 1
+        whole = type(value[0] if n > 1 else value) is int
+        for wrong in (allowed.low - 1, allowed.high + 1, "nan", "inf", "-inf"):
+            text = str(int(wrong) if whole and not isinstance(wrong, str) else wrong)
+            with pytest.raises(UserError, match=rf"^{key} is ") as caught:
+                with_settings(draft, {key: ",".join([text] * n)})
+            assert "It takes" in caught.value.fix
+
+
+def test_every_preset_is_in_its_ranges():
+    for config in PRESETS.values():
+        check(config)
+
+
+def test_a_config_is_checked_as_a_whole():
+    draft = preset("draft")
+    with pytest.raises(UserError, match="texture.size is 7. It takes 64 to 8192"):
+        check(replace(draft, texture=replace(draft.texture, size=7)))
+    settings = {"geometry.fine.t_low": "0.9", "geometry.fine.t_high": "0.5,0.5"}
+    with pytest.raises(UserError, match="geometry.fine.t_low is 0.9. It takes no more than"):
+        config_of(Job(prompt="a chair", settings=settings))

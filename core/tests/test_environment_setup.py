@@ -60,6 +60,35 @@ def test_an_interpreter_may_be_given(box):
         box.ensure()
 
 
+@pytest.mark.parametrize(
+    ("program", "lacks", "words"),
+    [
+        ("/bin/true", "", r"/bin/true, which is no Python; it must be Python 3\.11"),
+        ("", "torch, bpy", "which has no torch, bpy"),
+    ],
+)
+def test_an_interpreter_that_cannot_do_the_work_is_refused(box, program, lacks, words):
+    box.patch.setenv("FANTASIA3D_PYTHON", program or str(box.python))
+    box.patch.setenv("FAKE_LACKS", lacks)
+    with pytest.raises(environment.SetupError, match=words):
+        box.ensure("blender")
+
+
+def test_doctor_says_that_a_program_is_no_python(box):
+    box.patch.setenv("FANTASIA3D_PYTHON", "/bin/true")
+    lines = {line.name: line for line in environment.examine(box.root)}
+    assert lines["packages"].state == "MISSING"
+    assert "/bin/true is no Python" in lines["packages"].text
+    assert "FANTASIA3D_PYTHON" in lines["packages"].text, "a set-up would not mend it"
+
+
+def test_a_wheel_folder_that_is_not_there_is_said_first(box):
+    box.patch.setenv("FANTASIA3D_WHEELS", str(box.folder / "none"))
+    with pytest.raises(environment.SetupError, match="wheel folder .*none does not exist"):
+        box.ensure()
+    assert not box.log and not box.env.exists()
+
+
 # Python
 
 
@@ -175,6 +204,11 @@ def test_a_folder_of_the_users_is_left_alone(box):
     [
         (NO_NETWORK, "registry cannot be reached"),
         ("ERROR: No matching distribution found for bpy==4.5.15", "no package bpy==4.5.15"),
+        (
+            "WARNING: Location '/no wheels' is ignored: it is either a non-existing path or lacks a"
+            " specific scheme.\nERROR: No matching distribution found for torch",
+            "wheel folder /no wheels does not exist",
+        ),
         ("OSError: [Errno 28] No space left on device", "disk filled up"),
         ("noise\nERROR: the moon is full\nmore noise", r"ERROR: the moon is full"),
     ],
@@ -314,12 +348,14 @@ def test_a_local_version_tells_it_too():
 
 
 def test_a_wheel_folder_keeps_pip_off_the_network(box):
-    box.patch.setenv("FANTASIA3D_WHEELS", "/my wheels")
+    wheels = box.folder / "my wheels"
+    wheels.mkdir()
+    box.patch.setenv("FANTASIA3D_WHEELS", str(wheels))
     box.ensure()
     text = environment.log_file(box.env).read_text(encoding="utf-8")
     installs = [line for line in text.splitlines() if " install " in line]
     assert installs
-    assert all("--no-index --find-links /my wheels" in line for line in installs)
+    assert all(f"--no-index --find-links {wheels}" in line for line in installs)
 
 
 # pip's words

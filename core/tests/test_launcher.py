@@ -69,7 +69,7 @@ def test_each_command_goes_to_the_core_or_to_blender(line, blender):
         (["export", "asset", "--format", "blend", "--out", "x.obj"], "ends in .blend"),
         (["setup", "everything"], "setup has no 'everything'"),
         (["doctor", "now"], "doctor has no option 'now'"),
-        (["package", "--out", __file__], "is a file"),
+        (["package", "--out", __file__], "is not a folder"),
     ],
 )
 def test_wrong_input_is_one_sentence_and_exit_code_2(box, capsys, line, say):
@@ -220,3 +220,63 @@ def test_doctor_names_a_package_that_is_not_as_pinned(box, monkeypatch):
     assert lines["packages"].state == "MISSING"
     assert "torch 2" in lines["packages"].text
     assert "pytest" not in lines["packages"].text
+
+
+# Code in the current folder
+
+# Standard modules that the set-up, pip, venv and torch import early, and the core's own names.
+TRAPS = ("random", "venv", "pip", "json", "ensurepip", "torch", "bpy", "core", "fantasia3d_addon")
+
+
+@pytest.fixture
+def trapped(tmp_path, monkeypatch):
+    """A current folder whose modules leave a mark when they are run."""
+    folder = tmp_path / "trapped"
+    folder.mkdir()
+    mark = tmp_path / "mark"
+    for name in TRAPS:
+        text = f"import os\nopen({str(mark)!r}, 'a').write({name!r} + ' ')\n"
+        (folder / f"{name}.py").write_text(text)
+    monkeypatch.chdir(folder)
+    return mark
+
+
+def test_doctor_runs_no_code_of_the_current_folder(trapped):
+    child = launcher("doctor")
+    out, err = child.communicate()
+    assert "Python 3.11" in out, err
+    assert not trapped.exists(), f"run: {trapped.read_text()}"
+
+
+def test_a_set_up_runs_no_code_of_the_current_folder(trapped, tmp_path):
+    wheels = tmp_path / "wheels"  # empty: pip runs, and finds no torch
+    wheels.mkdir()
+    made = {"FANTASIA3D_ENV": str(tmp_path / "env"), "FANTASIA3D_WHEELS": str(wheels)}
+    child = launcher(
+        "setup", FANTASIA3D_PYTHON="", PIP_FIND_LINKS="", PIP_CONFIG_FILE="/dev/null", **made
+    )
+    out, err = child.communicate()
+    assert child.returncode == 3 and "torch" in err, err + out
+    assert not trapped.exists(), f"run: {trapped.read_text()}"
+    assert not (tmp_path / "env").exists()
+
+
+def test_the_builder_is_found_by_no_code_of_the_current_folder(trapped):
+    pytest.importorskip("importlib.metadata").distribution("bpy")
+    environment.find_builder(Path(sys.executable))
+    assert not trapped.exists(), f"run: {trapped.read_text()}"
+
+
+def test_a_package_goes_into_no_file(tmp_path, capsys):
+    (tmp_path / "file").touch()
+    assert run.main(["package", "--out", str(tmp_path / "file")]) == 2
+    assert "which is not a folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("line", [["inspect", "x"], ["generate", "a chair"], ["doctor"]])
+def test_a_program_that_is_no_python_is_a_sentence_and_status_3(line):
+    child = launcher(*line, FANTASIA3D_PYTHON="/bin/true")
+    out, err = child.communicate()
+    assert child.returncode == 3, err
+    assert "/bin/true" in out + err
+    assert "Traceback" not in err

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import contextlib
+import shutil
 import tempfile
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from ..environment import try_lock
 from ..errors import OutputError
+
+PREFIX = ".fantasia3d-"  # of every temporary file and folder next to an output
+LOCK = "fantasia3d.lock"  # in a temporary folder; held while its process lives
+NEW = 60.0  # seconds: a folder that was just made may not be locked yet
+
+_in_use: set[Path] = set()  # the temporary files and folders of this process
 
 
 @contextlib.contextmanager
@@ -21,11 +30,13 @@ def temporary_output(path: Path) -> Iterator[Path]:
         OutputError: the place can't be written, or nothing was written.
     """
     path = path.expanduser().absolute()
+    if path.is_dir():
+        raise OutputError(f"{path} is a folder.", "Name a file.")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         # On the same disk as ``path``: only then is a rename one step.
-        with tempfile.TemporaryDirectory(prefix=".fantasia3d-", dir=path.parent) as folder:
-            temporary = Path(folder) / path.name
+        with _temporary_folder(path.parent) as folder:
+            temporary = folder / path.name
             yield temporary
             if not temporary.is_file() or not temporary.stat().st_size:
                 raise OSError(0, "Blender wrote nothing")
@@ -37,6 +48,52 @@ def temporary_output(path: Path) -> Iterator[Path]:
         ) from None
 
 
+@contextlib.contextmanager
+def _temporary_folder(parent: Path) -> Iterator[Path]:
+    """A new folder in ``parent``; those that killed processes left there are removed."""
+    _remove_stale(parent)
+    folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=parent))
+    with removed_at_the_end(folder), (folder / LOCK).open("ab") as lock:
+        try_lock(lock)  # it is new, hence free; released when this process dies
+        yield folder
+
+
+@contextlib.contextmanager
+def removed_at_the_end(path: Path) -> Iterator[None]:
+    """Remove the temporary ``path`` at the end, and where :func:`remove_temporaries` is called."""
+    _in_use.add(path)
+    try:
+        yield
+    finally:
+        remove(path)
+        _in_use.discard(path)
+
+
+def remove_temporaries() -> None:
+    """Remove the temporary files of this process, which ends at once."""
+    for path in list(_in_use):
+        remove(path)
+
+
+def remove(path: Path) -> None:
+    """Remove a temporary file or folder, if it is there and the system lets it go."""
+    shutil.rmtree(path, ignore_errors=True)
+    with contextlib.suppress(OSError):
+        path.unlink(missing_ok=True)
+
+
+def _remove_stale(parent: Path) -> None:
+    """Remove our temporary folders in ``parent`` whose process is dead; nothing else."""
+    for folder in parent.glob(f"{PREFIX}*"):
+        try:
+            with (folder / LOCK).open("rb+") as lock:  # without a lock it is none of ours
+                stale = time.time() - folder.stat().st_mtime > NEW and try_lock(lock)
+        except OSError:
+            continue
+        if stale:
+            remove(folder)
+
+
 def reason_of(error: OSError | RuntimeError) -> str:
     """The cause in a system's or an operator's error."""
     return getattr(error, "strerror", None) or str(error).strip()
@@ -44,7 +101,7 @@ def reason_of(error: OSError | RuntimeError) -> str:
 
 def _move_siblings(temporary: Path, path: Path) -> None:
     for sibling in temporary.parent.iterdir():
-        if sibling == temporary:
+        if sibling == temporary or sibling.name == LOCK:
             continue
         place = path.with_name(sibling.name)
         if sibling.is_dir():

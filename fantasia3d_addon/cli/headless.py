@@ -20,6 +20,7 @@ from ..errors import AddonError, LightError
 from ..scene import light as lights
 from ..scene import render as scene_render
 from . import commands
+from .interrupt import ends_at_ctrl_c
 
 USER_ERROR = 2  # the exit code for what the user can fix
 
@@ -53,7 +54,7 @@ def finish(
     into the open file, or into an empty one where none is open. No file is left half-written.
     """
     try:
-        with _quiet():
+        with ends_at_ctrl_c(), _quiet():
             _finish(asset, blend, render, light)
     except AddonError as error:
         return _report(error)
@@ -66,7 +67,7 @@ def finish(
 def command(args: argparse.Namespace) -> int:
     """Run one of :mod:`commands` in this Blender: the exit code."""
     try:
-        with _quiet():
+        with ends_at_ctrl_c(), _quiet():
             written = commands.run(args)
     except AddonError as error:
         return _report(error)

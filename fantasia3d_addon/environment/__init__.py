@@ -11,6 +11,7 @@ Variables: FANTASIA3D_ENV (another folder), FANTASIA3D_PYTHON (an interpreter to
 FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 """
 
+from .builder import find_builder
 from .doctor import Line, examine
 from .install import Progress, ensure, remove, tidy
 from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
@@ -37,6 +38,7 @@ __all__ = [
     "env_folder",
     "env_python",
     "examine",
+    "find_builder",
     "find_python",
     "has_nvidia",
     "lacking",

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from . import machine, paths
 from .machine import SetupError
 
+ANSWER_SECONDS = 120  # torch may load from a cold disk
 OK, MISSING, NOTE = "ok", "MISSING", "-"
 
 # Run by the environment's own Python; its arguments are the pinned requirements.
@@ -91,25 +92,36 @@ def _environment(root: Path, folder: Path, given: str) -> list[Line]:
         lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
     present = [group for group in ("core", *groups) if group not in lacking]
     pins = [pin for group in present for pin in paths.requirements(root, group)]
-    return lines + _packages(given or str(paths.env_python(folder)), pins)
+    return lines + _packages(given or str(paths.env_python(folder)), pins, bool(given))
 
 
-def _packages(python: str, pins: Sequence[str]) -> list[Line]:
-    """What the environment's own Python reports about its packages and the GPU."""
+def _packages(python: str, pins: Sequence[str], given: bool = False) -> list[Line]:
+    """What the environment's own Python, or a ``given`` one, reports of packages and the GPU."""
     fix = "fix it with: python3 run.py setup --renew blender"
-    if "bpy" in sys.modules:
+    if given:  # which the set-up leaves alone
+        fix = "name a Python with this project's packages (FANTASIA3D_PYTHON, preferences), or none"
+    elif "bpy" in sys.modules:
         fix = 'press "Reinstall" under Installation'
     try:
         # In the environment's own Python: this one may have other packages.
         done = subprocess.run(
-            [python, "-c", PROBE, *pins], env=machine.clean_environ(), capture_output=True
+            [python, "-c", machine.NOT_FROM_HERE + PROBE, *pins],
+            stdin=subprocess.DEVNULL,
+            env=machine.clean_environ(),
+            capture_output=True,
+            timeout=ANSWER_SECONDS,
         )
     except OSError as error:
         return [Line("packages", MISSING, f"{python} does not run ({error.strerror}); {fix}")]
+    except subprocess.TimeoutExpired:
+        return [Line("packages", MISSING, f"{python} does not answer; {fix}")]
     if done.returncode:
         lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no output"]
         return [Line("packages", MISSING, f"{lines[-1]}; {fix}")]
-    facts = json.loads(done.stdout.decode("utf-8"))
+    try:
+        facts = json.loads(done.stdout.decode("utf-8").splitlines()[-1])
+    except (ValueError, IndexError):
+        return [Line("packages", MISSING, f"{python} is no Python; {fix}")]
     lines = [Line("packages", OK, f"as pinned, under Python {facts['python']}")]
     if facts["wrong"]:
         lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {fix}")]

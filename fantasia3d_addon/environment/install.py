@@ -39,6 +39,11 @@ CHECKS = {  # what must load before a group counts as installed
     "blender": "import bpy, os, sys; print('bpy', bpy.app.version_string); sys.stdout.flush(); "
     "os._exit(0)",  # an ordinary exit may hang with bpy 4.5
 }
+MODULES = {"core": ("torch", "numpy", "safetensors"), "blender": ("bpy",), "test": ("pytest",)}
+# Run by an interpreter that is used as it is: its version, and which of the arguments it lacks.
+LOOK = """import importlib.util as u
+lacking = ", ".join(name for name in sys.argv[1:] if not u.find_spec(name))
+print("%d.%d" % sys.version_info[:2], lacking, sep="|")"""
 LIBRARIES = "libx11-6 libxi6 libxxf86vm1 libxfixes3 libxrender1 libxkbcommon0 libsm6 libgl1 libegl1"
 
 
@@ -64,13 +69,7 @@ def ensure(
     # The panel passes a place: a choice in the preferences comes before the variable.
     given = os.environ.get("FANTASIA3D_PYTHON")
     if given and place is None:
-        found = shutil.which(str(Path(given).expanduser()))
-        if not found:
-            raise SetupError(
-                f"FANTASIA3D_PYTHON is {given}, which is no program.",
-                "Set it to a Python that has this project's packages, or unset it.",
-            )
-        return Path(found)
+        return _given_python(given, groups)
     place = place or paths.Place()
     folder = place.folder or paths.env_folder(root)
     # Without the lock first: the usual case is a complete environment.
@@ -82,6 +81,30 @@ def ensure(
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
                 set_up.carry_out(todo, allow_cuda)
     return paths.env_python(folder)
+
+
+def _given_python(given: str, groups: Sequence[str]) -> Path:
+    """The interpreter that FANTASIA3D_PYTHON names, once it has said that it can do the work.
+
+    Raises:
+        SetupError: it is no program, no Python of the right version, or lacks packages.
+    """
+    found = shutil.which(str(Path(given).expanduser()))
+    fix = "Set it to a Python that has this project's packages, or unset it."
+    if not found:
+        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is no program.", fix)
+    wanted = [name for group in ("core", *groups) for name in MODULES.get(group, ())]
+    code = machine.NOT_FROM_HERE + LOOK
+    version, _, absent = machine.output([found, "-c", code, *wanted]).partition("|")
+    if version != machine.PYTHON:
+        what = f"Python {version}" if re.fullmatch(r"\d+\.\d+", version) else "no Python"
+        raise SetupError(
+            f"FANTASIA3D_PYTHON is {given}, which is {what}; it must be Python {machine.PYTHON}.",
+            fix,
+        )
+    if absent:
+        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which has no {absent}.", fix)
+    return Path(found)
 
 
 @contextlib.contextmanager
@@ -181,6 +204,11 @@ class _SetUp:
         self.folder, self.root, self.progress, self.lock = place.folder, root, progress, lock
         self.base, self.stopped = place.python, stopped
         self.wheels = str(place.wheels or os.environ.get("FANTASIA3D_WHEELS") or "")
+        if self.wheels and not Path(self.wheels).is_dir():
+            raise SetupError(
+                f"The wheel folder {self.wheels} does not exist.",
+                "Choose another (FANTASIA3D_WHEELS, or the add-on's preferences), or none.",
+            )
         self.python = str(paths.env_python(self.folder))
         self.start = time.monotonic()
         self.expected = 1.0  # bytes to be written
@@ -215,8 +243,8 @@ class _SetUp:
         self.folder.mkdir(parents=True)
         (self.folder / paths.BUILDING).touch()
         self._start_step(f"creating a virtual environment from {base}")
-        self._run([str(base), "-m", "venv", str(self.folder)])
-        version = machine.output([self.python, "-m", "pip", "--version"])
+        self._run([str(base), *machine.ISOLATED, "-m", "venv", str(self.folder)])
+        version = machine.output([*self._isolated(), "-m", "pip", "--version"])
         if pip_version(version) < LEAN_PIP and not self.wheels:
             self._pip("install", *self._tool("pip"))
 
@@ -244,8 +272,7 @@ class _SetUp:
             return
         self._start_step(f"checking {group}")
         try:
-            # -I: neither the current folder nor PYTHON variables may provide a module.
-            self._run([self.python, "-I", "-c", CHECKS[group]])
+            self._run([*self._isolated(), "-c", CHECKS[group]])
         except SetupError as error:
             fix = f"On Debian and Ubuntu: apt install {LIBRARIES}." if group == "blender" else ""
             raise SetupError(
@@ -286,18 +313,27 @@ class _SetUp:
         """Install torch through uv, which knows where torch's own builds are."""
         tool = self.folder / "uv"
         self._pip("install", "--no-deps", "--target", str(tool), *self._tool("uv"))
-        sources = pip_sources(machine.output([self.python, "-m", "pip", "config", "list"]))
+        sources = pip_sources(machine.output([*self._isolated(), "-m", "pip", "config", "list"]))
         uv = tool / "bin" / ("uv.exe" if sys.platform == "win32" else "uv")
-        self._run([str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend,
-                   pin], sources)  # fmt: skip
+        command = [str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend]
+        # In its own folder: a uv.toml in the user's current one is not for it.
+        self._run([*command, pin], sources, tool)
         shutil.rmtree(tool)
+
+    def _isolated(self) -> list[str]:
+        return [self.python, *machine.ISOLATED]
 
     def _pip(self, verb: str, *args: str) -> None:
         offline = ["--no-index", "--find-links", self.wheels] if self.wheels else []
         head = ["-m", "pip", "--no-input", "--no-color", "--disable-pip-version-check", verb]
-        self._run([self.python, *head, "--progress-bar", "off", *offline, *args])
+        self._run([*self._isolated(), *head, "--progress-bar", "off", *offline, *args])
 
-    def _run(self, command: Sequence[str], environ: dict[str, str] | None = None) -> None:
+    def _run(
+        self,
+        command: Sequence[str],
+        environ: dict[str, str] | None = None,
+        cwd: Path | None = None,
+    ) -> None:
         """Run ``command``: its output goes into the log, its long steps to ``progress``.
 
         Raises:
@@ -309,7 +345,7 @@ class _SetUp:
             child = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, pass_fds=keep,
-                env={**machine.clean_environ(), "PYTHONIOENCODING": "utf-8", **(environ or {})},
+                env={**machine.clean_environ(), **(environ or {})}, cwd=cwd,
             )  # fmt: skip
         except OSError as error:
             raise SetupError(

@@ -18,6 +18,13 @@ CLEAN = (
 )  # fmt: skip  # variables that change what another Python imports
 
 
+# Of every child interpreter of the set-up: neither the current folder nor PYTHON variables may
+# provide a module; -X utf8, because PYTHONIOENCODING is one of those variables.
+ISOLATED = ("-I", "-X", "utf8")
+# Where -I is too much, since packages of the user's site count too; -P is not in Python 3.10.
+NOT_FROM_HERE = "import sys; sys.path[:] = [path for path in sys.path if path]\n"
+
+
 class SetupError(Exception):
     """What the user can fix: ``text`` states what is missing, ``fix`` what to do."""
 
@@ -46,11 +53,22 @@ def output(command: Sequence[str], timeout: float = 20) -> str:
     return done.stdout.decode("utf-8", "replace").strip()
 
 
+def which(name: str) -> str | None:
+    """The program ``name`` on the path, which is never one in the current folder."""
+    if sys.platform != "win32":
+        return shutil.which(name)
+    # Windows, and shutil with it, would look into the current folder first.
+    for folder in filter(None, os.environ.get("PATH", "").split(os.pathsep)):
+        if Path(folder, f"{name}.exe").is_file():
+            return str(Path(folder, f"{name}.exe"))
+    return None
+
+
 def has_nvidia() -> bool:
     """Whether there is an NVIDIA GPU with its driver."""
     if Path("/proc/driver/nvidia/version").exists():
         return True
-    tool = shutil.which("nvidia-smi")
+    tool = which("nvidia-smi")
     return tool is not None and "GPU " in output([tool, "-L"])
 
 
@@ -67,13 +85,13 @@ def python_candidates() -> Iterator[str]:
     if not in_blender and sys.executable:
         yield sys.executable
     for word in (name, "python3", "python"):
-        yield shutil.which(word) or ""
+        yield which(word) or ""
     pyenv = Path(os.environ.get("PYENV_ROOT") or home / ".pyenv")
-    uv = Path(os.environ.get("UV_PYTHON_INSTALL_DIR") or home / ".local/share/uv/python")
+    uv_folder = Path(os.environ.get("UV_PYTHON_INSTALL_DIR") or home / ".local/share/uv/python")
     for folder, pattern in (
         (pyenv / "versions", f"{version}*"),
         (pyenv / "pyenv-win/versions", f"{version}*"),
-        (uv, f"cpython-{version}*"),
+        (uv_folder, f"cpython-{version}*"),
     ):
         for found in sorted(folder.glob(pattern), reverse=True):
             yield str(found / "bin" / name)
@@ -89,9 +107,11 @@ def python_candidates() -> Iterator[str]:
     ):  # fmt: skip
         yield f"{place}/{name}"
     if sys.platform == "win32":
-        yield output(["py", f"-{version}", "-c", "import sys; print(sys.executable)"])
-    if shutil.which("uv"):
-        yield output(["uv", "python", "find", "--no-python-downloads", version])
+        code = "import sys; print(sys.executable)"
+        yield output([which("py") or "", f"-{version}", *ISOLATED, "-c", code])
+    uv = which("uv")
+    if uv:  # --no-config: a uv.toml in the current folder names no interpreter
+        yield output([uv, "--no-config", "python", "find", "--no-python-downloads", version])
     if in_blender:  # the last resort: the environment stops working with this Blender
         yield sys.executable
 
@@ -105,7 +125,7 @@ def find_python(given: Path | None = None) -> Path:
     version, without_venv = PYTHON, ""
     # The first of the right version that can create environments; each is asked itself.
     for candidate in [str(given)] if given else dict.fromkeys(python_candidates()):
-        answer = output([candidate, "-I", "-c", PROBE]) if candidate else ""
+        answer = output([candidate, *ISOLATED, "-c", PROBE]) if candidate else ""
         found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
         if found == version and wide == "True":
             if makes_envs == "True":

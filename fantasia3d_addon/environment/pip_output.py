@@ -20,6 +20,8 @@ NETWORK = re.compile(
     r"IncompleteRead|error sending request|dns error"
 )
 DISK = re.compile(r"No space left on device|Errno 28|not enough space on the disk|Disk quota")
+# A folder of wheels that is not there; pip only warns of it, and does not find the package then.
+NO_FOLDER = re.compile(r"Location '([^']+)' is ignored: it is either a non-existing path")
 NO_MATCH = re.compile(r"No matching distribution found for (\S+)")
 
 
@@ -83,6 +85,12 @@ def explain(text: str, log: Path) -> SetupError:
             "The package registry cannot be reached.",
             "Check the network and pip's configuration (pip config list), or set "
             f"FANTASIA3D_WHEELS to a folder of wheels; then start again. The log is {log}.",
+        )
+    folder = NO_FOLDER.search(text)
+    if folder:
+        return SetupError(
+            f"The wheel folder {folder.group(1)} does not exist.",
+            f"Correct pip's find-links or FANTASIA3D_WHEELS; then start again. The log is {log}.",
         )
     missing = NO_MATCH.search(text)
     if missing:

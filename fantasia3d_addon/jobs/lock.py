@@ -1,4 +1,4 @@
-"""Which Blender follows a run: a lock in the run folder, so that two never mix. No bpy."""
+"""Which Blender follows a run, and which core works on it: locks in the run folder. No bpy."""
 
 from __future__ import annotations
 
@@ -8,6 +8,20 @@ from typing import IO
 from ..environment import try_lock
 
 NAME = "follower"  # the lock file in the run folder
+WORKER = "lock"  # the core's own, which says its pid (core/io/lock.py)
+
+
+def worker(folder: Path) -> str:
+    """The pid of the core that works on the run in ``folder``; empty where none does."""
+    try:
+        file = (folder / WORKER).open("rb+", buffering=0)
+    except OSError:  # never started, or read-only
+        return ""
+    with file:
+        if try_lock(file):
+            return ""
+        file.seek(1)  # Windows forbids reading the first byte, which is the one that is locked
+        return file.read(20).decode("ascii", "replace").strip() or "unknown"
 
 
 class RunLock:

@@ -22,6 +22,7 @@ from ..environment import clean_environ
 from ..errors import JobError
 from .events import Event, parse_event
 from .job_file import unwritable, write_job
+from .lock import worker
 
 FULL = 1e5  # bytes free: less than that can't hold a picture or a checkpoint
 START_SECONDS = 90.0  # a process that loads torch from a cold disk may write nothing for this long
@@ -66,6 +67,12 @@ class Run:
         Raises:
             JobError: as :meth:`start`.
         """
+        pid = worker(folder)
+        if pid:
+            raise JobError(
+                f"Another process works on {folder} already (pid {pid}).",
+                "Wait until it ends, or cancel it.",
+            )
         events = folder / "events.jsonl"
         offset = events.stat().st_size if events.exists() else 0  # earlier sessions are over
         try:

@@ -143,6 +143,20 @@ def _load(path: Path) -> bpy.types.Image:
     if 0 in image.size:  # Blender loads any file, and reports nothing
         bpy.data.images.remove(image)
         raise LightError(f"{path} is no picture.", "Use an HDR or EXR file.")
+    if not _is_finite(image):
+        bpy.data.images.remove(image)
+        raise LightError(
+            f"{path} holds pixels that are not finite numbers.", "Save it again without them."
+        )
     # The .blend must open on another machine.
     image.pack()
     return image
+
+
+def _is_finite(image: bpy.types.Image) -> bool:
+    """Whether all pixels are finite numbers; a NaN would spread over all that it lights."""
+    if not image.is_float:
+        return True
+    pixels = np.empty(len(image.pixels), np.float32)
+    image.pixels.foreach_get(pixels)
+    return bool(np.isfinite(pixels).all())

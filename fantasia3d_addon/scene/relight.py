@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
-import shutil
 from pathlib import Path
 
 import bpy
@@ -12,7 +10,7 @@ import bpy
 from .. import options
 from ..blender import compat
 from ..blender.mesh_arrays import mesh_object
-from ..blender.output import reason_of
+from ..blender.output import PREFIX, reason_of, remove, removed_at_the_end
 from ..errors import AddonError, OutputError
 from . import light
 from . import render as scene_render
@@ -109,27 +107,31 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
     """
     out = Path(out).expanduser().absolute()
     # A file or a folder, by the kind of ``out``; renamed when it is complete.
-    temporary = out.with_name(f".fantasia3d-{out.name}")
+    temporary = out.with_name(f"{PREFIX}{out.name}")
+    remove(temporary)  # what a killed run left: its frames are not of this turntable
     scene = turntable_scene(obj, temporary, **settings)
     try:
-        _render(scene)
-        if not temporary.exists():
-            raise OSError(0, "Blender wrote nothing")
-        if temporary.is_dir() and out.is_dir():  # other files in the user's folder stay
-            for frame in temporary.iterdir():
-                frame.replace(out / frame.name)
-        else:
-            temporary.replace(out)
+        with removed_at_the_end(temporary):
+            _render(scene)
+            if not temporary.exists():
+                raise OSError(0, "Blender wrote nothing")
+            _move(temporary, out)
     except (OSError, RuntimeError) as error:
         raise OutputError(
             f"{out} can't be written ({reason_of(error)}).", "Choose another place."
         ) from None
     finally:
-        shutil.rmtree(temporary, ignore_errors=True)
-        with contextlib.suppress(OSError):
-            temporary.unlink(missing_ok=True)
         remove_turntable_scene(scene)
     return out
+
+
+def _move(temporary: Path, out: Path) -> None:
+    """Give a turntable its place; other files in the user's folder stay."""
+    if temporary.is_dir() and out.is_dir():
+        for frame in temporary.iterdir():
+            frame.replace(out / frame.name)
+    else:
+        temporary.replace(out)
 
 
 def remove_turntable_scene(scene: bpy.types.Scene) -> None:

@@ -1,0 +1,116 @@
+"""Ctrl-C during a render, and what killed processes leave next to the outputs."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("bpy")
+
+from blender_tests.pictures import read
+from fantasia3d_addon.blender import output
+from fantasia3d_addon.cli import headless, interrupt
+
+pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
+ROOT = Path(__file__).parents[1]
+SECONDS = 15.0  # on a busy machine; 1 on an idle one
+
+
+def default_sigint() -> None:
+    """A terminal's: a shell gives its background jobs an ignored one, which children inherit."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+@pytest.mark.parametrize(("target", "seconds"), [("--render=a.png", 3), ("--turntable=a.mp4", 8)])
+def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target, seconds):
+    folder = tmp_path / "pictures"
+    folder.mkdir()
+    old = folder / target.partition("=")[2]
+    old.write_bytes(b"the old picture")
+    line = [sys.executable, str(ROOT / "run.py"), "relight", str(asset), target]
+    child = subprocess.Popen(
+        [*line, "--size", "700", "--samples", "4096"],
+        cwd=folder,
+        env={**os.environ, "FANTASIA3D_PYTHON": sys.executable},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=default_sigint,
+    )
+    deadline = time.monotonic() + 100
+    while target.endswith(".png") and not any(folder.glob(f"{output.PREFIX}*")):
+        assert child.poll() is None and time.monotonic() < deadline
+        time.sleep(0.05)
+    time.sleep(seconds)  # the render is under way
+    assert child.poll() is None, child.communicate()
+    start = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=60)
+    assert child.returncode == 130, err
+    assert time.monotonic() - start < SECONDS
+    assert err.strip().splitlines()[-1] == "Cancelled."
+    assert "Traceback" not in err and out == ""
+    assert [path.name for path in folder.iterdir()] == [old.name]
+    assert old.read_bytes() == b"the old picture"
+
+
+def test_a_render_that_nobody_stops_leaves_ctrl_c_as_it_was(asset, tmp_path, monkeypatch):
+    before = signal.getsignal(signal.SIGINT)
+    line = ["relight", str(asset), "--render", str(tmp_path / "a.png")]
+    assert headless.command([*line, "--size", "16", "--samples", "1"]) == 0
+    assert read(tmp_path / "a.png").shape == (16, 16, 3)
+    assert signal.getsignal(signal.SIGINT) == before
+    assert signal.set_wakeup_fd(-1) == -1
+    assert not output._in_use
+
+
+def test_an_ignored_ctrl_c_stays_ignored():
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with interrupt.ends_at_ctrl_c():
+            os.kill(os.getpid(), signal.SIGINT)
+            assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def left_over(parent: Path, name: str, lock: str = output.LOCK) -> Path:
+    folder = parent / f"{output.PREFIX}{name}"
+    folder.mkdir()
+    (folder / "picture.png").write_bytes(b"half")
+    (folder / lock).touch()
+    long_ago = time.time() - 3600
+    os.utime(folder, (long_ago, long_ago))
+    return folder
+
+
+def test_a_later_output_removes_what_a_killed_one_left_and_nothing_else(tmp_path):
+    stale = left_over(tmp_path, "stale")
+    kept = {left_over(tmp_path, "another-program", "note.txt")}
+    kept.add(left_over(tmp_path, "just-made"))
+    os.utime(tmp_path / f"{output.PREFIX}just-made")
+    busy = left_over(tmp_path, "busy")
+    with (busy / output.LOCK).open("ab") as lock:
+        assert output.try_lock(lock)
+        with output.temporary_output(tmp_path / "a.txt") as temporary:
+            temporary.write_text("whole")
+    assert not stale.exists()
+    assert set(tmp_path.iterdir()) == {*kept, busy, tmp_path / "a.txt"}
+
+
+def test_frames_of_a_killed_turntable_do_not_come_into_the_next(asset, tmp_path):
+    half = tmp_path / f"{output.PREFIX}turn"
+    half.mkdir()
+    (half / "frame_0040.png").touch()
+    line = ["relight", str(asset), "--turntable", str(tmp_path / "turn"), "--frames", "2"]
+    assert headless.command([*line, "--size", "16", "--samples", "1"]) == 0
+    assert [p.name for p in sorted((tmp_path / "turn").iterdir())] == [
+        "frame_0001.png",
+        "frame_0002.png",
+    ]
+    assert not half.exists()
