@@ -17,6 +17,7 @@ from jaxtyping import Float, Int
 from torch import Tensor, nn
 
 from core.geometry.marching_tets import crossing_edges, marching_tets
+from core.geometry.residual import Residual
 from core.geometry.tet_grid import EXTENT, TetGrid
 from core.hash_grid import HashGrid
 
@@ -34,8 +35,10 @@ class SdfNetConfig:
     base: int = 16
     finest: int = 4096
     octaves: int = 3  # of the Fourier features
+    residual: float = 0.0  # scale of a lattice of values beside Ψ, on the fine lattice; 0 is none
 
 
+FINER = 1.001  # a lattice whose cells are not larger than this times the residual's has it
 CACHED_POINTS = 4096  # of the MLP at a time on a CPU
 
 HASH = SdfNetConfig()
@@ -104,6 +107,7 @@ class SdfNet(nn.Module):
             layers.append(nn.ReLU() if hashed else nn.Softplus(beta=20))
         layers.append(_linear(widths[-1], 4, not hashed, generator))
         self.mlp = nn.Sequential(*layers)
+        self.residual: Residual | None = None
 
     def forward(
         self, points: Float[Tensor, "n 3"]
@@ -113,7 +117,11 @@ class SdfNet(nn.Module):
         # On a CPU the hidden units then stay in its cache, which saves up to a third of the time.
         at_once = CACHED_POINTS if points.device.type == "cpu" else max(len(points), 1)
         y = torch.cat([self.mlp(part) for part in features.split(at_once)])
-        return y[:, 0], y[:, 1:].tanh() * (self.cell / 2)
+        sdf, offset = y[:, 0], y[:, 1:].tanh() * (self.cell / 2)
+        if self.residual is None or self.cell > FINER * self.residual.cell:
+            return sdf, offset
+        more = self.residual(points)
+        return sdf + more[:, 0], (offset + more[:, 1:]).clamp(-self.cell / 2, self.cell / 2)
 
 
 def _linear(inputs: int, outputs: int, bias: bool, generator: torch.Generator | None) -> nn.Linear:

@@ -5,6 +5,7 @@ import torch
 from core.config import GeometryConfig
 from core.geometry.init_shape import ellipsoid, fit, mesh_shape
 from core.geometry.mesh import Mesh
+from core.geometry.residual import Residual
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
 from core.io.progress import Progress
@@ -13,7 +14,10 @@ from core.stages.state import Training
 
 def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
     """Ψ, random, for the coarse phase's lattice."""
-    return SdfNet(2 * EXTENT / config.resolution[0], config.net, EXTENT, generator)
+    net = SdfNet(2 * EXTENT / config.resolution[0], config.net, EXTENT, generator)
+    if config.net.residual > 0:
+        net.residual = Residual(config.resolution[1], EXTENT, config.net.residual)
+    return net
 
 
 def fit_start_shape(

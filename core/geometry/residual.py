@@ -1,0 +1,34 @@
+"""A lattice of values beside Ψ: what its few Fourier features are too smooth to say.
+
+Not in the paper, whose hash grid has such values itself (16 levels of them); ours. Ψ alone finds
+the shape, since its smoothness carries it over what the pictures leave open; then each node of the
+fine lattice may differ from it, as in DMTet without a network (Shen et al. 2021, §3.1).
+"""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor, nn
+
+
+class Residual(nn.Module):
+    """SDF and offset, trilinear between the nodes of a lattice over [-extent, extent]³; 0 first."""
+
+    def __init__(self, resolution: int, extent: float, scale: float) -> None:
+        """``resolution``: cubes along an axis. ``scale``: of the values; Adam moves each of them by
+        about its rate a step, so that this says how fast the residual is next to Ψ."""
+        super().__init__()
+        self.resolution, self.extent, self.scale = resolution, extent, scale
+        self.values = nn.Parameter(torch.zeros(1, 4, *(resolution + 1,) * 3))
+
+    @property
+    def cell(self) -> float:
+        """Length of a cube's side."""
+        return 2 * self.extent / self.resolution
+
+    def forward(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 4"]:
+        # grid_sample's last axis runs along the volume's last: z, y, x here.
+        at = (points / self.extent).flip(-1)[None, None, None]
+        found = nn.functional.grid_sample(
+            self.values, at, padding_mode="border", align_corners=True
+        )
+        return self.scale * found[0, :, 0, 0].T
