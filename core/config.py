@@ -16,6 +16,7 @@ from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 ShadingModel = Literal["lobes", "split_sum"]
+Curve = Literal["linear", "srgb"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,6 +74,7 @@ class GeometryConfig:
     eikonal: float = 0.0  # weight of (|∇s| - 1)²
     smooth_normals: float = 0.0  # weight of 1 - cos between adjacent faces
     join: bool = False  # struts between the connected components of the finished mesh
+    floaters: float = 0.08  # a component of less area than this much of the largest is dropped
     polish: int = 0  # rounds of Taubin smoothing of the finished mesh
 
 
@@ -99,6 +101,7 @@ class AppearanceConfig:
     self_shadow: bool = False
     rotate_light: bool = True  # a fixed light bakes into kd
     kd_range: tuple[float, float] = (0.03, 0.97)
+    kd_curve: Curve = "linear"  # what kd's sigmoid runs over
     roughness_range: tuple[float, float] = (0.08, 0.9)
     metallic_range: tuple[float, float] = (0.0, 1.0)
     metallic_start: float = 0.5  # fraction of its range that metallic starts at
@@ -226,6 +229,7 @@ DRAFT = Config(
             guidance_scale=1.0,
             learning_rate=1e-2,
         ),
+        kd_curve="srgb",
         kd_range=(0.003, 0.97),  # the paper's 0.03 would make a red of sRGB 0.2 in green and blue
         metallic_start=0.08,
         views=6,

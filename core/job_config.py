@@ -1,11 +1,13 @@
 """The settings of one job: its preset, with what its own options change."""
 
-import math
 from dataclasses import replace
 
 from core.config import AppearanceConfig, Config, preset, with_settings
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
+
+# Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
+GUIDE_RESIDUAL = 0.1
 
 
 def config_of(job: Job) -> Config:
@@ -25,18 +27,22 @@ def config_of(job: Job) -> Config:
 def shortened(config: Config, strength: float) -> Config:
     """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
 
-    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up. What
-    is apart in the guide stays apart.
+    ``strength`` 0 leaves all as it is; towards 1 all steps go to 0, and with them what smooths and
+    cleans up. What is apart in the guide stays apart.
     """
     g, keep = config.geometry, 1 - strength
     steps, rounds = round(g.coarse.steps * keep), round(g.grow.rounds * keep)
     coarse = replace(g.coarse, steps=steps, t_high=_calmer(g.coarse.t_high, strength))
     grow = replace(g.grow, rounds=rounds, t=_calmer(g.grow.t, strength))
-    fine = replace(g.fine, steps=math.ceil(g.fine.steps * (0.2 + 0.8 * keep)))
-    refine = replace(g.refine, t=_calmer(g.refine.t, strength))
+    fine = replace(g.fine, steps=round(g.fine.steps * keep))
+    less = round(g.refine.steps * keep)
+    refine = replace(g.refine, steps=less, t=_calmer(g.refine.t, strength))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
     shorter = replace(g, coarse=coarse, grow=grow, fine=fine, refine=refine, learning_rate=rate)
-    return replace(config, geometry=replace(shorter, join=g.join and strength == 0))
+    floaters, polish = g.floaters * keep, round(g.polish * keep)
+    kept = replace(shorter, floaters=floaters, polish=polish, join=g.join and strength == 0)
+    net = replace(g.net, residual=GUIDE_RESIDUAL) if strength > 0 else g.net
+    return replace(config, geometry=replace(kept, net=net))
 
 
 def retouching(config: Config, strength: float) -> Config:
