@@ -2,17 +2,20 @@
 
 from dataclasses import replace
 
-from core.config import AppearanceConfig, Config, preset, with_settings
+from core.config import AppearanceConfig, Config, preset, with_builtin, with_settings
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
 
+BUILTIN = "builtin"  # the guidance of that name
 # Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
 GUIDE_RESIDUAL = 0.1
 
 
 def config_of(job: Job) -> Config:
-    """The preset with the job's own sizes and settings."""
+    """The preset with the guidance's ranges and the job's own sizes and settings."""
     config = preset(job.preset)
+    if job.guidance == BUILTIN:
+        config = with_builtin(config)
     if job.texture_size:
         config = replace(config, texture=replace(config.texture, size=job.texture_size))
     if job.max_faces:
