@@ -3,7 +3,7 @@
 ``paper`` is the paper's text with the released code's values where the text is silent;
 ``standard`` is the same method on one GPU; ``draft`` is for the built-in prior on a CPU, and
 ``sds`` is the draft by score distillation alone. A preset says how much work is done;
-:func:`with_builtin` puts the built-in prior's own scales, rates and caps into any of them.
+:func:`core.job_config.with_builtin` puts the built-in prior's own scales and caps into any.
 """
 
 import dataclasses
@@ -263,46 +263,6 @@ SDS = replace(
 )
 
 PRESETS: dict[str, Config] = {"draft": DRAFT, "sds": SDS, "standard": STANDARD, "paper": PAPER}
-
-
-def with_builtin(config: Config) -> Config:
-    """``config`` with what the built-in prior was tuned for: pictures, noise, scales, rates, caps.
-
-    A guidance scale of 100 without a cap, right for Stable Diffusion, makes its surfaces vanish.
-    Steps, views, lattices, networks and the phases stay the preset's.
-    """
-    g, a = DRAFT.geometry, DRAFT.appearance
-    return replace(
-        config,
-        geometry=replace(
-            config.geometry,
-            coarse=replace(g.coarse, steps=config.geometry.coarse.steps),
-            fine=replace(g.fine, steps=config.geometry.fine.steps),
-            **{name: getattr(g, name) for name in OF_THE_PRIOR},
-        ),
-        appearance=replace(
-            config.appearance,
-            early=replace(a.early, steps=config.appearance.early.steps),
-            late=replace(a.late, steps=config.appearance.late.steps),
-            cameras=a.cameras,
-            learning_rate=a.learning_rate,
-            learning_rate_end=a.learning_rate_end,
-            gradient_cap=a.gradient_cap,
-        ),
-    )
-
-
-# Settings of the geometry's training that belong to the built-in prior, not to a preset.
-OF_THE_PRIOR = (
-    "cameras",
-    "learning_rate",
-    "learning_rate_end",
-    "gradient_cap",
-    "gradient_clip",
-    "ray_mask_share",
-    "eikonal",
-    "smooth_normals",
-)
 
 
 def preset(name: str) -> Config:

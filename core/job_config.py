@@ -2,13 +2,25 @@
 
 from dataclasses import replace
 
-from core.config import AppearanceConfig, Config, preset, with_builtin, with_settings
+from core.config import DRAFT, AppearanceConfig, Config, preset, with_settings
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
 
 BUILTIN = "builtin"  # the guidance of that name
 # Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
 GUIDE_RESIDUAL = 0.1
+
+# Settings of the geometry's training that belong to the built-in prior, not to a preset.
+OF_THE_PRIOR = (
+    "cameras",
+    "learning_rate",
+    "learning_rate_end",
+    "gradient_cap",
+    "gradient_clip",
+    "ray_mask_share",
+    "eikonal",
+    "smooth_normals",
+)
 
 
 def config_of(job: Job) -> Config:
@@ -25,6 +37,33 @@ def config_of(job: Job) -> Config:
     if job.base_color:
         config = retouching(config, job.guide_strength)
     return shortened(config, job.guide_strength) if job.guide_mesh else config
+
+
+def with_builtin(config: Config) -> Config:
+    """``config`` with what the built-in prior was tuned for: pictures, noise, scales, rates, caps.
+
+    A guidance scale of 100 without a cap, right for Stable Diffusion, makes its surfaces vanish.
+    Steps, views, lattices, networks and the phases stay the preset's.
+    """
+    g, a = DRAFT.geometry, DRAFT.appearance
+    return replace(
+        config,
+        geometry=replace(
+            config.geometry,
+            coarse=replace(g.coarse, steps=config.geometry.coarse.steps),
+            fine=replace(g.fine, steps=config.geometry.fine.steps),
+            **{name: getattr(g, name) for name in OF_THE_PRIOR},
+        ),
+        appearance=replace(
+            config.appearance,
+            early=replace(a.early, steps=config.appearance.early.steps),
+            late=replace(a.late, steps=config.appearance.late.steps),
+            cameras=a.cameras,
+            learning_rate=a.learning_rate,
+            learning_rate_end=a.learning_rate_end,
+            gradient_cap=a.gradient_cap,
+        ),
+    )
 
 
 def shortened(config: Config, strength: float) -> Config:
