@@ -1,7 +1,9 @@
-"""Settings of a run: frozen dataclasses nested by stage, and the three presets.
+"""Settings of a run: frozen dataclasses nested by stage, and the presets.
 
 ``paper`` is the paper's text with the released code's values where the text is silent;
-``standard`` is the same method on one GPU; ``draft`` is for the built-in prior on a CPU.
+``standard`` is the same method on one GPU; ``draft`` is for the built-in prior on a CPU, and
+``sds`` is the draft by score distillation alone. A preset says how much work is done;
+:func:`core.job_config.with_builtin` puts the built-in prior's own scales and caps into any.
 """
 
 import dataclasses
@@ -29,6 +31,7 @@ from core.ranges import (
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 ShadingModel = Literal["lobes", "split_sum"]
+Curve = Literal["linear", "srgb"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,6 +91,7 @@ class GeometryConfig:
     eikonal: Weight = 0.0  # weight of (|∇s| - 1)²
     smooth_normals: Weight = 0.0  # weight of 1 - cos between adjacent faces
     join: bool = False  # struts between the connected components of the finished mesh
+    floaters: Fraction = 0.08  # a component of less area than this much of the largest is dropped
     polish: Annotated[int, Range(0, 1000)] = 0  # rounds of Taubin smoothing of the finished mesh
     # Rounds of bilateral filtering of its normals after that.
     flatten: Annotated[int, Range(0, 1000)] = 0
@@ -118,6 +122,7 @@ class AppearanceConfig:
     self_shadow: bool = False
     rotate_light: bool = True  # a fixed light bakes into kd
     kd_range: Interval = (0.03, 0.97)
+    kd_curve: Curve = "linear"  # what kd's sigmoid runs over
     roughness_range: Interval = (0.08, 0.9)
     metallic_range: Interval = (0.0, 1.0)
     metallic_start: Fraction = 0.5  # fraction of its range that metallic starts at
@@ -247,6 +252,7 @@ DRAFT = Config(
             guidance_scale=1.0,
             learning_rate=1e-2,
         ),
+        kd_curve="srgb",
         kd_range=(0.003, 0.97),  # the paper's 0.03 would make a red of sRGB 0.2 in green and blue
         metallic_start=0.08,
         views=6,
@@ -259,7 +265,25 @@ DRAFT = Config(
     texture=TextureConfig(size=1024),
 )
 
-PRESETS: dict[str, Config] = {"draft": DRAFT, "standard": STANDARD, "paper": PAPER}
+# Score distillation alone, without what the draft has beyond the paper: no rounds of fitting.
+SDS = replace(
+    DRAFT,
+    geometry=replace(
+        DRAFT.geometry,
+        coarse=replace(DRAFT.geometry.coarse, steps=250),
+        grow=RefineConfig(),
+        fine=replace(DRAFT.geometry.fine, steps=100),
+        refine=RefineConfig(),
+    ),
+    appearance=replace(
+        DRAFT.appearance,
+        early=replace(DRAFT.appearance.early, steps=100),
+        late=replace(DRAFT.appearance.late, steps=50),
+        refine=RefineConfig(),
+    ),
+)
+
+PRESETS: dict[str, Config] = {"draft": DRAFT, "sds": SDS, "standard": STANDARD, "paper": PAPER}
 
 
 def preset(name: str) -> Config:

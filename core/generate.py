@@ -16,6 +16,7 @@ from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.config import Config
 from core.device import device_of
+from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
@@ -28,8 +29,9 @@ from core.job_config import config_of, within
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
+from core.stages.preview import show_shape
 from core.stages.start_color import fit_start_color, start_picture
-from core.stages.start_shape import fit_start_shape, sdf_net
+from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
 from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
 from core.stages.training import Setup
@@ -107,15 +109,30 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
 
 
 def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
-    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2)."""
+    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide."""
+    guide, strength = inputs.shape, run.job.guide_strength
+    if guide and strength == 1:
+        return kept_guide(guide, run, progress)
     config, generator = inputs.config.geometry, torch.Generator().manual_seed(run.job.seed)
     net = sdf_net(config, generator).to(inputs.device)
     training = Training("geometry", net, generator, run)
     if not run.has(training.name):
-        fit_start_shape(training, config, inputs.shape, progress)
+        if guide:
+            fit_guide(training, config, guide, strength, progress)
+        else:
+            fit_start_shape(training, config, progress)
     setup = Setup(training, inputs.guidance, config)
     verts, faces = learn_geometry(setup, progress)
     return Mesh(verts.cpu(), faces.cpu())
+
+
+def kept_guide(guide: Mesh, run: RunFolder, progress: Progress) -> Mesh:
+    """The guide itself: nothing is learned of it, as its strength of 1 says."""
+    with progress.timed("geometry"):
+        mesh = kept(guide)
+        show_shape(run, normalise(mesh.verts)[0], mesh.faces)
+        progress.complete("geometry")
+    return mesh
 
 
 def back(verts: Float[Tensor, "v 3"], mesh: Mesh | None) -> Float[Tensor, "v 3"]:

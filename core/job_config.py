@@ -1,16 +1,33 @@
 """The settings of one job: its preset, with what its own options change."""
 
-import math
 from dataclasses import replace
 
-from core.config import AppearanceConfig, Config, check, preset, with_settings
+from core.config import DRAFT, AppearanceConfig, Config, check, preset, with_settings
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
 
+BUILTIN = "builtin"  # the guidance of that name
+# Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
+GUIDE_RESIDUAL = 0.1
+
+# Settings of the geometry's training that belong to the built-in prior, not to a preset.
+OF_THE_PRIOR = (
+    "cameras",
+    "learning_rate",
+    "learning_rate_end",
+    "gradient_cap",
+    "gradient_clip",
+    "ray_mask_share",
+    "eikonal",
+    "smooth_normals",
+)
+
 
 def config_of(job: Job) -> Config:
-    """The preset with the job's own sizes and settings."""
+    """The preset with the guidance's ranges and the job's own sizes and settings."""
     config = preset(job.preset)
+    if job.guidance == BUILTIN:
+        config = with_builtin(config)
     if job.texture_size:
         config = replace(config, texture=replace(config.texture, size=job.texture_size))
     if job.max_faces:
@@ -23,21 +40,52 @@ def config_of(job: Job) -> Config:
     return shortened(config, job.guide_strength) if job.guide_mesh else config
 
 
+def with_builtin(config: Config) -> Config:
+    """``config`` with what the built-in prior was tuned for: pictures, noise, scales, rates, caps.
+
+    A guidance scale of 100 without a cap, right for Stable Diffusion, makes its surfaces vanish.
+    Steps, views, lattices, networks and the phases stay the preset's.
+    """
+    g, a = DRAFT.geometry, DRAFT.appearance
+    return replace(
+        config,
+        geometry=replace(
+            config.geometry,
+            coarse=replace(g.coarse, steps=config.geometry.coarse.steps),
+            fine=replace(g.fine, steps=config.geometry.fine.steps),
+            **{name: getattr(g, name) for name in OF_THE_PRIOR},
+        ),
+        appearance=replace(
+            config.appearance,
+            early=replace(a.early, steps=config.appearance.early.steps),
+            late=replace(a.late, steps=config.appearance.late.steps),
+            cameras=a.cameras,
+            learning_rate=a.learning_rate,
+            learning_rate_end=a.learning_rate_end,
+            gradient_cap=a.gradient_cap,
+        ),
+    )
+
+
 def shortened(config: Config, strength: float) -> Config:
     """``config`` for a guide mesh: less of what decides the shape, which is noise and length.
 
-    ``strength`` 0 leaves all as it is; at 1 there is no coarse phase, and the rest touches up. What
-    is apart in the guide stays apart.
+    ``strength`` 0 leaves all as it is; towards 1 all steps go to 0, and with them what smooths and
+    cleans up. What is apart in the guide stays apart.
     """
     g, keep = config.geometry, 1 - strength
     steps, rounds = round(g.coarse.steps * keep), round(g.grow.rounds * keep)
     coarse = replace(g.coarse, steps=steps, t_high=_calmer(g.coarse.t_high, strength))
     grow = replace(g.grow, rounds=rounds, t=_calmer(g.grow.t, strength))
-    fine = replace(g.fine, steps=math.ceil(g.fine.steps * (0.2 + 0.8 * keep)))
-    refine = replace(g.refine, t=_calmer(g.refine.t, strength))
+    fine = replace(g.fine, steps=round(g.fine.steps * keep))
+    less = round(g.refine.steps * keep)
+    refine = replace(g.refine, steps=less, t=_calmer(g.refine.t, strength))
     rate = g.learning_rate * (0.05 + 0.95 * keep)
     shorter = replace(g, coarse=coarse, grow=grow, fine=fine, refine=refine, learning_rate=rate)
-    return replace(config, geometry=replace(shorter, join=g.join and strength == 0))
+    floaters, polish = g.floaters * keep, round(g.polish * keep)
+    kept = replace(shorter, floaters=floaters, polish=polish, join=g.join and strength == 0)
+    net = replace(g.net, residual=GUIDE_RESIDUAL) if strength > 0 else g.net
+    return replace(config, geometry=replace(kept, net=net))
 
 
 def retouching(config: Config, strength: float) -> Config:

@@ -73,11 +73,16 @@ class MaterialNet(nn.Module):
 def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
     """Sigmoids of ``raw`` over the ranges; kn's x and y reach ``bump``, its z is positive.
 
-    kd's runs over sRGB: in linear light the darks, which the eye tells apart, lie in its flat end.
+    kd's runs over linear light, as the paper's does, or over sRGB: in linear light the darks, which
+    the eye tells apart, lie in the sigmoid's flat end.
     """
     share = raw.sigmoid()
-    low, high = linear_to_srgb(raw.new_tensor(config.kd_range))
-    kd = srgb_to_linear(low + (high - low) * share[:, 0:3])
+    kd = share[:, 0:3]
+    if config.kd_curve == "srgb":
+        low, high = linear_to_srgb(raw.new_tensor(config.kd_range))
+        kd = srgb_to_linear(low + (high - low) * kd)
+    else:
+        kd = _between(kd, config.kd_range)
     roughness = _between(share[:, 3:4], config.roughness_range)
     metallic = _between(share[:, 4:5], config.metallic_range)
     tilt = (2 * share[:, 5:7] - 1) * config.bump

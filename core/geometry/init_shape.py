@@ -21,6 +21,11 @@ from core.geometry.tet_grid import EXTENT
 SURFACE_POINTS, UNIFORM_POINTS, SPREAD = 5000, 3000, 0.05
 # Sets P that the steps take in turn: the distances to a large mesh are then found once.
 POINT_SETS = 8
+# A fit that ends by itself looks every so many steps at points that it is not fitted to. Where
+# their error fell to no less than GAIN of the best, it halves its rate; below LEAST_RATE of the
+# first rate, or after MOST_STEPS, it ends.
+LOOK_STEPS, GAIN, LEAST_RATE, MOST_STEPS = 50, 0.97, 1 / 32, 2000
+LEARNING_RATE = 3e-3
 # Weight of (2 offset / cell)²: the nodes start where they are, free to move both ways.
 OFFSET_WEIGHT = 1e-4
 
@@ -131,29 +136,77 @@ def fit(
     generator: torch.Generator,
     progress: Callable[[int, float], None] | None = None,
     *,
-    learning_rate: float = 3e-3,
+    learning_rate: float = LEARNING_RATE,
     extent: float = EXTENT,
 ) -> float:
     """Fit Ψ to ``shape`` (Eq. 3); the root mean square of the SDF's error in the last step.
 
     ``progress``: called with the steps done and that error. The rate falls to 0 along a cosine.
     """
-    device = next(net.parameters()).device
-    sets = [sample_points(shape, extent, generator) for _ in range(min(POINT_SETS, steps))]
-    pairs = [(points.to(device), shape.sdf(points).to(device)) for points in sets]
-    optimizer = torch.optim.AdamW(net.parameters(), learning_rate, (0.9, 0.99), 1e-15, 0.0)
+    pairs = _pairs(net, shape, min(POINT_SETS, steps), extent, generator)
+    optimizer = _optimizer(net, learning_rate)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, max(steps, 1))
     error = float("nan")
     for step in range(steps):
-        points, target = pairs[step % len(pairs)]
-        sdf, offset = net(points)
-        loss = (sdf - target).square().mean()
-        still = (offset * (2 / net.cell)).square().mean()
-        optimizer.zero_grad()
-        (loss + OFFSET_WEIGHT * still).backward()
-        optimizer.step()
+        error = _step(net, optimizer, *pairs[step % len(pairs)])
         schedule.step()
-        error = float(loss.detach().sqrt())
         if progress is not None:
             progress(step + 1, error)
     return error
+
+
+def fit_until_still(
+    net: SdfNet,
+    shape: Shape,
+    generator: torch.Generator,
+    progress: Callable[[int, float], None] | None = None,
+    *,
+    extent: float = EXTENT,
+) -> float:
+    """Fit Ψ to ``shape`` (Eq. 3) until the error at points that it has not seen stops falling.
+
+    Returns their root mean square error at the end; they are about the surface. ``progress``: as
+    in :func:`fit`, of MOST_STEPS at most.
+    """
+    pairs = _pairs(net, shape, POINT_SETS + 1, extent, generator)
+    points, target = (x[: 2 * SURFACE_POINTS] for x in pairs.pop())
+    optimizer, rate, best = _optimizer(net, LEARNING_RATE), LEARNING_RATE, float("inf")
+    error = float("nan")
+    for step in range(MOST_STEPS):
+        last = _step(net, optimizer, *pairs[step % len(pairs)])
+        if progress is not None:
+            progress(step + 1, last)
+        if (step + 1) % LOOK_STEPS:
+            continue
+        with torch.no_grad():
+            error = float((net(points)[0] - target).square().mean().sqrt())
+        rate = rate if error < GAIN * best else rate / 2
+        best = min(best, error)
+        if rate < LEAST_RATE * LEARNING_RATE:
+            break
+        optimizer.param_groups[0]["lr"] = rate
+    return error
+
+
+def _pairs(
+    net: SdfNet, shape: Shape, count: int, extent: float, generator: torch.Generator
+) -> list[tuple[Tensor, Tensor]]:
+    """Sets P with their distances, where Ψ is."""
+    device = next(net.parameters()).device
+    sets = [sample_points(shape, extent, generator) for _ in range(count)]
+    return [(points.to(device), shape.sdf(points).to(device)) for points in sets]
+
+
+def _optimizer(net: SdfNet, learning_rate: float) -> torch.optim.Optimizer:
+    return torch.optim.AdamW(net.parameters(), learning_rate, (0.9, 0.99), 1e-15, 0.0)
+
+
+def _step(net: SdfNet, optimizer: torch.optim.Optimizer, points: Tensor, target: Tensor) -> float:
+    """One step of Eq. 3; the root mean square error before it."""
+    sdf, offset = net(points)
+    loss = (sdf - target).square().mean()
+    still = (offset * (2 / net.cell)).square().mean()
+    optimizer.zero_grad()
+    (loss + OFFSET_WEIGHT * still).backward()
+    optimizer.step()
+    return float(loss.detach().sqrt())

@@ -31,6 +31,25 @@ class SolidMesh:
         self._tree = igl.AABB()
         self._tree.init(self._verts, self._faces)
 
+    @property
+    def arrays(self) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and faces."""
+        return self._verts, self._faces
+
+    def thin_part(self, thickness: float) -> "SolidMesh | None":
+        """The faces behind which there is less of the solid than ``thickness``, by their middles.
+
+        A sheet's are among them, since nothing is behind it. None where there are none.
+        """
+        normals = _normals(self._verts, self._faces)
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        behind = self._verts[self._faces].mean(1) - thickness * normals
+        winding = igl.fast_winding_number(self._verts, self._faces, np.ascontiguousarray(behind))
+        thin = self._faces[winding <= 0.5]
+        if not len(thin):
+            return None
+        return SolidMesh(torch.from_numpy(self._verts), torch.from_numpy(thin))
+
     def winding(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """How often the surface winds round each point: about 1 inside, 0 outside."""
         query = np.ascontiguousarray(points.detach().cpu().double().numpy())

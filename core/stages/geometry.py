@@ -28,7 +28,6 @@ RAY_PICTURE = 32  # side of the picture whose rays distilling follows through th
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40  # one for each cell of the draft's coarse lattice
 BAND = 4  # cells to either side that a surface may move in one round of refining
-FLOATER_RATIO = 0.08  # a component of less area than this much of the largest is dropped
 
 ShapeSetup = Setup[SdfNet, GeometryConfig]
 
@@ -239,8 +238,8 @@ def final_mesh(
             "Use another seed, a --guide mesh, or a lower --set geometry.learning_rate.",
         )
     if config.join:  # before small components are dropped: a thin part may have come off
-        surface = joined_by_struts(surface, grid, FLOATER_RATIO)
-    verts, faces = drop_floaters(surface.verts, surface.faces, FLOATER_RATIO)
+        surface = joined_by_struts(surface, grid, config.floaters)
+    verts, faces = drop_floaters(surface.verts, surface.faces, config.floaters)
     verts = polished(verts, faces, config.polish)
     return flattened(verts, faces, config.flatten, config.flatten_sigma), faces
 

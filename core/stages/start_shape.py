@@ -3,13 +3,17 @@
 import torch
 
 from core.config import GeometryConfig
-from core.geometry.init_shape import ellipsoid, fit, mesh_shape
+from core.geometry.guide import fill, guide_shape
+from core.geometry.init_shape import MOST_STEPS, ellipsoid, fit, fit_until_still
 from core.geometry.mesh import Mesh
 from core.geometry.residual import Residual
 from core.geometry.sdf_net import SdfNet
 from core.geometry.tet_grid import EXTENT
 from core.io.progress import Progress
 from core.stages.state import Training
+
+# Half the thickness, cells of the fine lattice, that sheets and thin parts get: a node is inside.
+THIN_CELLS = 0.6
 
 
 def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
@@ -20,17 +24,36 @@ def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
     return net
 
 
-def fit_start_shape(
-    training: Training[SdfNet], config: GeometryConfig, guide: Mesh | None, progress: Progress
-) -> None:
-    """Fit Ψ to ``guide`` or, without one, to the config's ellipsoid (Eq. 3)."""
-    start = mesh_shape(guide) if guide else ellipsoid(config.radii)
+def fit_start_shape(training: Training[SdfNet], config: GeometryConfig, progress: Progress) -> None:
+    """Fit Ψ to the config's ellipsoid (Eq. 3)."""
     steps = config.fit_steps
     with progress.timed("fit"):
         fit(
             training.module,
-            start,
+            ellipsoid(config.radii),
             steps,
             training.generator,
             lambda step, _: progress.advance("fit", step, steps),
         )
+
+
+def fit_guide(
+    training: Training[SdfNet],
+    config: GeometryConfig,
+    guide: Mesh,
+    strength: float,
+    progress: Progress,
+) -> None:
+    """Fit Ψ to ``guide`` (Eq. 3), and let its lattice hold ``strength`` of what it then lacks."""
+    net = training.module
+    shape = guide_shape(guide, THIN_CELLS * 2 * EXTENT / config.resolution[1])
+    with progress.timed("fit"):
+        fit_until_still(
+            net,
+            shape,
+            training.generator,
+            lambda step, _: progress.advance("fit", step, MOST_STEPS),
+        )
+        if net.residual is not None:
+            fill(net.residual, net, shape, strength)
+        progress.complete("fit")

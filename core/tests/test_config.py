@@ -86,7 +86,7 @@ def test_the_paper_preset_says_what_the_paper_says():
 
 
 def test_an_unknown_preset_is_refused():
-    with pytest.raises(UserError, match="draft, standard, paper"):
+    with pytest.raises(UserError, match="draft, sds, standard, paper"):
         preset("fast")
 
 
@@ -139,3 +139,29 @@ def test_a_config_is_checked_as_a_whole():
     settings = {"geometry.fine.t_low": "0.9", "geometry.fine.t_high": "0.5,0.5"}
     with pytest.raises(UserError, match="geometry.fine.t_low is 0.9. It takes no more than"):
         config_of(Job(prompt="a chair", settings=settings))
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_the_builtin_prior_brings_its_own_scales_and_caps(name) -> None:
+    """A preset is about effort: its steps and views stay."""
+    draft, own = preset("draft"), preset(name)
+    config = config_of(Job(prompt="a mug", preset=name))
+    for phase in ("coarse", "fine"):
+        here = getattr(config.geometry, phase)
+        assert here.guidance_scale == getattr(draft.geometry, phase).guidance_scale
+        assert here.steps == getattr(own.geometry, phase).steps
+    assert config.geometry.gradient_cap == draft.geometry.gradient_cap
+    assert config.appearance.late.guidance_scale == draft.appearance.late.guidance_scale
+    assert config.geometry.views == own.geometry.views
+    assert config.geometry.net == own.geometry.net
+    assert config_of(Job(prompt="a mug", preset=name, guidance="/a/model")) == own
+    settings = {"geometry.coarse.guidance_scale": 7}
+    set_by_user = config_of(Job(prompt="a mug", preset=name, settings=settings))
+    assert set_by_user.geometry.coarse.guidance_scale == 7
+
+
+def test_sds_is_score_distillation_alone() -> None:
+    sds = preset("sds")
+    assert sds.geometry.grow.rounds == sds.geometry.refine.rounds == 0
+    assert sds.appearance.refine.rounds == 0
+    assert preset("draft") == config_of(Job(prompt="a mug"))

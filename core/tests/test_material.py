@@ -6,10 +6,10 @@ import pytest
 import torch
 
 from core.appearance.material import Material, MaterialNet, specular_color, to_ranges
-from core.config import AppearanceConfig
+from core.config import AppearanceConfig, preset
 from core.guidance.load import make_guidance
 from core.job_config import within
-from core.ops import linear_to_srgb
+from core.ops import linear_to_srgb, srgb_to_linear
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
 
@@ -17,7 +17,9 @@ CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
 def test_the_ends_of_the_sigmoids_are_the_ends_of_the_ranges():
     raw = torch.full((1, 8), 40.0)
     for sign, end in ((-1, 0), (1, 1)):
+        srgb = to_ranges(sign * raw, replace(CONFIG, kd_curve="srgb"))
         m = to_ranges(sign * raw, CONFIG)
+        torch.testing.assert_close(srgb.kd, torch.full((1, 3), CONFIG.kd_range[end]))
         torch.testing.assert_close(m.kd, torch.full((1, 3), CONFIG.kd_range[end]))
         torch.testing.assert_close(m.roughness, torch.full((1, 1), CONFIG.roughness_range[end]))
         torch.testing.assert_close(m.metallic, torch.full((1, 1), CONFIG.metallic_range[end]))
@@ -41,8 +43,16 @@ def test_a_seed_gives_the_same_material_and_another_seed_another():
     assert not torch.equal(a, c)
 
 
+def test_kd_runs_over_linear_light_as_the_papers_does_or_over_srgb_as_the_drafts():
+    middle = torch.zeros(1, 8)
+    paper, draft = preset("paper").appearance, preset("draft").appearance
+    torch.testing.assert_close(to_ranges(middle, paper).kd, torch.full((1, 3), 0.5))
+    of_srgb = srgb_to_linear(linear_to_srgb(torch.tensor(draft.kd_range)).mean())
+    torch.testing.assert_close(to_ranges(middle, draft).kd, of_srgb.expand(1, 3))
+
+
 def test_it_starts_grey_half_rough_and_as_metallic_as_asked():
-    config = replace(CONFIG, metallic_start=0.1)
+    config = replace(CONFIG, metallic_start=0.1, kd_curve="srgb")
     m = MaterialNet(config, torch.Generator().manual_seed(0))(torch.zeros(1, 3))
     middle = linear_to_srgb(torch.tensor(CONFIG.kd_range)).mean()  # of what the eye sees
     torch.testing.assert_close(linear_to_srgb(m.kd), middle.expand(1, 3), atol=0.01, rtol=0)

@@ -28,6 +28,12 @@ PRESETS = (
     ("draft", "Draft", "Minutes on a CPU, with the built-in model"),
     ("standard", "Standard", "The paper's method on one GPU"),
     ("paper", "Paper", "The paper's own settings: hours on one GPU"),
+    # Last: Blender keeps the number of an item in its files.
+    (
+        "sds",
+        "Score Distillation",
+        "The draft by score distillation alone, as the paper has it",
+    ),
 )
 GUIDANCE = (
     ("builtin", "Built-in", "The small model that comes with the add-on: some nouns and colours"),

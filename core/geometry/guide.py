@@ -1,0 +1,57 @@
+"""The user's guide mesh: kept triangle by triangle, or the solid that Ψ is fitted to."""
+
+import igl
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.mesh import Mesh, normalise
+from core.geometry.residual import Residual
+from core.geometry.sdf_net import SdfNet
+from core.geometry.signed_distance import SolidMesh
+
+CHUNK = 1 << 15  # nodes at a time
+
+
+def kept(mesh: Mesh) -> Mesh:
+    """The guide's own surface, without uv: welded, facing outward, without empty faces.
+
+    No lattice holds what is thinner than its cells, or a sheet without an inside; the triangles
+    do. Faces are cut apart where three share an edge, since the simplification needs a manifold.
+    """
+    solid = SolidMesh(mesh.verts, mesh.faces)
+    verts, faces, _ = igl.split_nonmanifold(*solid.arrays)
+    return Mesh(torch.from_numpy(verts).float(), torch.from_numpy(faces))
+
+
+def guide_shape(mesh: Mesh, least: float) -> Shape:
+    """The guide, normalised, with ``least`` (training units) around its sheets and thin parts.
+
+    Raises UserError where it has no area.
+    """
+    verts, _, _ = normalise(mesh.verts)
+    solid = SolidMesh(verts, mesh.faces)
+    skin = solid.thin_part(2 * least)
+
+    def sdf(points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        distance = solid.sdf(points)
+        return distance if skin is None else distance.minimum(skin.distance(points) - least)
+
+    return Shape(sdf, lambda n, generator: sample_surface(verts, mesh.faces, n, generator))
+
+
+@torch.no_grad()
+def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
+    """Give ``residual`` that much of what Ψ lacks of ``shape`` at the nodes; 1 is all of it."""
+    residual.values.zero_()
+    net.cell = residual.cell
+    n = residual.resolution + 1
+    axis = torch.linspace(-residual.extent, residual.extent, n)
+    nodes = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
+    missing = []
+    for points in nodes.split(CHUNK):
+        sdf, offset = net(points.to(residual.values.device))
+        missing.append(torch.cat([(shape.sdf(points).to(sdf) - sdf)[:, None], -offset], 1))
+    lacks = torch.cat(missing).T.reshape(1, 4, n, n, n)
+    residual.values.copy_(lacks * (share / residual.scale))
