@@ -109,7 +109,7 @@ def fitted(
     with tempfile.TemporaryDirectory() as place:
         run = RunFolder.create(Path(place) / "run", Job(prompt="a known solid"))
         training, progress = Training("geometry", net, generator, run), Progress(run)
-        fit_start_shape(training, config, None, progress)
+        fit_start_shape(training, config, progress)
         verts, faces = learn_geometry(Setup(training, oracle(shape).prompted(), config), progress)
     return verts.detach(), faces
 
