@@ -21,7 +21,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from core.errors import MemoryShortError, UserError
+from core.errors import MemoryShortError, MissingError, UserError
 
 if TYPE_CHECKING:
     from core.generate import Inputs
@@ -357,13 +357,21 @@ def _words(args: argparse.Namespace) -> None:
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
 
-    if args.names == ["prior"]:  # hours, and folders of runs: never one of several
-        from core.benchmarks.bench_prior import bench_prior
+    try:
+        if args.names == ["prior"]:  # hours, and folders of runs: never one of several
+            from core.benchmarks.bench_prior import bench_prior
 
-        bench_prior(args.nouns, args.seeds, args.out, args.json)
-    elif args.names == ["fit"]:  # a minute or two a noun, and a folder
-        from core.benchmarks.bench_fit import bench_fit
+            bench_prior(args.nouns, args.seeds, args.out, args.json)
+        elif args.names == ["fit"]:  # a minute or two a noun, and a folder
+            from core.benchmarks.bench_fit import bench_fit
 
-        bench_fit(args.nouns, args.set, args.out, args.json)
-    else:
-        bench(args.names, args.json)
+            bench_fit(args.nouns, args.set, args.out, args.json)
+        else:
+            bench(args.names, args.json)
+    except ModuleNotFoundError as error:
+        if not str(error.name).startswith("core.prior"):
+            raise
+        raise MissingError(  # the extension's zip is without it
+            f"This copy of the project has no core/prior, which bench {args.names[0]} compares with.",
+            "Run it from the project's own folder.",
+        ) from error

@@ -15,7 +15,7 @@ import torch
 from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
-from core.errors import MissingError, UserError
+from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import health
 from core.guidance.builtin.offered import offered_words
@@ -25,17 +25,8 @@ from core.io.job import Job, write_text
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
+from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
 from core.stages.start_color import surface_colors
-
-try:
-    from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
-except ModuleNotFoundError as error:  # the extension's zip is without core/prior
-    if not str(error.name).startswith("core.prior"):
-        raise
-    raise MissingError(
-        "This copy of the project has no core/prior, whose shapes bench prior compares with.",
-        "Run it from the project's own folder.",
-    ) from error
 
 FOLDER = Path("out/bench_prior")
 # Holes that make a thing what it is, and what must not have any: what stands on legs that are

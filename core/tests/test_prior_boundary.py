@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-USERS = ("core/prior/", "core/benchmarks/bench_prior.py", "core/tests/")
+USERS = ("core/prior/", "core/benchmarks/", "core/tests/")
 PREPARE = """
 import json, sys
 from core.generate import generate, prepare
@@ -30,7 +30,7 @@ def imports_of_the_training(source: str) -> list[str]:
     return [name for name in names if f"{name}.".startswith("core.prior.")]
 
 
-def test_only_the_training_and_its_bench_import_the_training():
+def test_only_the_training_and_the_benches_import_the_training():
     found = {}
     for path in (ROOT / "core").rglob("*.py"):
         name = path.relative_to(ROOT).as_posix()
