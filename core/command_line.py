@@ -249,8 +249,8 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
 
 def _known(error: BaseException) -> UserError | None:
     """An error of the machine as a sentence: memory and disk."""
-    told = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
-    if told or isinstance(error, MemoryError):
+    out_of_memory = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
+    if out_of_memory or isinstance(error, MemoryError):
         return MemoryShortError(
             "There is not enough memory for this job.",
             "Lower geometry.views_at_once and appearance.views_at_once with --set, "
@@ -372,6 +372,6 @@ def _bench(args: argparse.Namespace) -> None:
         if not str(error.name).startswith("core.prior"):
             raise
         raise MissingError(  # the extension's zip is without it
-            f"This copy of the project has no core/prior, which bench {args.names[0]} compares with.",
+            f"This copy of the project has no core/prior, which bench {args.names[0]} needs.",
             "Run it from the project's own folder.",
         ) from error

@@ -82,7 +82,7 @@ def averages(
     alpha = roughness.square().clamp(min=MIN_ALPHA)
     cos_v = dot(normal, view).clamp(1e-3, 1)
     along = normalize(view - cos_v * normal)
-    aside = torch.linalg.cross(normal, along)
+    bitangent = torch.linalg.cross(normal, along)
     h = visible_normals(cos_v, alpha, hammersley(SAMPLES))
     sin_v = (1 - cos_v.square()).sqrt()
     cos_d = sin_v * h[..., 0] + cos_v * h[..., 2]
@@ -92,7 +92,7 @@ def averages(
     density = ggx_d(h[..., 2], alpha) / (4 * masked * cos_v)
     axes = (
         x[..., None] * along[:, None]
-        + y[..., None] * aside[:, None]
+        + y[..., None] * bitangent[:, None]
         + z[..., None] * normal[:, None]
     )
     # Half of the radius of a round share: the lobes' tails are long.

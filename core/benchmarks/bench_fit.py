@@ -45,7 +45,7 @@ NOUNS = {  # and the seed of the solid
     "teapot": 7,
     "lamp": 7,
 }
-SAID = {"mug": "handle"}
+STATED_PARTS = {"mug": "handle"}
 PICTURE = 384  # side of one picture, pixels
 VIEWS = Cameras.orbit([35.0, 215.0], [22.0, 30.0])
 TARGETS = {"flat": 2.5, "missing": 0.03}  # at most
@@ -81,22 +81,22 @@ def bench_fit(
 def solid(noun: str) -> Shape:
     """The noun's known solid."""
     generator = torch.Generator().manual_seed(NOUNS.get(noun, 7))
-    return build(noun, "", Draw(generator, SAID.get(noun, "")), jitter=0.0)
+    return build(noun, "", Draw(generator, STATED_PARTS.get(noun, "")), jitter=0.0)
 
 
 def _scored(noun: str, config: GeometryConfig, folder: Path) -> dict[str, Any]:
-    told = folder / f"{noun.replace(' ', '-')}.json"
-    if told.exists():
-        return json.loads(told.read_text(encoding="utf-8"))
+    report_path = folder / f"{noun.replace(' ', '-')}.json"
+    if report_path.exists():
+        return json.loads(report_path.read_text(encoding="utf-8"))
     shape = solid(noun)
     cpu, wall = time.process_time(), time.monotonic()
     verts, faces = fitted(shape, config)
     facts: dict[str, Any] = {"noun": noun, "cpu_s": round(time.process_time() - cpu, 1)}
     facts |= {"wall_s": round(time.monotonic() - wall, 1)}
     facts |= scores(verts, faces, Truth.of(shape))
-    write_png(told.with_suffix(".png"), side_by_side(shape, verts, faces))
-    np.savez(told.with_suffix(".npz"), verts=verts.numpy(), faces=faces.numpy())
-    write_text(told, json.dumps(facts, indent=1) + "\n")
+    write_png(report_path.with_suffix(".png"), side_by_side(shape, verts, faces))
+    np.savez(report_path.with_suffix(".npz"), verts=verts.numpy(), faces=faces.numpy())
+    write_text(report_path, json.dumps(facts, indent=1) + "\n")
     return facts
 
 

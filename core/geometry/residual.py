@@ -1,4 +1,4 @@
-"""A lattice of values beside Ψ: what its few Fourier features are too smooth to say.
+"""A lattice of values added to Ψ: detail that its few Fourier features are too smooth for.
 
 Not in the paper, whose hash grid has such values itself (16 levels of them); ours. Ψ alone finds
 the shape, since its smoothness carries it over what the pictures leave open; then each node of the

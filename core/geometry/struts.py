@@ -16,7 +16,9 @@ from core.geometry.tet_grid import TetGrid
 
 STRUT_CELLS = 1.5  # radius of a strut, cells of the lattice
 MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
-ASIDE = 0.25  # of the distance to the line of the centroids, what counts as length of a strut
+OFFSET_WEIGHT = (
+    0.25  # of the distance to the line of the centroids, what counts as length of a strut
+)
 
 
 def joined_by_struts(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
@@ -42,15 +44,15 @@ def strut(
 ) -> tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]]:
     """Ends of the best strut between two clouds of vertices.
 
-    The shortest; where many are about as short, as between a sail and its deck, the one beside the
+    The shortest; where many are about as short, as between a sail and its deck, the one next to the
     line between the centroids.
     """
     distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
     middle = (piece + rest[nearest]) / 2
     start, along = piece.mean(0), rest.mean(0) - piece.mean(0)
     along = along / max(float(np.linalg.norm(along)), 1e-9)
-    beside = np.linalg.norm(np.cross(middle - start, along), axis=1)
-    best = int((distance + ASIDE * beside).argmin())
+    offset = np.linalg.norm(np.cross(middle - start, along), axis=1)
+    best = int((distance + OFFSET_WEIGHT * offset).argmin())
     return piece[best], rest[nearest[best]]
 
 

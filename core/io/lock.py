@@ -14,7 +14,7 @@ from pathlib import Path
 from core.errors import UserError
 
 NAME = "lock"  # the file; it stays, because removing one that another process waits for is unsafe
-PATIENCE = 0.5  # seconds: the add-on holds the lock for a moment when it asks whose it is
+LOCK_TIMEOUT = 0.5  # seconds: the add-on holds the lock for a moment when it checks who holds it
 HELD = (errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
 
@@ -35,7 +35,7 @@ def run_lock(folder: Path) -> Iterator[None]:
             "Change its permissions, or copy it to another place and resume it there.",
         ) from None
     with file:
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + LOCK_TIMEOUT
         while not _try_lock(file.fileno()):
             if time.monotonic() > end:
                 file.seek(1)
@@ -44,7 +44,7 @@ def run_lock(folder: Path) -> Iterator[None]:
                     f"Another process works on {folder} already (pid {owner}).",
                     "Wait until it ends, or cancel it.",
                 )
-            time.sleep(PATIENCE / 10)
+            time.sleep(LOCK_TIMEOUT / 10)
         file.truncate(0)
         file.write(f" {os.getpid()}\n".encode())
         yield

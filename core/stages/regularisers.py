@@ -1,4 +1,4 @@
-"""What holds Ψ where the pictures say nothing: terms beyond the paper, each with its weight."""
+"""Terms beyond the paper that constrain Ψ where the pictures give no information."""
 
 import torch
 from jaxtyping import Float, Int

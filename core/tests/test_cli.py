@@ -26,7 +26,7 @@ def wrong(capsys, *argv):
         (["generate", "a chair", "--sede", "3"], "Did you mean --seed?"),
         (["generate", "a chair", "--see", "3"], "no option '--see'"),
         (["generate", "a chair", "--seed", "x"], "invalid int value: 'x'"),
-        (["generate", "a chair", "--preset", "fast"], "draft, standard, paper"),
+        (["generate", "a chair", "--preset", "fast"], "draft, sds, standard, paper"),
         (["generate", "a chair", "--set", "geometry.fine.stepz=3"], "geometry.fine.steps"),
         (["generate", "a chair", "--set", "geometry.fine.steps"], "has no value"),
         (["generate", "a chair", "--set", "geometry.coarse.steps=-3"], "0 to 1000000"),

@@ -1,1 +1,1 @@
-"""What every room needs of bpy: version differences, mesh arrays, names, PNG files."""
+"""What the other folders need of bpy: version differences, mesh arrays, names, PNG files."""
