@@ -11,6 +11,7 @@ import pytest
 
 pytest.importorskip("bpy")
 
+import run
 from blender_tests.pictures import read
 from fantasia3d_addon.blender import output
 from fantasia3d_addon.cli import headless, interrupt
@@ -62,7 +63,7 @@ def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target
 def test_a_render_that_nobody_stops_leaves_ctrl_c_as_it_was(asset, tmp_path, monkeypatch):
     before = signal.getsignal(signal.SIGINT)
     line = ["relight", str(asset), "--render", str(tmp_path / "a.png")]
-    assert headless.command([*line, "--size", "16", "--samples", "1"]) == 0
+    assert headless.command(run.parse([*line, "--size", "16", "--samples", "1"])) == 0
     assert read(tmp_path / "a.png").shape == (16, 16, 3)
     assert signal.getsignal(signal.SIGINT) == before
     assert signal.set_wakeup_fd(-1) == -1
@@ -108,7 +109,7 @@ def test_frames_of_a_killed_turntable_do_not_come_into_the_next(asset, tmp_path)
     half.mkdir()
     (half / "frame_0040.png").touch()
     line = ["relight", str(asset), "--turntable", str(tmp_path / "turn"), "--frames", "2"]
-    assert headless.command([*line, "--size", "16", "--samples", "1"]) == 0
+    assert headless.command(run.parse([*line, "--size", "16", "--samples", "1"])) == 0
     assert [p.name for p in sorted((tmp_path / "turn").iterdir())] == [
         "frame_0001.png",
         "frame_0002.png",
