@@ -192,9 +192,11 @@ BELOW_TOO = CameraConfig(elevation_deg=(-50.0, 78.0))
 
 DRAFT = Config(
     geometry=GeometryConfig(
+        # A tenth of the hash grid's time on a CPU.
         net=FOURIER,
         resolution=(40, 64),
         fit_steps=200,
+        # It only has to find where the shape lies: growing gives it its parts.
         coarse=PhaseConfig(
             steps=30, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),

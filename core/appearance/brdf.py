@@ -18,7 +18,9 @@ from jaxtyping import Float
 from torch import Tensor
 from torch.nn.functional import grid_sample
 
+# F0 = ((1.5 - 1) / (1.5 + 1))² = 0.04, the paper's k_s of a dielectric.
 IOR = 1.5
+# Keeps D's peak, 1 / (π alpha²), finite at roughness 0: here 3e7.
 MIN_ALPHA = 1e-4
 
 
@@ -31,6 +33,7 @@ def ggx_d(cos_h: Float[Tensor, "*#b"], alpha: Float[Tensor, "*#b"]) -> Float[Ten
 
 def smith_lambda(cos: Float[Tensor, "*#b"], alpha: Float[Tensor, "*#b"]) -> Float[Tensor, "*#b"]:
     """Λ of the Smith shadowing function (Heitz 2014, Eq. 72)."""
+    # At the horizon tan² is infinite, and its gradient not a number.
     squared = cos.square().clamp(min=1e-12)
     return (torch.sqrt(1 + alpha.square() * (1 - squared).clamp(min=0) / squared) - 1) / 2
 
@@ -49,6 +52,7 @@ def schlick_weight(cos: Float[Tensor, "*#b"]) -> Float[Tensor, "*#b"]:
 
 def fresnel_dielectric(cos: Float[Tensor, "*#b"], ior: float = IOR) -> Float[Tensor, "*#b"]:
     """Unpolarised reflectance of a smooth dielectric from outside (Walter 2007, Eq. 22)."""
+    # Seen from outside there is no total reflection: the root is always real.
     g = torch.sqrt(ior * ior - 1 + cos.square())
     ratio = (cos * (g + cos) - 1) / (cos * (g - cos) + 1)
     return 0.5 * ((g - cos) / (g + cos)).square() * (1 + ratio.square())
@@ -75,10 +79,12 @@ class Albedo(NamedTuple):
 def hammersley(n: int) -> Float[Tensor, "{n} 2"]:
     """The first n points of an evenly spread sequence on the unit square."""
     index = torch.arange(n)
+    # The van der Corput sequence: the index's binary digits, mirrored about the point.
     radical, scale, rest = torch.zeros(n), 0.5, index.clone()
     while bool((rest > 0).any()):
         radical += scale * (rest % 2)
         rest, scale = rest // 2, scale / 2
+    # Half a spacing off the borders, where the sampled normals degenerate.
     return torch.stack([(index + 0.5) / n, radical + 0.5 / n], 1)
 
 
@@ -90,12 +96,15 @@ def visible_normals(
     Their density is D G1 (v·h) / cos_v ("Sampling Visible GGX Normals with Spherical Caps", Dupuy
     and Benyoub 2023).
     """
+    # STRETCHED: the view, where the microfacets' ellipsoid is the unit hemisphere
     x, z = torch.sqrt((1 - cos_v.square()).clamp(min=0)) * alpha, cos_v
     length = torch.sqrt(x * x + z * z)
     x, z = x / length, z / length
+    # SAMPLED: the cap of directions that the hemisphere reflects to this view, uniformly
     phi = 2 * math.pi * u[:, 0]
     cap = (1 - u[:, 1]) * (1 + z) - z
     sine = torch.sqrt((1 - cap * cap).clamp(min=0))
+    # UNSTRETCHED: normals go with the inverse transpose; none lies on the horizon or below it
     h = torch.stack(
         [(sine * phi.cos() + x) * alpha, sine * phi.sin() * alpha, (cap + z).clamp(min=1e-7)], -1
     )
@@ -108,6 +117,7 @@ def directional_albedo(
     """∫ D F G / (4 (ω·n)(ω_i·n)) (ω_i·n) dω_i, by sampling visible normals."""
     alpha = roughness.square().clamp(min=MIN_ALPHA)
     h = visible_normals(cos_v, alpha, hammersley(samples).to(cos_v))
+    # The view has no y here, so v·h needs none; of l = 2 (v·h) h - v only the height counts.
     cos_d = torch.sqrt((1 - cos_v.square()).clamp(min=0)) * h[..., 0] + cos_v * h[..., 2]
     cos_l = 2 * cos_d * h[..., 2] - cos_v
     # The density leaves G2 / G1 as the weight.
@@ -138,7 +148,9 @@ def albedo_table() -> Float[Tensor, "1 3 32 64"]:
 def lookup_albedo(roughness: Float[Tensor, "p 1"], cos_v: Float[Tensor, "p 1"]) -> Albedo:
     """:func:`directional_albedo` from the table, bilinear, with gradient to both arguments."""
     table = albedo_table().to(roughness)
+    # The root has no finite slope at 0.
     root = torch.sqrt(cos_v.clamp(min=1e-4))
     place = torch.cat([root, roughness.clamp(0, 1)], 1) * 2 - 1
+    # Corners aligned: the table's first and last entries are those of 0 and 1 themselves.
     found = grid_sample(table, place[None, None], align_corners=True, padding_mode="border")
     return Albedo(*found[0, :, 0].t().split(1, dim=1))

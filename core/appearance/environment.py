@@ -23,7 +23,10 @@ from core.appearance.lobes import FittedLobes
 from core.appearance.specular import SplitSum
 from core.config import ShadingModel
 
+# Larger maps are averaged down to this, smaller ones are kept.
 MIRROR_ROWS = 512
+# A texel of 1.4 degrees is far narrower than the cosine lobe; the convolution's cost grows with the
+# cube of the rows.
 IRRADIANCE_ROWS = 128
 
 
@@ -52,10 +55,14 @@ class Environment:
         ``model``: fitted lobes, which look as in Cycles, or the paper's split sum, which is faster
         to shade.
         """
+        # The convolutions make their tensors on the CPU.
         device, image = image.device, image.detach().to("cpu", torch.float32)
         rows = min(MIRROR_ROWS, image.shape[0])
         image = resample(image, rows, min(2 * MIRROR_ROWS, image.shape[1]))
+        # The split sum is the paper's, with the suns in its maps.
         rest, lamps = split_lamps(image) if model == "lobes" else (image, Lamps.none())
+        # The lamps' irradiance is added exactly in ``irradiance``: their light must not be in the
+        # map too.
         small = resample(rest, IRRADIANCE_ROWS, 2 * IRRADIANCE_ROWS)
         irradiance = convolve(small, lambda cos: cos.clamp(min=0))
         specular = FittedLobes.of(rest) if model == "lobes" else SplitSum.of(rest)

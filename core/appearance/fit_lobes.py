@@ -39,6 +39,8 @@ STEPS = 2400
 RATES = (0.03, 0.03, 0.05)  # of offsets, log widths, and weights before the softmax
 # Of the three Fresnel terms: what counts most in a picture.
 KIND_WEIGHT = (1.0, 0.1, 0.3)
+# Of the differences between the table's neighbours: it is read bilinearly, so they must agree on
+# which lobe is which, although the lobes are interchangeable.
 SMOOTHNESS = 1e-4
 
 
@@ -61,12 +63,14 @@ def random_points(environment: Environment, generator: torch.Generator) -> Point
     def direction() -> Tensor:
         return normalize(torch.randn(POINTS, 3, generator=generator))
 
+    # DIRECTIONS: a normal anywhere on the sphere, and a view at any azimuth about it
     normal = direction()
     side = normalize(torch.linalg.cross(normal, direction()))
     first, last, _ = ROUGHNESS
     roughness = first + (last - first) * uniform(1) ** 1.5
     cos_v = (uniform(1) ** 0.7).clamp(min=0.02)
     view = cos_v * normal + (1 - cos_v.square()).sqrt() * side
+    # AVERAGES: in parts, since each point has SAMPLES directions
     parts = zip(*(x.split(1024) for x in (normal, view, roughness)), strict=True)
     exact = torch.cat([averages(environment, *part) for part in parts], 1)
     return Points(normal, view, roughness, environment.irradiance_map.read(normal), exact)
@@ -84,11 +88,14 @@ def averages(
     along = normalize(view - cos_v * normal)
     bitangent = torch.linalg.cross(normal, along)
     h = visible_normals(cos_v, alpha, hammersley(SAMPLES))
+    # DIRECTIONS: the view mirrored about visible normals, in the point's own frame
     sin_v = (1 - cos_v.square()).sqrt()
     cos_d = sin_v * h[..., 0] + cos_v * h[..., 2]
     x, y, z = 2 * cos_d * h[..., 0] - sin_v, 2 * cos_d * h[..., 1], 2 * cos_d * h[..., 2] - cos_v
+    # WEIGHTS: sampling visible normals leaves G2 / G1; below the horizon nothing is reflected
     masked = 1 + smith_lambda(cos_v, alpha)
     weight = masked * smith_g2(cos_v, z.clamp(min=1e-5), alpha) * (z > 0)
+    # D G1 (v·h) / (n·v), over the Jacobian of the reflection, 4 (v·h).
     density = ggx_d(h[..., 2], alpha) / (4 * masked * cos_v)
     axes = (
         x[..., None] * along[:, None]
@@ -114,6 +121,7 @@ def start() -> list[Tensor]:
     narrow = torch.log(0.25 + 0.75 * torch.linspace(*ROOT_COS).square())
     widths = widths[:, None, None] + narrow.expand(LOBES, rows, columns)
     logits = torch.zeros(3, LOBES + 1, rows, columns)
+    # The cosine lobe begins nearly without weight: e^-3 against the others' 1.
     logits[:, LOBES] = -3
     return [x.clone().requires_grad_() for x in (spread, widths, logits)]
 
@@ -143,6 +151,8 @@ def fit(steps: int = STEPS) -> Float[Tensor, "channels rows columns"]:
     for step in range(steps):
         here, there = environments[step % len(LIGHTS)], points[step % len(LIGHTS)]
         some = torch.randint(0, POINTS, (BATCH,), generator=generator)
+        # At random about the light's own mean: all eight lights count alike, and the curve of
+        # ``shown`` is met at more than one brightness.
         exposure = math.exp(0.5 * float(torch.randn(1, generator=generator)))
         exposure = exposure / float(there.diffuse.mean())
         lobes = FittedLobes(here.specular.maps, table_of(parts))

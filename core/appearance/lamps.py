@@ -69,6 +69,7 @@ class Lamps:
         ``cos_v`` is n·ω, kept from zero.
         """
         alpha = roughness.square().clamp(min=MIN_ALPHA)
+        # One lamp after another: memory does not grow with their number.
         total = normal.new_zeros(3, *normal.shape)
         for direction, power, width in zip(self.direction, self.power, self.width, strict=True):
             light = direction.to(normal)
@@ -76,6 +77,7 @@ class Lamps:
             cos_l, cos_d = normal @ light[:, None], dot(half, view).clamp(0, 1)
             # Of slopes: a Gaussian light of this width moves the half vector by half of it.
             wide = torch.sqrt(alpha.square() + width.to(normal).square() / 2)
+            # D alone is widened: G hardly changes over a lamp's width.
             d = ggx_d(dot(normal, half).clamp(0, 1), wide)
             g = smith_g2(cos_v, cos_l.clamp(min=1e-5), alpha)
             weight = d * g / (4 * cos_v) * (cos_l > 0)
@@ -90,6 +92,7 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
     height, width, _ = image.shape
     luminance = image @ torch.tensor(LUMINANCE)
     area = solid_angles(height, width)
+    # BRIGHT TEXELS: what is above the bound is a lamp's, the rest of the texel stays in the map
     mean = float((luminance * area).sum() / (4 * math.pi))
     kept = (BRIGHT * mean / luminance.clamp(min=1e-12)).clamp(max=1)[..., None]
     bright = (kept[..., 0] < 1).reshape(-1).nonzero().squeeze(1)
@@ -99,10 +102,12 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
     axis = directions(height, width).view(-1, 3)[bright]
     share = power @ torch.tensor(LUMINANCE) / (4 * math.pi * mean)
 
+    # CLUSTERS: the strongest, since each costs a pass of Eq. 8 over all points
     clusters = [p for p in cut(axis, share) if float(share[p].sum()) > LEAST]
     clusters = sorted(clusters, key=lambda p: -float(share[p].sum()))[:MOST]
     if not clusters:
         return image, Lamps.none()
+    # THE REST: weak clusters go back to the map, so that no light is lost
     rest, texel = image.reshape(-1, 3).clone(), math.pi / height
     taken = bright[torch.cat(clusters)]
     rest[taken] = (image * kept).reshape(-1, 3)[taken]
@@ -121,11 +126,13 @@ def cut(axis: Float[Tensor, "n 3"], share: Float[Tensor, " n"]) -> list[Int[Tens
     todo, clusters = [torch.arange(len(axis))], []
     while todo:
         cluster = todo.pop()
+        # Widths are ascending; the last is that along the cluster's longest side.
         middle, widths = middle_of(axis[cluster], share[cluster])
         if float(widths[-1]) <= WIDEST:
             clusters.append(cluster)
             continue
         away = axis[cluster] - middle
+        # Halved at the mean along the first principal axis.
         spread = (share[cluster, None] * away).t() @ away
         side = away @ torch.linalg.eigh(spread).eigenvectors[:, -1]
         side = side - (side * share[cluster]).sum() / share[cluster].sum()

@@ -31,6 +31,8 @@ def to_uv(direction: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 2"]:
     Inverse of :func:`directions`. Finite gradient everywhere, zero at the poles.
     """
     x, y, z = direction.unbind(-1)
+    # At the poles atan2 has no gradient. Both sides of ``where`` must be finite: a gradient of NaN
+    # times 0 is still NaN.
     squared = x * x + y * y
     polar = squared < 1e-12
     x, squared = torch.where(polar, 1, x), torch.where(polar, 1e-12, squared)
@@ -40,6 +42,7 @@ def to_uv(direction: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 2"]:
 
 def solid_angles(height: int, width: int) -> Float[Tensor, "{height} 1"]:
     """Solid angle of a texel in each row, steradians; exact."""
+    # In float64: the cosines' differences near the poles would cancel.
     edge = torch.cos(torch.linspace(0, math.pi, height + 1, dtype=torch.float64))
     return ((edge[:-1] - edge[1:]) * (2 * math.pi / width)).float()[:, None]
 
@@ -48,7 +51,9 @@ def resample(image: Float[Tensor, "h w c"], height: int, width: int) -> Float[Te
     """The mean of ``image`` over each texel of another grid, by solid angle; exact."""
     if image.shape[:2] == (height, width):
         return image
+    # Separable: rows by their cosine, in which solid angle is even, columns by the angle.
     rows = overlap(*(torch.cos(edges(n) * math.pi) for n in (height, image.shape[0])))
+    # Negated, since ``overlap`` wants edges that run downwards.
     columns = overlap(*(-edges(n) for n in (width, image.shape[1])))
     half = torch.tensordot(rows.to(image), image, 1)
     return torch.einsum("jw,hwc->hjc", columns.to(image), half)
@@ -79,15 +84,20 @@ def convolve(image: Float[Tensor, "h w 3"], kernel: Kernel) -> Float[Tensor, "h 
     turn = torch.cos(torch.arange(width // 2 + 1) * (2 * math.pi / width))
     # (frequency, row, real and imaginary parts of three colours)
     source = torch.view_as_real(torch.fft.rfft(image * area[:, None], dim=1))
+    # Both parts as columns of one real matrix: the kernel's transform is real.
     source = source.permute(1, 0, 2, 3).flatten(2)
     out = []
+    # The kernel between all pairs of rows is height² x width / 2 values: only some rows at a time.
     for rows in torch.arange(height).split(max(1, (1 << 21) // (height * width))):
         level = cosine[rows, None] * cosine
+        # The spherical law of cosines; the turn is that between two texels' azimuths.
         cos = sine[rows, None, None] * sine[:, None] * turn + level[..., None]
         weight = kernel(cos.clamp(-1, 1))
         # Even in the turn, so that its transform is real.
         weight = torch.cat([weight, weight[..., 1 : (width + 1) // 2].flip(-1)], -1)
         weight = torch.fft.rfft(weight).real.permute(2, 0, 1)
+        # Frequency 0 sums a row, so this is the kernel's whole weight: the mean is exact for any
+        # kernel.
         total = weight[0] @ area
         summed = torch.bmm(weight, source).unflatten(2, (3, 2)).permute(1, 0, 2, 3).contiguous()
         row = torch.fft.irfft(torch.view_as_complex(summed), n=width, dim=1)
@@ -114,6 +124,7 @@ class Levels:
         strips, places, row = [], [], 0
         for image in maps:
             h, w, c = image.shape
+            # Across a pole lies the same row, half a turn further.
             beyond = image[[0, -1]].roll(w // 2, dims=1)
             framed = torch.cat([beyond[:1], image, beyond[1:]])
             framed = torch.cat([framed[:, -1:], framed, framed[:, :1]], 1)
@@ -143,6 +154,8 @@ class Levels:
         if level is None:
             return self.sample(u, uv[:, 1], torch.zeros_like(u, dtype=torch.int64))
         level = level.clamp(0, len(self.places) - 1)
+        # Which two maps are read has no gradient; ``share`` carries it. The last level is the upper
+        # one of a pair, so that ``above`` exists.
         base = level.detach().floor().clamp(max=max(len(self.places) - 2, 0))
         share = (level - base)[:, None]
         index = base.long()
@@ -153,6 +166,7 @@ class Levels:
     def sample(self, u: Tensor, v: Tensor, index: Tensor) -> Tensor:
         """Bilinear within the given levels; u and v in [0, 1]."""
         width, height, row = self.places.to(u)[index].unbind(1)
+        # Past the border of one texel, then to grid_sample's [-1, 1] over the whole picture.
         x = (u * width + 1) * (2 / self.picture.shape[3]) - 1
         y = (v * height + 1 + row) * (2 / self.picture.shape[2]) - 1
         place = torch.stack([x, y], -1)[None, None]

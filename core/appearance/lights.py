@@ -82,6 +82,8 @@ def studio(height: int = 256) -> Float[Tensor, "{height} 2*{height} 3"]:
         (150.0, 35.0, 22.0, 2.6),  # rim
     ):
         light = light + radiance * softbox(d, azimuth, elevation, radius)
+    # Scaled by the irradiance at the best lit normal: kd 0.8 must read the same whatever the
+    # lights.
     brightest = convolve(light[..., None].expand(-1, -1, 3), lambda cos: cos.clamp(min=0)).max()
     return (light * (STUDIO_BRIGHTEST / brightest))[..., None].expand(-1, -1, 3).contiguous()
 
@@ -123,6 +125,7 @@ def blender_light(name: str) -> Path:
 def light_folders(root: Path) -> list[Path]:
     """The folders of world lights below a Blender installation, newest version first."""
     tail = Path("datafiles/studiolights/world")
+    # Some roots are a version's own folder, others hold one folder for each version.
     found = [root / tail, *sorted(root.glob(f"*/{tail}"), reverse=True)]
     return [folder for folder in found if folder.is_dir()]
 

@@ -49,6 +49,7 @@ def lookup_lobes(
 
     The weights of a Fresnel term add up to 1.
     """
+    # Below the first column the lobes of n·v = 0.0144 are read: the root's gradient stays finite.
     root = torch.sqrt(cos_v.clamp(ROOT_COS[0] ** 2, ROOT_COS[1]))
     places = [
         (x - first) / (last - first) * 2 - 1
@@ -60,6 +61,7 @@ def lookup_lobes(
         align_corners=True,
         padding_mode="border",
     )[0, :, 0].t()
+    # Channels: K offsets, K widths and 3 (K + 1) weights, 5 K + 3 in all.
     count = (len(table) - 3) // 5
     offset, log_width, weights = found.split([count, count, 3 * (count + 1)], 1)
     return offset, log_width, weights.unflatten(1, (3, count + 1))
@@ -91,6 +93,7 @@ class FittedLobes:
 
     def blurred(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
         """The light around a direction, by a lobe of alpha 1/16."""
+        # log2 of (1 / 16) / FINEST.
         level = torch.full_like(direction[:, 0], -math.log2(16 * FINEST))
         return self.maps.read(direction, level)
 
@@ -107,6 +110,7 @@ class FittedLobes:
         """
         alpha = roughness.square().clamp(min=MIN_ALPHA)
         cos_v = dot(normal, view)
+        # Offsets and widths are in units of alpha.
         offset, log_width, weights = lookup_lobes(self.table, roughness, cos_v)
         axes = lobe_axes(normal, view, alpha * offset)
         level = (log_width + alpha.log()) / math.log(2) - math.log2(FINEST)

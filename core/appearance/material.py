@@ -45,14 +45,18 @@ class MaterialNet(nn.Module):
         self.encoding = HashGrid(
             log2_size=config.log2_hash_size, finest=config.finest, generator=generator
         )
+        # Eight outputs: kd, roughness, metallic, and kn's x, y and z.
         widths = [self.encoding.width] + [config.hidden] * (config.layers - 1) + [8]
         self.layers = nn.ModuleList(
             nn.Linear(i, o, bias=False) for i, o in itertools.pairwise(widths)
         )
         for layer in self.layers:
             nn.init.kaiming_uniform_(layer.weight, nonlinearity="relu", generator=generator)
+        # The grid's features start within 1e-4 and no layer has a bias, so the output starts near 0
+        # and these values are the first material.
         start = torch.full((8,), 0.5)
         start[4] = config.metallic_start
+        # Of the config and not learnt: not in the checkpoints.
         self.register_buffer("start", start.logit(), persistent=False)
 
     def raw(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
@@ -79,12 +83,14 @@ def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
     share = raw.sigmoid()
     kd = share[:, 0:3]
     if config.kd_curve == "srgb":
+        # The bounds stay the config's linear ones under both curves.
         low, high = linear_to_srgb(raw.new_tensor(config.kd_range))
         kd = srgb_to_linear(low + (high - low) * kd)
     else:
         kd = _between(kd, config.kd_range)
     roughness = _between(share[:, 3:4], config.roughness_range)
     metallic = _between(share[:, 4:5], config.metallic_range)
+    # 0 at the start, so flat; z stays above 0, so that no normal points into the surface.
     tilt = (2 * share[:, 5:7] - 1) * config.bump
     kn = normalize(torch.cat([tilt, share[:, 7:8].clamp(min=1e-3)], -1))
     return Material(kd, roughness, metallic, kn)

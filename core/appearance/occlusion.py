@@ -20,10 +20,12 @@ from core.appearance.environment import Environment
 from core.ops import dot, normalize
 from core.render.normals import vertex_normals
 
+# Each stands for a cone of 7 degrees about it; no shadow is sharper than that.
 DIRECTIONS = 256
 ABOVE = 2e-3  # of the mesh's size: where a vertex looks from, so that it does not see its own faces
 NEAREST = 4  # directions by which a lamp is judged
 MOST_CLOSED = 0.95  # of a point's view: deeper, light would bounce without end
+# In the order of ``harmonics``.
 DEGREES = (0, *[1] * 3, *[2] * 5, *[3] * 7)  # of the harmonics
 CHANNELS = 3 + 1 + len(DEGREES)  # 20
 
@@ -46,6 +48,7 @@ class VertexVisibility:
         normals = vertex_normals(verts, faces)
         cosine = (normals.cpu() @ directions.t()).clamp(min=0)
         clear = clear_directions(verts.cpu(), faces.cpu(), normals.cpu(), directions)
+        # A direction's solid angle, 4π / count, over the π of the irradiance.
         weighed = cosine * (4 / count)
         device = verts.device
         return cls(directions.to(device), weighed.to(device), clear.to(device), normals)
@@ -56,9 +59,12 @@ class VertexVisibility:
         By channel of colour, the fraction of the light that comes through; the fraction of the
         view, weighed by the cosine, that is closed; where it is open, in harmonics.
         """
+        # THE MAP: the light about each direction, blurred so that 256 samples are enough
         clear, light = self.clear.to(self.cosine), environment.around(self.directions)
         whole, through = self.cosine @ light, (self.cosine * clear) @ light
         lamps = environment.lamps
+        # LAMPS: open as far as the directions around them are, or one ray would decide a whole
+        # shadow
         if len(lamps.power):
             axis = lamps.direction.to(self.cosine)
             cosine = (self.normals @ axis.t()).clamp(min=0)
@@ -66,6 +72,8 @@ class VertexVisibility:
             seen = clear[:, near].mean(2)
             power = lamps.power.to(self.cosine) / math.pi
             whole, through = whole + cosine @ power, through + (cosine * seen) @ power
+        # SHARES: of the light by colour, and of the view; a vertex without any light divides by
+        # nothing
         share = (through / whole.clamp(min=1e-8)).clamp(max=1)
         closed = (self.cosine * (1 - clear)).sum(1, keepdim=True).clamp(max=MOST_CLOSED)
         size = 4 * math.pi / len(self.directions)
@@ -85,6 +93,7 @@ def occluded(
     """
     share, closed, open_ = occlusion.split([3, 1, len(DEGREES)], 1)
     change = share / (1 - kd * closed)
+    # The specular light comes from about the mirror direction: it asks whether that is open.
     mirrored = 2 * dot(normal, view) * normal - view
     # A lobe of this width about an axis keeps as much of a harmonic of each degree (vMF).
     degree = torch.tensor(DEGREES).to(occlusion)
@@ -95,6 +104,7 @@ def occluded(
 def spread(count: int) -> Float[Tensor, "{count} 3"]:
     """Directions evenly over the sphere, on a spiral of golden angles."""
     i = torch.arange(count) + 0.5
+    # Even steps in z are even in area (Archimedes); 1 + sqrt(5) is twice the golden ratio.
     z, turn = 1 - 2 * i / count, math.pi * (1 + math.sqrt(5)) * i
     r = (1 - z * z).sqrt()
     return torch.stack([r * turn.cos(), r * turn.sin(), z], 1)
@@ -113,6 +123,7 @@ def clear_directions(
     size = float(np.ptp(v, axis=0).max())
     start = v + ABOVE * size * normals.double().numpy()
     clear = torch.ones(len(v), len(directions), dtype=torch.bool)
+    # Below the horizon no ray is cast: the cosine there is 0 anyway.
     point, way = ((normals @ directions.t()) > 0).nonzero(as_tuple=True)
     along = directions.double().numpy()[way.numpy()]
     hit = tree.intersect_ray_first(v, f, start[point.numpy()], along)[0]
@@ -123,6 +134,7 @@ def clear_directions(
 def harmonics(d: Float[Tensor, "p 3"]) -> Float[Tensor, "p 16"]:
     """The real spherical harmonics up to degree 3, orthonormal, of unit vectors."""
     x, y, z = d.unbind(1)
+    # By degree: one, three, five and seven of them.
     parts = [
         0.28209479 * torch.ones_like(x),
         *(0.48860251 * c for c in (y, z, x)),

@@ -18,6 +18,7 @@ from core.ops import dot, normalize
 
 # Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
 MIN_COS = 1e-3
+# Points at a time: it bounds the memory of the lookups, and nothing else depends on it.
 CHUNK = 1 << 17
 
 
@@ -52,11 +53,13 @@ def shade_chunk(
     occlusion: Float[Tensor, "p s"] | None = None,
 ) -> Float[Tensor, "p 3"]:
     """:func:`shade` in one component."""
+    # LIGHT: of the map and of the lamps, each averaged over the reflectance
     cos_v = dot(normal, view).clamp(MIN_COS, 1)
     albedo = lookup_albedo(roughness, cos_v)
     light = environment.incoming(normal, view, roughness)
     lamp = environment.lamps.reflected(normal, view, cos_v, roughness)
     arriving = light.diffuse + environment.lamps.irradiance(normal)
+    # OCCLUSION: the object takes the place of the light that it hides
     if occlusion is not None:
         change, open_ = occluded(occlusion, normal, view, kd, roughness)
         arriving, lamp = arriving * change, lamp * open_
@@ -103,6 +106,7 @@ def lifted(
     a = (across.square() + height.square()).clamp(min=1e-12)
     b = a + height * least
     root = (b.square() - a * (least + height).square()).clamp(min=1e-12).sqrt()
+    # The bounds keep the roots' gradients finite.
     z2 = ((b + torch.where(across < 0, root, -root)) / (2 * a)).clamp(1e-6, 1 - 1e-6)
     turned = (1 - z2).sqrt() * side + z2.sqrt() * front
     return torch.where(mirrored < least, turned, normal)

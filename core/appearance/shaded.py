@@ -41,6 +41,8 @@ class UvMesh:
         normals = smooth_normals(mesh.verts, mesh.faces)
         edges = edge_table(mesh.faces)
         tangents = corner_tangents(mesh, normals)
+        # Each edge has two faces: nothing of the inside can be seen, and back faces need no
+        # drawing.
         closed = bool((edges.faces >= 0).all())
         return cls(mesh.verts, mesh.faces, *mesh.atlas, normals, tangents, edges, closed)
 
@@ -94,8 +96,10 @@ def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> SurfaceP
     tangent = interpolate(mesh.tangents, fragments)
     to_eye = normalize(cameras.eye[fragments.view] - points)
     a, b, c = mesh.verts[fragments.corners].unbind(1)
+    # The squared length is that of twice the face's area: on fine meshes below the usual bound.
     front = normalize(torch.linalg.cross(b - a, c - a), 1e-30)
     side = torch.ones_like(to_eye[:, :1])
+    # A closed mesh is drawn with its back faces culled: every pixel sees a front.
     if not mesh.closed:
         side = torch.where(dot(front, to_eye) < 0, -side, side)
     return SurfacePoints(points, uv, normal, tangent, to_eye, side, front)
@@ -125,6 +129,7 @@ def render_shaded(
         None if occlusion is None else interpolate(occlusion, fragments),
     )
     srgb = linear_to_srgb(saturate(color))
+    # One buffer of ten channels: a single pass of antialiasing for all of them.
     smooth = surface.side * normalize(surface.normal)
     values = torch.cat([srgb, smooth, surface.points, torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)

@@ -16,6 +16,7 @@ from core.appearance.latlong import Levels, convolve, resample
 from core.ops import dot
 
 # Roughness from level to level; rows of the maps: a texel is at most half as wide as its lobe.
+# Linear between the levels; the tenth is roughness 1.
 STEP = 0.1
 ROWS = (256, 128, 64, 64, 64, 64, 64, 64, 64, 64)
 
@@ -45,6 +46,7 @@ class SplitSum:
 
     def blurred(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:
         """The light around a direction, by the lobe of alpha 1/16."""
+        # Alpha 1/16 is roughness 1/4.
         return self.maps.read(direction, torch.full_like(direction[:, 0], 0.25 / STEP))
 
     def average(
@@ -56,6 +58,8 @@ class SplitSum:
     ) -> Float[Tensor, "3 p 3"]:
         """The light averaged over the lobe, the same for all Fresnel terms."""
         mirrored = 2 * dot(normal, view) * normal - view
+        # Karis' simplification: no dependence on the view, so no stretched reflections at grazing
+        # angles.
         light = self.maps.read(mirrored, roughness.squeeze(1) / STEP)
         return light.expand(3, *diffuse.shape)
 

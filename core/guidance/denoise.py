@@ -32,9 +32,11 @@ def denoise(
         index = torch.full((len(z),), now, device=z.device)
         eps = predict_eps(guidance, z, index, views, guidance_scale)
         a = alpha_bar[now]
+        # z_t = sqrt(a) z + sqrt(1 - a) eps, solved for z.
         clean = (z - (1 - a).sqrt() * eps) / a.sqrt()
         if after is None:
             return clean
+        # To the next level with the same eps: sigma_t = 0 adds no new noise, so a run repeats.
         b = alpha_bar[after]
         z = b.sqrt() * clean + (1 - b).sqrt() * eps
     return z

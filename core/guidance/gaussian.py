@@ -106,6 +106,7 @@ def mixture_eps(
     alpha_bar = alpha_bar[:, None, None, None]
     variance = alpha_bar * std**2 + 1 - alpha_bar
     apart = z_t - alpha_bar.sqrt() * mu
+    # The densities' common factor is left out: the softmax divides it away.
     log_r = -(apart.square() / (2 * variance)).sum((2, 3, 4))
     r = log_r.softmax(0)[:, :, None, None, None]
     return (1 - alpha_bar).sqrt() * (r * apart).sum(0) / variance
@@ -135,5 +136,6 @@ def scaled_linear(
     steps: int = 1000, start: float = 0.00085, end: float = 0.012
 ) -> Float[Tensor, " {steps}"]:
     """alpha_bar of Stable Diffusion's schedule: beta is linear in its square root."""
+    # In float64: a product of a thousand factors just below 1.
     root = torch.linspace(start**0.5, end**0.5, steps, dtype=torch.float64)
     return (1 - root.square()).cumprod(0).float()

@@ -76,6 +76,8 @@ def guided(predictions: Predictions, scale: float) -> Float[Tensor, "b 4 h w"]:
     if opposing is None or weights is None:
         return eps_hat
     for eps_view, view_weight in zip(opposing, weights, strict=True):
+        # Only the perpendicular part: the prompt seen from another side is mostly the prompt
+        # itself.
         perpendicular = perp_neg(cond - uncond, eps_view - uncond)
         eps_hat = eps_hat - scale * view_weight[:, None, None, None] * perpendicular
     return eps_hat
@@ -122,6 +124,7 @@ def sample_t(
             f"Timesteps from {low:g} to {high:g} of the schedule are an empty range.",
             "Give two fractions with 0 <= low <= high <= 1.",
         )
+    # A fraction of 1 is the last index, not the one behind it.
     first, last = (min(round(fraction * steps), steps - 1) for fraction in (low, high))
     return torch.randint(first, last + 1, (n,), generator=generator, device=generator.device)
 
@@ -137,6 +140,7 @@ def cap_rms(grad: Float[Tensor, "b 4 h w"], cap: float) -> Float[Tensor, "b 4 h 
     Per view, so that a batch split for gradient accumulation gives what the whole batch gives.
     """
     rms = grad.square().mean((1, 2, 3), keepdim=True).sqrt()
+    # Below the cap the factor is 1: no gradient is scaled up.
     return grad * (cap / rms.clamp(min=cap))
 
 
@@ -162,13 +166,16 @@ def sds_grad(
     Raises:
         NotFiniteError: the latents or the guidance's answer hold NaN or infinity.
     """
+    # The network's Jacobian is left out (Eq. 1): nothing behind the latent needs a graph.
     z = z.detach()
+    # Checked on both sides of the network, so that the message names where the fault lies.
     _require_finite(z, t, "The picture that goes to the guidance")
     alpha_bar = guidance.alpha_bar.to(z)[t.to(z.device)]
     with torch.no_grad():
         z_t = add_noise(z, eps, alpha_bar)
         eps_hat = predict_eps(guidance, z_t, t, views, guidance_scale)
     _require_finite(eps_hat, t, "The guidance's noise prediction")
+    # Capped after the weighting: the bound is on what reaches the latent.
     grad = weight(alpha_bar, weighting)[:, None, None, None] * (eps_hat - eps)
     return grad if cap is None else cap_rms(grad, cap)
 

@@ -39,6 +39,7 @@ class Painter:
         chance = torch.rand(4, count, generator=generator)
         patterned = chance[2] >= NO_PATTERN
         chosen = (chance[0] >= NO_COLOR, chance[1] >= NO_MATERIAL, patterned)
+        # A second colour shows in a pattern alone, and only where it is another one.
         with_second = patterned & (chance[3] >= NO_SECOND) & (second != color)
         return torch.stack(rows, 1) * torch.stack([*chosen, with_second], 1)
 

@@ -65,6 +65,7 @@ class Samples:
             normal=(seen.normal * 127).round().to(torch.int8),
             coverage=(seen.coverage * 255).round().to(torch.uint8),
             part=seen.part.to(torch.int8),
+            # 127 / 120 = 1.06 training units: objects reach to 1.
             point=(seen.point * 120).round().clamp(-127, 127).to(torch.int8),
             noun=torch.full((count,), noun),
             adjective=torch.full((count,), adjective),
@@ -96,6 +97,7 @@ def make(seed: int, objects: int = OBJECTS, noun: str = "") -> Samples:
     weights = torch.tensor([NOUN_WEIGHTS.get(noun, 1.0) for noun in NOUNS])
     rows = []
     for _ in range(objects):
+        # Drawn in any case: the draws that follow do not depend on ``noun``.
         kind = int(torch.multinomial(weights, 1, generator=generator))
         kind = NOUNS.index(noun) if noun else kind
         plain = draw.chance(NO_ADJECTIVE)
@@ -130,6 +132,7 @@ def write_samples(path: Path, samples: Samples) -> None:
 
 
 def _work(job: tuple[Path, int]) -> Path:
+    # The pool already has a process for each core that is to be used.
     torch.set_num_threads(1)
     return write_shard(*job)
 
@@ -137,6 +140,7 @@ def _work(job: tuple[Path, int]) -> Path:
 def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
     """The shards ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
     folder.mkdir(parents=True, exist_ok=True)
+    # A fork would copy torch's thread pools in whatever state they are.
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
         yield from pool.imap(_work, [(folder, number) for number in numbers])
 

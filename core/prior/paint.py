@@ -46,6 +46,7 @@ class Caption:
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:
     """The paint of one object with this caption."""
+    # One for the whole object: its parts keep their contrast.
     shift = 1 + draw(-JITTER, JITTER)
     tint = torch.tensor([1 + draw(-JITTER, JITTER) / 2 for _ in range(3)]) * shift
     gloss = draw(-0.05, 0.05)
@@ -61,9 +62,11 @@ def coat(noun: str, caption: Caption, draw: Draw) -> Coat:
 
 def _rows(noun: str, caption: Caption) -> Iterator[tuple[Color, Color, float, float, str]]:
     """Colour, second colour, roughness, metallic and pattern of each part."""
+    # Of a thing with accents these take the second colour; of any other its lower half.
     two_tone = caption.pattern == "two-tone" and has_accents(noun)
     for look in looks(noun).values():
         finish, color, pattern = look.finish, look.color, look.pattern
+        # The material first: a stated colour then replaces the material's own.
         if caption.material and look.role != "-":
             finish = FINISHES[caption.material]
             color, pattern = finish.color or color, finish.pattern

@@ -51,6 +51,7 @@ def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "") -> Pairs:
         kind = NOUNS.index(noun) if noun else int(draw(0, len(NOUNS)))
         shape = build(NOUNS[kind], "", Draw(generator))
         melted = soft_shape(shape.sdf, draw_softness(draw), generator)
+        # The same cameras for both: a pair differs in softness alone.
         cameras = sample_cameras(VIEWS, CAMERAS, generator)
         rows.append(Samples.of(render(shape, cameras, SIZE), cameras, kind))
         soft.append((as_picture(render(melted, cameras, SIZE)) * 127).round().to(torch.int8))

@@ -76,13 +76,16 @@ def soft_shape(
     sdf: Callable[[Tensor], Tensor], soft: Softness, generator: torch.Generator
 ) -> LatticeShape:
     """The solid of that ``sdf`` as a fit of that softness may have it."""
+    # WARP: the solid read at displaced nodes; x runs fastest, as grid_sample has it
     side = torch.linspace(-HALF, HALF, CELLS + 1)
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
     if soft.warp > 0:
         field = soft.warp * noise_field(3, 5, len(side), generator)
         points = points + field[0].permute(1, 2, 3, 0)
+    # BLUR: of the distances, which rounds edges and loses thin parts
     values = torch.cat([sdf(p) for p in points.view(-1, 3).split(CHUNK)])
     values = blur3(values.view(1, 1, *points.shape[:3]), soft.blur * CELLS / (2 * HALF))
+    # DENTS: at three scales; what is added to the distance moves the surface by as much
     for nodes, slope in soft.dents:
         # A wave of length 4 node distances and slope s is s / k high.
         height = slope * (2 * HALF / nodes) * 4 / (2 * math.pi)
@@ -136,6 +139,7 @@ def soft_pictures(
 
     strength = strength.to(pictures)
     amount = strength[:, None, None, None]
+    # WARP: low-frequency shifts of the whole picture, of coverage and normals alike
     nodes = int(torch.randint(4, 11, (1,), generator=generator))
     away = noise(2, nodes)
     away = away * (strength * uniform(0.1, 1.6) * 2 / size)[:, None, None, None]
@@ -144,18 +148,21 @@ def soft_pictures(
     )
     both = torch.cat([pictures[:, :3], (pictures[:, 3:] + 1) / 2], 1)
     both = grid_sample(both, grid + away.permute(0, 2, 3, 1), align_corners=False)
+    # BLUR: of normals weighted by coverage, so that the background adds nothing to their direction
     both = blur2(both, strength * uniform(0.4, 3.0))
 
     # The silhouette of a blurred solid is rounded and sharp again.
     steep = uniform(8, 16)[:, None, None, None]
     edge = torch.sigmoid((both[:, 3:] - 0.5) * steep)
     coverage = torch.lerp(both[:, 3:], edge, amount.clamp(max=1))
+    # DENTS: normals turned at random; the mean of blurred normals is short and is made unit first
     dents = noise(3, size // 8)
     dents = dents * (strength * uniform(0.02, 0.25))[:, None, None, None]
     length = both[:, :3].norm(dim=1, keepdim=True).clamp_max(1)
     normal = normalize(normalize(both[:, :3], dim=1, eps=1e-4) + dents, dim=1, eps=1e-4)
     weight = torch.lerp(length, coverage, amount.clamp(max=1))
     soft = torch.cat([normal * weight, 2 * coverage - 1], 1)
+    # Strength 0 must change nothing, not even by resampling.
     return torch.where(amount > 0, soft, pictures)
 
 
@@ -166,6 +173,8 @@ def blur2(
     count, channels, height, width = pictures.shape
     kernel = gaussian(sigma, max(1, math.ceil(2.5 * float(sigma.max()))))
     reach = kernel.shape[1] // 2
+    # One group for each channel of each picture: every picture has its own kernel in one
+    # convolution.
     kernel = kernel.repeat_interleave(channels, 0)
     flat = pictures.reshape(1, count * channels, height, width)
     for shape, sides in (

@@ -37,6 +37,7 @@ def ellipsoid(center: Vector, radii: Vector) -> Solid:
 
     def distance(p: Tensor) -> Tensor:
         scaled = (p - p.new_tensor(center)) / p.new_tensor(radii)
+        # k0 - 1 over the length of its gradient, k1 / k0 (Quilez).
         k0 = scaled.norm(dim=1)
         k1 = (scaled / p.new_tensor(radii)).norm(dim=1).clamp_min(1e-9)
         return k0 * (k0 - 1) / k1
@@ -48,6 +49,8 @@ def box(center: Vector, half: Vector, rounding: float = 0.0) -> Solid:
     """A box of half sizes ``half`` with edges rounded inwards by ``rounding``."""
 
     def distance(p: Tensor) -> Tensor:
+        # Folded to one octant. Outside, the distance to the nearest corner, edge or face; inside,
+        # to the nearest face.
         q = [(p[:, i] - center[i]).abs() - (half[i] - rounding) for i in range(3)]
         outside = _norm(*(side.clamp_min(0) for side in q))
         return outside + torch.maximum(q[0], torch.maximum(q[1], q[2])).clamp_max(0) - rounding
@@ -65,6 +68,7 @@ def tube(start: Vector, end: Vector, radius: float, rounding: float = 0.0) -> So
         q = [p[:, i] - middle[i] for i in range(3)]
         along = _sum(q[i] * axis[i] for i in range(3))
         across = _norm(*(q[i] - along * axis[i] for i in range(3)))
+        # A box in two coordinates: across the axis and along it.
         a = across - (radius - rounding)
         b = along.abs() - (length / 2 - rounding)
         return _norm(a.clamp_min(0), b.clamp_min(0)) + torch.maximum(a, b).clamp_max(0) - rounding
@@ -79,6 +83,7 @@ def capsule(start: Vector, end: Vector, radius: float) -> Solid:
 
     def distance(p: Tensor) -> Tensor:
         q = [p[:, i] - start[i] for i in range(3)]
+        # The nearest point of the segment, as a fraction of its length.
         h = (_sum(q[i] * axis[i] for i in range(3)) / square).clamp(0, 1)
         return _norm(*(q[i] - h * axis[i] for i in range(3))) - radius
 
@@ -90,6 +95,7 @@ def ring(center: Vector, major: float, minor: float, axis: int = 2) -> Solid:
     i, j = (k for k in range(3) if k != axis)
 
     def distance(p: Tensor) -> Tensor:
+        # The distance to the circle, in the half plane through the axis and the point.
         across = _norm(p[:, i] - center[i], p[:, j] - center[j]) - major
         return _norm(across, p[:, axis] - center[axis]) - minor
 
@@ -98,14 +104,18 @@ def ring(center: Vector, major: float, minor: float, axis: int = 2) -> Solid:
 
 def polygon(u: Tensor, v: Tensor, corners: list[tuple[float, float]]) -> Tensor:
     """Exact signed distance of the points (u, v) to a simple polygon."""
+    # Squares are compared, and one root is taken at the end.
     nearest = torch.full_like(u, math.inf)
     inside = torch.zeros_like(u, dtype=torch.bool)
     for (ax, ay), (bx, by) in zip(corners, corners[-1:] + corners[:-1], strict=True):
         ex, ey = bx - ax, by - ay
         wx, wy = u - ax, v - ay
+        # An edge of no length is a point: the bound keeps h finite.
         h = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clamp(0, 1)
         dx, dy = wx - h * ex, wy - h * ey
         nearest = torch.minimum(nearest, dx * dx + dy * dy)
+        # Inside by the even-odd rule: how often a level ray crosses the edges. Level edges never
+        # do.
         if ay != by:
             crosses = ((v >= ay) != (v >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
             inside = inside ^ crosses
@@ -122,6 +132,7 @@ def lathe(
     It is closed with flat ends at its first and last height; ``rounding`` grows it. The closing
     edge runs beyond the axis, so that it is never the nearest one.
     """
+    # As far on the other side of the axis as the profile is wide.
     beyond = -max(r for r, _ in profile)
     corners = [*profile, (beyond, profile[-1][1]), (beyond, profile[0][1])]
 
@@ -150,6 +161,7 @@ def cut(solid: Solid, *holes: Solid) -> Solid:
     def distance(p: Tensor) -> Tensor:
         result = solid(p)
         for hole in holes:
+            # Exact for neither at the rim, where the nearest point of one lies within the other.
             result = torch.maximum(result, -hole(p))
         return result
 
@@ -172,6 +184,8 @@ def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
     """The hull of a ball of radius ``first`` at ``start`` and one of ``last`` at ``end``; exact."""
     along = [e - s for s, e in zip(start, end, strict=True)]
     square, shrink = sum(a * a for a in along), first - last
+    # Quilez's round cone; its lengths are multiplied by |along|² until the end, so that the axis
+    # needs no root.
     slope = square - shrink * shrink
 
     def distance(p: Tensor) -> Tensor:
@@ -180,6 +194,7 @@ def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
         z = y - square
         across = _sum((q[i] * square - along[i] * y) ** 2 for i in range(3))
         y2, z2 = y * y * square, z * z * square
+        # Three regions: the first ball's, the side's and the last ball's.
         k = math.copysign(shrink * shrink, shrink) * across
         side = ((across * slope / square).sqrt() + y * shrink) / square - first
         at_first = (across + y2).sqrt() / square - first
@@ -192,6 +207,8 @@ def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
 
 def egg(center: Vector, radii: Vector) -> Solid:
     """An ellipsoid; a lower bound of the distance."""
+    # |p / r| grows by at most 1 / smallest a unit, so times ``smallest`` it is no more than a
+    # distance.
     smallest = min(radii)
 
     def distance(p: Tensor) -> Tensor:
@@ -207,6 +224,8 @@ def blend(width: float, *solids: Solid) -> Solid:
         result = solids[0](p)
         for solid in solids[1:]:
             other = solid(p)
+            # Only where the distances differ by less than ``width``: by a quarter of it at the
+            # seam.
             h = (0.5 + 0.5 * (other - result) / width).clamp(0, 1)
             result = other + (result - other) * h - width * h * (1 - h)
         return result
@@ -226,6 +245,7 @@ def turned(solid: Solid, axis: int, degrees: float) -> Solid:
 
     def distance(p: Tensor) -> Tensor:
         q = list(p.unbind(1))
+        # The point turns backwards, which turns the solid forwards.
         q[i], q[j] = c * p[:, i] + s * p[:, j], c * p[:, j] - s * p[:, i]
         return solid(torch.stack(q, 1))
 
@@ -237,6 +257,7 @@ def both(solid: Solid, *axes: int) -> Solid:
     folded = axes or (0,)
 
     def distance(p: Tensor) -> Tensor:
+        # The mirrored half is the solid seen from the mirrored point.
         q = [p[:, i].abs() if i in folded else p[:, i] for i in range(3)]
         return solid(torch.stack(q, 1))
 
@@ -249,6 +270,7 @@ def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
 
     def distance(p: Tensor) -> Tensor:
         angle = torch.atan2(p[:, 1], p[:, 0]) - math.radians(first_deg)
+        # Into the sector of the nearest copy: by its symmetry no other copy is nearer.
         angle = angle - (angle / step).round() * step
         radius = _norm(p[:, 0], p[:, 1])
         return solid(torch.stack([radius * angle.cos(), radius * angle.sin(), p[:, 2]], 1))
@@ -258,6 +280,7 @@ def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
 
 def smooth_curve(points: list[tuple[float, float]], steps: int = 4) -> list[tuple[float, float]]:
     """A Catmull-Rom curve through the points, ``steps`` segments between two of them."""
+    # Each end twice: Catmull-Rom needs a neighbour on either side.
     padded = [points[0], *points, points[-1]]
     curve = []
     for a, b, c, d in zip(padded, padded[1:], padded[2:], padded[3:], strict=False):

@@ -17,6 +17,7 @@ from core.prior.families import gradient
 
 REACH = 1.0  # radius of the ball that holds every object, with its jitter
 HIT = 1.5e-3  # distance that counts as the surface, training units
+# Rays that graze a surface for longer count as misses.
 STEPS = 96
 
 
@@ -45,6 +46,7 @@ class Pictures:
 
 def rays(cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
     """Origins (B, 3) and unit directions (B, size², 3) through the pixels' centres."""
+    # Cameras look along their own -Z, with +Y up; row 0 is the top.
     ndc = (torch.arange(size, dtype=torch.float32) + 0.5) / size * 2 - 1
     slope = (cameras.fovy / 2).tan()[:, None, None]
     x = (ndc[None, None, :] * slope).expand(-1, size, -1)
@@ -61,6 +63,7 @@ def trace(shape: Solid, origin: Tensor, direction: Tensor, start: Tensor | None 
     near, end = _within_reach(origin, direction)
     t = near if start is None else torch.maximum(near, start)
     hit = torch.full_like(t, torch.inf)
+    # Only rays on their way are evaluated: most hit or leave within a few steps.
     alive = (t < end).nonzero().squeeze(1)
     for _ in range(STEPS):
         if len(alive) == 0:
@@ -94,9 +97,11 @@ def free_lengths(
     eye, direction = rays(cameras, size // block)
     origin = eye[:, None].expand_as(direction).reshape(-1, 3)
     direction = direction.reshape(-1, 3)
+    # Half of a block's diagonal, on the plane at distance 1; the widest camera's holds for all.
     pitch = 2 * (cameras.fovy.max() / 2).tan() / size
     wide = (pitch * block * 2**-0.5).item()
     distance = origin.norm(dim=1)
+    # A little before the ball, since a cone enters it before its axis does.
     t = distance - REACH - 0.1
     end = distance + REACH
     free = torch.full_like(t, torch.inf)
@@ -104,10 +109,12 @@ def free_lengths(
     for _ in range(STEPS // 3):
         d = shape.sdf(origin[alive] + t[alive, None] * direction[alive])
         ahead = (t[alive] + d) / (1 + wide)
+        # The cone touches something: from here each pixel's ray goes on alone.
         stuck = ahead < t[alive] + 2 * HIT
         free[alive[stuck]] = t[alive[stuck]]
         t[alive] = ahead
         alive = alive[~stuck & (ahead < end[alive])]
+    # Still on their way when the steps are spent: free as far as they came.
     free[alive] = t[alive]
     square = free.view(len(cameras), size // block, size // block)
     return square.repeat_interleave(block, 1).repeat_interleave(block, 2)
@@ -115,6 +122,7 @@ def free_lengths(
 
 def render(shape: Solid, cameras: Cameras, size: int = 64, samples: int = 2) -> Pictures:
     """The object's pictures, averaged over ``samples``² rays a pixel."""
+    # RAYS: marched by cones first, which frees most of their way at a 16th of the rays
     fine = size * samples
     eye, direction = rays(cameras, fine)
     origin = eye[:, None].expand_as(direction).reshape(-1, 3)
@@ -124,6 +132,8 @@ def render(shape: Solid, cameras: Cameras, size: int = 64, samples: int = 2) -> 
     points = origin[covered] + depth[covered, None] * direction[covered]
 
     count = len(cameras)
+    # AVERAGES: of normals, coverage and points, zero where nothing is hit: so they come out
+    # weighted
     buffer = torch.zeros(count * fine * fine, 7)
     buffer[covered] = torch.cat(
         [gradient(shape.sdf, points), torch.ones(len(points), 1), points], 1
@@ -131,6 +141,7 @@ def render(shape: Solid, cameras: Cameras, size: int = 64, samples: int = 2) -> 
     mean = torch.nn.functional.avg_pool2d(
         buffer.view(count, fine, fine, 7).permute(0, 3, 1, 2), samples
     )
+    # PARTS: an index has no average
     part = torch.full((count * fine * fine,), -1)
     part[covered] = shape.part(points)
     blocks = part.view(count, size, samples, size, samples)

@@ -69,6 +69,7 @@ class TrainConfig:
     seed: int = 0
 
 
+# The first entry of the tables is "not stated", which the network does not count as a word.
 GEOMETRY = UNetConfig(
     words=(len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1), widths=(48, 96, 128, 192)
 )
@@ -90,10 +91,12 @@ def drop_conditions(
     words: Tensor, camera: Tensor, config: TrainConfig, generator: torch.Generator
 ) -> tuple[Tensor, Tensor]:
     """Some of the batch without its words, its camera, or both, for classifier-free guidance."""
+    # One number for each picture, so that the three cases exclude one another.
     u = torch.rand(len(words), generator=generator)
     both, words_only = config.drop_both, config.drop_both + config.drop_words
     no_words = u < words_only
     no_camera = (u < both) | ((u >= words_only) & (u < words_only + config.drop_camera))
+    # Row 0 is "not stated", a map of zeros "no camera".
     return words * ~no_words[:, None], camera * ~no_camera[:, None, None, None]
 
 
@@ -131,6 +134,7 @@ class Source(ABC):
 
     def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
         """Rows of random samples, their geometry pictures, their camera maps."""
+        # With replacement, so that the weights stay true within a batch.
         index = torch.multinomial(self._weights, count, replacement=True, generator=generator)
         pictures = self.samples.pictures(index)
         return index, pictures, camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
@@ -149,6 +153,8 @@ class Geometry(Source):
         """Pictures, words, camera maps and no surface."""
         index, pictures, camera = self.draw(count, generator)
         s = self.samples
+        # Every picture has a noun, so its row 0 is free for "not stated"; the other tables have
+        # their own.
         words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
         return pictures, words, camera, None
 
@@ -167,6 +173,7 @@ class Appearance(Source):
         """Pictures, words, camera maps and surfaces."""
         index, shape, camera = self.draw(count, generator)
         captions = self.painter.words(count, generator)
+        # The same dented normals are lit and given: a dent explains its own shading.
         normals = lumpy(shape[:, :3], generator)
         surface = torch.cat([normals, shape[:, 3:], self.samples.points(index)], 1)
         pictures = self.painter.pictures(self.samples, index, captions, Draw(generator), normals)
@@ -187,6 +194,7 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
         given = hint(surface.to(device), words)
     alpha_bar = training.alpha_bar[t]
     z_t = add_noise(x, eps, alpha_bar)
+    # The network alone: the noise and the error are computed in 32 bit.
     with torch.autocast(device.type, torch.bfloat16):
         v = training.net(z_t, t, words, camera, given)
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
@@ -237,6 +245,7 @@ class Training:
         for mean, parameter in zip(self.ema, self.params, strict=True):
             mean.lerp_(parameter.detach(), 1 - keep)
         self.loss = loss.item() if self.step == 1 else 0.99 * self.loss + 0.01 * loss.item()
+        # Time in steps alone: reading shards and saving is not of the budget.
         self.seconds += time.monotonic() - start
 
     def start_from(self, path: Path) -> None:
@@ -248,6 +257,8 @@ class Training:
         old = load_file(path)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                # A stem adds nothing at first, by its own zeros; with zeros everywhere it could not
+                # learn.
                 if name not in old and name.startswith("stem."):
                     continue
                 if name not in old:
@@ -255,6 +266,7 @@ class Training:
                 elif name.startswith("words."):
                     rows = old[name].float()
                     p[: len(rows)] = rows
+                    # Row 0 is "not stated" and no word.
                     p[len(rows) :] = rows[1:].mean(0)
                 else:
                     p.copy_(old[name])
@@ -283,6 +295,8 @@ class Training:
         with safe_open(path, "pt") as file:
             facts = json.loads(file.metadata()["training"])
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
+        # The generator's state is not in the file. Another seed, or the run would see its first
+        # batches again.
         self.generator.manual_seed(self.config.seed + self.step)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
@@ -298,6 +312,7 @@ class Training:
 def run(training: Training, source: Source, checkpoint: Path) -> None:
     """Train until the budget is spent; Ctrl-C and SIGTERM save too."""
     config = training.config
+    # Both become KeyboardInterrupt, so that ``finally`` saves.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     signal.signal(signal.SIGINT, signal.default_int_handler)
     saved = scanned = training.seconds

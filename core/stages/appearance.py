@@ -26,6 +26,7 @@ def learn_appearance(
 ) -> None:
     """Train Γ by score distillation on the finished shape."""
     setup.training.resume()
+    # Once: the shape is final, only the light turns.
     visibility = VertexVisibility.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
     subject = LitObject(mesh, environment, visibility)
     train(setup.training, appearance_phases(setup, subject), progress)
@@ -87,6 +88,7 @@ class Distillation(Phase):
         for part in draw.split(config.views_at_once, scene.device):
             z, views = scene.latents(part.cameras, self.phase.size)
             yield distill(setup, self.phase, part, z, views)[0] / config.views
+        # Last: it takes the points that the views above have seen.
         yield from roughening(scene, setup.training.generator)
 
 
@@ -111,6 +113,8 @@ class Fitting(Phase):
 
     def _losses(self, scene: LitScene, label: str) -> Iterator[Tensor]:
         setup, rounds, generator = self.setup, self.rounds, self.setup.training.generator
+        # A part of the round's pictures in each step: the light turns between steps, the targets
+        # stay.
         some = round_targets(setup, rounds, scene, label).some(rounds.batch, generator)
         for part in some.split(setup.config.views_at_once):
             z, _ = scene.latents(part.cameras, rounds.size)

@@ -25,6 +25,8 @@ from core.stages.shape_scene import ShapeScene, use_lattice
 from core.stages.training import Phase, Setup, decayed, fraction, train
 
 RAY_PICTURE = 32  # side of the picture whose rays distilling follows through the lattice
+# The mask's gradient reaches about 1 / sharpness: a tenth of a unit at first, which starts parts
+# far from the surface, a third of a coarse cell at last, which places them.
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40  # one for each cell of the draft's coarse lattice
 BAND = 4  # cells to either side that a surface may move in one round of refining
@@ -83,6 +85,8 @@ class Distillation(Phase):
     def begin(self, index: int) -> tuple[ShapeScene, Iterator[Tensor]]:
         """The surface of now, and the losses of its views and of the regularisers."""
         setup = self.setup
+        # Rays and the eikonal term read the SDF off the surface; without them only nodes at it are
+        # needed.
         lattice = self.sharpness(index) > 0 or setup.config.eikonal > 0
         scene = ShapeScene(setup.training.module, self.grid, setup.guidance, lattice=lattice)
         return scene, self._losses(scene, index)
@@ -114,12 +118,14 @@ class Distillation(Phase):
     def _coarse(self, scene: ShapeScene, part: Draw, index: int) -> Tensor:
         """z = [n R, 2o - 1], downsampled (§4.2)."""
         n, o = scene.render(part.cameras, self.phase.size)
+        # The vectors turn, the picture does not: the silhouette stays the prompt's.
         if part.rotations is not None:
             n = n @ part.rotations[:, None]
         z = coarse_latent(n, o, self.setup.guidance.latent_size)
         loss, grad = distill(self.setup, self.phase, part, z, Views(part.cameras))
         if part.ray_shift is None:
             return loss
+        # The fourth channel of the coarse latent is the mask.
         return loss + ray_mask_loss(scene, grad[:, 3], part, self.sharpness(index))
 
     def _fine(self, scene: ShapeScene, part: Draw) -> Tensor:
@@ -205,6 +211,7 @@ def ray_mask_loss(
     # Summed over the pixels that share a ray, so that the whole score stays what it was.
     grad = torch.nn.functional.avg_pool2d(mask_grad[:, None], pool)[:, 0] * pool**2
     nearest = ray_min_sdf(scene.sdf, scene.grid, draw.cameras, RAY_SAMPLES, draw.ray_shift)
+    # In [-1, 1], the range of the latent's mask, so that the score applies to it as it is.
     mask = 2 * torch.sigmoid(-sharpness * nearest) - 1
     return (grad * mask).sum()
 
@@ -215,8 +222,10 @@ def ray_fit(scene: ShapeScene, part: Targets, shift: Float[Tensor, "b s s"]) -> 
     By cross entropy, whose slope does not fade inside of what has to go: so holes open.
     """
     assert scene.sdf is not None
+    # A denoised mask may overshoot; cross entropy takes probabilities.
     wanted = ((part.z[:, 3] + 1) / 2).clamp(0, 1)
     nearest = ray_min_sdf(scene.sdf, scene.grid, part.cameras, RAY_SAMPLES, shift)
+    # With logits: far from the surface the sigmoid itself is 0 or 1, and its logarithm infinite.
     differ = torch.nn.functional.binary_cross_entropy_with_logits
     return differ(-SHARPNESS[1] * nearest, wanted, reduction="none").mean((1, 2)).sum()
 
@@ -239,6 +248,7 @@ def final_mesh(
         )
     if config.join:  # before small components are dropped: a thin part may have come off
         surface = joined_by_struts(surface, grid, config.floaters)
+    # Smoothing moves vertices and keeps the faces, so it comes after all that changes these.
     verts, faces = drop_floaters(surface.verts, surface.faces, config.floaters)
     verts = polished(verts, faces, config.polish)
     return flattened(verts, faces, config.flatten, config.flatten_sigma), faces

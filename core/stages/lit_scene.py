@@ -46,6 +46,7 @@ class LitScene(Scene):
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
         """The colours, encoded; and the geometry, for a guidance that can use it."""
         shaded = render_shaded(self.mesh, self.net, cameras, size, self.lit, self.occlusion)
+        # A round's targets are rendered without gradient; their points are no part of the step.
         if torch.is_grad_enabled():
             self.points.append(shaded.points)
         z = self.guidance.encode_color(shaded.srgb, shaded.o)
@@ -83,6 +84,7 @@ def roughening(scene: LitScene, generator: torch.Generator) -> Iterator[Float[Te
     ):
         pairs = zip(net(here), net(here + way), strict=True)
         change = sum((a - b).abs().mean() for a, b in pairs)
+        # Weighed by the number of points: a part with few pixels counts for less.
         yield weight * change * len(here) / count
 
 

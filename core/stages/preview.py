@@ -78,6 +78,7 @@ def _clustered(
     count = torch.bincount(cell, minlength=len(cells))[:, None]
     mean = verts.new_zeros(len(cells), 3).index_add_(0, cell, verts) / count
     corners = cell[faces]
+    # A face with two corners in one cell has become a line.
     corners = corners[(corners != corners.roll(1, 1)).all(1)]
     _, same, times = torch.unique(
         _one_number(corners.sort(1).values), return_inverse=True, return_counts=True

@@ -40,6 +40,7 @@ class Targets:
 
     def some(self, count: int, generator: torch.Generator) -> "Targets":
         """``count`` of them at random, all where there are fewer."""
+        # On the CPU, as all random numbers: the same on every device.
         index = torch.randperm(len(self.z), generator=generator)[:count].to(self.z.device)
         return Targets(self.cameras[index], self.z[index])
 

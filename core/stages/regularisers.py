@@ -17,6 +17,7 @@ def eikonal(sdf: Float[Tensor, " nt"], grid: TetGrid) -> Float[Tensor, ""]:
     Gropp et al. 2020, "Implicit geometric regularization", Eq. 2.
     """
     s = sdf.view(grid.shape)
+    # Central differences need both neighbours.
     inner = slice(1, -1)
     gradient = torch.stack(
         [
@@ -37,6 +38,7 @@ def bending(
     a, b, c = (verts.index_select(0, faces[:, k]) for k in range(3))
     n = torch.nn.functional.normalize(torch.linalg.cross(b - a, c - a), dim=-1, eps=1e-12)
     pairs = edges.faces
+    # An edge of a border has one face and no angle.
     pairs = pairs[(pairs >= 0).all(1)]
     n0, n1 = n.index_select(0, pairs[:, 0]), n.index_select(0, pairs[:, 1])
     return (1 - (n0 * n1).sum(-1)).mean()

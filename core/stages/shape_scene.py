@@ -62,6 +62,7 @@ class ShapeScene(Scene):
             surface = extract(net, grid, band)
             self._verts, self.faces = surface.verts, surface.faces
             self._sdf = self.sdf = None
+        # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
         self.coverage = 0.0  # the largest of any part of the views
@@ -81,12 +82,16 @@ class ShapeScene(Scene):
 
     def backward(self, losses: Iterator[Tensor]) -> float:
         """Gather the gradient at the surface, then carry it into Ψ."""
+        # Without faces nothing depends on Ψ, and there is no gradient to gather.
         if len(self.faces) == 0:
             raise NoSurfaceError("The surface had nearly vanished")
         total = gather(losses)
         leaves = [(self._verts, self.verts), (self._sdf, self.sdf)]
         pairs = [(out, at.grad) for out, at in leaves if at is not None and at.grad is not None]
+        # SDF and vertices together, since both come from one pass of Ψ.
         torch.autograd.backward([out for out, _ in pairs], [grad for _, grad in pairs])
+        # After the views: the coverage is known only now. Nearly nothing in view has nearly no
+        # gradient.
         if self.coverage < MIN_COVERAGE:
             raise NoSurfaceError("The surface had nearly vanished")
         return total

@@ -84,7 +84,9 @@ def fit_base_color(
         points, colors = surface_colors(mesh, picture, POINTS, generator)
         points, colors = points.to(device), colors.to(device)
         raw = net.raw(points)
+        # Within kd's range: a target outside would only drive the sigmoids into their flat ends.
         loss = mse_loss(to_ranges(raw, net.config).kd, colors.clamp(low, high))
+        # The first three of the eight outputs are kd's.
         still = (raw - net.start)[:, 3:].square().mean()
         optimizer.zero_grad()
         (loss + STILL * still).backward()
@@ -113,6 +115,7 @@ def surface_colors(
 def sample(picture: Float[Tensor, "h w 3"], uv: Float[Tensor, "n 2"]) -> Float[Tensor, "n 3"]:
     """Bilinear, and repeated outside the unit square as Blender's image node does."""
     within = uv - uv.floor()
+    # v runs upwards, a picture's rows downwards.
     grid = torch.stack([2 * within[:, 0] - 1, 1 - 2 * within[:, 1]], -1)
     found = grid_sample(
         picture.permute(2, 0, 1)[None], grid[None, None], padding_mode="border", align_corners=False

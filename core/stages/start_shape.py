@@ -18,6 +18,7 @@ THIN_CELLS = 0.6
 
 def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
     """Ψ, random, for the coarse phase's lattice."""
+    # The coarse cell; each phase then sets its own (``use_lattice``).
     net = SdfNet(2 * EXTENT / config.resolution[0], config.net, EXTENT, generator)
     if config.net.residual > 0:
         net.residual = Residual(config.resolution[1], EXTENT, config.net.residual)

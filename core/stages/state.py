@@ -21,6 +21,8 @@ class Training(Generic[Net]):
         self.name, self.module, self.generator, self.run = name, module, generator, run
         # "Implementation Details": AdamW. The betas and eps are the released code's. Each step
         # sets its own learning rate.
+        # So small an eps lets weak and rare gradients move a hash grid (Müller et al. 2022, §4, the
+        # same values).
         self.optimizer = torch.optim.AdamW(
             module.parameters(), betas=(0.9, 0.99), eps=1e-15, weight_decay=0.0
         )
@@ -55,6 +57,8 @@ class Training(Generic[Net]):
                 tensors[f"optimizer.{i}.{key}"] = torch.as_tensor(value)
         tensors |= {f"kept.{key}": value for key, value in self._kept.items()}
         tensors["generator"] = self.generator.get_state()
+        # Copies: the optimiser changes its tensors in place, and the guard keeps a state for many
+        # steps.
         return {key: value.detach().clone() for key, value in tensors.items()}
 
     def set_state(self, tensors: dict[str, Tensor]) -> None:
@@ -88,6 +92,7 @@ class Training(Generic[Net]):
         return [p for group in self.optimizer.param_groups for p in group["params"]]
 
     def _set_moments(self, moments: dict[str, Tensor]) -> None:
+        # A state from before the first step has no moments: those of now must not stay.
         self.optimizer.state.clear()
         parameters = self._parameters
         for key, value in moments.items():

@@ -41,6 +41,7 @@ def unwrap_shape(
             stage="unwrap",
         )
     with progress.timed("unwrap"):
+        # Before the unwrap, whose charts would not survive it.
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
         progress.complete("unwrap")  # a small mesh is done before it reports anything

@@ -74,6 +74,7 @@ def train(
             step.loss = scene.backward(losses)
         except (NotFiniteError, NoSurfaceError) as error:
             failure = error.text
+        # A finite loss may have an infinite slope; one step with it would spoil every parameter.
         if not failure and not healthy_gradients(training.module):
             failure = "The gradient was not finite"
 

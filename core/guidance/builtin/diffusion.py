@@ -18,5 +18,6 @@ def alpha_bar_schedule(times: int = TIMES) -> Float[Tensor, " t"]:
     """alpha_bar for t = 0 … times - 1."""
     # At the steps' centres: at u = 0 and u = 1 the log-SNR is infinite.
     u = (torch.arange(times, dtype=torch.float64) + 0.5) / times
+    # alpha_bar = cos²(π u / 2) has the log-SNR -2 log tan(π u / 2).
     log_snr = -2 * (u * torch.pi / 2).tan().log() + 2 * torch.tensor(SHIFT).log()
     return log_snr.clamp_min(LOWEST).sigmoid().float()

@@ -39,6 +39,7 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
+# In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")
 
@@ -104,6 +105,7 @@ class PromptedBuiltin(PromptedGuidance):
 
         At 64² a rough metal and a dark plastic look alike; the words tell them apart.
         """
+        # Of all parts together: Γ has one range for the whole object.
         finishes = finishes_of(self.words.noun, self.words.material)
         rough, metal = ([getattr(f, n) for f in finishes] for n in ("roughness", "metallic"))
         return MaterialRanges(
@@ -117,8 +119,10 @@ class PromptedBuiltin(PromptedGuidance):
     ) -> Float[Tensor, "b 4 s s"] | None:
         """By the restorer, of geometry pictures; None without one."""
         net = self.builtin.restorer
+        # It was trained on geometry pictures alone, and a given surface means colours.
         if net is None or views.surface is not None:
             return None
+        # The prompt's row alone: restoring has no unconditional branch.
         words = self._indices(GEOMETRY_SLOTS)[:1].expand(len(pictures), -1)
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
@@ -145,9 +149,11 @@ class PromptedBuiltin(PromptedGuidance):
         if views.surface is not None:
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
             given = hint(surface.repeat(2, 1, 1, 1), words)
+        # Both branches get the camera and the surface; they differ in words alone.
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK).repeat(2, 1, 1, 1)
         pair = z_t.repeat(2, 1, 1, 1)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
+            # Back to 32 bit at once: the gradient is a small difference of predictions.
             v = net(pair, t.repeat(2), words, camera, given).float()
         cond, uncond = eps_from_v(v, pair, self.alpha_bar[t].repeat(2)).chunk(2)
         return Predictions(cond, uncond)

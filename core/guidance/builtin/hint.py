@@ -36,14 +36,18 @@ def stencil(
     """Where the stated pattern puts the second colour, whatever part is there; nowhere, where no
     pattern or no second colour is stated or implied, or where it is for accent parts alone."""
     out = torch.zeros_like(surface[:, :1], dtype=torch.bool)
+    # The points come weighted by coverage; undone, or patterns would bend at silhouettes.
     point = surface[:, 4:] / ((surface[:, 3:4] + 1) / 2).clamp_min(1e-3)
     accents = ACCENTED.to(words.device)[words[:, 0]] & (words[:, 3] == TWO_TONE)
+    # The last channel of the second swatch says that there is one.
     lays = ~accents & (swatches(words)[:, -1] > 0)
     for row, name in enumerate(SLOTS["pattern"], 1):
         mine = lays & (words[:, 3] == row)
         if mine.any():
             place = point[mine].permute(0, 2, 3, 1).reshape(-1, 3)
             zero = torch.zeros_like(place)
+            # Drawn in black and white, a pattern is its own mask.
             drawn = PATTERNS[name](zero, zero + 1, Place(place, place))[:, 0] > 0
             out[mine] = drawn.view(-1, 1, *out.shape[2:])
+    # Outside of the object the point is none.
     return out & (surface[:, 3:4] > -1)

@@ -55,6 +55,7 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
     """The word of each form, with its slot; and the forms that are narrower than their word."""
     lexicon: dict[str, tuple[str, str]] = {}
     narrower = []
+    # The first table that has a form keeps it: "hat" is a thing, and a part only after a noun.
     tables = {"noun": NOUNS, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
     tables |= {"pattern": PATTERNS, "part": PART_WORDS}
     for slot, table in tables.items():
@@ -114,18 +115,22 @@ def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:
 def _one_slip_away(token: str, words: Iterable[str], length: int) -> Iterator[str]:
     """``words`` that ``token`` may be a misspelling of; a wrong letter from ``length`` letters."""
     forms = [form for form in singulars(token) if len(form) > 3]
+    # Another thing's name is no misspelling, however near it is.
     if any(form in MEANT or form in REAL for form in forms):
         return
+    # Words of three letters are one slip away from too many others.
     known = [word for word in words if " " not in word and len(word) > 3]
     yield from (word for form in forms for word in known if _one_slip(form, word, length))
 
 
 def _one_slip(token: str, word: str, length: int) -> bool:
     a, b = sorted((token, word), key=len)
+    # One letter missing, or one too many.
     if len(b) == len(a) + 1:
         return any(b[:i] + b[i + 1 :] == a for i in range(len(b)))
     if len(a) != len(b) or a == b:
         return False
+    # Two neighbours that changed places, or, in long words, one wrong letter that is not the first.
     wrong = [i for i in range(len(a)) if a[i] != b[i]]
     if len(wrong) == 2 and wrong[1] == wrong[0] + 1:
         return a[wrong[0]] == b[wrong[1]] and a[wrong[1]] == b[wrong[0]]

@@ -15,6 +15,7 @@ from torch import Tensor, nn
 from core.camera import Cameras
 
 BLOCK = 2  # pixels along an edge that make one position of the U-Net
+# A point of the camera plane, then the direction to the camera.
 MAP_CHANNELS = 6
 
 
@@ -35,6 +36,7 @@ def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
     """For each pixel its point on the plane through the origin that faces the camera, in object
     axes, then the direction to the camera. All zeros stand for "no camera given".
     """
+    # Pixel centres; row 0 is the top, hence ``up`` with a minus.
     ndc = (torch.arange(size, device=cameras.azimuth.device) + 0.5) / size * 2 - 1
     half = (cameras.distance * (cameras.fovy / 2).tan())[:, None, None, None]
     right, up, back = (row[:, :, None, None] for row in cameras.rotation.unbind(1))
@@ -81,6 +83,7 @@ class Attention(nn.Module):
         self.norm = nn.GroupNorm(8, channels)
         self.qkv = nn.Linear(channels, 3 * channels)
         self.out = nn.Linear(channels, channels)
+        # As a block: it starts as the identity.
         for parameter in self.out.parameters():
             nn.init.zeros_(parameter)
 
@@ -180,6 +183,8 @@ class UNet(nn.Module):
 
     def code(self, t: Int[Tensor, " b"], words: Int[Tensor, "b n"]) -> Float[Tensor, "b c"]:
         """The embedding of the time step and the words; word 0 of a slot is "not stated"."""
+        # Words add up: each slot moves the same embedding, "not stated" with a learnt row of its
+        # own.
         code = self.time(time_features(t, self.config.code))
         for slot, embedding in enumerate(self.words):
             code = code + embedding(words[:, slot])
@@ -195,22 +200,26 @@ class UNet(nn.Module):
     ) -> Float[Tensor, "b p s s"]:
         """``camera`` is ``camera_map`` at half the picture's size."""
         pictures = z if hint is None else torch.cat([z, hint], 1)
+        # ENTRY: all pictures in blocks of pixels, next to the map of the camera plane
         code = self.code(t, words)
         h = self.entry(torch.cat([F.pixel_unshuffle(pictures, BLOCK), camera], 1))
         fine = None
         if self.stem is not None:
             fine, more = self.stem.entry(pictures)
             h = h + more
+        # DOWN: each size's last features are kept for the way up
         skips = []
         for down, shrink in zip(self.down, self.shrink, strict=True):
             h = down(h, code)
             skips.append(h)
             h = shrink(h)
+        # MIDDLE AND UP: the same sizes in reverse, each with what was kept of it
         h = self.middle(h, code)
         for up, refine, grow in zip(self.up, self.refine, self.grow, strict=True):
             h = refine(up(torch.cat([h, skips.pop()], 1), code), code)
             if not isinstance(grow, nn.Identity):
                 h = grow(F.interpolate(h, scale_factor=2.0))
+        # EXIT: from blocks back to pixels
         h = F.silu(self.norm(h))
         out = F.pixel_shuffle(self.exit(h), BLOCK)
         return out if self.stem is None or fine is None else out + self.stem(fine, h, code)

@@ -26,6 +26,7 @@ def read_metadata(path: Path) -> dict[str, Any]:
         if len(start) < 8:
             raise ValueError("it has no header")
         (length,) = struct.unpack("<Q", start)
+        # A broken file may state any length: never ask for more than there is.
         if length > path.stat().st_size:
             raise ValueError("its header is cut")
         header = json.loads(file.read(length))

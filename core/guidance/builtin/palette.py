@@ -81,6 +81,7 @@ def swatches(words: Int[Tensor, "b 5"]) -> Float[Tensor, "b 8"]:
     stated = words > 0
     both = torch.where(stated[:, 1:2], colors[words[:, 1]], materials[words[:, 2]])
     first, goes_with = both.split(4, 1)
+    # A companion shows in a pattern alone.
     goes_with = goes_with * stated[:, 3:4]
     second = torch.where(stated[:, 4:5], colors[words[:, 4], :4], goes_with)
     return torch.cat([first, second], 1)
@@ -91,6 +92,7 @@ def _tables() -> tuple[Float[Tensor, "c 8"], Float[Tensor, "m 8"]]:
     """Of the colours and of the materials: a row's own swatch, and that of its companion."""
 
     def row(color: Color | None) -> list[float]:
+        # The fourth channel tells a stated mid-grey from no colour, which is all zeros.
         pair = (color, companion(color)) if color else ()
         return [x for rgb in pair for x in [*(2 * c - 1 for c in rgb), 1.0]] or [0.0] * 8
 
@@ -134,4 +136,5 @@ def has_accents(noun: str) -> bool:
 def companion(color: Color) -> Color:
     """The second colour where none is stated: white, or black next to a light colour."""
     red, green, blue = color
+    # Rec.601's luma, rounded.
     return DARK if 0.3 * red + 0.6 * green + 0.1 * blue > 0.65 else LIGHT

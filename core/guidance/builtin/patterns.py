@@ -34,6 +34,7 @@ def striped(color: Tensor, second: Tensor, place: Place) -> Tensor:
 
 def spotted(color: Tensor, second: Tensor, place: Place) -> Tensor:
     """Balls of the second colour on a body-centred lattice."""
+    # Neighbours of the lattice are 0.36 apart, so balls of radius 0.14 do not touch.
     cell = 0.42
     first = place.point / cell
     other = first + 0.5
@@ -43,6 +44,7 @@ def spotted(color: Tensor, second: Tensor, place: Place) -> Tensor:
 
 def checkered(color: Tensor, second: Tensor, place: Place) -> Tensor:
     """Cubes of six pixels in turn."""
+    # About half a cell off, so that no border lies in a plane of symmetry.
     cell = ((place.point + 0.1) / 0.21).floor().sum(1)
     return where(cell.remainder(2) == 1, color, second)
 

@@ -124,6 +124,7 @@ def parse(
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
     reading = _Reading(prompt, known)
+    # Before the missing noun: an error with the nearest known words says more.
     if reading.refused and not ignore_unknown:
         raise _unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
@@ -131,6 +132,7 @@ def parse(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
             f"Use one of: {', '.join(known['noun'])}. {ELSEWHERE}",
         )
+    # The part last: what may be stated of it depends on the noun.
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
     notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
@@ -162,6 +164,7 @@ class _Reading:
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
         tokens = self._tokens[at:]
+        # The longest phrase first: "ice cream" must not be read as the colour "cream".
         for count in range(min(LONGEST, len(tokens)), 0, -1):
             entry = look_up(" ".join(tokens[:count]), self.known)
             if entry is not None:
@@ -171,6 +174,7 @@ class _Reading:
         if token in WITHOUT:
             self._without = True
             self._end_phrase()
+        # A tone that makes no colour word of its own ("dark red" has one) is dropped, with a note.
         elif token in TONES and len(tokens) > 1 and LEXICON.get(tokens[1], ("",))[0] == "color":
             self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
         elif token in IGNORED_ADJECTIVES:
@@ -189,6 +193,7 @@ class _Reading:
         self._pending, self._noun_end = [], -1
 
     def _correct(self, token: str, at: int) -> None:
+        # Only where it is surely one known word; anything less is a hint in the error.
         close = corrected(token)
         entry = look_up(close, self.known) if close else None
         if entry is None:
@@ -205,6 +210,7 @@ class _Reading:
             slot = "part"
         if slot == "part":
             color = ""
+            # "with a blue handle": a colour right before a part is the part's, not the thing's.
             if self.found["color"] and self.found["noun"]:
                 color = self.found["color"].pop().word if self._after_color else ""
             self.parts.append((word, not self._without, color))
@@ -263,6 +269,7 @@ class _Reading:
         """The first colour, the second, and the pattern that a second one implies."""
         colors = self.words("color")
         noun = self.found["noun"][0].word if self.found["noun"] else ""
+        # In the order of the prompt: the first is the thing's, the next the pattern's.
         color, second = (*colors, "", "")[:2]
         for part, _, painted in self.parts:
             if painted and _role(noun, part) == "*":  # painted as the rest is
@@ -275,6 +282,7 @@ class _Reading:
                 second = painted
         if len(colors) > 2:
             raise _two_error("color", colors)
+        # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")
         return {"color": color, "second": second, "pattern": pattern}
 
@@ -300,6 +308,7 @@ def _tokens(prompt: str) -> tuple[list[str], set[int]]:
     """The words of a prompt in lower case, and the indices of those that punctuation precedes."""
     tokens: list[str] = []
     breaks: set[int] = set()
+    # The s of a possessive is no word.
     for token in re.findall(r"[^\W_]+|[,;:.!?()]", prompt.lower().replace("'s", " ")):
         if token[0].isalnum():
             tokens.append(token)
@@ -341,6 +350,7 @@ def _always_has(noun: str, part: str) -> bool:
     if any(part in state for state in OPTIONS.get(noun, ())):
         return False
     legs = {"bench", "chair", "pig", "turtle"}
+    # These nouns have four legs in any case, so that stating it changes nothing.
     if part in LEGS:
         return part == "four legs" and noun in legs
     return any(name in LOOKS[noun] for name in _names(part))

@@ -14,7 +14,9 @@ from core.guidance.builtin.offered import read_metadata
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
     """A safetensors file that is either the old one or the whole new one."""
+    # Renamed when complete, so that a stopped run never leaves half a file.
     temporary = path.with_suffix(".part")
+    # The network is channels-last, and safetensors takes contiguous tensors only.
     save_file({name: t.detach().contiguous() for name, t in tensors.items()}, temporary, metadata)
     temporary.replace(path)
 
@@ -35,6 +37,7 @@ def load_weights(path: Path) -> UNet:
     for name in ("words", "widths", "attention"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
     net = UNet(UNetConfig(**facts))
+    # Half precision is for the file's size: the arithmetic's precision is the caller's autocast.
     net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
     return net.eval().requires_grad_(False)
 

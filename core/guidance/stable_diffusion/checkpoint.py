@@ -53,6 +53,7 @@ def find_checkpoint(spec: str) -> Path:
             "Convert it with diffusers: StableDiffusionPipeline.from_single_file(FILE)"
             ".save_pretrained(FOLDER).",
         )
+    # Written as a path: what is missing is a folder, not a repository of the hub.
     if spec.startswith((".", "~", os.sep)) or path.is_absolute():
         raise MissingError(f'There is no folder "{spec}".', f"Give the folder of {_EXPECTED}.")
     if not _HUB_ID.fullmatch(spec):
@@ -92,6 +93,7 @@ def weight_variant(folder: Path, part: str, *, half: bool) -> str | None:
     numbered = r"(-\d+-of-\d+)?\.safetensors"
     plain = any(re.fullmatch(stem + numbered, name) for name in files)
     fp16 = any(re.fullmatch(stem + r"\.fp16" + numbered, name) for name in files)
+    # 16 bit from the disk where the part runs in it, or where there is nothing else.
     if plain or fp16:
         return "fp16" if fp16 and (half or not plain) else None
     if any(name.endswith((".bin", ".ckpt", ".pt", ".pth")) for name in files):
@@ -116,6 +118,7 @@ def _require_text_to_image(folder: Path) -> Path:
         )
     parts = read_json(index)
     for part, expected in PARTS.items():
+        # An entry is [library, class], and null where the pipeline has no such part.
         found = (parts.get(part) or [None, None])[1]
         # CLIPTokenizerFast is the same tokenizer in another language.
         if not found or (expected and str(found).removesuffix("Fast") != expected):
@@ -185,6 +188,8 @@ def _from_hub(hub_id: str) -> Path:
     from huggingface_hub.errors import HfHubHTTPError, LocalEntryNotFoundError
 
     online = os.environ.get("HF_HUB_OFFLINE", "").lower() in ("0", "false", "no", "off")
+    # Only the parts that are used, without pickles and other frameworks' copies of the same
+    # weights.
     folders = [f"{part}/*" for part in PARTS]
     try:
         return Path(

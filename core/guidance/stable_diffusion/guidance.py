@@ -93,6 +93,7 @@ class StableDiffusion(Guidance):
             chunk: pictures that go through the U-Net or the encoder at a time. The result does
                 not depend on it.
         """
+        # Frozen: the encoder's gradient is needed at its input alone.
         self.unet, self.vae = unet.requires_grad_(False).eval(), vae.requires_grad_(False).eval()
         self.prediction_type = _prediction_type(scheduler)
         self.alpha_bar = scheduler.alphas_cumprod.float()
@@ -121,14 +122,18 @@ class StableDiffusion(Guidance):
         """
         folder, device = find_checkpoint(spec), torch.device(device)
         dtype = torch.float16 if device.type == "cuda" else torch.float32
+        # FIT: estimated from the configuration, before any weights are read
         texts = 2 + AROUND if config.perp_neg else 2
         chunk = _chunk_that_fits(folder, device, dtype, chunk, texts)
+        # PARTS: networks in the precision they run in; the text encoder runs once, on the CPU
         unet = _load(UNet2DConditionModel, folder, "unet", dtype)
         vae = _load(AutoencoderKL, folder, "vae", dtype)
         text_encoder = _load(CLIPTextModel, folder, "text_encoder", torch.float32).eval()
         with _readable(folder / "tokenizer"):
             tokenizer = CLIPTokenizer.from_pretrained(folder / "tokenizer", local_files_only=True)
         with _readable(folder / "scheduler"):
+            # Whatever the checkpoint samples with: only its noise schedule and prediction type are
+            # read.
             scheduler = DDPMScheduler.from_pretrained(folder / "scheduler", local_files_only=True)
 
         def encode_text(tokens: list[list[int]]) -> Tensor:
@@ -151,12 +156,14 @@ class StableDiffusion(Guidance):
         negative = clean_prompt(negative_prompt, "negative prompt")
         if not negative and self.config.default_negative:
             negative = DEFAULT_NEGATIVE_PROMPT
+        # One text for each side of the object: the weights of each camera mix them later.
         tokens, cuts = zip(*(self._tokens(prompt, view_words(view)) for view in VIEWS), strict=True)
         negative_tokens, negative_cut = self._tokens(negative, "")
         if any(cuts):
             warn_cut(max(cuts, key=len))
         if negative_cut:
             warn_cut(negative_cut, "negative prompt")
+        # Once for all steps: the prompt does not change during a training.
         states = self._encode_text([*tokens, negative_tokens])
         return PromptedStableDiffusion(self, states[:-1], states[-1])
 
@@ -186,12 +193,14 @@ class StableDiffusion(Guidance):
         picture = picture.permute(0, 3, 1, 2) * 2 - 1
         side = self.latent_size * _downscale(self.vae.config)
         if picture.shape[-2:] != (side, side):
+            # Antialiased, so that a larger render is averaged and every pixel gets a gradient.
             picture = interpolate(picture, (side, side), mode="bilinear", antialias=True)
         with _out_of_memory("the encoder"):
             return torch.cat([_Encode.apply(x, self._mean) for x in picture.split(self.chunk)])
 
     def _mean(self, picture: Tensor) -> Tensor:
         posterior = self.vae.encode(picture.to(self.vae.dtype)).latent_dist
+        # SD 1 and 2 have none.
         shift = getattr(self.vae.config, "shift_factor", None) or 0.0
         return ((posterior.mean - shift) * self.vae.config.scaling_factor).to(picture.dtype)
 
@@ -250,6 +259,7 @@ class PromptedStableDiffusion(PromptedGuidance):
             return Predictions(torch.cat(cond))
         if opposing[0] is None:
             return Predictions(torch.cat(cond), torch.cat(uncond))
+        # Only the sides around the vertical have predictions.
         opposing_weight = self._perp_neg * opposing_weights(weights)[:, :AROUND].T
         return Predictions(
             torch.cat(cond), torch.cat(uncond), torch.cat(opposing, 1), opposing_weight
@@ -265,6 +275,7 @@ class PromptedStableDiffusion(PromptedGuidance):
             texts.append(self.negative.expand_as(texts[0]))
         if self._perp_neg:
             texts.extend(view.expand_as(texts[0]) for view in self.views[:AROUND])
+        # All texts of a picture in one batch: the U-Net's weights are read once.
         n = len(texts)
         eps = self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
         opposing = torch.stack(eps[2:]) if n > 2 else None
@@ -290,6 +301,7 @@ def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype, texts: int 
     size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
     side = size * _downscale(vae.config)
 
+    # The two largest loads of a step; they do not run at the same time, so the larger one counts.
     def predict() -> None:
         batch = texts * chunk
         z = torch.empty(batch, 4, size, size, dtype=dtype)
@@ -328,6 +340,7 @@ def _load(kind: Any, folder: Path, part: str, dtype: torch.dtype) -> Any:
             local_files_only=True,
             output_loading_info=True,
         )
+    # diffusers and transformers fill missing weights at random and only log it.
     if report["missing_keys"]:
         raise UserError(
             f'"{folder / part}" is incomplete: {len(report["missing_keys"])} of its weights are '

@@ -30,12 +30,14 @@ class _Live(TorchDispatchMode):
         return out
 
     def _count(self, storage: torch.UntypedStorage) -> None:
+        # Views share their storage, which counts once.
         key, size = storage._cdata, storage.nbytes()
         if key in self._known:
             return
         self._known.add(key)
         self.now += size
         self.peak = max(self.peak, self.now)
+        # The meta device allocates nothing: the end of the storage object stands for the release.
         weakref.finalize(storage, self._forget, key, size)
 
     def _forget(self, key: int, size: int) -> None:

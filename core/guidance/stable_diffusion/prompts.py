@@ -40,6 +40,7 @@ def clean_prompt(text: str, what: str = "prompt") -> str:
     Raises:
         UserError: longer than MAX_CHARACTERS, or with control characters.
     """
+    # Composed, so that an accent typed as two characters is read as one.
     line = " ".join(unicodedata.normalize("NFC", text).split())
     if len(line) > MAX_CHARACTERS:
         raise UserError(
@@ -81,6 +82,7 @@ def view_weights(cameras: Cameras, *, soft: bool = False) -> Float[Tensor, "b 5"
     """
     azimuth = _wrapped_deg(cameras.azimuth).abs()
     elevation = torch.rad2deg(cameras.elevation)
+    # Linear from front (0 degrees) to side (90) and from side to back (180).
     back = ((azimuth - 90) / 90).clamp(0, 1)
     front = (1 - azimuth / 90).clamp(0, 1)
     overhead = _ramp(elevation)
@@ -90,6 +92,7 @@ def view_weights(cameras: Cameras, *, soft: bool = False) -> Float[Tensor, "b 5"
         front, back = (azimuth <= 45 + 1e-4).to(front), (azimuth >= 135 - 1e-4).to(back)
         overhead, bottom = (overhead > 0.5).to(front), (bottom > 0.5).to(front)
     around = torch.stack([front, 1 - front - back, back], -1)
+    # What the poles take, the sides lose: a row sums to 1.
     pole = torch.stack([overhead, bottom], -1)
     return torch.cat([around * (1 - pole.sum(-1, keepdim=True)), pole], -1)
 
@@ -111,6 +114,7 @@ def fit_tokens(
 
     The prompt gives way, never the suffix: a prompt that is cut still states from where it is seen.
     """
+    # Two for the begin and end tokens.
     room = length - 2 - len(suffix)
     tokens = [bos, *prompt[:room], *suffix, eos]
     return tokens + [pad] * (length - len(tokens)), prompt[room:]
@@ -128,6 +132,7 @@ def warn_cut(cut: str, what: str = "prompt") -> None:
 
 def _wrapped_deg(azimuth: Float[Tensor, " b"]) -> Float[Tensor, " b"]:
     """Degrees in [-180, 180]."""
+    # By atan2, so that any number of turns comes out in one range.
     return torch.rad2deg(torch.atan2(azimuth.sin(), azimuth.cos()))
 
 
