@@ -18,6 +18,7 @@ from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.guidance.builtin.words import OPTIONS, PARTS
+from core.io.atomic import atomic_file
 from core.prior.draw import Draw
 from core.prior.families import FAMILIES, STRETCH, build
 from core.prior.tracer import Pictures, render
@@ -125,10 +126,9 @@ def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
 
 
 def write_samples(path: Path, samples: Samples) -> None:
-    """One file of samples, written under a temporary name and renamed."""
-    temporary = path.with_suffix(".part")
-    save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, temporary)
-    temporary.rename(path)
+    """One file of samples, whole or not at all."""
+    with atomic_file(path) as temporary:
+        save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, temporary)
 
 
 def _work(job: tuple[Path, int]) -> Path:

@@ -11,6 +11,7 @@ from safetensors.torch import load_file, save_file
 from torch import Tensor
 
 from core.camera import sample_cameras
+from core.io.atomic import atomic_file
 from core.prior.data import CAMERAS, NOUNS, SIZE, VIEWS, Samples, joined, samples_of
 from core.prior.draw import Draw
 from core.prior.families import build
@@ -59,14 +60,13 @@ def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "") -> Pairs:
 
 
 def write_pairs(folder: Path, number: int, objects: int = OBJECTS) -> Path:
-    """Make the file ``number`` unless the folder has it; by a temporary file, then renamed."""
+    """Make the file ``number`` unless the folder has it; whole or not at all."""
     path = folder / f"pairs_{number:05d}.safetensors"
     if not path.exists():
         pairs = make_pairs(FIRST_SEED + number, objects)
-        temporary = path.with_suffix(".part")
         tensors = vars(pairs.samples) | {"soft": pairs.soft}
-        save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)
-        temporary.rename(path)
+        with atomic_file(path) as temporary:
+            save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)
     return path
 
 

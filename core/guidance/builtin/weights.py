@@ -10,15 +10,15 @@ from torch import Tensor
 from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
 from core.guidance.builtin.offered import read_metadata
+from core.io.atomic import atomic_file
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
     """A safetensors file that is either the old one or the whole new one."""
-    # Renamed when complete, so that a stopped run never leaves half a file.
-    temporary = path.with_suffix(".part")
-    # The network is channels-last, and safetensors takes contiguous tensors only.
-    save_file({name: t.detach().contiguous() for name, t in tensors.items()}, temporary, metadata)
-    temporary.replace(path)
+    with atomic_file(path) as temporary:
+        # The network is channels-last, and safetensors takes contiguous tensors only.
+        whole = {name: t.detach().contiguous() for name, t in tensors.items()}
+        save_file(whole, temporary, metadata)
 
 
 def save_weights(
