@@ -63,14 +63,15 @@ def test_torchs_deepest_file_must_have_a_name_under_windows(
         machine.check_length(folder)
 
 
-def test_pythons_are_searched_where_windows_installs_them(windows, monkeypatch):
+def test_pythons_are_searched_where_windows_installs_them(windows, monkeypatch, tmp_path):
     monkeypatch.setenv("LOCALAPPDATA", "/local ü")
-    monkeypatch.setattr(machine.shutil, "which", lambda _word: None)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    (tmp_path / "py.exe").touch()
     asked = []
     monkeypatch.setattr(machine, "output", lambda words, timeout=20: asked.append(words) or "")
     found = [Path(word).as_posix() for word in machine.python_candidates() if word]
     assert "/local ü/Programs/Python/Python311/python.exe" in found
-    assert ["py", "-3.11"] in [list(words[:2]) for words in asked]
+    assert [str(tmp_path / "py.exe"), "-3.11"] in [list(words[:2]) for words in asked]
 
 
 def test_macos_counts_what_it_gives_without_swapping():

@@ -108,7 +108,9 @@ def python_candidates() -> Iterator[str]:
         yield f"{place}/{name}"
     if sys.platform == "win32":
         code = "import sys; print(sys.executable)"
-        yield output([which("py") or "", f"-{version}", *ISOLATED, "-c", code])
+        launcher = which("py")
+        if launcher:
+            yield output([launcher, f"-{version}", *ISOLATED, "-c", code])
     uv = which("uv")
     if uv:  # --no-config: a uv.toml in the current folder names no interpreter
         yield output([uv, "--no-config", "python", "find", "--no-python-downloads", version])
