@@ -44,6 +44,7 @@ def flattened(
     v, f = verts.detach().cpu().double().numpy(), faces.cpu().numpy()
     moved, around = v, Around.of(f, len(v))
     for _ in range(rounds):
+        # Two phases: new normals from the present shape, then vertices that follow them.
         normals = _filtered(moved, around, sigma)
         for _ in range(VERTEX_ROUNDS):
             moved = _towards(moved, normals, around)
@@ -65,11 +66,16 @@ class Around:
     def of(cls, faces: Faces, vert_count: int) -> "Around":
         """The tables of a mesh."""
         at, size = faces.reshape(-1), 3 * len(faces)
+        # Corner k of face f is column 3 f + k: a (3F, 3) table is summed by one product.
         corners = csr_array((np.ones(size), (at, np.arange(size))), (vert_count, size))
         inside = csr_array((np.ones(size), (at, np.arange(size) // 3)), (vert_count, len(faces)))
+        # Faces that share a vertex: the nonzeros of the incidence matrix times itself. Its
+        # diagonal, each face with itself, goes out.
         pairs = (inside.T @ inside).tocoo()
         apart = pairs.row != pairs.col
         one, other = pairs.row[apart].astype(np.int64), pairs.col[apart].astype(np.int64)
+        # Sorted by ``one`` the pairs are the rows of a CSR matrix: mean() builds one without
+        # sorting.
         order = np.argsort(one, kind="stable")
         start = np.concatenate([[0], np.bincount(one, minlength=len(faces)).cumsum()])
         count = np.maximum(np.bincount(at, minlength=vert_count), 1).astype(float)
@@ -86,9 +92,11 @@ def _filtered(verts: Verts, around: Around, sigma: float) -> Normals:
     normals, areas = _normals(verts, around.faces)
     centres = verts[around.faces].mean(1)
     apart = np.linalg.norm(centres[around.one] - centres[around.other], axis=1)
+    # The vertices rest while the normals change, so W_c is computed once.
     near = areas[around.other] * _gauss(apart, REACH * apart.mean())
     for _ in range(NORMAL_ROUNDS):
         unlike = np.linalg.norm(normals[around.one] - normals[around.other], axis=1)
+        # The last term is the face itself (j = i): at distance 0 from itself both weights are 1.
         mean = around.mean(near * _gauss(unlike, sigma), normals) + areas[:, None] * normals
         normals = mean / np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-20)
     return normals
@@ -112,6 +120,7 @@ def _sound(before: Verts, after: Verts, faces: Faces) -> Verts:
         wrong = ((was * now).sum(1) < 0) | ((area < least) & (area_before >= least))
         if not wrong.any():
             break
+        # What is put back may turn over a face next to it, hence the rounds.
         after[faces[wrong]] = before[faces[wrong]]
     return after
 

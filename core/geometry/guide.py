@@ -32,6 +32,7 @@ def guide_shape(mesh: Mesh, least: float) -> Shape:
     """
     verts, _, _ = normalise(mesh.verts)
     solid = SolidMesh(verts, mesh.faces)
+    # The skin reaches ``least`` to either side of a face: parts thicker than twice that need none.
     skin = solid.thin_part(2 * least)
 
     def sdf(points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
@@ -44,7 +45,9 @@ def guide_shape(mesh: Mesh, least: float) -> Shape:
 @torch.no_grad()
 def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
     """Give ``residual`` that much of what Ψ lacks of ``shape`` at the nodes; 1 is all of it."""
+    # Zero first: the network adds the residual on its own lattice, and here Ψ alone is wanted.
     residual.values.zero_()
+    # The offsets are scaled by the cell, so Ψ is asked as on the residual's lattice.
     net.cell = residual.cell
     n = residual.resolution + 1
     axis = torch.linspace(-residual.extent, residual.extent, n)
@@ -52,6 +55,8 @@ def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
     missing = []
     for points in nodes.split(CHUNK):
         sdf, offset = net(points.to(residual.values.device))
+        # The shape's distances hold at nodes that have not moved, so Ψ's offsets are taken back.
         missing.append(torch.cat([(shape.sdf(points).to(sdf) - sdf)[:, None], -offset], 1))
+    # Channels first, as in ``values``; the nodes run along z fastest, as its last axis.
     lacks = torch.cat(missing).T.reshape(1, 4, n, n, n)
     residual.values.copy_(lacks * (share / residual.scale))

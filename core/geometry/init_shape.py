@@ -44,6 +44,7 @@ def ellipsoid(radii: tuple[float, float, float]) -> Shape:
 
     def surface(count: int, generator: torch.Generator) -> Tensor:
         # The sphere's points, stretched; the area that each stands for grows with |n / r|.
+        # 8 candidates for each point: they are picked with replacement, and few come twice.
         n = torch.randn(8 * count, 3, generator=generator)
         n = n / n.norm(dim=1, keepdim=True)
         picked = torch.multinomial((n / r).norm(dim=1), count, True, generator=generator)
@@ -57,7 +58,9 @@ def cylinder(radius: float, half_height: float) -> Shape:
 
     def surface(count: int, generator: torch.Generator) -> Tensor:
         turn, place, kind = torch.rand(3, count, generator=generator)
+        # The wall's area is 4π r h, that of both caps 2π r²: its share is 2h / (2h + r).
         round_part = kind < 2 * half_height / (2 * half_height + radius)
+        # ``place`` picks the cap by its half; within the half it is uniform, and used again below.
         top = torch.where(place < 0.5, -half_height, half_height)
         z = torch.where(round_part, (2 * place - 1) * half_height, top)
         share = (2 * place % 1).sqrt()  # by the disc's area
@@ -87,8 +90,11 @@ def ellipsoid_sdf(points: Float[Tensor, "n 3"], radii: Float[Tensor, " 3"]) -> F
     smallest = r.square().min()
     # u = t + min r²: no difference of nearly equal numbers is left in the denominators.
     above = r.square() - smallest
+    # Bounds of the root u: at ``low`` the smallest axis' term alone is 1, at ``high`` the sum is 1
+    # without ``above``.
     low = r.min() * p[:, r.argmin()]
     high = (r * p).norm(dim=1)
+    # More halvings than a float64 has bits (53).
     for _ in range(64):
         u = (low + high) / 2
         outside = ((r * p) / (u[:, None] + above)).square().sum(1) > 1
@@ -104,6 +110,7 @@ def cylinder_sdf(
 ) -> Float[Tensor, " n"]:
     """Distance to a capped cylinder about the z axis, negative inside."""
     d = torch.stack([points[:, :2].norm(dim=1) - radius, points[:, 2].abs() - half_height], 1)
+    # Inside: to the nearer of wall and cap. Outside: both excesses together, 0 for the one within.
     return d.amax(1).clamp(max=0) + d.clamp(min=0).norm(dim=1)
 
 
@@ -117,6 +124,7 @@ def sample_surface(
     picked = torch.multinomial(face_areas(verts, faces), count, True, generator=generator)
     a, b, c = verts[faces[picked]].unbind(1)
     s, t = torch.rand(2, count, 1, generator=generator, dtype=verts.dtype)
+    # The root makes them even by area: lines across the triangle are shorter near corner a.
     s = s.sqrt()
     return (1 - s) * a + s * (1 - t) * b + s * t * c
 
@@ -126,6 +134,7 @@ def sample_points(shape: Shape, extent: float, generator: torch.Generator) -> Fl
     on = shape.surface(SURFACE_POINTS, generator)
     near = on + SPREAD * torch.randn(on.shape, generator=generator)
     anywhere = (2 * torch.rand(UNIFORM_POINTS, 3, generator=generator) - 1) * extent
+    # The moved points may leave the cube, which the lattice does not reach beyond.
     return torch.cat([on, near, anywhere]).clamp(-extent, extent)
 
 
@@ -168,7 +177,9 @@ def fit_until_still(
     Returns their root mean square error at the end; they are about the surface. ``progress``: as
     in :func:`fit`, of MOST_STEPS at most.
     """
+    # One set more than is trained on, to measure with.
     pairs = _pairs(net, shape, POINT_SETS + 1, extent, generator)
+    # Of that set the points on and near the surface; the uniform ones come last.
     points, target = (x[: 2 * SURFACE_POINTS] for x in pairs.pop())
     optimizer, rate, best = _optimizer(net, LEARNING_RATE), LEARNING_RATE, float("inf")
     error = float("nan")
@@ -198,6 +209,7 @@ def _pairs(
 
 
 def _optimizer(net: SdfNet, learning_rate: float) -> torch.optim.Optimizer:
+    # Müller et al. 2022, §4: the tiny epsilon is for table rows whose gradients are rare and weak.
     return torch.optim.AdamW(net.parameters(), learning_rate, (0.9, 0.99), 1e-15, 0.0)
 
 

@@ -63,6 +63,8 @@ def marching_tets(
         crossing = _changes(inside, grid)
         faces = _faces(inside, crossing, grid)
         ends = grid.edges.index_select(0, crossing).view(-1)
+    # Values and positions of the crossing edges' ends only: the rest of the lattice gets no
+    # gradient.
     s = close_rim(sdf, grid).index_select(0, ends).view(-1, 2)
     p = positions.index_select(0, ends).view(-1, 2, 3)
     t = _crossing(s[:, 0], s[:, 1])[:, None]
@@ -78,6 +80,7 @@ def _crossing(a: Float[Tensor, " c"], b: Float[Tensor, " c"]) -> Float[Tensor, "
     # Values of opposite sign this small (1e-12 of a cell or less) would divide 0 by 0 backwards.
     difference = a - b
     t = a / torch.where(difference < 0, difference.clamp(max=-1e-12), difference.clamp(min=1e-12))
+    # The clamp moves the value only: with its own gradient, 0, a vertex could not leave the margin.
     return t + (t.clamp(MARGIN, 1 - MARGIN) - t).detach()
 
 
@@ -96,16 +99,21 @@ def _faces(
     inside: Bool[Tensor, "x y z"], crossing: Int[Tensor, " c"], grid: TetGrid
 ) -> Int[Tensor, "f 3"]:
     """The triangles of every tetrahedron that the surface crosses."""
+    # Whole cubes first, on the plain volume: most tetrahedra are never gathered.
     tets = _crossed_tets(inside)
     corners = grid.tets.index_select(0, tets).view(-1)
     bits = inside.view(-1).index_select(0, corners).view(-1, 4).to(torch.uint8)
     case = bits[:, 0] | bits[:, 1] << 1 | bits[:, 2] << 2 | bits[:, 3] << 3
     mixed = ((case > 0) & (case < 15)).nonzero().squeeze(1)
+    # As an index a uint8 tensor would be taken for a mask.
     case = case.index_select(0, mixed).long()
     edges = grid.tet_edges.index_select(0, tets.index_select(0, mixed)).long()
+    # From an edge's index to its vertex's; edges that are not crossed are never asked for.
     vertex = torch.zeros(len(grid.edges), dtype=torch.int64, device=inside.device)
     vertex[crossing] = torch.arange(len(crossing), device=inside.device)
     faces = []
+    # Tetrahedra of one triangle and of two apart: no padding has to be taken out afterwards. A row
+    # of the other kind is zeros, and never picked.
     for corner_count in (3, 6):
         rows = [t if len(t) == corner_count else (0,) * corner_count for t in TRIANGLES]
         table = torch.tensor(rows, device=inside.device)
@@ -118,6 +126,7 @@ def _faces(
 
 def _crossed_tets(inside: Bool[Tensor, "x y z"]) -> Int[Tensor, " t"]:
     """The six tetrahedra of each cube whose corners differ: a superset of the crossed ones."""
+    # Any and all of a cube's eight corners, one axis after another.
     any_z, all_z = inside[..., 1:] | inside[..., :-1], inside[..., 1:] & inside[..., :-1]
     any_y, all_y = any_z[:, 1:] | any_z[:, :-1], all_z[:, 1:] & all_z[:, :-1]
     mixed = (any_y[1:] | any_y[:-1]) & ~(all_y[1:] & all_y[:-1])

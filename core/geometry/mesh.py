@@ -60,6 +60,7 @@ def component_labels(faces: Int[Tensor, "f 3"], vert_count: int) -> tuple[int, n
     f = faces.cpu().numpy()
     if not len(f):
         return 0, np.zeros(0, np.int64)
+    # Two of its edges hold a face's three corners together.
     links = (np.concatenate([f[:, 0], f[:, 1]]), np.concatenate([f[:, 1], f[:, 2]]))
     _, of_vert = _connected(*links, vert_count)
     pieces, of_face = np.unique(of_vert[f[:, 0]], return_inverse=True)
@@ -97,6 +98,7 @@ def health(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> dict[str, 
         "loose_verts": len(v) - used,
         "components": components,
         "euler": euler,
+        # The Euler characteristic is the sum of 2 - 2 g over the components.
         "genus": (2 * components - euler) // 2 if sound else None,
         "closed": closed,
         "manifold": manifold,
@@ -113,6 +115,7 @@ def health(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> dict[str, 
 
 def signed_volume(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> float:
     """Volume of a closed mesh, positive where its faces look outward."""
+    # About the mean: far from the origin large volumes would cancel.
     a, b, c = (verts - verts.mean(0))[faces].unbind(1)
     return float((a * torch.linalg.cross(b, c)).sum() / 6)
 
@@ -169,7 +172,9 @@ def mean_around(faces: Int[np.ndarray, "f 3"], count: int) -> csr_array:
     a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
     graph = coo_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count))
     graph = csr_array(graph)
+    # An edge of two faces was added up twice; each neighbour counts once.
     graph.data[:] = 1
+    # A vertex of no face gets a row of zeros, not 0 / 0.
     total = np.maximum(graph.sum(1), 1)
     return csr_array(graph / total[:, None])
 
@@ -200,8 +205,11 @@ def _edge_report(faces: np.ndarray) -> tuple[int, int, int, bool]:
         return 0, 0, 0, True
     start, end = (x.astype(np.int64) for x in _half_edges(faces))
     size = faces.max() + 1
+    # Both directions of an edge as one whole number; int64, since the square of the number of
+    # vertices does not fit in 32 bits.
     key = np.minimum(start, end) * size + np.maximum(start, end)
     _, edge, count = np.unique(key, return_inverse=True, return_counts=True)
+    # Directions as +1 and -1: neighbours that agree in winding cancel.
     balance = np.bincount(edge, np.where(start < end, 1, -1))
     return (
         len(count),
@@ -219,6 +227,7 @@ def _fan_count(faces: np.ndarray) -> int:
     corner = np.arange(len(start))
     following = corner.reshape(-1, 3)[:, [1, 2, 0]].reshape(-1)
     key = np.minimum(start, end) * (faces.max() + 1) + np.maximum(start, end)
+    # Half-edges of one edge stand next to each other: each is linked to the one before it.
     order = np.argsort(key, kind="stable")
     same = key[order[1:]] == key[order[:-1]]
     one, other = order[1:][same], order[:-1][same]
@@ -226,5 +235,6 @@ def _fan_count(faces: np.ndarray) -> int:
     forth = start[one] == start[other]
     first = np.where(forth, corner[other], following[other])
     second = np.where(forth, following[other], corner[other])
+    # Corners at the same end of a common edge are in one fan.
     links = np.concatenate([corner[one], following[one]]), np.concatenate([first, second])
     return _connected(*links, len(start))[0]

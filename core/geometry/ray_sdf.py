@@ -28,6 +28,7 @@ def ray_min_sdf(
     values. The nodes are taken where they were before their offsets.
     """
     size = shift.shape[-1]
+    # The search needs no gradient: only the sample that it finds is evaluated again, with one.
     with torch.no_grad():
         eye, direction = pixel_rays(cameras, size)
         near, far = _span(eye, direction, grid.extent)
@@ -58,6 +59,7 @@ def _span(
     # A ray along a cube's side has an infinite slab, never 0 / 0.
     safe = torch.where(direction.abs() < 1e-9, 1e-9, direction)
     one, other = ((side - eye[:, None]) / safe for side in (-extent, extent))
+    # The slab test: inside is where all three axes' intervals meet. Nothing behind the eye counts.
     near = torch.minimum(one, other).amax(-1).clamp(min=0)
     far = torch.maximum(one, other).amin(-1).clamp(min=0)
     middle = (near + far) / 2

@@ -42,6 +42,7 @@ class Residual(nn.Module):
 
 def blurred(values: Float[Tensor, "1 c x y z"]) -> Float[Tensor, "1 c x y z"]:
     """The binomial mean (1, 2, 1) / 4 along each axis; values go on beyond the rim."""
+    # The kernel is a product over the axes: three passes of 3 taps instead of 27 taps.
     for axis in (2, 3, 4):
         last = values.shape[axis] - 1
         before = torch.cat([values.narrow(axis, 0, 1), values.narrow(axis, 0, last)], axis)

@@ -42,6 +42,7 @@ class SolidMesh:
         A sheet's are among them, since nothing is behind it. None where there are none.
         """
         normals = _normals(self._verts, self._faces)
+        # Never 0 / 0: _clean left no face without an area.
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         behind = self._verts[self._faces].mean(1) - thickness * normals
         winding = igl.fast_winding_number(self._verts, self._faces, np.ascontiguousarray(behind))
@@ -64,6 +65,7 @@ class SolidMesh:
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside."""
         distance = self.distance(points)
+        # Halfway between outside (0) and inside (1): around holes the number is a fraction.
         return torch.where(self.winding(points) > 0.5, -distance, distance)
 
 
@@ -80,6 +82,7 @@ def facing_outward(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
     The wall of a void keeps looking into it, unless rays had to decide: they fill the void.
     """
     inside_out = np.ascontiguousarray(faces[:, ::-1])
+    # The cheap test first; rays are for meshes whose faces disagree.
     for candidate in (faces, inside_out):
         if _is_solid(verts, candidate):
             return candidate
@@ -114,8 +117,10 @@ def _is_solid(verts: np.ndarray, faces: np.ndarray) -> bool:
     areas = np.linalg.norm(normals, axis=1)
     at = (np.arange(PROBES) + 0.5) / PROBES * areas.sum()  # evenly by area
     picked = np.searchsorted(areas.cumsum(), at).clip(max=len(faces) - 1)
+    # Just off the surface, across which the winding number jumps.
     lift = 1e-4 * np.linalg.norm(verts.max(0) - verts.min(0))
     front = verts[faces[picked]].mean(1) + lift * normals[picked] / areas[picked, None]
     winding = igl.fast_winding_number(verts, faces, np.ascontiguousarray(front))
+    # Clipped at 0: a negative number is not near any that a solid has.
     off = np.abs(winding - np.round(winding.clip(min=0)))
     return float((off > 0.25).mean()) <= TOLERATED

@@ -47,6 +47,7 @@ def strut(
     The shortest; where many are about as short, as between a sail and its deck, the one next to the
     line between the centroids.
     """
+    # For each vertex of the piece its shortest strut.
     distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
     middle = (piece + rest[nearest]) / 2
     start, along = piece.mean(0), rest.mean(0) - piece.mean(0)
@@ -61,6 +62,7 @@ def capsule(
 ) -> Float[Tensor, " n"]:
     """Distance to a segment's surroundings, negative within ``radius`` of it."""
     way = ends[1] - ends[0]
+    # Both ends in one point are a ball, not 0 / 0.
     share = ((points - ends[0]) @ way / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
     return (points - ends[0] - share[:, None] * way).norm(dim=1) - radius
 

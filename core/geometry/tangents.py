@@ -60,7 +60,9 @@ def smooth_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Fl
 
 def _weld(points: Float[np.ndarray, "f 3 6"], uv: Float[np.ndarray, "f 3 2"]) -> np.ndarray:
     """One number per corner (F,3), equal where position, normal and uv are equal."""
+    # In float32, as MikkTSpace compares; adding 0 turns -0, whose bits differ, into +0.
     rows = np.concatenate([points, uv], 2).reshape(-1, 8).astype(np.float32) + np.float32(0)
+    # Eight floats as one value of 32 bytes, so that unique compares whole rows.
     bits = np.ascontiguousarray(rows).view(np.dtype((np.void, rows.dtype.itemsize * 8)))
     return np.unique(bits, return_inverse=True)[1].reshape(-1, 3)
 
@@ -91,6 +93,7 @@ def _groups(welded: np.ndarray, mirrored: np.ndarray, flat: np.ndarray) -> np.nd
     # Edge k of a face runs from corner k to k + 1; its partner runs the other way.
     forth, back = start * size + end, end * size + start
     order = np.argsort(forth, kind="stable")
+    # Clipped: past the last key there is no partner, and ``joined`` drops what was found instead.
     slot = np.searchsorted(forth, back, sorter=order).clip(max=3 * count - 1)
     here, there = np.arange(3 * count), order[slot]
     face_a, face_b = here // 3, there // 3
@@ -113,6 +116,7 @@ def _adopt(group: np.ndarray, welded: np.ndarray, flat: np.ndarray) -> np.ndarra
     if not flat.any():
         return group
     first = np.full(int(welded.max()) + 1, -1)
+    # Backwards: of several writes to one place the last stays, which is the first group.
     first[welded[~flat][::-1].reshape(-1)] = group[~flat][::-1].reshape(-1)
     found = first[welded]
     return np.where(flat[:, None] & (found >= 0), found, group)
@@ -125,6 +129,7 @@ def _group_tangents(
     along: Float[np.ndarray, "f 3"],
 ) -> Float[np.ndarray, "f 3 3"]:
     """The angle-weighted mean of the projected derivatives, over each corner's group."""
+    # Angles between the edges projected onto the normal's plane, not between the edges.
     before = _unit(_across(np.roll(p, 1, 1) - p, n))
     after = _unit(_across(np.roll(p, -1, 1) - p, n))
     angle = np.arccos((before * after).sum(-1, keepdims=True).clip(-1, 1))

@@ -90,6 +90,7 @@ def _corners(path: tuple[int, int, int]) -> list[tuple[int, ...]]:
     for axis in path:
         corner[axis] = 1
         corners.append(tuple(corner))
+    # An odd permutation's tetrahedron is inside out; exchanging two corners turns it.
     odd = sum(path[i] > path[j] for i, j in itertools.combinations(range(3), 2)) % 2
     return [corners[i] for i in ((0, 2, 1, 3) if odd else (0, 1, 2, 3))]
 
@@ -113,6 +114,7 @@ def _tets(n: int, device: "torch.device | str") -> Int[Tensor, "t 4"]:
 
 def _edge_blocks(n: int) -> list[tuple[int, tuple[int, int, int]]]:
     """For each direction code: its first edge's index, and its edges' counts along x, y, z."""
+    # No edge has code 0; an empty block keeps the codes usable as indices.
     blocks, first = [(0, (0, 0, 0))], 0
     for dx, dy, dz in DIRECTIONS[1:]:
         shape = (n + 1 - dx, n + 1 - dy, n + 1 - dz)
@@ -138,6 +140,8 @@ def _tet_edges(n: int, device: "torch.device | str") -> Int[Tensor, "t 6"]:
     for t, path in enumerate(PATHS):
         corners = _corners(path)
         for e, (a, b) in enumerate(TET_CORNERS):
+            # Paths are monotone: the lower end is lower along every axis, so the step is a
+            # DIRECTION.
             low, high = sorted((corners[a], corners[b]))
             step = tuple(p - q for p, q in zip(high, low, strict=True))
             first, shape = blocks[DIRECTIONS.index(step)]

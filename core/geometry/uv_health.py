@@ -31,6 +31,7 @@ def uv_health(mesh: Mesh) -> dict[str, float | int]:
     jacobian = torch.linalg.solve(texel[sound], corner[sound]).transpose(1, 2)
     squared = jacobian.square().sum((1, 2)) / 2  # (Γ² + γ²) / 2, of its singular values
     area = on_surface[sound]
+    # Times the map's area: with it the stretch does not depend on the map's scale.
     total = float((squared * area).sum() * in_map.sum())
     whole = float(area.sum())
     return {

@@ -19,13 +19,17 @@ def mark(corners, mask):
         low = max(0, int(np.floor(min(t[0, 1], t[1, 1], t[2, 1]))))
         high = min(height - 1, int(np.floor(max(t[0, 1], t[1, 1], t[2, 1]))))
         for row in range(low, high + 1):
+            # Touched cells: the triangle's extent over the whole height of the row.
             left, right = _reach(t, float(row), row + 1.0)
             for column in range(max(0, int(np.floor(left))), min(width, int(np.floor(right)) + 1)):
                 mask[row, column] = True
+            # Covered centres: its extent at the row's middle, half open, so that of two neighbours
+            # one has a centre on their common side.
             left, right = _reach(t, row + 0.5, row + 0.5)
             first, after = int(np.ceil(left - 0.5)), int(np.ceil(right - 0.5))
             for column in range(max(0, first), min(width, after)):
                 twice += under[row, column] == 1
+                # Not beyond 2: a cell counts once, however many triangles lie over it.
                 under[row, column] = min(2, under[row, column] + 1)
     return twice
 
@@ -38,6 +42,7 @@ def _reach(t, low, high):
         x0, y0, x1, y1 = t[i, 0], t[i, 1], t[(i + 1) % 3, 0], t[(i + 1) % 3, 1]
         if low <= y0 <= high:
             left, right = min(left, x0), max(right, x0)
+        # A level side reaches no farther than its ends.
         if y0 == y1:
             continue
         for y in (low, high):

@@ -18,10 +18,12 @@ def grow(adjacent, centre, normal, seeds, axis, least):
     none enters a face whose cosine to it is below ``least``.
     """
     chart = np.full(len(adjacent), -1, np.int64)
+    # Dijkstra's algorithm from all seeds at once. Ties go by face, then chart.
     heap = [(0.0, np.int64(seeds[c]), np.int64(c)) for c in range(len(seeds))]
     heapq.heapify(heap)
     while len(heap) > 0:
         way, face, c = heapq.heappop(heap)
+        # A shorter way came first; entries stay in the heap when a better one is found.
         if chart[face] >= 0:
             continue
         chart[face] = c
@@ -34,6 +36,7 @@ def grow(adjacent, centre, normal, seeds, axis, least):
                 cosine += normal[other, k] * axis[c, k]
                 length += (centre[other, k] - centre[face, k]) ** 2
             if cosine >= least:
+                # 2 (1 - cosine) is 1 at 60 degrees, which BEND is given for.
                 step = np.sqrt(length) * (1 + BEND * 2 * (1 - cosine))
                 heapq.heappush(heap, (way + step, other, c))
     return chart

@@ -12,6 +12,7 @@ Y_PRIME, Z_PRIME = 2654435761 - 2**32, 805459861  # as core.hash_grid.PRIMES
 def _cell(x, resolution):
     """The cell's first node along an axis, and the place within the cell."""
     scaled = x * np.float32(resolution)
+    # x = 1, the cube's far side, is in the last cell.
     node = min(np.int64(scaled), resolution - 1)
     return node, scaled - np.float32(node)
 
@@ -21,6 +22,7 @@ def _row(x, y, z, side, size):
     """Table row of a node: dense where all nodes fit, else hashed."""
     if side * side * side <= size:
         return (x * side + y) * side + z
+    # A hashed level has a power of two of rows, so that & is the remainder.
     return (x ^ (y * Y_PRIME) ^ (z * Z_PRIME)) & (size - 1)
 
 
@@ -70,9 +72,12 @@ def sample_backward(g, table, unit, resolutions, sizes, to_points):
                     share = g[i, level * features + k]
                     grad[row, k] += wx * wy * wz * share
                     along += share * table[row, k]
+                # Along its own axis a corner's weight has the slope 1 or -1; the other two factors
+                # stay.
                 gx += along * wy * wz if a else -along * wy * wz
                 gy += along * wx * wz if b else -along * wx * wz
                 gz += along * wx * wy if c else -along * wx * wy
+            # A cell is 1 / resolution wide: from the place within it to ``unit``.
             if to_points:
                 grad_unit[i, 0] += gx * np.float32(resolution)
                 grad_unit[i, 1] += gy * np.float32(resolution)

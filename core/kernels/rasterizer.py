@@ -12,6 +12,7 @@ TINY = np.float32(np.finfo(np.float32).tiny * 1e4)
 @compiled
 def covered(face_id, faces):
     """Covered pixels of ``face_id`` (B, H·W): pixel, view, face (P,) and corners (P, 3)."""
+    # Counted first, so that every array is made at its size.
     count = 0
     for b in range(face_id.shape[0]):
         for i in range(face_id.shape[1]):
@@ -57,6 +58,7 @@ def barycentrics(clip, view, corners, pixel, height, width):
         cx, cy = _centre(pixel[p], height, width)
         _, _, _, _, _, _, w0, w1, w2 = _weights(clip, view[p], corners, p, cx, cy)
         total = w0 + w1 + w2
+        # The bounds are those of core.render.rasterizer.Barycentrics.
         sound[p] = abs(total) > TINY
         if sound[p]:
             w0, w1, w2 = w0 / total, w1 / total, w2 / total
@@ -78,9 +80,11 @@ def barycentrics_backward(g, clip, view, corners, pixel, height, width, bary, so
         cx, cy = _centre(pixel[p], height, width)
         x0, y0, x1, y1, x2, y2, w0, w1, w2 = _weights(clip, b, corners, p, cx, cy)
         inverse = ONE / (w0 + w1 + w2)
+        # Through the division by the sum, then through the cross products of the corners.
         mean = g[p, 0] * bary[p, 0] + g[p, 1] * bary[p, 1] + g[p, 2] * bary[p, 2]
         g0, g1 = (g[p, 0] - mean) * inverse, (g[p, 1] - mean) * inverse
         g2 = (g[p, 2] - mean) * inverse
+        # Each corner's place enters the weights of the other two.
         _add(out[b, corners[p, 0]], g2 * y1 - g1 * y2, g1 * x2 - g2 * x1, cx, cy)
         _add(out[b, corners[p, 1]], g0 * y2 - g2 * y0, g2 * x0 - g0 * x2, cx, cy)
         _add(out[b, corners[p, 2]], g1 * y0 - g0 * y1, g0 * x1 - g1 * x0, cx, cy)
@@ -91,6 +95,7 @@ def barycentrics_backward(g, clip, view, corners, pixel, height, width, bary, so
 def _add(row, gx, gy, cx, cy):
     row[0] += gx
     row[1] += gy
+    # X = x - w * centre: w gets the centre's part, z nothing.
     row[3] -= gx * cx + gy * cy
 
 
@@ -172,6 +177,7 @@ def facing(screen, faces):
             x0, y0 = screen[b, i, 0], screen[b, i, 1]
             p = (screen[b, j, 0] - x0) * (screen[b, k, 1] - y0)
             q = (screen[b, k, 0] - x0) * (screen[b, j, 1] - y0)
+            # Rows grow downwards: counter-clockwise has a negative area.
             out[b, f] = p < q
     return out
 
@@ -179,6 +185,7 @@ def facing(screen, faces):
 @compiled
 def silhouette_edges(front, in_front, verts, faces, cull):
     """View and edge (S,) of the edges ``verts``, ``faces`` (E, 2) that bound the surface."""
+    # Empty, but written so that numba can infer the type.
     views, edges = [np.int64(0) for _ in range(0)], [np.int64(0) for _ in range(0)]
     for b in range(front.shape[0]):
         for e in range(len(verts)):

@@ -5,6 +5,8 @@ import numpy as np
 from core.kernels.compiled import compiled
 
 HALF, ZERO, ONE = np.float32(0.5), np.float32(0), np.float32(1)
+# The bounds of core.render.visibility: of a level edge's height, a span's width, and an area whose
+# sign is rounding.
 LEVEL, NARROW, SLIVER = np.float32(1e-30), np.float32(1e-12), np.float32(4e-7)
 # By the comparisons of rows: the corners from the top row down, and whether their order is even.
 ORDERS = np.array(
@@ -23,6 +25,8 @@ def see(clip, faces, cull, face_id):
     screen = np.empty((len(clip), 3), np.float32)
     before = np.empty(len(clip), np.bool_)
     for v in range(len(clip)):
+        # Each vertex once for all its faces; behind the near plane the place on the screen is not
+        # used.
         before[v] = clip[v, 2] + clip[v, 3] > ZERO
         _to_screen(clip[v], height, width, screen[v])
     depth = np.full((height, width), np.float32(np.inf))
@@ -32,6 +36,7 @@ def see(clip, faces, cull, face_id):
         a, b, c = faces[f]
         seen = np.int64(before[a]) + np.int64(before[b]) + np.int64(before[c])
         if seen == 3:
+            # Where the mesh is finer than the pixels, most faces end here.
             if _meets_no_centre(screen[a, 0], screen[b, 0], screen[c, 0]):
                 continue
             if _meets_no_centre(screen[a, 1], screen[b, 1], screen[c, 1]):
@@ -39,6 +44,7 @@ def see(clip, faces, cull, face_id):
             if cull:
                 p = (screen[b, 0] - screen[a, 0]) * (screen[c, 1] - screen[a, 1])
                 q = (screen[c, 0] - screen[a, 0]) * (screen[b, 1] - screen[a, 1])
+                # Written with "not": a NaN is dropped too, as in the torch version.
                 if not p - q <= SLIVER * (abs(p) + abs(q)):
                     continue
             corners[0], corners[1], corners[2] = screen[a], screen[b], screen[c]
@@ -50,11 +56,13 @@ def see(clip, faces, cull, face_id):
             if before[b] == before[a] or before[c] == before[a]:
                 continue
             if seen == 1:
+                # One corner before the plane: a smaller triangle.
                 cut[0] = clip[a]
                 _on_near_plane(clip[a], clip[b], cut[1])
                 _on_near_plane(clip[a], clip[c], cut[2])
                 _draw_cut(cut, corners, f, cull, depth, face_id)
             else:
+                # Two before it: a quadrilateral, drawn as two triangles.
                 _on_near_plane(clip[b], clip[a], cut[0])
                 cut[1], cut[2] = clip[b], clip[c]
                 _draw_cut(cut, corners, f, cull, depth, face_id)
@@ -95,6 +103,7 @@ def _draw_cut(cut, corners, face, cull, depth, face_id):
 def _draw(corners, face, cull, depth, face_id):
     """Draws one triangle row by row."""
     height, width = np.float32(face_id.shape[0]), np.float32(face_id.shape[1])
+    # NaN and infinite corners are in no picture; one sum finds any of them.
     total = ZERO
     for k in range(3):
         total += corners[k, 0] + corners[k, 1] + corners[k, 2]
@@ -107,6 +116,7 @@ def _draw(corners, face, cull, depth, face_id):
     last = min(np.ceil(corners[bottom, 1] - HALF), height)
     for row in range(int(first), int(last)):
         y = np.float32(row) + HALF
+        # The long edge on one side, the short one that the row meets on the other.
         x0, z0 = _cross(corners, top, bottom, y)
         if y >= corners[middle, 1]:
             x1, z1 = _cross(corners, middle, bottom, y)
@@ -115,6 +125,7 @@ def _draw(corners, face, cull, depth, face_id):
         # Counter-clockwise: with the corners in an even order the long edge is on the right.
         if EVEN[code] if cull else x0 > x1:
             x0, z0, x1, z1 = x1, z1, x0, z0
+        # Half open: from the first centre at x0 or right of it to the last one left of x1.
         begin = min(max(np.ceil(x0 - HALF), ZERO), width)
         end = min(np.ceil(x1 - HALF), width)
         slope = (z1 - z0) / max(x1 - x0, NARROW)
@@ -123,6 +134,7 @@ def _draw(corners, face, cull, depth, face_id):
         start = int(begin)
         for column in range(start, int(end)):
             z = z_begin + np.float32(column - start) * slope
+            # Within the span's ends: a sliver's slope may be large and rounded.
             z = max(min(max(z, low), high), ZERO)
             # Of equal depths the first face: they come in order.
             if z < depth[row, column]:

@@ -50,10 +50,12 @@ class EdgeTable(NamedTuple):
 
 def edge_table(faces: Int[Tensor, "f 3"]) -> EdgeTable:
     """Who shares an edge with whom. Once per mesh."""
+    # Half-edge 3 f + k runs from corner k to k + 1 of face f, opposite of corner k + 2.
     verts = torch.stack([faces, faces.roll(-1, 1)], -1).view(-1, 2)
     opposite = faces.roll(-2, 1).reshape(-1)
     count = int(faces.max()) + 1 if len(faces) else 0
     low, high = torch.minimum(*verts.unbind(1)), torch.maximum(*verts.unbind(1))
+    # One number for both directions. Stable: the faces of an edge keep their order.
     key, order = (low * count + high).sort(stable=True)
     starts = torch.ones_like(key, dtype=torch.bool)
     starts[1:] = key[1:] != key[:-1]
@@ -90,13 +92,16 @@ def antialias(
     inner pixel's value: enough where only the colours are trained.
     """
     silhouette = silhouettes(fragments, faces, edges)
+    # Search without gradient: which pairs of pixels blend.
     found = [crossings(silhouette, fragments, axis) for axis in (0, 1)]
+    # The same crossings once more, with gradient to the vertices.
     places, points = zip(*(locate(found[axis], fragments, axis) for axis in (0, 1)), strict=True)
     crossing, points = concatenate(found), concatenate(points)
     place = torch.cat(places)
     reach = torch.where(crossing.inner_is_lower, place, 1 - place)
     grows = reach > 0.5
 
+    # The blend.
     flat = image.reshape(-1, image.shape[-1])
     inner, outer = take(flat, torch.stack([crossing.inner, crossing.outer]))
     if rim is not None:
@@ -153,6 +158,7 @@ def silhouette_edges(
     missing = edges.faces[:, 1:] < 0
     first = front.index_select(0, edges.faces[:, 0])
     second = front.index_select(0, edges.faces[:, 1].clamp(min=0))
+    # The border of an open surface always bounds it, unless its face is not drawn.
     alone = first if fragments.cull else torch.ones_like(first)
     ends = fragments.in_front.t()
     seen = ends.index_select(0, edges.verts[:, 0]) & ends.index_select(0, edges.verts[:, 1])
@@ -190,9 +196,11 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
     start, along = silhouette.start, silhouette.along
     edge, line = lines_met(start[:, 1 - axis], along[:, 1 - axis], lines)
 
+    # Where the edge crosses the line, counted from the first pixel's centre (hence - 0.5).
     s = (line + 0.5 - start[edge, 1 - axis]) / along[edge, 1 - axis]
     place = start[edge, axis] + s * along[edge, axis] - 0.5
     z = start[edge, 2] + s * along[edge, 2]
+    # Clamped while a float: a place far outside the picture may not fit an integer.
     lower = place.floor().clamp(-1, length).long()
     inside = (lower >= 0) & (lower + 1 < length)
     lower_pixel = silhouette.view[edge] * (height * width) + line * line_stride
@@ -204,9 +212,11 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
     inner = torch.where(inner_is_lower, lower_pixel, upper_pixel)
     outer = torch.where(inner_is_lower, upper_pixel, lower_pixel)
 
+    # The inner pixel shows the surface, and nothing at the outer one hides the edge.
     depth = fragments.depth.view(-1)
     bounds = inside & (z < depth[outer] + DEPTH_EPS) & torch.isfinite(depth[inner])
     reach = torch.where(inner_is_lower, place - lower, lower + 1 - place)
+    # Surfaces on either side of a pair have an outermost edge each, hence the side in the key.
     keep = outermost(reach, lower_pixel * 2 + inner_is_lower, bounds)
     weight = along[:, 1 - axis].square() / along[:, :2].square().sum(1).clamp(min=1e-30)
     return Crossings(
@@ -225,10 +235,12 @@ def lines_met(
 ) -> tuple[Int[Tensor, " n"], Int[Tensor, " n"]]:
     """All pairs (edge, line) where the edge crosses the line's centre, inside the picture."""
     end = start + along
+    # Half open: where two edges meet on a centre, one of them has it.
     low = (torch.minimum(start, end) - 0.5).ceil().clamp(0, lines)
     high = (torch.maximum(start, end) - 0.5).ceil().clamp(0, lines)
     count = (high - low).long()
     edge = torch.repeat_interleave(count)
+    # Less the place where the edge's run begins, so that adding the running index counts from low.
     first = (low.long() - (count.cumsum(0) - count))[edge]
     return edge, first + torch.arange(len(edge), device=edge.device)
 
@@ -240,7 +252,9 @@ def outermost(
     index = valid.nonzero().squeeze(1)
     reach = reach.index_select(0, index)
     pairs, pair = torch.unique(pair.index_select(0, index), return_inverse=True)
+    # -1 is below every reach; they are 0 to 1.
     farthest = reach.new_full((len(pairs),), -1.0).scatter_reduce_(0, pair, reach, "amax")
+    # len(valid), above every index, marks what is not outermost: the minimum passes it over.
     index = torch.where(reach >= farthest.index_select(0, pair), index, len(valid))
     # Two edges that meet on the line cross it at the same place: count one of them.
     return index.new_full((len(pairs),), len(valid)).scatter_reduce_(0, pair, index, "amin")

@@ -23,6 +23,7 @@ def vertex_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Fl
 
     (0, 0, 1), without gradient, where no face has an area.
     """
+    # Not at unit length: their lengths are the weights.
     around = face_normals(verts, faces)[:, None].expand(-1, 3, -1).reshape(-1, 3)
     total = torch.zeros_like(verts).index_add(0, faces.reshape(-1), around)
     # Far below any real area, so that fine meshes keep unit normals; above it all is finite.
@@ -50,6 +51,7 @@ def render_normals(
 
     def values(points: Fragments | Points) -> Float[Tensor, "p 4"]:
         normal = normalize(interpolate(smooth, points))
+        # The coverage is a fourth channel: one antialias makes both.
         return torch.cat([normal, torch.ones_like(normal[:, :1])], 1)
 
     fragments = rasterize(verts, faces, cameras.mvp, size, size, cull)

@@ -62,11 +62,13 @@ def rasterize(
     ``cull`` drops faces seen from behind: right for closed surfaces only.
     """
     clip = to_clip(verts, mvp)
+    # Discrete, so without gradient; all that follows is at these faces.
     face_id = visibility(clip.detach(), faces, height, width, cull)
     pixel, view, face, corners = covered(face_id, faces)
     bary = barycentrics(clip, view, corners, pixel, height, width)
 
     with torch.no_grad():
+        # For the antialias's search, which computes what needs a gradient again from ``clip``.
         in_front = clip[..., 2] + clip[..., 3] > 0
         screen = to_screen(clip, height, width)
         depth = bary.new_full((face_id.numel(),), torch.inf)
@@ -88,6 +90,7 @@ def rasterize(
 
 def to_clip(verts: Float[Tensor, "v 3"], mvp: Float[Tensor, "b 4 4"]) -> Float[Tensor, "b v 4"]:
     """Homogeneous clip coordinates of every vertex in every view."""
+    # The fourth coordinate is 1: its column is added, and the vertices are not copied.
     return verts @ mvp[:, :, :3].transpose(1, 2) + mvp[:, None, :, 3]
 
 
@@ -143,8 +146,10 @@ class Barycentrics(torch.autograd.Function):
         x1, x2, y1, y2 = x[[1, 2, 0]], x[[2, 0, 1]], y[[1, 2, 0]], y[[2, 0, 1]]
         weight = x1 * y2 - x2 * y1
         total = weight.sum(0)
+        # Far enough from the smallest float that 1 / total stays finite.
         usable = total.abs() > torch.finfo(clip.dtype).tiny * 1e4
         bary = weight / torch.where(usable, total, 1)
+        # Within a face weights are 0 to 1; up to 2 allows for rounding at its edges.
         sound = usable & (bary.abs().amax(0) < 2)
         bary = torch.where(sound, bary, 1 / 3)
         ctx.save_for_backward(index, centre, x, y, bary, torch.where(sound, 1 / total, 0))
@@ -155,10 +160,13 @@ class Barycentrics(torch.autograd.Function):
     @once_differentiable
     def backward(ctx, g: Tensor) -> tuple[Tensor, None, None]:
         index, centre, x, y, bary, inverse = ctx.saved_tensors
+        # Through the division by the sum: d bary_i / d weight_j = (δ_ij - bary_i) / total.
         g = (g - (g * bary).sum(0)) * inverse  # to the weights
         g1, g2 = g[[1, 2, 0]], g[[2, 0, 1]]
+        # Through the cross products: each corner takes part in the two others' weights.
         gx = g2 * y[[1, 2, 0]] - g1 * y[[2, 0, 1]]
         gy = g1 * x[[2, 0, 1]] - g2 * x[[1, 2, 0]]
+        # X = x - w * centre, so w gets the centre's part; the clip z has no influence.
         gw = -(gx * centre[0] + gy * centre[1])
         rows = torch.stack([gx, gy, torch.zeros_like(gx), gw], -1).view(-1, 4)
         return g.new_zeros(ctx.shape).index_add_(0, index.view(-1), rows), None, None

@@ -17,6 +17,7 @@ from torch import Tensor
 from core import kernels
 
 # Z-buffer entry: depth above, face below; the bits of a float >= 0 sort as the float does.
+# EMPTY has the bits of depth 2.0, which is beyond the far plane.
 EMPTY = 1 << 62
 FACE_BITS = 0xFFFFFFFF
 # Bounding-box pixels drawn at once; bounds the memory at about 300 MB.
@@ -64,6 +65,7 @@ def visibility(
     keys = torch.full((b * height * width,), EMPTY, dtype=torch.int64, device=clip.device)
     if len(faces) and b:
         before = clip[..., 2] + clip[..., 3] > 0
+        # The usual case: nothing to cut, and where faces are culled those are never gathered.
         if bool(before.all()):
             draw(keys, gather(to_screen(clip, height, width), faces, cull), (height, width), cull)
         else:
@@ -153,6 +155,7 @@ def draw(keys: Int[Tensor, " p"], triangles: Triangles, size: tuple[int, int], c
     used = (extent > 0).all(1) & torch.isfinite(corners.sum((1, 2)))
     used = used.nonzero().squeeze(1)
     parts = [used]
+    # In float64: in float32 a running sum loses single pixels above 2^24.
     area = extent.index_select(0, used).prod(1).to(torch.float64).cumsum(0)
     if len(used) and float(area[-1]) > CHUNK:
         count = torch.unique_consecutive((area / CHUNK).long(), return_counts=True)[1]
@@ -172,11 +175,13 @@ def draw_spans(
 ) -> None:
     """Draws triangles row by row; ``rows`` are the first row and the number of rows of each."""
     height, width = size
+    # The edges: a long one from the top corner to the bottom one, two short ones across from it.
     corners, order = sort_by_row(triangles.corners)
     top, middle, bottom = corners.unbind(1)
     long = edge_rows(top, bottom)
     short = torch.stack([edge_rows(top, middle), edge_rows(middle, bottom)], 1).view(-1, 6)
 
+    # The rows: from here one entry for each row of each triangle.
     triangle, row = repeat_and_count(rows[1])
     row = row + rows[0].index_select(0, triangle)
     y = row + 0.5
@@ -188,6 +193,7 @@ def draw_spans(
     swap = order.index_select(0, triangle) if cull else x0 > x1
     x0, x1 = torch.where(swap, x1, x0), torch.where(swap, x0, x1)
     z0, z1 = torch.where(swap, z1, z0), torch.where(swap, z0, z1)
+    # Half open: from the first centre at x0 or right of it to the last one left of x1.
     begin = (x0 - 0.5).ceil().clamp(0, width)
     length = ((x1 - 0.5).ceil().clamp(max=width) - begin).clamp(min=0).long()
 
@@ -197,11 +203,13 @@ def draw_spans(
     depths = torch.stack([z_begin, z_slope, torch.minimum(z0, z1), torch.maximum(z0, z1)], 1)
     pixel = triangles.view.index_select(0, triangle) * height + row
     pixel = pixel * width + begin.long()
+    # The pixels: from here one entry for each centre of each span.
     span, step = repeat_and_count(length)
     z_begin, z_slope, low, high = depths.index_select(0, span).unbind(1)
     depth = torch.minimum(torch.maximum(z_begin + step * z_slope, low), high).clamp(min=0).float()
     face = triangles.face.index_select(0, triangle).index_select(0, span)
     key = (depth.view(torch.int32).long() << 32) | face
+    # The least key is the nearest face, and of equal depths the first: no order of writes matters.
     keys.scatter_reduce_(0, pixel.index_select(0, span) + step, key, "amin")
 
 

@@ -36,6 +36,7 @@ def bake(
 
     Raises UserError where the uv map covers no texel.
     """
+    # 1 is the occlusion, which nothing writes over.
     maps = Maps(*(torch.ones(size * size, 3) for _ in Maps._fields))
     covered = torch.zeros(size * size, dtype=torch.bool)
     for texels in texel_bands(*mesh.atlas, size, samples):
@@ -46,8 +47,10 @@ def bake(
             maps.normal[where] = normalize(mean[:, 5:])
             covered[where] = True
             if progress:
+                # The last tenth is the padding.
                 progress(0.9 * float(where[-1] + 1) / size**2)
     hit = covered.view(size, size)
+    # One search serves all maps.
     nearest = nearest_covered(hit)
     for image in maps:  # in place: at 8192² a map is 0.8 GB
         pad(image.view(size, size, 3), hit, nearest)
@@ -60,6 +63,7 @@ def _means(
     mesh: Mesh, texels: Texels, material: Callable[[Float[Tensor, "n 3"]], Material]
 ) -> tuple[Int[Tensor, " t"], Float[Tensor, "t 8"]]:
     """The covered texels and, for each, the mean of kd, roughness, metallic and kn."""
+    # A texel's points follow each other, so no sort is needed.
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
     total = torch.zeros(len(where), 8, device=mesh.verts.device)
     for face, bary, to in zip(

@@ -29,9 +29,11 @@ def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> In
     """The chart of each face, 0 and up without gaps. The same mesh gives the same charts."""
     adjacent = neighbours(faces)
     area, normal = areas_and_normals(verts, faces)
+    # Never 0: a chart of empty faces only would have no mean.
     area = np.maximum(area, 1e-6 * area.mean() + 1e-30)
     normal = smooth(normal, area, adjacent)
     chart = grown(adjacent, verts[faces].mean(1), normal, area)
+    # Straightening may part a chart: each piece becomes one of its own.
     chart = components(straightened(chart, adjacent, normal), adjacent)
     return merged(chart, adjacent, normal, area)
 
@@ -48,6 +50,7 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     starts = np.flatnonzero(np.r_[True, np.diff(key[order]) != 0])
     two = starts[np.diff(np.r_[starts, len(key)]) == 2]
     a, b = order[two], order[two + 1]
+    # Faces that look to one side run along the edge in opposite directions.
     alike = ends[a, 0] != ends[b, 0]
     a, b = a[alike], b[alike]
     adjacent = np.full(len(key), -1, np.int64)
@@ -78,6 +81,7 @@ def smooth(
     count = len(adjacent)
     face, side = np.nonzero(adjacent >= 0)
     rows, columns = np.r_[face, np.arange(count)], np.r_[adjacent[face, side], np.arange(count)]
+    # Each face is among its own neighbours: one without any keeps its normal.
     mean = csr_array((area[columns], (rows, columns)), shape=(count, count))
     for _ in range(SMOOTHING):
         normal = unit(mean @ normal)
@@ -93,12 +97,16 @@ def grown(
     """Charts grown from seeds in their middles; what no seed may reach gets seeds of its own."""
     chart = with_rest(np.full(len(adjacent), -1, np.int64), adjacent)
     for _ in range(ROUNDS):
+        # Each round: cut what sprawls, find new seeds, and grow all charts again.
         chart = halved(chart, np.bincount(chart, area) > LARGEST * area.sum(), adjacent, centre)
         weight = np.bincount(chart, area)[:, None]
         middle, axis = sums(chart, centre, area) / weight, sums(chart, normal, area) / weight
+        # The factor is 1.1 to 3.1: never 0, so that the distance always counts.
         away = np.square(centre - middle[chart]).sum(1) * (2.1 - (normal * axis[chart]).sum(1))
+        # Sorted by chart and then by ``away``: the first face of each chart is its seed.
         order = np.lexsort((away, chart))
         seeds = order[np.flatnonzero(np.r_[True, np.diff(chart[order]) != 0])]
+        # A chart that closes on itself has no mean direction; it takes its seed's.
         one_way = np.linalg.norm(axis, axis=1, keepdims=True) > ONE_WAY
         axis = np.where(one_way, unit(axis), normal[seeds])
         chart = with_rest(grow(adjacent, centre, normal, seeds, axis, WIDEST), adjacent)
@@ -139,6 +147,7 @@ def straightened(
 ) -> Int[np.ndarray, " f"]:
     """Borders without teeth: a face goes over to the chart of two of its neighbours."""
     for _ in range(STRAIGHTENING):
+        # Borders get three different numbers, so that two of them are no majority.
         around = np.where(adjacent >= 0, chart[adjacent], -1 - np.arange(3))
         a, b, c = around.T
         two = np.where(a == b, a, np.where(b == c, b, np.where(a == c, c, chart)))
@@ -156,6 +165,7 @@ def merged(
 ) -> Int[np.ndarray, " f"]:
     """Neighbours made one where both keep within WIDEST of one axis, the longest border first."""
     order = np.argsort(chart, kind="stable")
+    # Faces by chart, and the borders in a heap: the longest comes first.
     faces_of = dict(enumerate(np.split(order, np.flatnonzero(np.diff(chart[order])) + 1)))
     border, largest = borders(chart, adjacent), LARGEST_JOINED * area.sum()
     heap = [(-n, a, b) for a in border for b, n in border[a].items() if a < b]
@@ -166,15 +176,18 @@ def merged(
             continue  # of charts that are joined already
         both = np.concatenate([faces_of[a], faces_of[b]])
         axis = area[both] @ normal[both]
+        # Multiplied, not divided, by the axis' length: it may be 0.
         turned_away = (normal[both] @ axis).min() < WIDEST * np.linalg.norm(axis)
         if turned_away or area[both].sum() > largest:
             continue
         faces_of[a] = both
         del faces_of[b]
+        # b's borders become a's; a border to the same third chart is now one.
         for c, n in border.pop(b).items():
             del border[c][b]
             if c != a:
                 border[a][c] = border[c][a] = border[a].get(c, 0) + n
+        # Entered anew at their new lengths; the old entries are passed over above.
         for c, n in border[a].items():
             heapq.heappush(heap, (-n, min(a, c), max(a, c)))
     for label, found in enumerate(faces_of.values()):
@@ -206,6 +219,7 @@ def halved(
     for one in np.flatnonzero(these):
         faces = np.flatnonzero(chart == one)
         away = centre[faces] - centre[faces].mean(0)
+        # eigh sorts ascending: the last vector is the direction of the largest spread.
         along = away @ np.linalg.eigh(away.T @ away)[1][:, -1]
         chart[faces[along > np.median(along)]] = chart.max() + 1
     return components(chart, adjacent)

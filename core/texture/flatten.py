@@ -29,6 +29,7 @@ def flatten(
     key = chart[:, None] * (int(faces.max()) + 1) + faces
     _, first, face_uvs = np.unique(key, return_index=True, return_inverse=True)
     face_uvs = face_uvs.reshape(-1, 3)
+    # Smoothed for the first layout only; the triangles at rest are the surface's own.
     uv = seen_along_axis(taubin(verts, faces, SMOOTHING), faces, chart, first)
     rest = at_rest(verts[faces])
     uv = unfolded(as_rigid(uv, face_uvs, rest), face_uvs)
@@ -44,7 +45,9 @@ def seen_along_axis(
     """Each chart as it looks from where its normals point to; ``first``: a corner for each uv."""
     p = verts[faces]
     cross = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    # The cross products are as long as twice the areas: a mean weighted by area.
     axis = unit(np.stack([np.bincount(chart, x) for x in cross.T], 1))
+    # The coordinate axis farthest from the chart's: their cross product is not near 0.
     least = np.eye(3)[np.abs(axis).argmin(1)]
     right = unit(np.cross(least, axis))
     up = np.cross(axis, right)
@@ -67,6 +70,7 @@ def as_rigid(
     uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"], rest: Float[np.ndarray, "f 3 2"]
 ) -> Float[np.ndarray, "u 2"]:
     """The least of Liu's Eq. 2, the triangles as at ``rest`` but turned, from ``uv``."""
+    # A corner's cotangent is the weight of the side across from it.
     side = np.roll(rest, -1, 1) - np.roll(rest, 1, 1)  # opposite of each corner, from next to last
     weight = cotangents(rest)
     a, b = np.roll(face_uvs, 1, 1).reshape(-1), np.roll(face_uvs, -1, 1).reshape(-1)
@@ -77,7 +81,10 @@ def as_rigid(
         ),
         shape=(len(uv),) * 2,
     )
+    # Without it the matrix is singular: moving a whole chart costs nothing.
     hold = HOLD * weight.mean()
+    # The matrix stays, so it is factorised once. It is symmetric and positive definite (positive
+    # weights): an ordering for symmetric matrices, and no pivoting.
     solver = splu(
         csc_array(laplacian + hold * eye_array(len(uv))),
         permc_spec="MMD_AT_PLUS_A",
@@ -86,6 +93,7 @@ def as_rigid(
     )
     start = uv
     for _ in range(ITERATIONS):
+        # Local: each triangle turned to fit its uv; global: uv that fit the turned triangles.
         pull = weight.reshape(-1, 1) * turned(uv, face_uvs, side, weight).reshape(-1, 2)
         total = [np.bincount(b, x, len(uv)) - np.bincount(a, x, len(uv)) for x in pull.T]
         uv = solver.solve(np.stack(total, 1) + hold * start)
@@ -125,6 +133,7 @@ def unfolded(
         if not len(wrong):
             break
         uv = uv.copy()
+        # Half the way in each round, all from the places before it.
         uv[wrong] = (mean[wrong] @ uv + uv[wrong]) / 2
     return uv
 

@@ -72,14 +72,18 @@ def pack(
     ``gap`` is in parts of the square's side. None where so many charts and gaps find no room.
     """
     found = charts_of(uv, face_uvs, chart)
+    # 1e-6: a gap of a whole number of cells is not rounded up to the next.
     padding = max(1, int(np.ceil(gap * CELLS - 1e-6)))
+    # The padding along the square's own sides, which the result is moved by.
     room = CELLS - 2 * padding
     area = float(triangle_areas(uv[face_uvs]).sum())
     scale = room * np.sqrt(EXPECTED_FILL / max(area, 1e-30))
+    # A fixed seed: the same mesh gives the same atlas.
     random, best, step = np.random.default_rng(0), None, GROWTH
     with Atlases() as atlases:
         for round_ in range(PASSES):
             progress(round_ / PASSES)
+            # Even rounds leave the charts upright, odd ones turn them.
             turns = random.integers(0, 4, len(found)) * (round_ % 2)
             apart = in_a_row(found, turns, len(uv))
             with atlases.new() as atlas:
@@ -91,6 +95,7 @@ def pack(
             if best:
                 scale = best[1] * (1 + step)
             else:
+                # Nothing has fitted yet: smaller by what is too much, by GROWTH at least.
                 scale *= min(room / side, 1 - GROWTH)
     return (best[0] + padding) / CELLS if best else None
 
@@ -127,6 +132,7 @@ def laid_out(
     atlas.generate(xatlas.ChartOptions(), options)
     if not atlas.width:  # nothing has an area
         return np.zeros_like(uv), 1
+    # xatlas has vertices of its own; ``source`` tells which of ours each is.
     source, _, at = atlas.get_mesh(0)
     out = np.zeros_like(uv)
     out[source] = at * np.array([atlas.width, atlas.height])
@@ -148,6 +154,7 @@ def charts_of(
 
 def in_least_box(at: Float[np.ndarray, "n 2"], steps: int = 45) -> Float[np.ndarray, "n 2"]:
     """Turned so that the box along the axes is least and upright, and moved to the origin."""
+    # A quarter turn is enough: beyond it the same boxes come again.
     angles = np.arange(steps) * (np.pi / 2 / steps)
     turns = np.stack([np.cos(angles), -np.sin(angles), np.sin(angles), np.cos(angles)], 1)
     boxes = np.stack([np.ptp(at @ t.reshape(2, 2).T, axis=0).prod() for t in turns])

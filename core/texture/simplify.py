@@ -66,6 +66,7 @@ def unfolded(
     for _ in range(UNFOLD_ROUNDS):
         if not len(folded):
             break
+        # Neighbours of the folded faces' corners, the corners themselves among them.
         around = np.unique(mean[np.unique(faces[folded])].indices)
         means = mean[around] @ spread
         _, _, nearest = igl.point_mesh_squared_distance(means, surface_verts, surface_faces)

@@ -45,6 +45,7 @@ def texel_bands(
     for first in range(0, size, rows):
         count = min(rows, size - first)
         top, bottom = 1 - first / size, 1 - (first + count) / size
+        # Only the faces that the band can hold are drawn.
         near = ((high >= bottom) & (low <= top)).nonzero().squeeze(1)
         yield _band(uv, face_uvs, near, (first, count, size, grid))
 
@@ -88,8 +89,10 @@ def barycentric(at: Float[Tensor, "n 2"], corners: Float[Tensor, "n 3 2"]) -> Fl
     a, b, c = corners.unbind(1)
     p, q, r = at - a, b - a, c - a
     whole = _cross(q, r)
+    # Divided by infinity both weights are 0: an empty triangle gives its first corner.
     safe = torch.where(whole.abs() < 1e-30, torch.inf, whole)
     of_b, of_c = (_cross(p, r) / safe).clamp(0, 1), (_cross(q, p) / safe).clamp(0, 1)
+    # Beyond the side opposite of a: back onto it.
     over = (of_b + of_c).clamp(min=1)
     of_b, of_c = of_b / over, of_c / over
     return torch.stack([(1 - of_b - of_c).clamp(min=0), of_b, of_c], -1)

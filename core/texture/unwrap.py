@@ -92,9 +92,11 @@ def flat_charts(
         progress(round_ / REPAIR_ROUNDS)
         uv, face_uvs = flatten(verts, faces, chart)
         bad, folded = squashed(uv[face_uvs], area), overlapping(uv, face_uvs, chart)
+        # In the last round nothing more is cut: each chart returned has its uv.
         if round_ == REPAIR_ROUNDS - 1 or not (bad.any() or folded.any()):
             break
         chart = halved(chart, folded, adjacent, centre)
+        # Squashed faces get a number beyond all charts; each connected group is a new chart.
         chart = components(np.where(bad, chart + chart.max() + 1, chart), adjacent)
     return uv, face_uvs, chart
 
