@@ -158,7 +158,9 @@ def launch(argv: list[str]) -> int:
     if args.command in OWN:
         return {"doctor": doctor, "setup": setup, "package": package}[args.command](args)
     blender = route.runs_in_blender(args) or route.imports_asset(args)
-    python_path = environment.ensure(ROOT, ("blender",) if blender else (), say)
+    core = not route.runs_in_blender(args)
+    groups = ("blender",) if blender else ()
+    python_path = environment.ensure(ROOT, groups, say, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
 
 
@@ -184,7 +186,7 @@ def package(args: Namespace) -> int:
         raise UserError(
             f"--out is {folder}, which is not a folder.", "Name a folder, or a new one."
         )
-    builder = environment.find_builder(environment.ensure(ROOT, ("blender",), say))
+    builder = environment.find_builder(environment.ensure(ROOT, ("blender",), say, runs_core=False))
     with tempfile.TemporaryDirectory() as temporary:
         source = Path(temporary) / "fantasia3d"
         fill_package(source)

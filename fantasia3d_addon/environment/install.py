@@ -56,10 +56,12 @@ def ensure(
     renew: bool = False,
     place: paths.Place | None = None,
     stopped: Callable[[], bool] = lambda: False,
+    runs_core: bool = True,
 ) -> Path:
     """The interpreter of an environment with the core and ``groups``; created if necessary.
 
-    An interpreter in FANTASIA3D_PYTHON is used as it is, unless ``place`` names the environment.
+    An interpreter in FANTASIA3D_PYTHON is used as it is, unless ``place`` names the environment;
+    it may lack the core's packages where ``runs_core`` is false.
     ``allow_cuda`` allows torch's CUDA build on a machine without a GPU too; ``renew`` creates the
     environment again; ``stopped`` is called twice a second: true cancels.
 
@@ -69,7 +71,7 @@ def ensure(
     # The panel passes a place: a choice in the preferences comes before the variable.
     given = os.environ.get("FANTASIA3D_PYTHON")
     if given and place is None:
-        return _given_python(given, groups)
+        return _given_python(given, ("core", *groups) if runs_core else groups)
     place = place or paths.Place()
     folder = place.folder or paths.env_folder(root)
     # Without the lock first: the usual case is a complete environment.
@@ -84,24 +86,25 @@ def ensure(
 
 
 def _given_python(given: str, groups: Sequence[str]) -> Path:
-    """The interpreter that FANTASIA3D_PYTHON names, once it has said that it can do the work.
+    """The interpreter that FANTASIA3D_PYTHON names, if it has the packages of ``groups``.
 
     Raises:
-        SetupError: it is no program, no Python of the right version, or lacks packages.
+        SetupError: it is no program, no Python, too old, or lacks packages.
     """
     found = shutil.which(str(Path(given).expanduser()))
     fix = "Set it to a Python that has this project's packages, or unset it."
     if not found:
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is no program.", fix)
-    wanted = [name for group in ("core", *groups) for name in MODULES.get(group, ())]
+    wanted = [name for group in groups for name in MODULES.get(group, ())]
     code = machine.NOT_FROM_HERE + LOOK
     version, _, absent = machine.output([found, "-c", code, *wanted]).partition("|")
-    if version != machine.PYTHON:
-        what = f"Python {version}" if re.fullmatch(r"\d+\.\d+", version) else "no Python"
-        raise SetupError(
-            f"FANTASIA3D_PYTHON is {given}, which is {what}; it must be Python {machine.PYTHON}.",
-            fix,
-        )
+    numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
+    # A newer one is the user's choice: Blender 5.2's module has wheels for 3.13 alone.
+    oldest = tuple(map(int, machine.PYTHON.split(".")))
+    if not numbers or (int(numbers[1]), int(numbers[2])) < oldest:
+        what = f"Python {version}" if numbers else "no Python"
+        need = f"it must be Python {machine.PYTHON} or newer"
+        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is {what}; {need}.", fix)
     if absent:
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which has no {absent}.", fix)
     return Path(found)
