@@ -113,3 +113,12 @@ def test_other_faults_keep_their_name(tmp_path: Path) -> None:
 def test_a_folder_that_is_not_there_is_told(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="cannot be written"):
         images.write_png(tmp_path / "none" / "a.png", np.zeros((2, 2, 3), np.uint8))
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a disk that is always full")
+def test_a_full_disk_is_seen_though_the_library_reports_success(tmp_path: Path) -> None:
+    (tmp_path / "a.png.tmp").symlink_to("/dev/full")
+    noise = np.random.default_rng(0).integers(0, 255, (256, 256, 3), np.uint8)
+    with pytest.raises(UserError, match="disk is full"):
+        images.write_png(tmp_path / "a.png", noise)
+    assert not (tmp_path / "a.png").exists()
