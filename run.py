@@ -214,7 +214,8 @@ def fill_package(folder: Path) -> None:
     shutil.copytree(ROOT / "fantasia3d_addon", folder, ignore=junk)
     # In a folder of its own: Python would take a module beside the core for a library of its name.
     shutil.copytree(ROOT / "core", folder / "method" / "core", ignore=training)
-    shutil.copy(ROOT / "pyproject.toml", folder / "method")
+    for name in ("pyproject.toml", "requirements.lock"):
+        shutil.copy(ROOT / name, folder / "method")
     for name, to in (("manifest.toml", "blender_manifest.toml"), ("LICENSE", "LICENSE")):
         shutil.copy(ROOT / name, folder / to)
 

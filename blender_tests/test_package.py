@@ -70,7 +70,8 @@ def test_nothing_is_next_to_the_core_that_could_hide_a_library(package):
     """It runs from its own folder, where the add-on's png.py was once taken for the package."""
     with zipfile.ZipFile(package) as archive:
         names = [name.split("/") for name in archive.namelist()]
-    assert {name[1] for name in names if name[0] == "method"} - {""} == {"core", "pyproject.toml"}
+    there = {name[1] for name in names if name[0] == "method"} - {""}
+    assert there == {"core", "pyproject.toml", "requirements.lock"}
 
 
 def test_bench_prior_of_the_zip_ends_with_a_sentence(package, tmp_path):

@@ -60,6 +60,7 @@ class Box:
             "[project]\ndependencies = ['torch==2.13.0']\n"
             "[project.optional-dependencies]\nsetup = ['uv==1', 'pip==26']\n"
         )
+        (self.root / "requirements.lock").write_text("# [core]\ntorch==2.13.0 --hash=sha256:00\n")
         text = PLAYED.format(
             python=sys.executable,
             calls=str(self.calls),

@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -51,6 +52,10 @@ elif "--target" in args:
         file.write("#!/bin/sh\\n" + os.environ["FAKE_UV"])
     os.chmod(folder + "/uv", 0o755)
 elif "install" in args:
+    if not {{"--require-hashes", "--only-binary", "-r"}} <= set(args):
+        sys.exit("not by the lock file: " + " ".join(args))
+    with open(args[-1], encoding="utf-8") as file:
+        args[-2:] = [line.split()[0] for line in file]
     call("install")
     time.sleep(float(os.environ.get("FAKE_SECONDS", 0)))
     if os.environ.get("FAKE_SAYS"):
@@ -106,11 +111,23 @@ class Machine:
             report=json.dumps(CPU),
         )
 
-    def pin(self, *core: str, blender: str = "bpy==4.5.15") -> None:
-        """Write a pyproject.toml with these requirements."""
+    def pin(
+        self,
+        *core: str,
+        blender: str = "bpy==4.5.15",
+        torch: Sequence[str] = ("torch==2.13.0+cpu",),
+    ) -> None:
+        """Write a pyproject.toml with these requirements, and its lock file."""
         text = f"[project]\ndependencies = {list(core)}\n[project.optional-dependencies]\n"
         text += f"blender = ['{blender}']\ntest = ['pytest==9']\nsetup = ['uv==1', 'pip==26']\n"
         (self.root / "pyproject.toml").write_text(text)
+        groups = {"core": core, "blender": [blender], "test": ["pytest==9"], "torch": torch}
+        groups["setup"] = ["uv==1", "pip==26"]
+        lock = "".join(
+            f"# [{name}]\n" + "".join(f"{pin} \\\n    --hash=sha256:00\n" for pin in pins)
+            for name, pins in groups.items()
+        )
+        (self.root / "requirements.lock").write_text(lock)
 
     @property
     def env(self) -> Path:

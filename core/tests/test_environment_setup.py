@@ -26,7 +26,7 @@ pip_output = sys.modules[environment.ensure.__module__.replace("install", "pip_o
 # The folder
 
 
-def test_the_folder_is_named_by_the_requirements_whatever_their_order(box):
+def test_the_folder_is_named_by_the_lock_file_whatever_its_order(box):
     box.pin("torch==2.13.0", "numpy==1")
     first = box.env
     assert first.parent == box.folder / "data" / "fantasia3d"
@@ -34,6 +34,16 @@ def test_the_folder_is_named_by_the_requirements_whatever_their_order(box):
     assert box.env == first
     box.pin("numpy==2", "torch==2.13.0")
     assert box.env != first
+    box.pin("torch==2.13.0", "numpy==1")
+    lock = box.root / "requirements.lock"
+    lock.write_text(lock.read_text().replace("sha256:00", "sha256:01", 1))
+    assert box.env != first, "another file of the same version"
+
+
+def test_a_tree_without_its_lock_file_is_refused(box):
+    (box.root / "requirements.lock").unlink()
+    with pytest.raises(environment.SetupError, match=r"There is no requirements\.lock in"):
+        box.ensure()
 
 
 def test_the_data_folder_is_the_systems(box):
@@ -210,6 +220,22 @@ def test_a_folder_of_the_users_is_left_alone(box):
             "wheel folder /no wheels does not exist",
         ),
         ("OSError: [Errno 28] No space left on device", "disk filled up"),
+        (
+            "ERROR: THESE PACKAGES DO NOT MATCH THE HASHES FROM THE REQUIREMENTS FILE. If you have "
+            "updated the package versions, please update the hashes.\n"
+            "    torch==2.13.0 from file:///w/torch-2.13.0%2Brocm-cp311-linux.whl (from -r r):\n"
+            "        Expected sha256 00\n             Got        01",
+            r"torch-2\.13\.0\+rocm-cp311-linux\.whl is not the file that the lock file names",
+        ),
+        (
+            "error: Failed to download\n  cause: Hash mismatch for `torch==2.13.0+cpu`",
+            r"torch==2\.13\.0\+cpu is not the file that the lock file names",
+        ),
+        (
+            "ERROR: In --require-hashes mode, all requirements must have their versions pinned with"
+            " ==. These do not:\n    nvidia-cudnn from https://x/y.whl (from torch==2.13.0)",
+            "nvidia-cudnn is required, and the lock file does not name it",
+        ),
         ("noise\nERROR: the moon is full\nmore noise", r"ERROR: the moon is full"),
     ],
 )
@@ -312,13 +338,30 @@ def test_a_cuda_build_is_not_fetched_where_there_is_no_gpu(box):
     assert not box.env.exists()
 
 
-def test_the_cpu_build_comes_through_uv_with_pips_sources(box):
+UV = 'for last; do :; done; echo "$UV_OFFLINE $UV_FIND_LINKS $@" | cat - "$last" > "{0}/uv-call"'
+
+
+def uv_call(box) -> str:
+    return (box.folder / "uv-call").read_text(encoding="utf-8")
+
+
+def test_the_cpu_build_comes_through_uv_with_pips_sources_and_its_hash(box):
     box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
-    box.patch.setenv("FAKE_UV", f'echo "$UV_FIND_LINKS $@" > "{box.folder}/uv-call"')
+    box.patch.setenv("FAKE_UV", UV.format(box.folder))
     box.ensure()
-    said = (box.folder / "uv-call").read_text(encoding="utf-8")
-    assert said.startswith("/wheels pip install --python ")
-    assert "--torch-backend cpu torch==2.13.0" in said
+    assert uv_call(box).startswith(" /wheels pip install --python ")
+    assert "--torch-backend cpu --require-hashes --no-deps -r " in uv_call(box)
+    assert uv_call(box).endswith("\ntorch==2.13.0+cpu --hash=sha256:00\n")
+
+
+def test_uv_stays_off_the_network_where_a_wheel_folder_is_named(box):
+    wheels = box.folder / "my wheels"
+    wheels.mkdir()
+    box.patch.setenv("FANTASIA3D_WHEELS", str(wheels))
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.patch.setenv("FAKE_UV", UV.format(box.folder))
+    box.ensure()
+    assert uv_call(box).startswith(f"1 {wheels} pip install")
 
 
 def test_with_leave_the_cuda_build_is_taken_without_a_gpu(box):
@@ -327,11 +370,44 @@ def test_with_leave_the_cuda_build_is_taken_without_a_gpu(box):
     assert [line.split()[0] for line in box.log] == ["venv", "report", "install"]
 
 
+@pytest.mark.parametrize("gpu", [True, False])
+def test_what_cuda_requires_is_installed_only_where_torch_is_the_cuda_build(box, gpu):
+    box.patch.setattr(machine, "has_nvidia", lambda: gpu)
+    with (box.root / "requirements.lock").open("a") as lock:
+        lock.write("# [cuda]\nnvidia-cudnn==9 --hash=sha256:00\n")
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.patch.setenv("FAKE_UV", "exit 0")
+    box.ensure()
+    assert box.log[-1].endswith("==2.13.0 nvidia-cudnn==9" if gpu else "==2.13.0+cpu")
+
+
 def test_with_a_gpu_a_cpu_build_is_the_last_choice(box):
     box.patch.setattr(machine, "has_nvidia", lambda: True)
+    box.pin("torch==2.13.0", torch=["torch==2.13.0+cu130"])
     box.patch.setenv("FAKE_UV", "exit 1")
     box.ensure()
     assert [text for text in box.said if text.startswith("taking torch's CPU build")]
+    assert box.count("target") == 1
+
+
+def test_the_locked_cuda_build_of_torchs_own_index_comes_with_its_hash(box):
+    box.patch.setattr(machine, "has_nvidia", lambda: True)
+    box.pin("torch==2.13.0", torch=["torch==2.13.0+cu130"])
+    box.patch.setenv("FAKE_UV", UV.format(box.folder))
+    box.ensure()
+    assert "--torch-backend cu130 --require-hashes" in uv_call(box)
+
+
+def test_a_cuda_build_without_a_hash_needs_the_users_leave(box):
+    box.patch.setattr(machine, "has_nvidia", lambda: True)
+    box.patch.setenv("FAKE_UV", UV.format(box.folder))
+    box.ensure()
+    (told,) = [text for text in box.said if text.startswith("taking torch's CPU build")]
+    assert "no hash for a +cu build" in told and "--allow-cuda" in told
+    assert box.count("target") == 0
+    box.ensure(renew=True, allow_cuda=True)
+    assert "--torch-backend auto -r " in uv_call(box)
+    assert uv_call(box).endswith("\ntorch==2.13.0\n")
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,12 @@
 """The core's own Python environment: found, created, repaired and checked.
 
 Standard library only, and no bpy. ``run.py`` and the panel's "Install" button both use this
-package; it loads under Python 3.8 or newer. The dependencies are in ``pyproject.toml`` alone.
+package; it loads under Python 3.8 or newer. The dependencies are in ``pyproject.toml`` alone,
+and what is installed for them, with hashes, in ``requirements.lock``.
 
 The environment is in the user's data folder as ``fantasia3d/env-HASH``, where HASH is that of the
-core's requirements. It is complete when its marker exists, which is written last: what a killed
-set-up leaves is created again by the next one. Nothing is installed into Blender.
+core's section of the lock file. It is complete when its marker exists, which is written last: what
+a killed set-up leaves is created again by the next one. Nothing is installed into Blender.
 
 Variables: FANTASIA3D_ENV (another folder), FANTASIA3D_PYTHON (an interpreter to use as it is),
 FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
@@ -13,7 +14,8 @@ FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
 
 from .builder import find_builder
 from .doctor import Line, examine
-from .install import Progress, ensure, remove, tidy
+from .install import Progress, ensure
+from .lock_file import locked, read_lock
 from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
 from .paths import (
     Place,
@@ -25,6 +27,7 @@ from .paths import (
     project_root,
     requirements,
 )
+from .removal import remove, tidy
 
 __all__ = [
     "PYTHON",
@@ -42,8 +45,10 @@ __all__ = [
     "find_python",
     "has_nvidia",
     "lacking",
+    "locked",
     "log_file",
     "project_root",
+    "read_lock",
     "remove",
     "requirements",
     "tidy",

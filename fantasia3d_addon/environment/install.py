@@ -17,8 +17,11 @@ from pathlib import Path
 from typing import IO, Protocol
 
 from . import machine, paths
+from .given import given_python
+from .lock_file import digest, locked, package_of
 from .machine import SetupError
 from .pip_output import explain, offers_cuda, pip_sources, pip_version, step_of
+from .removal import check_folder, check_log, remove
 
 
 class Progress(Protocol):
@@ -31,19 +34,14 @@ class Progress(Protocol):
 SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
 LEAN_PIP = (23, 2)  # older ones download a whole wheel (torch: 0.5 GB) to read its requirements
-OTHER_FOLDER = "Set FANTASIA3D_ENV to an empty or new folder."
 SILENCE = 15.0  # seconds without output after which a long step is reported again
+LAST_LINES = 1000  # of a command's output, for the cause of its failure; pip lists all hashes
 POLL_SECONDS = 0.5  # between two checks for a cancel
 CHECKS = {  # what must load before a group counts as installed
     "core": "import torch, numpy, safetensors, PIL; print('torch', torch.__version__)",
     "blender": "import bpy, os, sys; print('bpy', bpy.app.version_string); sys.stdout.flush(); "
     "os._exit(0)",  # an ordinary exit may hang with bpy 4.5
 }
-MODULES = {"core": ("torch", "numpy", "safetensors"), "blender": ("bpy",), "test": ("pytest",)}
-# Run by an interpreter that is used as it is: its version, and which of the arguments it lacks.
-LOOK = """import importlib.util as u
-lacking = ", ".join(name for name in sys.argv[1:] if not u.find_spec(name))
-print("%d.%d" % sys.version_info[:2], lacking, sep="|")"""
 LIBRARIES = "libx11-6 libxi6 libxxf86vm1 libxfixes3 libxrender1 libxkbcommon0 libsm6 libgl1 libegl1"
 
 
@@ -71,7 +69,7 @@ def ensure(
     # The panel passes a place: a choice in the preferences comes before the variable.
     given = os.environ.get("FANTASIA3D_PYTHON")
     if given and place is None:
-        return _given_python(given, ("core", *groups) if runs_core else groups)
+        return given_python(given, ("core", *groups) if runs_core else groups)
     place = place or paths.Place()
     folder = place.folder or paths.env_folder(root)
     # Without the lock first: the usual case is a complete environment.
@@ -83,31 +81,6 @@ def ensure(
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
                 set_up.carry_out(todo, allow_cuda)
     return paths.env_python(folder)
-
-
-def _given_python(given: str, groups: Sequence[str]) -> Path:
-    """The interpreter that FANTASIA3D_PYTHON names, if it has the packages of ``groups``.
-
-    Raises:
-        SetupError: it is no program, no Python, too old, or lacks packages.
-    """
-    found = shutil.which(str(Path(given).expanduser()))
-    fix = "Set it to a Python that has this project's packages, or unset it."
-    if not found:
-        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is no program.", fix)
-    wanted = [name for group in groups for name in MODULES.get(group, ())]
-    code = machine.NOT_FROM_HERE + LOOK
-    version, _, absent = machine.output([found, "-c", code, *wanted]).partition("|")
-    numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
-    # A newer one is the user's choice: Blender 5.2's module has wheels for 3.13 alone.
-    oldest = tuple(map(int, machine.PYTHON.split(".")))
-    if not numbers or (int(numbers[1]), int(numbers[2])) < oldest:
-        what = f"Python {version}" if numbers else "no Python"
-        need = f"it must be Python {machine.PYTHON} or newer"
-        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is {what}; {need}.", fix)
-    if absent:
-        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which has no {absent}.", fix)
-    return Path(found)
 
 
 @contextlib.contextmanager
@@ -142,56 +115,6 @@ def _check_stopped(stopped: Callable[[], bool]) -> None:
         )
 
 
-def remove(folder: Path) -> None:
-    """Remove an environment of ours, complete or not; nothing else.
-
-    Raises:
-        SetupError: ``folder`` contains something that this project did not create.
-    """
-    if not folder.exists():
-        return
-    _check_folder(folder)
-    (folder / paths.BUILDING).touch()  # so that an interrupted removal can be continued
-    # The marker goes first: from here on the environment counts as incomplete.
-    (folder / paths.MARKER).unlink(missing_ok=True)
-    for entry in list(folder.iterdir()):
-        if entry.name != paths.BUILDING:
-            shutil.rmtree(entry) if entry.is_dir() and not entry.is_symlink() else entry.unlink()
-    shutil.rmtree(folder)
-
-
-def _check_folder(folder: Path) -> None:
-    """Refuse a folder with the user's files."""
-    ours = (folder / paths.MARKER).exists() or (folder / paths.BUILDING).exists()
-    if folder.exists() and not ours and (not folder.is_dir() or any(folder.iterdir())):
-        raise SetupError(f"{folder} holds files that are not this project's.", OTHER_FOLDER)
-
-
-def _is_our_log(log: Path) -> bool:
-    """Whether ``log`` may be overwritten: a log of a set-up starts with a command."""
-    if not log.exists():
-        return True
-    with log.open("rb") as file:
-        return file.read(2) in (b"", b"$ ")
-
-
-def tidy(folder: Path) -> None:
-    """Remove the log and the lock of a removed environment too, and the data folder if it is empty.
-
-    Not while another set-up of it is waiting: that holds the lock.
-    """
-    if folder.exists():
-        return
-    log, lock = paths.log_file(folder), folder.with_name(folder.name + ".lock")
-    if _is_our_log(log):
-        log.unlink(missing_ok=True)
-    if lock.exists() and not lock.stat().st_size:  # ours is empty: another has this name
-        lock.unlink()
-    if folder.parent == paths.data_folder():
-        with contextlib.suppress(OSError):  # something else is in it
-            folder.parent.rmdir()
-
-
 class _SetUp:
     """One set-up of ``folder``; ``lock`` is held, and handed on to the children that write."""
 
@@ -214,6 +137,8 @@ class _SetUp:
             )
         self.python = str(paths.env_python(self.folder))
         self.start = time.monotonic()
+        self.torch = self._pin_of_torch()  # without the local version until a build is chosen
+        self.takes_cuda = False  # whether that is a CUDA build of the registry's
         self.expected = 1.0  # bytes to be written
         self.step, self.fraction = "", 0.0  # the present step, and the fraction done of all
 
@@ -225,9 +150,8 @@ class _SetUp:
         # Before anything is written; 1.5: until they are unpacked, the downloads need space too.
         machine.check_disk(self.folder, 1.5 * self.expected)
         log = paths.log_file(self.folder)
-        _check_folder(self.folder)  # before the log is opened, which empties it
-        if not _is_our_log(log):
-            raise SetupError(f"{log} is not a log of this project.", OTHER_FOLDER)
+        check_folder(self.folder)  # before the log is opened, which empties it
+        check_log(log)
         self.progress(f"Setting up {' + '.join(todo)} in {self.folder} (log: {log})", 0.0)
         with log.open("w", encoding="utf-8", errors="replace") as self.log:
             try:
@@ -249,24 +173,30 @@ class _SetUp:
         self._run([str(base), *machine.ISOLATED, "-m", "venv", str(self.folder)])
         version = machine.output([*self._isolated(), "-m", "pip", "--version"])
         if pip_version(version) < LEAN_PIP and not self.wheels:
-            self._pip("install", *self._tool("pip"))
+            self._pip_locked(self._tool("pip"))
 
     def _tool(self, name: str) -> list[str]:
-        """The pin of one of the set-up's own tools."""
-        pins = paths.requirements(self.root, "setup")
-        return [pin for pin in pins if pin.startswith(f"{name}==")]
+        """The locked requirement of one of the set-up's own tools."""
+        return [line for line in locked(self.root, "setup") if package_of(line) == name]
+
+    def _pin_of_torch(self) -> str:
+        core = locked(self.root, "core")
+        return next(line.split()[0] for line in core if package_of(line) == "torch")
 
     def _install(self, todo: Sequence[str]) -> None:
         """Install, check and mark the groups; always with the core's pins, so that they stay."""
-        wanted = {group: paths.requirements(self.root, group) for group in ("core", *todo)}
-        pins = dict.fromkeys(pin for pins in wanted.values() for pin in pins)
+        extra = ("cuda",) if self.takes_cuda else ()
         self._start_step("collecting packages")
+        wanted = locked(self.root, "core", *extra, *todo)
+        # Among the builds of one version pip prefers those whose hash its index states: the CUDA
+        # build, even if the CPU build is there. So the chosen one is named by its local version.
+        wanted = [re.sub(r"^torch==\S+", self.torch, line) for line in wanted]
         # --no-compile: Python compiles what is imported; the rest would be compiled in vain.
-        self._pip("install", "--no-compile", *pins)
+        self._pip_locked(wanted, "--no-compile")
         for group in todo:
             self._check(group)
             marker = paths.read_marker(self.folder) or {"python": sys.version, "groups": {}}
-            marker["groups"][group] = paths.digest(wanted[group])
+            marker["groups"][group] = digest(locked(self.root, group))
             paths.write_marker(self.folder, marker)
 
     def _check(self, group: str) -> None:
@@ -288,16 +218,19 @@ class _SetUp:
 
         On a machine with a GPU for which pip finds a CPU build only, the CUDA build is tried.
         """
-        core = paths.requirements(self.root, "core")
-        pin = next(line for line in core if re.match(r"torch\b", line))
-        # A dry run: pip resolves the pin and reports which build it would download.
+        pin = self.torch
+        # A dry run: pip resolves the pin and reports which build it would download. Without the
+        # hashes: with them pip downloads the whole build to check it.
         report = self.folder / "report.json"
         self._start_step("asking pip for torch")
         self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
-        cuda = offers_cuda(json.loads(report.read_text(encoding="utf-8")), sys.platform)
-        if cuda and not gpu and not allow_cuda:
+        found = json.loads(report.read_text(encoding="utf-8"))
+        self.torch = f"torch=={found['install'][0]['metadata']['version']}"
+        cuda = offers_cuda(found, sys.platform)
+        self.takes_cuda = cuda and (gpu or allow_cuda)
+        if cuda and not self.takes_cuda:
             try:
-                self._uv(pin, "cpu")
+                self._uv("cpu", self._build("+cpu"))
             except SetupError as error:
                 raise SetupError(
                     f"This machine has no NVIDIA GPU, pip finds only the CUDA build of {pin} (3 GB "
@@ -308,23 +241,73 @@ class _SetUp:
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:
-                self._uv(pin, "auto")
+                self._fetch_cuda(pin, allow_cuda)
             except SetupError as error:
-                self._report(f"taking torch's CPU build; no CUDA build: {error.text}")
+                self._report(f"taking torch's CPU build; no CUDA build: {error}")
 
-    def _uv(self, pin: str, backend: str) -> None:
+    def _build(self, label: str) -> str:
+        """The locked requirement of one of torch's own builds, such as ``+cpu``.
+
+        Raises:
+            SetupError: the lock file does not name it.
+        """
+        found = [line for line in locked(self.root, "torch") if label in line]
+        if not found:
+            raise SetupError(
+                f"the lock file has no hash for a {label} build",
+                "To take the build of torch's own index anyway: run.py setup --renew --allow-cuda.",
+            )
+        return found[0]
+
+    def _fetch_cuda(self, pin: str, allow_cuda: bool) -> None:
+        """Install the CUDA build of torch's own index: the locked one, or any that is allowed."""
+        try:
+            build = self._build("+cu")
+        except SetupError:
+            if not allow_cuda:
+                raise
+            # The one exception from the lock file, and the user's own request: these builds are in
+            # no registry, one for each system and version of CUDA.
+            return self._uv("auto", pin)
+        found = re.search(r"\+(cu\d+)", build)
+        assert found
+        self._uv(found.group(1), build)
+        self.takes_cuda = True
+        return None
+
+    def _uv(self, backend: str, requirement: str) -> None:
         """Install torch through uv, which knows where torch's own builds are."""
         tool = self.folder / "uv"
-        self._pip("install", "--no-deps", "--target", str(tool), *self._tool("uv"))
+        self._pip_locked(self._tool("uv"), "--no-deps", "--target", str(tool))
         sources = pip_sources(machine.output([*self._isolated(), "-m", "pip", "config", "list"]))
+        if self.wheels:  # instead of the registry, and of torch's index
+            sources = {"UV_FIND_LINKS": self.wheels, "UV_OFFLINE": "1"}
         uv = tool / "bin" / ("uv.exe" if sys.platform == "win32" else "uv")
         command = [str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend]
+        # uv checks no hash of torch==2.13.0 where it installs 2.13.0+cpu: the lock names the build.
+        hashed = ["--require-hashes", "--no-deps"] if "--hash" in requirement else []
+        wanted = self._list([requirement])
         # In its own folder: a uv.toml in the user's current one is not for it.
-        self._run([*command, pin], sources, tool)
+        self._run([*command, *hashed, "-r", wanted], sources, tool)
+        self.torch = requirement.split()[0]
         shutil.rmtree(tool)
 
     def _isolated(self) -> list[str]:
         return [self.python, *machine.ISOLATED]
+
+    def _list(self, requirements: Sequence[str]) -> str:
+        """A requirements file with these lines."""
+        path = self.folder / "requirements.txt"
+        path.write_text("".join(f"{line}\n" for line in requirements), encoding="utf-8")
+        return str(path)
+
+    def _pip_locked(self, requirements: Sequence[str], *options: str) -> None:
+        """Install these and nothing else: a wheel whose hash is not the lock file's is refused.
+
+        Wheels only: to build a package, pip would fetch build tools that the lock does not name.
+        """
+        strict = ["--require-hashes", "--only-binary", ":all:"]
+        self._pip("install", *strict, *options, "-r", self._list(requirements))
 
     def _pip(self, verb: str, *args: str) -> None:
         offline = ["--no-index", "--find-links", self.wheels] if self.wheels else []
@@ -388,7 +371,7 @@ class _SetUp:
                 continue
             last_output = time.monotonic()
             if raw is None:
-                return "".join(kept[-200:])
+                return "".join(kept[-LAST_LINES:])
             line = raw.decode("utf-8", "replace")
             self.log.write(line)
             self.log.flush()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import sys
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .files import write_text
+from .lock_file import digest, locked
 from .machine import SetupError
 
 MARKER = "fantasia3d.json"  # in a complete environment, written last
@@ -35,11 +35,6 @@ def requirements(root: Path, group: str) -> list[str]:
     return project["dependencies"] if group == "core" else project["optional-dependencies"][group]
 
 
-def digest(lines: Sequence[str]) -> str:
-    """A short hash of requirements, for the folder's name and the marker."""
-    return hashlib.sha256("\n".join(sorted(lines)).encode()).hexdigest()[:12]
-
-
 def data_folder() -> Path:
     """The user's data folder of this project (not created here)."""
     if sys.platform == "win32":
@@ -60,14 +55,14 @@ class Place(NamedTuple):
 
 
 def env_folder(root: Path) -> Path:
-    """Where the environment of this version's requirements is, or will be.
+    """Where the environment of this version's lock file is, or will be.
 
     FANTASIA3D_ENV names another folder.
     """
     given = os.environ.get("FANTASIA3D_ENV")
     if given:
         return Path(given).expanduser().absolute()
-    return data_folder() / f"env-{digest(requirements(root, 'core'))}"
+    return data_folder() / f"env-{digest(locked(root, 'core'))}"
 
 
 def env_python(folder: Path) -> Path:
@@ -95,12 +90,12 @@ def write_marker(folder: Path, marker: dict[str, Any]) -> None:
 
 
 def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:
-    """Those of ``core`` and ``groups`` that are not installed as pyproject.toml pins them.
+    """Those of ``core`` and ``groups`` that are not installed as the lock file names them.
 
-    Without the core's packages as pinned, nothing in ``folder`` counts.
+    Without the core's packages as locked, nothing in ``folder`` counts.
     """
     done = read_marker(folder).get("groups", {})
-    wanted = {group: digest(requirements(root, group)) for group in ("core", *groups)}
+    wanted = {group: digest(locked(root, group)) for group in ("core", *groups)}
     # Groups are installed on top of the core: with another core they are not valid.
     if done.get("core") != wanted["core"]:
         return list(wanted)

@@ -6,6 +6,7 @@ import ast
 import re
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 from .machine import SetupError
 
@@ -22,6 +23,15 @@ NETWORK = re.compile(
 DISK = re.compile(r"No space left on device|Errno 28|not enough space on the disk|Disk quota")
 # A folder of wheels that is not there; pip only warns of it, and does not find the package then.
 NO_FOLDER = re.compile(r"Location '([^']+)' is ignored: it is either a non-existing path")
+# pip's and uv's words for a file that is not the locked one; the file's address or name follows.
+MISMATCH = re.compile(
+    r"DO NOT MATCH THE HASHES.*?\n +(?:\S+ from )?(?P<pip>\S+)|Hash mismatch for `(?P<uv>[^`]+)`",
+    re.DOTALL,
+)
+# pip's words for a package that the lock file does not name at all.
+UNLOCKED = re.compile(
+    r"(?:versions pinned with ==\. These do not|Hashes are required.*?):?\n +(\S+)"
+)
 NO_MATCH = re.compile(r"No matching distribution found for (\S+)")
 
 
@@ -92,6 +102,9 @@ def explain(text: str, log: Path) -> SetupError:
             f"The wheel folder {folder.group(1)} does not exist.",
             f"Correct pip's find-links or FANTASIA3D_WHEELS; then start again. The log is {log}.",
         )
+    refused = _refusal(text, log)
+    if refused:
+        return refused
     missing = NO_MATCH.search(text)
     if missing:
         return SetupError(
@@ -105,3 +118,27 @@ def explain(text: str, log: Path) -> SetupError:
     return SetupError(
         f"A step of the set-up failed ({(errors or lines)[-1]}).", f"The log is {log}."
     )
+
+
+def _refusal(text: str, log: Path) -> SetupError | None:
+    """The sentence for a package that is not the lock file's, if ``text`` reports one."""
+    own = (
+        "If it is from a folder of wheels or an index of yours, put the publisher's file there, or "
+        "use an environment of your own (FANTASIA3D_PYTHON)"
+    )
+    other = MISMATCH.search(text)
+    if other:
+        name = unquote((other.group("pip") or other.group("uv")).partition("#")[0])
+        return SetupError(
+            f"{name.rpartition('/')[2]} is not the file that the lock file names (another hash).",
+            f"{own}; if it is from the registry, it was damaged or changed on its way: try again, "
+            f"and report it if that happens twice. The log is {log}.",
+        )
+    unknown = UNLOCKED.search(text)
+    if unknown:
+        return SetupError(
+            f"{unknown.group(1)} is required, and the lock file does not name it: another build of "
+            "a package was found than those that it was made from.",
+            f"{own}. The log is {log}.",
+        )
+    return None

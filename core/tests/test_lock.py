@@ -1,0 +1,148 @@
+"""The lock file: it fits pyproject.toml, names everything with hashes, and pip holds to it."""
+
+import importlib.metadata
+import os
+import re
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import run
+from run import environment
+
+lock_file = sys.modules[environment.locked.__module__]
+ROOT = Path(run.__file__).parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+GROUPS = {"core": PROJECT["dependencies"], **PROJECT["optional-dependencies"]}
+TEXT = (ROOT / lock_file.NAME).read_text(encoding="utf-8")
+SECTIONS = environment.read_lock(ROOT)
+EVERY = [line for lines in SECTIONS.values() for line in lines]
+FIX = "run: python3 .ci/lock.py"
+
+
+def canonical(name: str) -> str:
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def names(*sections: str) -> set[str]:
+    return {lock_file.package_of(line) for section in sections for line in SECTIONS[section]}
+
+
+def test_it_was_made_from_these_pins():
+    pins = [pin for group in GROUPS.values() for pin in group]
+    assert f"\n# pins: {lock_file.digest(pins)}\n" in TEXT, FIX
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_it_names_every_pin_of_a_group_at_its_version(group):
+    locked = {line.split()[0] for name in {"core", group} for line in SECTIONS[name]}
+    for pin in GROUPS[group]:
+        name, _, version = pin.partition(";")[0].strip().partition("==")
+        assert f"{canonical(name.partition('[')[0])}=={version}" in locked, FIX
+
+
+def test_every_requirement_is_pinned_and_has_hashes_and_nothing_else():
+    form = re.compile(
+        r"[a-z0-9.-]+==[\w.+]+( ; [\w.<>=!'() ]+?)?( --hash=sha256:[0-9a-f]{64})+", re.ASCII
+    )
+    assert [line for line in EVERY if not form.fullmatch(line)] == []
+
+
+def test_it_names_no_address():
+    assert "://" not in TEXT and "@" not in TEXT and "--index" not in TEXT
+
+
+def test_torch_accepts_the_hashes_of_its_own_builds():
+    (torch,) = [line for line in SECTIONS["core"] if line.startswith("torch==")]
+    for build in SECTIONS["torch"]:
+        assert build.startswith(f"{torch.split()[0]}+")
+        assert set(build.split()[1:]) <= set(torch.split())
+
+
+def test_only_torchs_cuda_build_brings_nvidias_packages():
+    assert not [name for name in names("core", "blender", "test") if name.startswith("nvidia")]
+    assert "nvidia-cudnn-cu13" in names("cuda")
+
+
+def required(name: str, extra: str = "") -> set[str]:
+    """What an installed package requires on this machine, its requirements' own included."""
+    from packaging.requirements import Requirement
+
+    found: set[str] = set()
+    for text in importlib.metadata.requires(name) or []:
+        need = Requirement(text)
+        if need.marker is None or need.marker.evaluate({"extra": extra}):
+            found.add(canonical(need.name))
+            found |= {other for more in need.extras for other in required(need.name, more)}
+    return found
+
+
+@pytest.mark.parametrize("group", ["core", "blender", "test"])
+def test_nothing_that_is_required_here_is_missing_from_it(group):
+    """A second resolution: from what the installed packages themselves require."""
+    done: set[str] = set()
+    todo = {lock_file.package_of(line) for line in SECTIONS[group]} & {
+        canonical(found.metadata["Name"]) for found in importlib.metadata.distributions()
+    }
+    assert todo or group == "blender"
+    while todo:
+        name = todo.pop()
+        done.add(name)
+        todo |= required(name) - done
+    cuda = names("cuda") if "+" not in importlib.metadata.version("torch") else set()
+    assert done <= names("core", group) | cuda, FIX
+
+
+def test_what_is_installed_here_is_what_it_names():
+    locked = {line.split()[0] for name in ("core", "test") for line in SECTIONS[name]}
+    for found in importlib.metadata.distributions():
+        name = canonical(found.metadata["Name"])
+        if name in names("core", "test"):
+            assert f"{name}=={found.version.partition('+')[0]}" in locked
+
+
+# With the real pip
+
+
+def write_wheel(folder: Path, name: str, version: str) -> Path:
+    """A wheel with a module of one line."""
+    folder.mkdir(exist_ok=True)
+    path = folder / f"{name}-{version}-py3-none-any.whl"
+    info = f"{name}-{version}.dist-info"
+    with zipfile.ZipFile(path, "w") as wheel:
+        wheel.writestr(f"{name}.py", "HERE = True\n")
+        wheel.writestr(
+            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
+        )
+        wheel.writestr(
+            f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+        )
+        wheel.writestr(f"{info}/RECORD", "")
+    return path
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the paths of a venv")
+def test_a_wheel_of_the_users_that_is_not_the_locked_one_is_refused_in_one_sentence(
+    tmp_path, monkeypatch, capsys
+):
+    """Their own build of torch, in their folder of wheels; the real venv and the real pip."""
+    write_wheel(tmp_path / "wheels", "torch", "2.13.0+mine")
+    tree = tmp_path / "tree"
+    (tree / "core").mkdir(parents=True)
+    (tree / "pyproject.toml").write_text("[project]\ndependencies = ['torch==2.13.0']\n")
+    (tree / "requirements.lock").write_text(f"# [core]\ntorch==2.13.0 --hash=sha256:{'0' * 64}\n")
+    for name in ("FANTASIA3D_PYTHON", "FANTASIA3D_ENV"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("FANTASIA3D_WHEELS", str(tmp_path / "wheels"))
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    monkeypatch.setattr(run, "ROOT", tree)
+    monkeypatch.setattr(sys.modules[environment.find_python.__module__], "has_nvidia", bool)
+    assert run.main(["setup"]) == 3
+    (error,) = [line for line in capsys.readouterr().err.splitlines() if "error" in line]
+    assert "torch-2.13.0+mine-py3-none-any.whl is not the file that the lock file names" in error
+    assert "FANTASIA3D_PYTHON" in error
+    made = [path.suffix for path in (tmp_path / "data" / "fantasia3d").iterdir()]
+    assert sorted(made) == [".lock", ".log"], "no environment"
