@@ -23,6 +23,7 @@ from core.io.job import LAST, Job, read_events
 from core.io.obj import obj_text
 from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
+from core.tests.offline import attempts, cut_off, recorder
 
 ROOT = Path(__file__).parents[2]
 SHORT = {
@@ -53,14 +54,19 @@ OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
 OPTIONS += ["--texture-size=128", "--max-faces=1500"]
 
 
-def core(*argv: object, before: str = "") -> "subprocess.Popen[str]":
-    """The command line; ``before`` is Python to run first, in the same process."""
-    environ = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1"}
+def core(*argv: object, before: str = "", recorded: Path | None = None) -> "subprocess.Popen[str]":
+    """The command line; ``before`` is Python to run first, in the same process.
+
+    ``recorded`` is a recorder of what it tries to reach; it then runs without a network.
+    """
+    places = [str(recorded)] if recorded else []
+    environ = os.environ | {"PYTHONPATH": os.pathsep.join([*places, str(ROOT)])}
+    environ["OMP_NUM_THREADS"] = "1"
     script = (
         f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
     )
     started = ["-c", script] if before else ["-m", "core"]
-    command = [sys.executable, *started, *map(str, argv)]
+    command = [*(cut_off() if recorded else ()), sys.executable, *started, *map(str, argv)]
     return subprocess.Popen(
         command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
@@ -85,9 +91,11 @@ def wait_for(run: Path, stage: str, step: int, seconds: float = 300) -> None:
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """One unbroken run, in a folder with a difficult name."""
+    """One unbroken run, in a folder with a difficult name, without a network."""
     run = tmp_path_factory.mktemp("ein Lauf ü") / "rot"
-    status, said = finished(core("generate", "a red torus", "--out", run, *OPTIONS))
+    record = recorder(run.parent / "recorder")
+    line = ("generate", "a red torus", "--out", run, *OPTIONS)
+    status, said = finished(core(*line, recorded=record))
     assert status == 0, said
     assert said.splitlines()[-1] == str(run / "asset")
     return run
@@ -109,6 +117,11 @@ def test_the_asset_is_whole_and_closed(whole):
         assert name in names
     assert not (whole / "asset.tmp").exists()
     assert set(report["timings"]) >= {"fit", "geometry", "unwrap", "appearance", "bake"}
+
+
+def test_a_run_reaches_for_no_network(whole):
+    """Nor had it one, where that is permitted (test_offline.py)."""
+    assert attempts(whole.parent / "recorder") == []
 
 
 def test_red_becomes_redder_even_in_a_few_steps(whole):
