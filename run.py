@@ -17,7 +17,7 @@ Commands:
     cornell ASSET... --render FILE
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     bench [NAME...]            measure this machine
-    doctor                     what is here, what is missing, how to fix it
+    doctor                     what is here, what is missing, how to fix it; --report FILE
     setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
     package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
@@ -73,7 +73,13 @@ def parser() -> Commands:
     commands = Commands((__doc__ or "").partition("\n")[0])
     add_core_commands(commands)
     add_blender_commands(commands)
-    commands.add("doctor", "What is here, what is missing, how to fix it.")
+    doctor = commands.add("doctor", "What is here, what is missing, how to fix it.")
+    doctor.add_argument(
+        "--report",
+        type=Path,
+        metavar="FILE",
+        help="write it all to a file, without anything private",
+    )
     setup = commands.add("setup", "Make the Python environment now.")
     setup.add_argument(
         "groups", nargs="*", metavar="blender|test", help="packages beyond the core's"
@@ -303,9 +309,12 @@ def under_blender(argv: list[str]) -> int:
     return headless.run_job(command, folder / "asset", args.blend, args.render)
 
 
-def doctor(_: Namespace) -> int:
+def doctor(args: Namespace) -> int:
     """Print what is here and what is missing; 0 when ``generate`` can run at once, else 3."""
     lines = environment.examine(ROOT)
+    if args.report:
+        file = environment.write_report(args.report, ROOT, lines)
+        print(f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n")
     for line in lines:
         print(f"{line.name:<17} {line.state:<8} {line.text}")
     missing = [line.name for line in lines if line.state == "MISSING"]

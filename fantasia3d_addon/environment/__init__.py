@@ -28,6 +28,7 @@ from .paths import (
     requirements,
 )
 from .removal import remove, tidy
+from .report import write_report
 
 __all__ = [
     "PYTHON",
@@ -53,4 +54,5 @@ __all__ = [
     "requirements",
     "tidy",
     "try_lock",
+    "write_report",
 ]

@@ -181,7 +181,7 @@ class _SetUp:
 
     def _pin_of_torch(self) -> str:
         core = locked(self.root, "core")
-        return next(line.split()[0] for line in core if package_of(line) == "torch")
+        return next((line.split()[0] for line in core if package_of(line) == "torch"), "")
 
     def _install(self, todo: Sequence[str]) -> None:
         """Install, check and mark the groups; always with the core's pins, so that they stay."""
