@@ -1,11 +1,22 @@
 """While the tests run, the core's signatures are checked: shapes (jaxtyping), types (beartype).
 
-In production the checks are off and cost nothing.
+In production the checks are off and cost nothing. And whatever ran before, in this process or
+another, each test starts from the same random numbers: any order gives the same results.
 """
 
+import os
+import random
+import sys
 from pathlib import Path
 
+import pytest
 from jaxtyping import install_import_hook
+
+# With a process for each core (pytest-xdist) more threads would only wait for each other. Before
+# torch and numba are imported.
+if "PYTEST_XDIST_WORKER" in os.environ:
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
 # An int may stand for a float, as PEP 484 has it.
 CHECKER = "beartype.beartype(conf=beartype.BeartypeConf(is_pep484_tower=True))"
@@ -29,3 +40,33 @@ def checked_modules() -> list[str]:
 
 
 install_import_hook(checked_modules(), CHECKER)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """pytest-randomly shuffles the tests; their numbers stay those of pytest_runtest_setup."""
+    config.option.randomly_reset_seed = False
+
+
+# By their ids: the states of the modules' own generators after the import.
+_first: dict[int, object] = {}
+
+
+@pytest.hookimpl(tryfirst=True)  # before fixtures of a wider scope too
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Start every generator of random numbers that a test may use from its beginning."""
+    random.seed(0)
+    if "numpy" in sys.modules:
+        import numpy as np
+
+        np.random.seed(0)
+        for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
+            if isinstance(value, np.random.Generator):
+                bits = value.bit_generator
+                bits.state = _first.setdefault(id(value), bits.state)
+    if "torch" in sys.modules:
+        import torch
+
+        torch.manual_seed(0)
+        for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
+            if isinstance(value, torch.Generator):
+                value.set_state(_first.setdefault(id(value), value.get_state()))

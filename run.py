@@ -182,7 +182,18 @@ def setup(args: Namespace) -> int:
 def test(arguments: list[str]) -> int:
     """Run pytest over the core's and the add-on's tests."""
     python_path = environment.ensure(ROOT, ("blender", "test"), say)
-    return hand_over([python_path, "-m", "pytest", *arguments], ROOT)
+    # The whole suite in a process for each core; a file's tests share what they made.
+    shared = () if arguments else ("-n", str(test_processes()), "--dist", "loadfile")
+    return hand_over([python_path, "-m", "pytest", *shared, *arguments], ROOT)
+
+
+def test_processes() -> int:
+    """One for each core that may be used and 3 GB of memory: each loads torch and Blender."""
+    cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
+    memory = 4e9 * cores
+    if hasattr(os, "sysconf"):
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return max(1, min(cores, int(memory / 3e9)))
 
 
 def package(args: Namespace) -> int:
