@@ -7,6 +7,7 @@ import sys
 import time
 from pathlib import Path
 
+import psutil
 import pytest
 
 pytest.importorskip("bpy")
@@ -47,8 +48,12 @@ def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target
     while target.endswith(".png") and not any(folder.glob(f"{output.PREFIX}*")):
         assert child.poll() is None and time.monotonic() < deadline
         time.sleep(0.05)
-    time.sleep(seconds)  # the render is under way
-    assert child.poll() is None, child.communicate()
+    # The render is under way. By the processor's time: a busy machine loads Blender for long.
+    process = psutil.Process(child.pid)
+    begun = sum(process.cpu_times()[:2]) if target.endswith(".png") else 0
+    while sum(process.cpu_times()[:2]) < begun + seconds:
+        assert child.poll() is None and time.monotonic() < deadline, child.communicate()
+        time.sleep(0.05)
     start = time.monotonic()
     child.send_signal(signal.SIGINT)
     out, err = child.communicate(timeout=60)

@@ -15,7 +15,7 @@ import sys
 import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from . import machine, paths
 from .doctor import Line
@@ -199,7 +199,7 @@ def _objects(file: Path, whole: bool = False) -> list[dict[str, Any]]:
         except (ValueError, RecursionError):
             continue
         if isinstance(data, dict):
-            found.append(data)
+            found.append(cast("dict[str, Any]", data))
     return found
 
 
@@ -212,7 +212,8 @@ def _errors(lines: Iterable[str]) -> list[str]:
 def _without(value: Any, texts: Iterable[str]) -> Any:
     """``value`` without what it quotes, and without the longer words of ``texts``."""
     if isinstance(value, dict):
-        return {key: _without(item, texts) for key, item in value.items()}
+        entries = cast("dict[str, Any]", value)
+        return {key: _without(item, texts) for key, item in entries.items()}
     if not isinstance(value, str):
         return value
     value = re.sub(r"'[^']*'|\"(?!/)[^\"/\\]*\"|“[^”]*”", "'…'", value)
@@ -239,9 +240,10 @@ class Redaction:
     def of(self, value: Any) -> Any:
         """``value`` with every text in it redacted."""
         if isinstance(value, dict):
-            return {key: self.of(item) for key, item in value.items()}
+            entries = cast("dict[str, Any]", value)
+            return {key: self.of(item) for key, item in entries.items()}
         if isinstance(value, list):
-            return [self.of(item) for item in value]
+            return [self.of(item) for item in cast("list[Any]", value)]
         return self.text(value) if isinstance(value, str) else value
 
     def text(self, text: str) -> str:
