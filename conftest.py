@@ -51,22 +51,28 @@ def pytest_configure(config: pytest.Config) -> None:
 _first: dict[int, object] = {}
 
 
+def _start_numbers() -> None:
+    """Start the generators that a process has once, as far as they are loaded."""
+    random.seed(0)
+    if "numpy" in sys.modules:
+        sys.modules["numpy"].random.seed(0)
+    if "torch" in sys.modules:
+        sys.modules["torch"].manual_seed(0)
+
+
+def pytest_collectstart() -> None:
+    """A module may draw numbers for its parameters while it is imported."""
+    _start_numbers()
+
+
 @pytest.hookimpl(tryfirst=True)  # before fixtures of a wider scope too
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Start every generator of random numbers that a test may use from its beginning."""
-    random.seed(0)
-    if "numpy" in sys.modules:
-        import numpy as np
-
-        np.random.seed(0)
-        for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
-            if isinstance(value, np.random.Generator):
-                bits = value.bit_generator
-                bits.state = _first.setdefault(id(value), bits.state)
-    if "torch" in sys.modules:
-        import torch
-
-        torch.manual_seed(0)
-        for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
-            if isinstance(value, torch.Generator):
-                value.set_state(_first.setdefault(id(value), value.get_state()))
+    _start_numbers()
+    for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
+        kind = type(value).__module__, type(value).__name__
+        if kind == ("numpy.random._generator", "Generator"):
+            bits = value.bit_generator
+            bits.state = _first.setdefault(id(value), bits.state)
+        elif kind == ("torch._C", "Generator"):
+            value.set_state(_first.setdefault(id(value), value.get_state()))
