@@ -1,8 +1,10 @@
 """What more than one file of tests starts from."""
 
+import os
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
 from core.tests.fake_machine import Machine
 
@@ -13,11 +15,26 @@ def box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Machine:
 
 
 @pytest.fixture(scope="session")
-def checkpoints(tmp_path_factory):
-    from core.tests.tiny_checkpoints import write_checkpoint  # diffusers takes seconds to import
+def shared(tmp_path_factory) -> Path:
+    """A folder of this run's processes together (pytest-xdist); what is made there is locked."""
+    root = tmp_path_factory.getbasetemp()
+    folder = (root.parent if "PYTEST_XDIST_WORKER" in os.environ else root) / "shared"
+    folder.mkdir(exist_ok=True)
+    return folder
 
-    root = tmp_path_factory.mktemp("checkpoints")
-    return {
-        "1.x": write_checkpoint(root / "one", prediction_type="epsilon", two=False),
-        "2.x": write_checkpoint(root / "two", prediction_type="v_prediction", two=True),
-    }
+
+@pytest.fixture(scope="session")
+def checkpoints(shared):
+    """Read only: both processes use the same ones."""
+    names = {"1.x": "one", "2.x": "two"}
+    done = shared / "checkpoints" / "done"
+    with FileLock(shared / "checkpoints.lock"):  # the first one makes them, the others wait
+        if not done.exists():
+            from core.tests.tiny_checkpoints import write_checkpoint  # diffusers takes seconds
+
+            kinds = {"1.x": ("epsilon", False), "2.x": ("v_prediction", True)}
+            for name, (kind, two) in kinds.items():
+                folder = done.parent / names[name]
+                write_checkpoint(folder, prediction_type=kind, two=two)
+            done.touch()
+    return {name: done.parent / folder for name, folder in names.items()}
