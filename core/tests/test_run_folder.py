@@ -175,6 +175,23 @@ def test_the_guard_goes_back_to_health_and_gives_up_in_the_end(tmp_path):
     assert "went back to step 0" in warnings[0]["text"]
 
 
+def test_a_resumed_run_goes_back_to_the_same_state(tmp_path):
+    """A state of the resumed step's instead once made another asset, or none."""
+    training, guard = guarded(tmp_path)
+    good = training.module.weight.detach().clone()
+    with torch.no_grad():
+        training.module.weight.fill_(7.0)
+    guard.remember(3)  # no snapshot
+    training.step = 4
+    training.save()
+    other = Training("geometry", torch.nn.Linear(2, 1), torch.Generator(), training.run)
+    other.resume()
+    assert torch.equal(other.module.weight, training.module.weight)
+    Guard(other, Progress(other.run)).recover("The surface had nearly vanished", 4, "coarse")
+    assert torch.equal(other.module.weight, good)
+    assert "went back to step 0" in read_events(training.run.path)[-1]["text"]
+
+
 def test_recoveries_long_ago_are_over_and_the_rate_comes_back(tmp_path):
     """Six hiccups in 3,000 steps are no reason to end a run, nor to learn at a 32nd for good."""
     training, guard = guarded(tmp_path)
