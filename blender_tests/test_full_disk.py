@@ -14,6 +14,7 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from blender_tests.asset_fixture import write_asset  # noqa: E402
+from blender_tests.pictures import set_light  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.blender import compat, output  # noqa: E402
 from fantasia3d_addon.errors import OutputError  # noqa: E402
@@ -54,7 +55,7 @@ def obj(tmp_path: Path) -> "bpy.types.Object":
     bpy.context.view_layer.update()
     scene = bpy.context.scene
     scene_render.add_camera(scene, made)
-    relight.relight(scene, "studio")
+    set_light(tmp_path, (0.4, -1, 0.4))
     scene_render.set_up_cycles(scene, 64, 1)
     return made
 
