@@ -12,11 +12,13 @@ from __future__ import annotations
 import argparse
 import contextlib
 import errno
+import itertools
 import json
 import os
 import random
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -24,7 +26,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -93,7 +95,7 @@ def names(run: Path) -> set[str]:
 def lighten() -> None:
     """Do what has no part in a fault once, and let every event and checkpoint be written."""
     packing.PASSES = PASSES
-    progress.PROGRESS_SECONDS = 0.0
+    progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
     training.CHECKPOINT_SECONDS = 0.0
     method.PREVIEW_SIZE = 64
     builtin.load_weights = remembered(builtin.load_weights)
@@ -117,16 +119,29 @@ def remembered(function: Callable) -> Callable:
     return again
 
 
+class Moment(NamedTuple):
+    """So many CPU seconds after an event of a session, by its number."""
+
+    event: int
+    seconds: float
+
+
 @dataclass
 class Session:
     """One process of the core, forked from this one."""
 
     pid: int
-    events: int  # the reading end of a pipe: a byte for each event
+    events: int  # the reading end of a pipe: CPU seconds at each event
 
     @classmethod
-    def start(cls, argv: list[str], log: Path, before: Callable[[], None] | None = None) -> Session:
-        """Carry out ``argv``; ``before`` is called in it first."""
+    def start(
+        cls,
+        argv: list[str],
+        log: Path,
+        before: Callable[[], None] | None = None,
+        death: Moment | None = None,
+    ) -> Session:
+        """Carry out ``argv``; ``before`` is called in it first, and it is killed at ``death``."""
         read, write = os.pipe()
         sys.stdout.flush()
         pid = os.fork()
@@ -139,7 +154,7 @@ class Session:
             os.dup2(file, 1)
             os.dup2(file, 2)
             os.close(read)
-            told(write)
+            told(write, death)
             if before:
                 before()
             code = main(argv)
@@ -154,7 +169,11 @@ class Session:
 
     def wait_for_event(self, number: int) -> bool:
         """Until the session has written event ``number``, from 0; False where it ended before."""
-        return all(os.read(self.events, 1) for _ in range(number + 1))
+        return all(os.read(self.events, 8) for _ in range(number + 1))
+
+    def times(self) -> list[float]:
+        """CPU seconds at each event, to the end of the session."""
+        return [struct.unpack("d", x)[0] for x in iter(lambda: os.read(self.events, 8), b"")]
 
     def end(self, kill: bool = False) -> int:
         """The exit code; negative is a signal."""
@@ -165,13 +184,17 @@ class Session:
         return os.waitstatus_to_exitcode(status)
 
 
-def told(pipe: int) -> None:
-    """Have a byte written to ``pipe`` after each event."""
-    write = EventWriter.write
+def told(pipe: int, death: Moment | None) -> None:
+    """Have the time of each event written to ``pipe``, and the process killed at ``death``."""
+    write, count = EventWriter.write, itertools.count()
 
     def then(self: EventWriter, type: str, **fields: object) -> dict:
         event = write(self, type, **fields)
-        os.write(pipe, b".")
+        os.write(pipe, struct.pack("d", time.process_time()))
+        if death and next(count) == death.event:
+            # By CPU time: the same moment on a busy machine. Nothing handles the signal, so that
+            # the system ends the process in the middle of whatever it does, as by SIGKILL.
+            signal.setitimer(signal.ITIMER_PROF, death.seconds)
         return event
 
     EventWriter.write = then
@@ -189,7 +212,11 @@ class Faults:
             assert main(generate(whole)) == 0, self.log.read_text()
         self.operations = operations.log
         self.made, self.names = made(whole), names(whole)
-        self.events = [(e["type"], e.get("stage"), e["time"]) for e in read_events(whole)]
+        self.stages = [e.get("stage") for e in read_events(whole)]
+        session = Session.start(generate(folder / "forked"), self.log)
+        self.times = session.times()
+        assert session.end() == 0 and made(folder / "forked") == self.made
+        assert len(self.times) == len(self.stages)
 
     def session(self, argv: list[str], before: Callable[[], None] | None = None) -> int:
         """The exit code of a session that nobody disturbs from outside."""
@@ -199,32 +226,30 @@ class Faults:
         """The numbers of the events after which ``stage`` is at work."""
         if stage == "start":
             return [0]
-        found = [i for i, (_, at, _) in enumerate(self.events) if at == stage]
+        found = [i for i, at in enumerate(self.stages) if at == stage]
         if stage == "asset":
-            return [max(i for i, (_, at, _) in enumerate(self.events) if at == "bake")]
+            return [max(i for i, at in enumerate(self.stages) if at == "bake")]
         return [min(found) - 1, *found[:-1]]
 
     def killed(self, run: Path, stage: str, dice: random.Random) -> str:
         """Kill a run once or twice at random moments; where it was."""
-        number = dice.choice(self.moments(stage))
-        gap = self.events[number + 1][2] - self.events[number][2]
-        said = f"{stage}, event {number}"
-        # A machine that is less busy now comes further in the same time: then it is tried again.
-        while self._kill(generate(run), number, dice.random() * gap) >= 0:
-            shutil.rmtree(run)
-            gap /= 2
+        event = dice.choice(self.moments(stage))
+        gap = self.times[event + 1] - self.times[event]
+        said = f"{stage}, event {event}"
+        while self._kill(generate(run), Moment(event, dice.uniform(1e-3, gap))) >= 0:
+            shutil.rmtree(run)  # it was done before: quicker than the run of the times
+            gap *= 0.7
         if dice.random() < 0.25:
-            more = dice.randrange(4)
-            ended = self._kill(resume(run), more, dice.random() * gap) >= 0
-            said += f"; again, event {more}" + (", had ended" if ended else "")
+            event = dice.randrange(4)
+            ended = self._kill(resume(run), Moment(event, dice.uniform(1e-3, gap))) >= 0
+            said += f"; again, event {event}" + (", had ended" if ended else "")
         return said
 
-    def _kill(self, argv: list[str], number: int, seconds: float) -> int:
-        """Kill a session so long after an event; its exit code."""
-        session = Session.start(argv, self.log)
-        if session.wait_for_event(number):
-            time.sleep(seconds)
-        return session.end(kill=True)
+    def _kill(self, argv: list[str], death: Moment) -> int:
+        """The exit code of a session that ends at ``death``; negative is a signal."""
+        session = Session.start(argv, self.log, death=death)
+        session.times()
+        return session.end()
 
     def wrong(self, run: Path, again: bool = True) -> str:
         """Resume ``run`` unless it has ended; what differs from the undisturbed one."""
