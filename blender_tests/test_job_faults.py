@@ -29,11 +29,15 @@ def test_each_operation_of_a_request_fails_once(ready, tmp_path, monkeypatch):
             submit.generate(bpy.context)
         return operations.log
 
+    def forget() -> None:
+        for followed in session.running:
+            followed.run._process.wait()
+        session.close()
+
     done = request(None)
     assert {"open job.json.tmp", "open target.json.tmp", "open follower", "open log.txt"} <= {*done}
     for i, name in enumerate(done):
-        session.running[0].run._process.wait() if session.running else None
-        session.close()
+        forget()
         shutil.rmtree(runs, ignore_errors=True)
         try:
             request(i, (errno.ENOSPC, errno.EACCES)[i % 2])
@@ -43,7 +47,7 @@ def test_each_operation_of_a_request_fails_once(ready, tmp_path, monkeypatch):
             assert (left, session.running, session.waiting) == ([], [], []), name
         else:
             assert session.running, name
-    session.close()
+    forget()
 
 
 @pytest.mark.parametrize("then", ["nothing", "a file"])
@@ -64,15 +68,6 @@ def test_a_run_folder_that_goes_meanwhile_is_told(ready, wait, tmp_path, then):
     bpy.ops.fantasia3d.generate()
     wait()
     assert session.error is None and len(bpy.data.objects) == 1
-
-
-def test_a_finished_asset_whose_folder_went_is_a_sentence(ready, wait):
-    folder = submit.generate(bpy.context)
-    wait(until=lambda: bool(session.running) and session.running[0].run.finished)
-    shutil.rmtree(folder)
-    wait()
-    assert session.error is not None and not bpy.data.objects
-    assert "Error:" not in session.error[0]
 
 
 def test_a_cancel_that_cannot_be_written_is_a_job_error(tmp_path):
