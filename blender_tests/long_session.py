@@ -102,7 +102,7 @@ def held() -> dict[str, int]:
     children = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children").read_text().split()
     return {
         "memory_kb": int(status),
-        "files": len(os.listdir("/proc/self/fd")),
+        "files": len(list(Path("/proc/self/fd").iterdir())),
         "threads": threading.active_count(),
         "processes": len(children),
         "datablocks": sum(len(getattr(bpy.data, kind)) for kind in kinds),

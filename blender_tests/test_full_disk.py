@@ -73,7 +73,10 @@ def turntable(obj: "bpy.types.Object", path: Path) -> None:
 OUTPUTS: dict[str, Callable[["bpy.types.Object", Path], object]] = {
     "saved.blend": lambda _, path: scene_render.save_blend(path),
     "library.blend": library,
-    **{f"picture{x}": lambda obj, path: scene_render.render_still(path, obj) for x in (".png", ".exr")},
+    **{
+        f"picture{x}": lambda obj, path: scene_render.render_still(path, obj)
+        for x in (".png", ".exr")
+    },
     **{f"export{x}": export.export_object for x in (".glb", ".usdc", ".fbx", ".obj")},
     "turntable.mp4": turntable,
     "frames": turntable,

@@ -1,4 +1,4 @@
-"""A job's files fail in Blender, or its folder goes: a sentence, and nothing that blocks the next."""
+"""A job's files fail in Blender, or its folder goes: a sentence, and the next job runs."""
 
 import errno
 import shutil
@@ -42,7 +42,8 @@ def test_each_operation_of_a_request_fails_once(ready, tmp_path, monkeypatch):
         try:
             request(i, (errno.ENOSPC, errno.EACCES)[i % 2])
         except AddonError as error:
-            assert error.text.endswith(".") and error.fix.endswith("."), name
+            sentences = error.text, error.fix
+            assert all(text.endswith(".") for text in sentences), name
             left = [path.name for path in runs.iterdir()] if runs.exists() else []
             assert (left, session.running, session.waiting) == ([], [], []), name
         else:

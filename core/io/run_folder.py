@@ -106,13 +106,13 @@ class RunFolder:
         meta = meta | {"timings": self.timings}
         values = {key: value.detach().cpu().contiguous() for key, value in tensors.items()}
         path = folder / f"{name}.safetensors"
-        with atomic_file(path) as temporary:
-            # Not the library's save_file: it writes to a hidden temporary file of its own, which
-            # a kill would leave behind.
-            with temporary.open("wb") as file:
-                file.write(save(values, metadata={"meta": json.dumps(meta)}))
-                file.flush()
-                os.fsync(file.fileno())  # a checkpoint survives a power cut
+        # Not the library's save_file: it writes to a hidden temporary file of its own, which a kill
+        # would leave behind.
+        content = save(values, metadata={"meta": json.dumps(meta)})
+        with atomic_file(path) as temporary, temporary.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())  # a checkpoint survives a power cut
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""

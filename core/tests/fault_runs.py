@@ -97,6 +97,7 @@ def lighten() -> None:
     packing.PASSES = PASSES
     progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
     training.CHECKPOINT_SECONDS = 0.0
+    training.PREVIEW_SECONDS = 1e9  # the first alone: their number would be by the machine's load
     method.PREVIEW_SIZE = 64
     builtin.load_weights = remembered(builtin.load_weights)
     light = remembered(environment.Environment.of.__func__)
@@ -216,7 +217,7 @@ class Faults:
         session = Session.start(generate(folder / "forked"), self.log)
         self.times = session.times()
         assert session.end() == 0 and made(folder / "forked") == self.made
-        assert len(self.times) == len(self.stages)
+        assert len(self.times) == len(self.stages), (self.times, self.stages)
 
     def session(self, argv: list[str], before: Callable[[], None] | None = None) -> int:
         """The exit code of a session that nobody disturbs from outside."""
@@ -371,9 +372,8 @@ def places(faults: Faults, count: int, seed: int) -> Iterator[dict]:
         disk = faults.folder / f"{place} {stage}"
         disk.mkdir()
         with contextlib.ExitStack() as stack:
-            if place in ("full", "read-only"):
-                if not mounted(disk, stack):
-                    continue
+            if place in ("full", "read-only") and not mounted(disk, stack):
+                continue
             yield {"place": f"{place}, {stage}", **_misplaced(faults, disk, place, stage, dice)}
 
 
@@ -451,7 +451,9 @@ def walk(argv: list[str]) -> None:
         faults = Faults(Path(folder))
         for name, do in WALKS.items():
             count = args[name.replace("-", "_")]
-            for result in do(faults, 0 if count == "all" else int(count), args["seed"]) if count else ():
+            for result in (
+                do(faults, 0 if count == "all" else int(count), args["seed"]) if count else ()
+            ):
                 print(json.dumps({"walk": name, **result}, ensure_ascii=False), flush=True)
 
 

@@ -43,7 +43,7 @@ class Operations:
     def _is_ours(self, path: object) -> bool:
         if not isinstance(path, str | bytes | os.PathLike):
             return False
-        return Path(os.path.abspath(os.fsdecode(path))).is_relative_to(self.root)
+        return Path(os.fsdecode(path)).absolute().is_relative_to(self.root)
 
     @contextmanager
     def watched(self) -> Iterator[Operations]:
@@ -129,11 +129,11 @@ class Operations:
 
 def _path_of(number: int) -> str:
     """The path of an open file (Linux)."""
-    return os.readlink(f"/proc/self/fd/{number}")
+    return str(Path(f"/proc/self/fd/{number}").readlink())
 
 
 def _full(path: Any, folder: int | None) -> Any:
     """``path`` relative to an open folder, in full."""
     if isinstance(path, int):
         return _path_of(path)
-    return path if folder is None else os.path.join(_path_of(folder), os.fsdecode(path))
+    return path if folder is None else Path(_path_of(folder)) / os.fsdecode(path)

@@ -94,7 +94,7 @@ def held(run: Path) -> dict[str, int]:
     children = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children").read_text().split()
     return {
         "memory_kb": int(status),
-        "files": len(os.listdir("/proc/self/fd")),
+        "files": len(list(Path("/proc/self/fd").iterdir())),
         "processes": len(children),
         "folder_bytes": sum(path.stat().st_size for path in files if path.name != EVENTS),
         "events_bytes": (run / EVENTS).stat().st_size,

@@ -4,8 +4,8 @@ These are the files by themselves, each operation in turn; ``fault_runs`` walks 
 """
 
 import errno
+import os
 from collections.abc import Callable
-from os import unlink  # as it is: not counted
 from pathlib import Path
 
 import numpy as np
@@ -69,9 +69,11 @@ def _failed(folder: Path, i: int, number: int, work: Callable[[], object]) -> bo
         with Operations(folder, i, number).watched():
             work()
     except UserError as error:
-        assert error.status == 2 and error.text.endswith(".") and error.fix.endswith(".")
-        return False
-    return True
+        said = error
+    else:
+        return True
+    assert said.status == 2 and said.text.endswith(".") and said.fix.endswith(".")
+    return False
 
 
 def _set(folder: Path, wanted: dict[str, bytes]) -> None:
@@ -90,7 +92,9 @@ def test_a_newer_asset_over_an_older_one(parts, tmp_path: Path) -> None:
     write_asset(tmp_path / "asset", *parts, {"seed": 1}, picture)
     newer = {"seed": 2}
     # Where the older one cannot be removed, the next asset does it.
-    done = walk(tmp_path, lambda: write_asset(tmp_path / "asset", *parts, newer, picture), "asset.old")
+    done = walk(
+        tmp_path, lambda: write_asset(tmp_path / "asset", *parts, newer, picture), "asset.old"
+    )
     assert len(done) > 50 and {"rename asset", "rename asset.tmp", "fsync mesh.obj"} <= {*done}
 
 
@@ -119,11 +123,11 @@ def test_pictures_over_older_ones(tmp_path: Path) -> None:
 
 def test_a_job(tmp_path: Path) -> None:
     """After a failure the same command starts the run: what is left of a try is no user's file."""
-    run, job = tmp_path / "run", Job(prompt="a red torus")
+    run, job, real = tmp_path / "run", Job(prompt="a red torus"), os.unlink  # not a counted one
 
     def create() -> None:
-        if (run / "job.json").exists():
-            unlink(run / "job.json")  # a run that began would be resumed
+        if (run / "job.json").exists():  # a run that began would be resumed
+            real(run / "job.json")
         RunFolder.create(run, job)
 
     assert "listdir run" in walk(tmp_path, create)

@@ -90,6 +90,19 @@ def test_a_resumed_stage_measures_again():
     assert clock.after(1, 5) == pytest.approx(4.0)
 
 
+def test_a_long_run_reports_less_and_less_often(tmp_path, monkeypatch):
+    """An hour of steps of a second: every fifth of a second would be all of them."""
+    now = iter(range(10_000))
+    monkeypatch.setattr("core.io.progress.time.perf_counter", lambda: float(next(now)))
+    run = make_run(tmp_path)
+    progress = Progress(run)
+    for step in range(3600):
+        progress.advance("fit", step + 1, 3600)
+    events = read_events(run.path)
+    assert 1000 < len(events) < 2400
+    assert (events[0]["step"], events[-1]["step"]) == (1, 3600)
+
+
 def test_cancel_by_file_and_by_signal(tmp_path):
     run = make_run(tmp_path)
     progress = Progress(run)
