@@ -113,7 +113,7 @@ class Operations:
             file: Any, mode: str = "r", buffering: int = -1, encoding: Any = None, *rest: Any,
             **named: Any,
         ) -> Any:  # fmt: skip
-            if mode in READS or not self._is_ours(file):
+            if mode in READS or "opener" in named or not self._is_ours(file):
                 return real(file, mode, buffering, encoding, *rest, **named)
             self("open", file)
             raw = Raw(os.fspath(file), mode.replace("b", "").replace("t", ""))
