@@ -410,7 +410,7 @@ def _misplaced(
     code = session.end()
     said = faults.log.read_text()
     if place in ("full", "read-only"):
-        remount(disk, DISK if place == "full" else "rw")
+        remount(disk, "size=64m" if place == "full" else "rw")
     elif code:
         shutil.rmtree(run) if run.is_dir() else run.unlink(missing_ok=True)
     wrong = unfit(code, said) or faults.wrong(run, again=code != 0)

@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-SHORT = {"kills": "3", "kills-at-files": "1", "failures": "2", "places": "1"}
+SHORT = {"kills": "2", "kills-at-files": "1", "failures": "1"}
 LONG = {"kills": "50", "kills-at-files": "all", "failures": "all", "places": "all"}
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="forks, and reads /proc")
