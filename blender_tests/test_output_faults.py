@@ -1,4 +1,4 @@
-"""Every file operation around an output of Blender fails once: the older file or the newer, whole."""
+"""Every file operation around an output of Blender fails once: the older file or the newer one."""
 
 import errno
 import sys
