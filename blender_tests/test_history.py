@@ -131,7 +131,8 @@ def test_a_lock_has_one_holder(tmp_path):
     second = RunLock.acquire(tmp_path)
     assert second is not None
     second.release()
-    assert RunLock.acquire(tmp_path / "nowhere") is None
+    with pytest.raises(JobError, match="can't be written"):
+        RunLock.acquire(tmp_path / "nowhere")
 
 
 def test_a_target_is_kept_and_what_is_unknown_is_passed_over(tmp_path):

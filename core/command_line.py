@@ -220,6 +220,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     path, request, progress = run.path, run.path / "cancel", Progress(run)
     signal.signal(signal.SIGINT, lambda *_: progress.interrupt())
     signal.signal(signal.SIGTERM, lambda *_: progress.interrupt())
+    run.remove_half_written()
     if request.exists() and request.stat().st_mtime < START:
         request.unlink()
     run.report("started", pid=os.getpid())
@@ -239,7 +240,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
             run.report("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
         if known:
             raise known from error
-        with (path / "log.txt").open("a", encoding="utf-8") as log:
+        with suppress(OSError), (path / "log.txt").open("a", encoding="utf-8") as log:
             traceback.print_exc(file=log)
         raise
     run.report("done", path="asset", text=f"{asset} is complete.")

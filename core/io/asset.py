@@ -3,6 +3,7 @@
 import json
 import shutil
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -169,16 +170,23 @@ def export(folder: Path, format: str, out: Path) -> Path:
     if format == "glb":
         _copy(asset.folder / "asset.glb", out)
         return out
-    names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
-    for name, file in names.items():
-        _copy(asset.folder / f"{name}.png", out.with_name(file))
-    normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
-    material = mtl_text(out.stem, names["base_color"], names["normal"])
-    text = obj_text(asset.mesh, normals, out.stem)
-    for path, content in ((out.with_suffix(".mtl"), material), (out, text)):
-        with atomic_file(path) as temporary:
-            temporary.write_text(content, encoding="utf-8")
+    _export_obj(asset, out)
     return out
+
+
+def _export_obj(asset: Asset, out: Path) -> None:
+    names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
+    normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
+    texts = {
+        out: obj_text(asset.mesh, normals, out.stem),
+        out.with_suffix(".mtl"): mtl_text(out.stem, names["base_color"], names["normal"]),
+    }
+    with ExitStack() as files:  # all are written before the first takes its name; the OBJ is last
+        for path, content in texts.items():
+            files.enter_context(atomic_file(path)).write_text(content, encoding="utf-8")
+        for name, file in names.items():
+            temporary = files.enter_context(atomic_file(out.with_name(file)))
+            shutil.copyfile(asset.folder / f"{name}.png", temporary)
 
 
 def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:

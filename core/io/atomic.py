@@ -3,7 +3,7 @@
 import errno
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from core.errors import UserError
@@ -24,9 +24,10 @@ def atomic_file(path: Path) -> Iterator[Path]:
         with disk_errors(path):
             yield temporary
             temporary.replace(path)
-    finally:
-        with disk_errors(path):
-            temporary.unlink(missing_ok=True)
+    except BaseException:
+        with suppress(OSError):  # what went wrong first is what counts
+            temporary.unlink()
+        raise
 
 
 @contextmanager

@@ -5,11 +5,13 @@ Standard library only. The files are in the run folder (docs/architecture.md).
 
 import dataclasses
 import difflib
+import errno
 import json
+import os
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, get_origin
+from typing import Any, BinaryIO, ClassVar, get_origin
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
@@ -21,6 +23,7 @@ UV_MODES = ("auto", "keep")
 EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
 LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
 MAX_PROMPT = 2000  # characters
+MAX_LINE = 1 << 16  # bytes of an event: far more than any has
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,6 +48,8 @@ class Job:
     ignore_unknown_words: bool = False  # of "builtin": leave out what it does not know
     settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}
     version: int = VERSION
+
+    TEXT_START: ClassVar[str] = '{\n "prompt": '  # of every job.json
 
     def __post_init__(self) -> None:
         _check(self)
@@ -123,15 +128,36 @@ class EventWriter:
 
     def __init__(self, run: Path) -> None:
         self._path = run / "events.jsonl"
+        self._is_whole = False  # nothing of an earlier session's last line is left
 
     def write(self, type: str, **fields: Any) -> dict[str, Any]:
-        """Append one event; fields that are None are left out."""
+        """Append one event; fields that are None are left out. Of one that fails nothing stays."""
         assert type in EVENTS, type
         event = {"type": type, "time": round(time.time(), 3)}
         event |= {key: value for key, value in fields.items() if value is not None}
-        with self._path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(event, ensure_ascii=False) + "\n")
+        line = json.dumps(event, ensure_ascii=False).encode() + b"\n"
+        # Unbuffered: a line is one write, which a kill does not cut.
+        with self._path.open("ab+", buffering=0) as file:
+            if not self._is_whole:
+                _remove_half_a_line(file)
+                self._is_whole = True
+            end = file.seek(0, os.SEEK_END)
+            try:
+                if file.write(line) < len(line):  # what a disk that fills up takes
+                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(self._path))
+            except OSError:
+                file.truncate(end)
+                raise
         return event
+
+
+def _remove_half_a_line(file: BinaryIO) -> None:
+    """The next event would be added to it, and both be lost."""
+    end = file.seek(0, os.SEEK_END)
+    file.seek(max(0, end - MAX_LINE))
+    tail = file.read()
+    if tail and not tail.endswith(b"\n"):
+        file.truncate(end - len(tail) + tail.rfind(b"\n") + 1)
 
 
 def read_events(run: Path) -> list[dict[str, Any]]:
@@ -143,5 +169,7 @@ def read_events(run: Path) -> list[dict[str, Any]]:
 
 def write_text(path: Path, text: str) -> None:
     """Write a small text file whole: to a temporary file, then renamed."""
-    with atomic_file(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    with atomic_file(path) as temporary, temporary.open("w", encoding="utf-8") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())  # it survives a power cut as well

@@ -8,7 +8,7 @@ import os
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from core.errors import UserError
@@ -32,7 +32,7 @@ def run_lock(folder: Path) -> Iterator[None]:
     except OSError as error:
         raise UserError(
             f"{folder} cannot be written ({error.strerror}).",
-            "Change its permissions, or copy it to another place and resume it there.",
+            "Make room or change its permissions, or copy it to another place and resume it there.",
         ) from None
     with file:
         end = time.monotonic() + LOCK_TIMEOUT
@@ -45,8 +45,9 @@ def run_lock(folder: Path) -> Iterator[None]:
                     "Wait until it ends, or cancel it.",
                 )
             time.sleep(LOCK_TIMEOUT / 10)
-        file.truncate(0)
-        file.write(f" {os.getpid()}\n".encode())
+        with suppress(OSError):  # on a full disk: it is held all the same, by nobody known
+            file.truncate(0)
+            file.write(f" {os.getpid()}\n".encode())
         yield
 
 

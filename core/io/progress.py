@@ -12,7 +12,9 @@ from tqdm import tqdm
 from core.errors import Cancelled
 from core.io.run_folder import RunFolder
 
-PROGRESS_SECONDS = 0.2  # between two progress events: what a panel can show, and a small file
+PROGRESS_SECONDS = 0.2  # between two progress events: what a panel can show
+# And this much of the time since the session began: the file of a day's run stays under 1 MB.
+PROGRESS_SHARE = 1e-3
 
 
 @dataclass
@@ -33,6 +35,7 @@ class Progress:
         self._run = run
         self._interrupted = False
         self._reported = 0.0  # when the last progress event was written
+        self._begun = time.perf_counter()
 
     def interrupt(self) -> None:
         """Ask for a stop after this step, as the file ``cancel`` does."""
@@ -93,7 +96,8 @@ class Progress:
     def _report(self, stage: str, step: int, steps: int, **numbers: float | None) -> None:
         """A progress event, if the last one is old enough or the stage has ended."""
         now = time.perf_counter()
-        if now - self._reported < PROGRESS_SECONDS and step < steps:
+        pause = max(PROGRESS_SECONDS, PROGRESS_SHARE * (now - self._begun))
+        if now - self._reported < pause and step < steps:
             return
         self._reported = now
         fields: dict[str, Any] = {

@@ -2,11 +2,12 @@
 
 import json
 import os
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from safetensors import SafetensorError, safe_open
-from safetensors.torch import save_file
+from safetensors.torch import save
 from torch import Tensor
 from tqdm import tqdm
 
@@ -16,6 +17,9 @@ from core.io.job import EventWriter, Job, write_text
 
 # What file managers leave in a folder that a user takes for empty.
 FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")
+
+# Temporary files of checkpoints and previews.
+HALF_WRITTEN = ("checkpoint/*.safetensors.tmp", "preview/*.png.tmp", "preview/*.npz.tmp")
 
 
 class RunFolder:
@@ -41,7 +45,8 @@ class RunFolder:
             )
         try:
             path.mkdir(parents=True, exist_ok=True)
-            found = sorted(x.name for x in path.iterdir() if x.name not in FILE_MANAGERS)
+            names = {x.name for x in path.iterdir() if not is_half_a_job(x)}
+            found = sorted(names.difference(FILE_MANAGERS))
             if found:
                 raise UserError(
                     f"{path} is not empty: it holds {', '.join(found[:3])}"
@@ -61,6 +66,12 @@ class RunFolder:
         if not (path / "job.json").is_file():
             raise UserError(f"{path} is no run folder: it has no job.json.", "Start a new run.")
         return cls(path)
+
+    def remove_half_written(self) -> None:
+        """Remove the temporary files that a killed process left in our own folders."""
+        with suppress(OSError):  # the next file of that name replaces it
+            for temporary in [x for pattern in HALF_WRITTEN for x in self.path.glob(pattern)]:
+                temporary.unlink()
 
     @property
     def job(self) -> Job:
@@ -95,13 +106,13 @@ class RunFolder:
         meta = meta | {"timings": self.timings}
         values = {key: value.detach().cpu().contiguous() for key, value in tensors.items()}
         path = folder / f"{name}.safetensors"
-        with atomic_file(path) as temporary:
-            try:
-                save_file(values, temporary, metadata={"meta": json.dumps(meta)})
-            except SafetensorError as error:  # it wraps the operating system's error
-                raise UserError(f"{path} was not written: {error}.", "Make room.") from None
-            with temporary.open("rb+") as file:
-                os.fsync(file.fileno())  # a checkpoint survives a power cut
+        # Not the library's save_file: it writes to a hidden temporary file of its own, which a kill
+        # would leave behind.
+        content = save(values, metadata={"meta": json.dumps(meta)})
+        with atomic_file(path) as temporary, temporary.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())  # a checkpoint survives a power cut
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""
@@ -118,3 +129,12 @@ class RunFolder:
             ) from None
         self.timings |= meta["timings"]
         return tensors, meta
+
+
+def is_half_a_job(path: Path) -> bool:
+    """Whether ``path`` is the job.json.tmp of a process that was killed while it wrote it."""
+    if path.name != "job.json.tmp" or not path.is_file():
+        return False
+    start = Job.TEXT_START.encode()
+    with path.open("rb") as file:
+        return start.startswith(file.read(len(start)))

@@ -21,9 +21,11 @@ class Guard:
 
     def __init__(self, training: Training, progress: Progress) -> None:
         self._training, self._progress = training, progress
-        self._good, self._good_step = training.state(), training.step
-        # The steps at which it went back. In the checkpoint, so that a resumed run counts on.
+        # Both are in the checkpoint, so that a resumed run counts on and goes back as far as an
+        # unbroken one: the steps at which it went back, and the state that it goes back to.
         self._recovered: list[int] = training.extra.setdefault("recovered_at", [])
+        if not training.healthy:
+            self._keep(training.step)
 
     def rate(self, step: int) -> float:
         """The factor on the learning rate: a half for each recovery that is not over yet."""
@@ -32,7 +34,11 @@ class Guard:
     def remember(self, step: int) -> None:
         """The state before ``step`` is healthy."""
         if step % SNAPSHOT_STEPS == 0:
-            self._good, self._good_step = self._training.state(), step
+            self._keep(step)
+
+    def _keep(self, step: int) -> None:
+        self._training.healthy = self._training.state()
+        self._training.extra["healthy_at"] = step
 
     def recover(self, why: str, step: int, phase: str) -> None:
         """Put the last healthy state back, at half the learning rate and with other noise.
@@ -50,10 +56,11 @@ class Guard:
             )
         # The generator goes on: with the same noise the same step would fail again.
         noise = self._training.generator.get_state()
-        self._training.set_state(self._good)
+        self._training.set_state(self._training.healthy)
         self._training.generator.set_state(noise)
         self._progress.warn(
-            f"{why}; went back to step {self._good_step} at half the learning rate.",
+            f"{why}; went back to step {self._training.extra['healthy_at']} at half the learning "
+            "rate.",
             "Nothing to do. If it happens often, use another seed.",
             stage=self._training.name,
         )

@@ -8,6 +8,7 @@ from torch import Tensor
 from core.io.run_folder import RunFolder
 
 Net = TypeVar("Net", bound=torch.nn.Module)
+HEALTHY = "healthy."  # in a checkpoint's names: of the state to go back to
 
 
 class Training(Generic[Net]):
@@ -28,6 +29,7 @@ class Training(Generic[Net]):
         )
         self.step = 0  # the next one
         self.extra: dict[str, Any] = {}  # small JSON values, such as the guard's
+        self.healthy: dict[str, Tensor] = {}  # the state to go back to (guard.py)
         self._kept: dict[str, Tensor] = {}
 
     @property
@@ -76,7 +78,8 @@ class Training(Generic[Net]):
     def save(self) -> None:
         """Write a checkpoint."""
         meta = {"step": self.step, "extra": self.extra}
-        self.run.save(self.name, self.state(), meta)
+        healthy = {f"{HEALTHY}{key}": value for key, value in self.healthy.items()}
+        self.run.save(self.name, self.state() | healthy, meta)
 
     def resume(self) -> None:
         """Load the checkpoint, where there is one."""
@@ -84,7 +87,9 @@ class Training(Generic[Net]):
         if found is None:
             return
         tensors, meta = found
-        self.set_state(tensors)
+        start = len(HEALTHY)
+        self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
+        self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
         self.step, self.extra = meta["step"], meta["extra"]
 
     @property

@@ -90,6 +90,19 @@ def test_a_resumed_stage_measures_again():
     assert clock.after(1, 5) == pytest.approx(4.0)
 
 
+def test_a_long_run_reports_less_and_less_often(tmp_path, monkeypatch):
+    """An hour of steps of a second: every fifth of a second would be all of them."""
+    now = iter(range(10_000))
+    monkeypatch.setattr("core.io.progress.time.perf_counter", lambda: float(next(now)))
+    run = make_run(tmp_path)
+    progress = Progress(run)
+    for step in range(3600):
+        progress.advance("fit", step + 1, 3600)
+    events = read_events(run.path)
+    assert 1000 < len(events) < 2400
+    assert (events[0]["step"], events[-1]["step"]) == (1, 3600)
+
+
 def test_cancel_by_file_and_by_signal(tmp_path):
     run = make_run(tmp_path)
     progress = Progress(run)
@@ -173,6 +186,23 @@ def test_the_guard_goes_back_to_health_and_gives_up_in_the_end(tmp_path):
     warnings = [e for e in read_events(training.run.path) if e["type"] == "warning"]
     assert len(warnings) == MAX_RECOVERIES
     assert "went back to step 0" in warnings[0]["text"]
+
+
+def test_a_resumed_run_goes_back_to_the_same_state(tmp_path):
+    """A state of the resumed step's instead once made another asset, or none."""
+    training, guard = guarded(tmp_path)
+    good = training.module.weight.detach().clone()
+    with torch.no_grad():
+        training.module.weight.fill_(7.0)
+    guard.remember(3)  # no snapshot
+    training.step = 4
+    training.save()
+    other = Training("geometry", torch.nn.Linear(2, 1), torch.Generator(), training.run)
+    other.resume()
+    assert torch.equal(other.module.weight, training.module.weight)
+    Guard(other, Progress(other.run)).recover("The surface had nearly vanished", 4, "coarse")
+    assert torch.equal(other.module.weight, good)
+    assert "went back to step 0" in read_events(training.run.path)[-1]["text"]
 
 
 def test_recoveries_long_ago_are_over_and_the_rate_comes_back(tmp_path):

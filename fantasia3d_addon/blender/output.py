@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import os
 import shutil
 import tempfile
 import time
@@ -14,6 +16,8 @@ from ..errors import OutputError
 
 PREFIX = ".fantasia3d-"  # of every temporary file and folder next to an output
 LOCK = "fantasia3d.lock"  # in a temporary folder; held while its process lives
+FULL = (errno.ENOSPC, errno.EDQUOT)
+ROOM = 1 << 16  # bytes: a disk with less is full
 NEW = 60.0  # seconds: a folder that was just made may not be locked yet
 
 _in_use: set[Path] = set()  # the temporary files and folders of this process
@@ -40,12 +44,32 @@ def temporary_output(path: Path) -> Iterator[Path]:
             yield temporary
             if not temporary.is_file() or not temporary.stat().st_size:
                 raise OSError(0, "Blender wrote nothing")
+            raise_if_full(folder)
             _move_siblings(temporary, path)
             temporary.replace(path)
     except (OSError, RuntimeError) as error:  # RuntimeError: what Blender's operators report
-        raise OutputError(
-            f"{path} can't be written ({reason_of(error)}).", "Choose another place."
-        ) from None
+        raise unwritten(path, error) from None
+
+
+def unwritten(path: Path, error: OSError | RuntimeError) -> OutputError:
+    """The error for an output that could not be written."""
+    try:
+        raise_if_full(path.parent)
+    except OSError as full:  # Blender's own reason may be another then, such as no such file
+        error = full if full.errno in FULL else error
+    fix = "Free some space." if getattr(error, "errno", None) in FULL else "Choose another place."
+    return OutputError(f"{path} can't be written ({reason_of(error)}).", fix)
+
+
+def raise_if_full(folder: Path) -> None:
+    """OSError where the disk of ``folder`` has no room left.
+
+    On a full disk Blender's writers of pictures and libraries leave half a file and report success.
+    """
+    with tempfile.TemporaryFile(prefix=PREFIX, dir=folder) as file:
+        file.write(bytes(ROOM))
+        file.flush()
+        os.fsync(file.fileno())
 
 
 @contextlib.contextmanager
@@ -95,8 +119,13 @@ def _remove_stale(parent: Path) -> None:
 
 
 def reason_of(error: OSError | RuntimeError) -> str:
-    """The cause in a system's or an operator's error."""
-    return getattr(error, "strerror", None) or str(error).strip()
+    """The cause in a system's or an operator's error, on one line."""
+    said = getattr(error, "strerror", None) or str(error)
+    lines = [line.strip() for line in said.splitlines() if line.strip()] or ["no reason was given"]
+    # Blender's exporters in Python report a traceback; the exception is its last line but for
+    # where Blender saw it.
+    told = [line for line in lines if not line.startswith("Location:")]
+    return told[-1] if "Traceback" in said and told else lines[0]
 
 
 def _move_siblings(temporary: Path, path: Path) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import IO
 
 from ..environment import try_lock
+from .job_file import unwritable
 
 NAME = "follower"  # the lock file in the run folder
 WORKER = "lock"  # the core's own, which says its pid (core/io/lock.py)
@@ -32,11 +33,15 @@ class RunLock:
 
     @classmethod
     def acquire(cls, folder: Path) -> RunLock | None:
-        """The lock of the run in ``folder``; None while another Blender holds it."""
+        """The lock of the run in ``folder``; None while another Blender holds it.
+
+        Raises:
+            JobError: the folder is read-only or gone: nobody can follow that run.
+        """
         try:
             file = (folder / NAME).open("ab")
-        except OSError:  # a read-only folder: nobody can follow that run
-            return None
+        except OSError as error:
+            raise unwritable(folder, error) from None
         if try_lock(file):
             return cls(file)
         file.close()

@@ -139,8 +139,15 @@ class Run:
         return events
 
     def cancel(self) -> None:
-        """Ask the core to stop after its present step; it answers with a ``cancelled`` event."""
-        (self.folder / "cancel").touch()
+        """Ask the core to stop after its present step; it answers with a ``cancelled`` event.
+
+        Raises:
+            JobError: the folder can't be written; then only :meth:`kill` stops it.
+        """
+        try:
+            (self.folder / "cancel").touch()
+        except OSError as error:
+            raise unwritable(self.folder, error) from None
 
     def kill(self) -> None:
         """End the process at once; the run resumes from its last checkpoint."""
@@ -157,7 +164,10 @@ class Run:
 
     def _started_at(self) -> float:
         """When the process may have been started: its log is opened first."""
-        return self.log.stat().st_mtime if self.log.exists() else self._since - START_SECONDS
+        try:
+            return self.log.stat().st_mtime
+        except OSError:
+            return self._since - START_SECONDS
 
     def _died(self) -> Event:
         text, fix = self._cause_of_death()
@@ -184,7 +194,7 @@ class Run:
             with (self.folder / "events.jsonl").open("rb") as file:
                 file.seek(self._offset)
                 chunk = file.read()
-        except FileNotFoundError:
+        except OSError:  # not written yet; or the folder is gone, and the core ends by itself
             return []
         whole = chunk[: chunk.rfind(b"\n") + 1]
         self._offset += len(whole)

@@ -122,9 +122,10 @@ class FollowedRun:
 
     def cancel(self) -> None:
         """Ask the core to stop after its present step."""
-        self.run.cancel()
-        # The first request counts: pressing again does not restart the patience.
+        # The first request counts: pressing again does not restart the patience. It starts even
+        # where the request can't be written, so that the process can be ended.
         self.progress.cancelled_at = self.progress.cancelled_at or time.monotonic()
+        self.run.cancel()
 
     def release(self) -> None:
         """Let another Blender follow it."""

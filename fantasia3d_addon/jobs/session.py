@@ -94,7 +94,8 @@ class Session:
         """Put ``job`` into the queue, with copies of its ``files`` by name; its run folder.
 
         Raises:
-            AddonError: the folder for runs can't be written; nothing is left in it then.
+            AddonError: the folder for runs can't be written, or the core can't be started;
+                nothing is left in it then.
         """
         folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
         try:
@@ -111,14 +112,20 @@ class Session:
                     "Choose another folder for runs in the add-on's preferences.",
                 ) from None
             raise
-        self.enqueue(context, folder)
+        try:
+            self.enqueue(context, folder)
+        except (AddonError, SetupError):
+            if all(folder != other for other, _ in self.waiting):  # it was this one that failed
+                shutil.rmtree(folder, ignore_errors=True)
+            raise
         return folder
 
     def enqueue(self, context: bpy.types.Context, folder: Path) -> None:
         """Start or resume the run in ``folder`` when its turn comes.
 
         Raises:
-            AddonError: another Blender follows it, or it can't be started.
+            AddonError: another Blender follows it, its folder can't be written, or it can't be
+                started.
         """
         lock = RunLock.acquire(folder)
         if lock is None:
@@ -182,7 +189,10 @@ class Session:
         self.start_timer()
 
     def _adopt(self, entry: Entry) -> None:
-        lock = RunLock.acquire(entry.folder)
+        try:
+            lock = RunLock.acquire(entry.folder)
+        except AddonError:  # a folder that can't be written: nobody follows its run
+            return
         if lock is None:
             return
         if entry.state == history.RUNNING:
@@ -202,7 +212,10 @@ class Session:
     def cancel(self, name: str = "") -> None:
         """Ask the run of that name, or the first, to stop after its present step."""
         for followed in [f for f in self.running if name in ("", f.name)][:1]:
-            followed.cancel()
+            try:
+                followed.cancel()
+            except AddonError as error:
+                self.error = (error.text, error.fix)
         self.start_timer()
 
     def kill(self) -> None:

@@ -10,7 +10,7 @@ import bpy
 from .. import options
 from ..blender import compat
 from ..blender.mesh_arrays import mesh_object
-from ..blender.output import PREFIX, reason_of, remove, removed_at_the_end
+from ..blender.output import PREFIX, raise_if_full, remove, removed_at_the_end, unwritten
 from ..errors import AddonError, OutputError
 from . import light
 from . import render as scene_render
@@ -115,11 +115,10 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
             _render(scene)
             if not temporary.exists():
                 raise OSError(0, "Blender wrote nothing")
+            raise_if_full(out.parent)
             _move(temporary, out)
     except (OSError, RuntimeError) as error:
-        raise OutputError(
-            f"{out} can't be written ({reason_of(error)}).", "Choose another place."
-        ) from None
+        raise unwritten(out, error) from None
     finally:
         remove_turntable_scene(scene)
     return out
