@@ -83,7 +83,7 @@ def read_obj(path: Path) -> Mesh:
             raise ValueError("indices without a vertex")
     except OSError as error:
         raise UserError(f"{path} cannot be read: {error.strerror}.", "Check the path.") from error
-    except (ValueError, RuntimeError) as error:
+    except (ValueError, RuntimeError, OverflowError) as error:  # Overflow: an index over 64 bits
         raise UserError(
             f"{path} is not the triangle mesh that was written there ({error}).",
             "Make the asset again, or take the OBJ as a mesh: texture MESH.",

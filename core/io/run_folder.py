@@ -13,6 +13,7 @@ from tqdm import tqdm
 from core.errors import UserError
 from core.io.atomic import atomic_file
 from core.io.job import EventWriter, Job, write_text
+from core.io.json_file import read_object
 
 # What file managers leave in a folder that a user takes for empty.
 FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")
@@ -65,7 +66,7 @@ class RunFolder:
     @property
     def job(self) -> Job:
         """What the user asked for."""
-        return Job.from_json((self.path / "job.json").read_text(encoding="utf-8"))
+        return Job.from_object(read_object(self.path / "job.json", "Start a new run."))
 
     @property
     def asset(self) -> Path:
