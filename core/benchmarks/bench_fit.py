@@ -61,8 +61,8 @@ def bench_fit(
 ) -> None:
     """Fit to each noun's pictures, print the scores, the pictures to ``folder``, JSON to ``out``.
 
-    ``nouns`` empty: those of ``NOUNS``. ``settings``: by name, as for ``--set``. What is there already is
-    not made again.
+    ``nouns`` empty: those of ``NOUNS``. ``settings``: by name, as for ``--set``. What is there
+    already is not made again.
     """
     torch.set_num_threads(1)
     config = with_settings(DRAFT, settings).geometry

@@ -153,10 +153,11 @@ class EventWriter:
 
 
 def read_events(run: Path) -> list[dict[str, Any]]:
-    """All whole lines of a run's events.jsonl."""
+    """All whole lines of a run's events.jsonl; UserError for one that is no JSON object."""
     path = run / "events.jsonl"
     text = path.read_bytes() if path.exists() else b""
-    return [json.loads(line) for line in text[: text.rfind(b"\n") + 1].splitlines()]
+    lines = text[: text.rfind(b"\n") + 1].decode("utf-8", "replace").split("\n")[:-1]
+    return [parse_object(line, str(path), "Start a new run.") for line in lines]
 
 
 def write_text(path: Path, text: str) -> None:

@@ -87,9 +87,16 @@ def _read_parts(path: Path) -> list[_Part]:
         mirrored = np.linalg.det(matrix[:3, :3]) < 0
         faces = np.asarray(part.faces)[:, ::-1] if mirrored else np.asarray(part.faces)
         uv, material = getattr(part.visual, "uv", None), getattr(part.visual, "material", None)
-        usable = uv is not None and len(uv) == len(verts) and np.isfinite(uv).all()
-        parts.append(_Part(verts, faces, np.asarray(uv) if usable else None, material))
+        parts.append(_Part(verts, faces, _usable_uv(uv, len(verts)), material))
     return parts
+
+
+def _usable_uv(uv: object, count: int) -> np.ndarray | None:
+    """(count, 2) where the file has that; an OBJ may give a third coordinate, which is no use."""
+    found = np.asarray(uv) if uv is not None else np.empty(0)
+    if found.ndim != 2 or found.shape[1] < 2 or len(found) != count:
+        return None
+    return found[:, :2] if np.isfinite(found[:, :2]).all() else None
 
 
 def _check_indices(path: Path, part: trimesh.Trimesh) -> None:

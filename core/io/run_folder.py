@@ -2,6 +2,8 @@
 
 import json
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -81,7 +83,7 @@ class RunFolder:
 
     def has(self, name: str) -> bool:
         """Whether there is a checkpoint of that name."""
-        return (self.path / "checkpoint" / f"{name}.safetensors").exists()
+        return self._checkpoint(name).exists()
 
     def preview_path(self, name: str) -> Path:
         """The file of the preview ``name``; who writes it renames a temporary file to it."""
@@ -106,16 +108,27 @@ class RunFolder:
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""
-        path = self.path / "checkpoint" / f"{name}.safetensors"
+        path = self._checkpoint(name)
         if not path.exists():
             return None
-        try:
-            with safe_open(path, "pt") as file:
-                meta = json.loads((file.metadata() or {})["meta"])
-                tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
-        except (SafetensorError, KeyError, ValueError):
-            raise UserError(
-                f"{path} is broken.", "Remove it: on resume the stage then starts again."
-            ) from None
-        self.timings |= meta["timings"]
+        with self.whole_checkpoint(name), safe_open(path, "pt") as file:
+            meta = json.loads((file.metadata() or {})["meta"])
+            tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
+            self.timings |= {str(key): float(value) for key, value in meta["timings"].items()}
         return tensors, meta
+
+    @contextmanager
+    def whole_checkpoint(self, name: str) -> Iterator[None]:
+        """Turn what a broken checkpoint makes its reader raise into a UserError that names it."""
+        try:
+            yield
+        # Also of what is whole and means nothing: names, shapes and types that no run of ours has.
+        except (AttributeError, LookupError, OverflowError, RecursionError, RuntimeError,
+                SafetensorError, TypeError, ValueError) as error:  # fmt: skip
+            raise UserError(
+                f"{self._checkpoint(name)} is broken.",
+                "Remove it: on resume the stage then starts again.",
+            ) from error
+
+    def _checkpoint(self, name: str) -> Path:
+        return self.path / "checkpoint" / f"{name}.safetensors"

@@ -84,8 +84,9 @@ class Training(Generic[Net]):
         if found is None:
             return
         tensors, meta = found
-        self.set_state(tensors)
-        self.step, self.extra = meta["step"], meta["extra"]
+        with self.run.whole_checkpoint(self.name):
+            self.set_state(tensors)
+            self.step, self.extra = int(meta["step"]), dict(meta["extra"])
 
     @property
     def _parameters(self) -> list[torch.nn.Parameter]:
@@ -98,5 +99,7 @@ class Training(Generic[Net]):
         for key, value in moments.items():
             i, name = key.split(".", 1)
             p = parameters[int(i)]
+            if name != "step" and value.shape != p.shape:
+                raise ValueError(f"{key} has another shape than its parameter")
             # AdamW counts its steps on the CPU.
             self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)
