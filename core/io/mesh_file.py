@@ -100,8 +100,10 @@ def _usable_uv(uv: object, count: int) -> np.ndarray | None:
 
 
 def _check_indices(path: Path, part: trimesh.Trimesh) -> None:
-    faces = np.asarray(part.faces)
-    if faces.min() < 0 or faces.max() >= len(part.vertices):
+    faces, verts = np.asarray(part.faces), np.asarray(part.vertices)
+    if verts.ndim != 2 or verts.shape[1] != 3 or faces.ndim != 2 or faces.shape[1] != 3:
+        raise UserError(f"{path.name} has vertices that are not three numbers.", EXPORT_AGAIN)
+    if faces.min() < 0 or faces.max() >= len(verts):
         raise UserError(f"{path.name} has a face without one of its vertices.", EXPORT_AGAIN)
 
 

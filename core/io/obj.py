@@ -93,7 +93,8 @@ def read_obj(path: Path) -> Mesh:
 
 def _read(lines: list[bytes], key: bytes, width: int) -> Float[Tensor, "n {width}"]:
     rows = [line[len(key) :] for line in lines if line.startswith(key)]
-    values = np.array(b" ".join(rows).split(), np.float64).astype(np.float32)
+    with np.errstate(over="ignore"):  # beyond single precision: not finite, and refused below
+        values = np.array(b" ".join(rows).split(), np.float64).astype(np.float32)
     if not np.isfinite(values).all():
         raise ValueError("numbers that are not finite")
     return torch.from_numpy(values).view(len(rows), width)
