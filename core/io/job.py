@@ -128,12 +128,14 @@ def check_prompt(name: str, text: str) -> None:
 def _check_text(name: str, value: Any) -> None:
     """Text that UTF-8 cannot hold comes from a terminal of another encoding."""
     try:
-        str(value).encode("utf-8")
+        found = str(value).encode("utf-8")
     except UnicodeEncodeError:
+        found = b"\0"
+    if b"\0" in found:  # which ends a name where the system reads it
         raise UserError(
             f"The {name.replace('_', ' ')} holds a byte that is no text.",
             "Type it again, in a terminal that uses UTF-8.",
-        ) from None
+        )
 
 
 class EventWriter:

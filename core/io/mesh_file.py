@@ -134,7 +134,7 @@ def _texture(
     uv, number = _weld(uv.astype(np.float32))
     texture = None
     for image, part in images.values():
-        srgb = torch.from_numpy(np.asarray(image.convert("RGB")).astype(np.float32) / 255)
+        srgb = torch.from_numpy(_pixels(image).astype(np.float32) / 255)
         texture = srgb_to_linear(srgb) * _factor(part.material)
     return torch.from_numpy(uv), torch.from_numpy(number[face_uvs][kept]), texture
 
@@ -144,6 +144,14 @@ def _image(material: object) -> Image | None:
     image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
     # Where a file names none, trimesh makes a grey one up; only a file's has a format.
     return image if image is not None and image.format else None
+
+
+def _pixels(image: Image) -> np.ndarray:
+    """(H,W,3) uint8; PIL reads the pixels only here."""
+    try:
+        return np.asarray(image.convert("RGB"))
+    except Exception as error:  # whatever a broken picture makes PIL raise
+        raise UserError(f"The mesh's texture cannot be read: {error}.", EXPORT_AGAIN) from error
 
 
 def _factor(material: object) -> Tensor:

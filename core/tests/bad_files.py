@@ -59,6 +59,7 @@ def meshes() -> dict[str, bytes]:
     whole = glb()
     return {
         "ok.obj": OBJ + b"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
+        "uv.obj": OBJ + b"vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
         "empty.obj": b"", "empty.ply": b"", "empty.stl": b"", "empty.glb": b"", "empty.gltf": b"",
         "text.obj": b"hello\n", "text.ply": b"hello\n", "text.stl": b"hello\n",
         "text.glb": b"hello, no glTF\n", "text.gltf": b"hello\n", "zip.obj": b"PK\3\4" + bytes(99),
@@ -270,6 +271,7 @@ def broken_assets() -> dict[str, Change]:
         "cut-obj": cut("mesh.obj"), "obj-folder": with_folder("mesh.obj"),
         "obj-loop": with_link("mesh.obj", "mesh.obj"),
         "nan-obj": with_file("mesh.obj", b"v nan 0 0\n" * 3 + corner + b"f 1/1/1 2/2/2 3/3/3\n"),
+        "huge-obj": with_file("mesh.obj", b"v 1e39 0 0\n" * 3 + corner + b"f 1/1/1 2/2/1 3/3/1\n"),
         "index-obj": with_file("mesh.obj", OBJ + corner + b"f 1/1/1 2/2/1 9/3/1\n"),
         "index64-obj": with_file(
             "mesh.obj", OBJ + corner + b"f 1/1/1 2/2/1 3/9%s/1\n" % (b"9" * 30)
