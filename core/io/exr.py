@@ -31,6 +31,8 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
         raise
     except Exception as error:  # the library raises whatever its C++ side threw
         reason = str(error).rstrip(". ") or type(error).__name__
+        if "Invalid part index" in reason:  # it gives up a part that it cannot decode
+            reason = "it is broken or incomplete"
         raise UserError(
             f"{path} cannot be read as OpenEXR: {reason}.", "Save it again as a scanline EXR."
         ) from error

@@ -8,6 +8,7 @@ changes the selection, and links into the collection that is active when the job
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -116,7 +117,9 @@ def _is_plain_name(name: str) -> bool:
 def asset_in(folder: Path) -> Path:
     """``folder``, or the asset in it where it is a run folder."""
     inside = folder / "asset"
-    is_run = not (folder / "asset.json").is_file() and (inside / "asset.json").is_file()
+    # Not Path.is_file, which raises for a name that is too long.
+    here, below = (os.path.isfile(path / "asset.json") for path in (folder, inside))  # noqa: PTH113
+    is_run = below and not here
     return inside if is_run else folder
 
 
