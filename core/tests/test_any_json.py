@@ -48,10 +48,9 @@ def answered(work: Callable[[], object]) -> object:
     """What ``work`` gives; None where it is refused in words for the user."""
     try:
         return work()
-    except UserError as error:
-        assert error.text and error.fix
-    except OSError as error:  # such as a name that is too long
-        assert _known(error)
+    except (UserError, OSError) as error:  # OSError: such as a name that is too long
+        caught = error if isinstance(error, UserError) else _known(error)
+    assert caught is not None and caught.text and caught.fix
     return None
 
 
