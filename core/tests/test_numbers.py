@@ -24,8 +24,8 @@ def shapes() -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """Vertices and faces, by what is odd about them."""
     ball, box = trimesh.creation.icosphere(2), trimesh.creation.box()
     v, f = np.array(ball.vertices), np.array(ball.faces)
-    two = np.concatenate([v, v + [0.7, 0, 0]]), np.concatenate([f, f + len(v)])
-    edge = np.concatenate([box.vertices, box.vertices + [1, 1, 0]])
+    two = np.concatenate([v, np.add(v, (0.7, 0, 0))]), np.concatenate([f, f + len(v)])
+    edge = np.concatenate([box.vertices, np.add(box.vertices, (1, 1, 0))])
     every_other = np.arange(len(f))[:, None] % 2
     return {
         "1e-9 large": (v * 1e-9, f),
