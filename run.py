@@ -121,9 +121,13 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
     if path.suffix.lower() not in endings:
         raise UserError(f"{option} is {str(path)!r}.", f"Its name ends in {endings[0]}.")
     full = path.expanduser().absolute()
-    place = next(p for p in full.parents if p.exists())
-    if full.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
-        raise UserError(f"{full} cannot be written.", "Name a file in a folder of yours.")
+    fix = "Name a file in a folder of yours."
+    try:
+        place = next(p for p in full.parents if p.exists())
+        if full.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
+            raise UserError(f"{full} cannot be written.", fix)
+    except OSError as error:  # a name that is too long
+        raise UserError(f"{full} cannot be written: {error.strerror}.", fix) from None
 
 
 # Handing over

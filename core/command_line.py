@@ -9,6 +9,7 @@ be kept; 130 cancelled.
 
 import argparse
 import difflib
+import errno
 import io
 import json
 import os
@@ -32,6 +33,14 @@ if TYPE_CHECKING:
 # A request to cancel that is older than this was meant for an earlier session.
 START = time.time()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
+FULL = "Free some space or take another --out."
+FIXES = {
+    errno.ENOSPC: FULL,
+    errno.EDQUOT: FULL,
+    errno.EFBIG: FULL,
+    errno.ENAMETOOLONG: "Use a shorter name.",
+    errno.ELOOP: "Name the file itself: a link leads back to itself.",
+}
 
 
 class Parser(argparse.ArgumentParser):
@@ -191,7 +200,8 @@ def job_of(args: argparse.Namespace) -> "Job":
 
 
 def _absolute(path: str) -> str:
-    return str(Path(path).expanduser().resolve()) if path else ""
+    # Links are kept as they are: one that leads to itself has no target to name.
+    return os.path.abspath(os.path.expanduser(path)) if path else ""  # noqa: PTH100, PTH111
 
 
 def _setting(text: str) -> tuple[str, str]:
@@ -260,7 +270,8 @@ def _known(error: BaseException) -> UserError | None:
     if isinstance(error, OSError) and error.errno is not None:
         place = f" {error.filename}" if error.filename else ""
         return UserError(
-            f"The disk refused{place}: {error.strerror}.", "Free some space or take another --out."
+            f"The disk refused{place}: {error.strerror}.",
+            FIXES.get(error.errno, "Check that the path is right and may be read and written."),
         )
     return None
 
@@ -348,7 +359,9 @@ def _export(args: argparse.Namespace) -> None:
 
 def _words(args: argparse.Namespace) -> None:
     from core.guidance.builtin.vocabulary import understood, words_report
+    from core.io.job import check_prompt
 
+    check_prompt("prompt", args.prompt)
     report, code = words_report(args.prompt)
     print(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
@@ -357,7 +370,13 @@ def _words(args: argparse.Namespace) -> None:
 
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
+    from core.io.atomic import check_target
 
+    if args.json:
+        check_target(args.json)
+    if args.seeds < 1:
+        raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
+    settings = dict(_setting(text) for text in args.set)
     try:
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several
             from core.benchmarks.bench_prior import bench_prior
@@ -366,7 +385,7 @@ def _bench(args: argparse.Namespace) -> None:
         elif args.names == ["fit"]:  # a minute or two a noun, and a folder
             from core.benchmarks.bench_fit import bench_fit
 
-            bench_fit(args.nouns, args.set, args.out, args.json)
+            bench_fit(args.nouns, settings, args.out, args.json)
         else:
             bench(args.names, args.json)
     except ModuleNotFoundError as error:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, fields, replace
 from typing import Annotated, Any, Literal, get_args, get_origin
 
 from core.camera import CameraConfig
-from core.errors import UserError
+from core.errors import UserError, shown
 from core.geometry.sdf_net import FOURIER, HASH, SdfNetConfig
 from core.ranges import (
     Count,
@@ -291,7 +291,7 @@ PRESETS: dict[str, Config] = {"draft": DRAFT, "sds": SDS, "standard": STANDARD, 
 def preset(name: str) -> Config:
     """The preset ``name``; UserError for one that is not there."""
     if name not in PRESETS:
-        raise UserError(f"There is no preset {name!r}.", f"Use one of {', '.join(PRESETS)}.")
+        raise UserError(f"There is no preset {shown(name)}.", f"Use one of {', '.join(PRESETS)}.")
     return PRESETS[name]
 
 
@@ -331,8 +331,8 @@ def check(config: Any, prefix: str = "") -> None:
 def _check_range(key: str, kind: Any, value: Any) -> None:
     allowed = range_of(kind)
     if allowed and not allowed.allows(value):
-        shown = ",".join(map(str, value)) if isinstance(value, tuple) else value
-        raise UserError(f"{key} is {shown}.", f"It takes {allowed}.")
+        text = ",".join(map(str, value)) if isinstance(value, tuple) else shown(value)
+        raise UserError(f"{key} is {text}.", f"It takes {allowed}.")
 
 
 def setting_names(config: Any, prefix: str = "") -> list[str]:
@@ -352,7 +352,7 @@ def _with_setting(config: Any, key: str, path: list[str], value: Any) -> Any:
     name, rest = path[0], path[1:]
     here = getattr(config, name, None) if name in kinds else None
     if name not in kinds or bool(rest) != dataclasses.is_dataclass(here):
-        raise UserError(f"There is no setting {key!r}.", _did_you_mean(key))
+        raise UserError(f"There is no setting {shown(key)}.", _did_you_mean(key))
     new = _with_setting(here, key, rest, value) if rest else _parse(key, kinds[name], here, value)
     if not rest:
         _check_range(key, kinds[name], new)
@@ -364,7 +364,8 @@ def _did_you_mean(key: str) -> str:
     tail = key.rsplit(".", 1)[-1]
     near = difflib.get_close_matches(key, names, n=3, cutoff=0.5)
     near += [n for n in names if n.rsplit(".", 1)[-1] == tail and n not in near]
-    return f"Did you mean {' or '.join(near[:3])}?" if near else f"It takes {', '.join(names)}."
+    fix = "Name it as stage.field, such as geometry.fine.steps or texture.size."
+    return f"Did you mean {' or '.join(near[:3])}?" if near else fix
 
 
 def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
@@ -378,13 +379,22 @@ def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
             return {"true": True, "false": False}[str(value).lower()]
         if isinstance(here, tuple):
             parts = value.split(",") if isinstance(value, str) else list(value)
-            if len(parts) != len(here):
-                raise ValueError
-            return tuple(type(x)(p) for x, p in zip(here, parts, strict=True))
-        return type(here)(value)
+            return tuple(_number(type(x), p) for x, p in zip(here, parts, strict=True))
+        return _number(type(here), value)
     except (ValueError, KeyError, TypeError, OverflowError):
         takes = " or ".join(get_args(kind)) if get_origin(kind) is Literal else _describe(here)
-        raise UserError(f"{key} is {value!r}.", f"It takes {takes}.") from None
+        raise UserError(f"{key} is {shown(value)}.", f"It takes {takes}.") from None
+
+
+def _number(kind: type, value: Any) -> Any:
+    """``value`` as an int or a float; ValueError where that would change it."""
+    # bool is an int to Python, and int() would cut 1.7 down to 1.
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise ValueError
+    number = kind(value)
+    if not isinstance(value, str) and number != value:
+        raise ValueError
+    return number
 
 
 def _describe(here: Any) -> str:

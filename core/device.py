@@ -2,7 +2,7 @@
 
 import torch
 
-from core.errors import MissingError, UserError
+from core.errors import MissingError, UserError, shown
 
 
 def device_of(name: str) -> torch.device:
@@ -13,8 +13,14 @@ def device_of(name: str) -> torch.device:
         # that the first render would fail. It must be asked for by name until someone has run it.
         return torch.device("cuda" if found["cuda"] else "cpu")
     kind = name.split(":")[0]
-    if kind not in ("cpu", *found):
-        raise UserError(f"There is no device {name!r}.", "Use auto, cpu, cuda or mps.")
+    try:
+        device = torch.device(name)
+    except RuntimeError:
+        device = None
+    if kind not in ("cpu", *found) or device is None:
+        raise UserError(f"There is no device {shown(name)}.", "Use auto, cpu, cuda or mps.")
     if not found.get(kind, True):
         raise MissingError(f"This torch finds no {kind} device.", "Use --device auto or cpu.")
-    return torch.device(name)
+    if kind == "cuda" and (device.index or 0) >= torch.cuda.device_count():
+        raise MissingError(f"This torch finds no device {name}.", "Use --device cuda or auto.")
+    return device

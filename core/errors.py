@@ -1,5 +1,16 @@
 """What a user can fix. Anything else keeps its traceback."""
 
+MAX_SHOWN = 80  # characters of a value from outside in a sentence
+
+
+def shown(value: object) -> str:
+    """``value`` as Python writes it, short enough for a sentence."""
+    try:
+        text = repr(value)
+    except ValueError:  # an integer of more digits than Python converts
+        return f"a number of {type(value).__name__}"
+    return text if len(text) <= MAX_SHOWN else f"{text[:MAX_SHOWN]}…"
+
 
 class UserError(Exception):
     """A sentence for the user: what was got and expected (``text``), and what to do (``fix``)."""

@@ -15,6 +15,7 @@ from core.camera import Cameras
 from core.errors import UserError
 from core.geometry.mesh import normalise
 from core.io.asset import Asset, read_asset
+from core.io.atomic import check_target
 from core.io.exr import write_exr
 from core.io.png import write_png
 from core.ops import linear_to_srgb, normalize, srgb_to_linear
@@ -50,6 +51,7 @@ def render_asset(
         UserError: no asset, an unknown map or file type, numbers out of range.
     """
     _check(out, map, distance, size)
+    check_target(out)
     _check_angles(azimuth_deg, elevation_deg, fovy_deg)
     asset = read_asset(folder)
     verts, _, scale = normalise(asset.mesh.verts)
@@ -57,7 +59,7 @@ def render_asset(
     cameras = Cameras.orbit([azimuth_deg], [elevation_deg], far, fovy_deg)
     picture, o = _draw(asset, verts, cameras, map=map, size=size, light=light)
     if out.suffix.lower() == ".exr":
-        write_exr(out, torch.cat([picture, o], -1))
+        write_exr(out, torch.cat([picture.expand(-1, -1, 3), o], -1))
     else:
         write_png(out, over_grey(encoded(picture, o, map), o))
 

@@ -3,7 +3,6 @@
 Standard library only, and nothing of the core: every part may declare its settings with it.
 """
 
-import math
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_origin
 
@@ -19,7 +18,8 @@ class Range:
     def allows(self, value: Any) -> bool:
         """Whether ``value`` is in range; infinities and NaN never are."""
         numbers = value if isinstance(value, tuple) else (value,)
-        if not all(math.isfinite(n) and self.low <= n <= self.high for n in numbers):
+        # No math.isfinite, which takes no integer beyond a float's range. False for NaN too.
+        if not all(self.low <= n <= self.high for n in numbers):
             return False
         return not self.rising or list(numbers) == sorted(numbers)
 

@@ -5,9 +5,9 @@ class AddonError(Exception):
     """``text``: one sentence, what is wrong; ``fix``: what the user can do."""
 
     def __init__(self, text: str, fix: str = "") -> None:
-        super().__init__(f"{text} {fix}".strip())
-        self.text = text
-        self.fix = fix
+        # Blender's text and some terminals refuse half of a surrogate pair, which JSON may hold.
+        self.text, self.fix = (x.encode(errors="backslashreplace").decode() for x in (text, fix))
+        super().__init__(f"{self.text} {self.fix}".strip())
 
 
 class AssetError(AddonError):

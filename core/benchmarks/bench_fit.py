@@ -20,12 +20,13 @@ from core.benchmarks.fit_scores import Truth, scores
 from core.benchmarks.oracle import oracle
 from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig, with_settings
+from core.errors import UserError
 from core.io.job import Job, write_text
 from core.io.png import write_png
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.prior.draw import Draw
-from core.prior.families import Shape, build
+from core.prior.families import FAMILIES, Shape, build
 from core.prior.tracer import render
 from core.render.normals import render_normals
 from core.stages.geometry import learn_geometry
@@ -54,17 +55,20 @@ CREASE = (0.85, 1.15)
 
 def bench_fit(
     nouns: list[str],
-    settings: list[str],
+    settings: dict[str, str],
     folder: Path | None = None,
     out: Path | None = None,
 ) -> None:
     """Fit to each noun's pictures, print the scores, the pictures to ``folder``, JSON to ``out``.
 
-    ``nouns`` empty: those of ``NOUNS``. ``settings``: as for ``--set``. What is there already is
-    not made again.
+    ``nouns`` empty: those of ``NOUNS``. ``settings``: by name, as for ``--set``. What is there
+    already is not made again.
     """
     torch.set_num_threads(1)
-    config = with_settings(DRAFT, dict(s.split("=", 1) for s in settings)).geometry
+    config = with_settings(DRAFT, settings).geometry
+    for noun in nouns:
+        if noun not in FAMILIES:
+            raise UserError(f"There is no noun {noun!r}.", f"Use one of {', '.join(FAMILIES)}.")
     folder = folder or FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     found = []

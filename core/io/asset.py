@@ -16,7 +16,7 @@ from core.geometry.mesh import Mesh, health
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
-from core.io.atomic import atomic_file, disk_errors, flush_folder
+from core.io.atomic import atomic_file, check_target, disk_errors, flush_folder
 from core.io.glb import glb_bytes
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
@@ -167,6 +167,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
         raise UserError(f"The core does not write {format!r}.", "Take glb or obj.")
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
+    check_target(out)
     if format == "glb":
         _copy(asset.folder / "asset.glb", out)
         return out
@@ -285,5 +286,7 @@ def _restore(folder: Path, old: Path) -> None:
 
 
 def _copy(source: Path, to: Path) -> None:
+    if not source.is_file():
+        raise UserError(f"There is no file {source}.", REMAKE)
     with atomic_file(to) as temporary:
         shutil.copyfile(source, temporary)

@@ -2,6 +2,7 @@
 
 import errno
 import os
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -9,7 +10,7 @@ from pathlib import Path
 from core.errors import UserError
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
-LOST = (errno.EIO, errno.ENAMETOOLONG, errno.ESTALE)
+LOST = (errno.EIO, errno.ENAMETOOLONG, errno.ESTALE, errno.ELOOP)
 FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 
@@ -28,6 +29,24 @@ def atomic_file(path: Path) -> Iterator[Path]:
         with suppress(OSError):  # what went wrong first is what counts
             temporary.unlink()
         raise
+
+
+def check_target(path: Path) -> None:
+    """Refuse before the work a ``path`` that no file can be written to after it.
+
+    Raises:
+        UserError: it is a folder, or its folder is none, is not there or may not be written.
+    """
+    with disk_errors(path):
+        if path.is_dir():
+            raise UserError(f"{path} is a folder.", "Name a file.")
+        # Each as the system says it: not there, no folder, a name that is too long.
+        if not stat.S_ISDIR(path.parent.stat().st_mode):
+            raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
+        if not os.access(path.parent, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        with suppress(FileNotFoundError):
+            path.with_name(path.name + ".tmp").lstat()
 
 
 @contextmanager

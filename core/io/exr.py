@@ -10,6 +10,10 @@ from torch import Tensor
 from core.errors import MissingError, UserError
 from core.io.atomic import atomic_file
 
+# A larger picture is a broken header or an attack on the memory.
+MAX_PIXELS = 1 << 27  # a light of 16384 x 8192
+MAX_VALUES = 1 << 29  # of all channels and parts, which the library reads all; 2 GB
+
 
 def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
     """The colours of an EXR file as float32; a single channel is grey; alpha is left out.
@@ -20,11 +24,17 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
         raise MissingError(f"There is no file {path}.", "Check the path.")
     library = load_library()
     try:
+        _check_size(library, path)
         with library.File(str(path), separate_channels=True) as file:
             channels = {name: channel.pixels for name, channel in file.channels().items()}
+    except UserError:
+        raise
     except Exception as error:  # the library raises whatever its C++ side threw
+        reason = str(error).rstrip(". ") or type(error).__name__
+        if "Invalid part index" in reason:  # it gives up a part that it cannot decode
+            reason = "it is broken or incomplete"
         raise UserError(
-            f"{path} cannot be read as OpenEXR: {error}.", "Save it again as a scanline EXR."
+            f"{path} cannot be read as OpenEXR: {reason}.", "Save it again as a scanline EXR."
         ) from error
     planes = [find_channel(channels, letter) for letter in "RGB"]
     grey = find_channel(channels, "Y")
@@ -37,7 +47,28 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
             f"{path} has no colour channels R, G, B or Y (it has: {names}).",
             "Save it again as RGB.",
         )
+    if len({plane.shape for plane in found}) > 1 or found[0].ndim != 2 or not found[0].size:
+        raise UserError(
+            f"{path} has colour channels of different sizes, or empty ones.",
+            "Save it again as RGB, each channel with all pixels.",
+        )
     return torch.from_numpy(np.stack(found, -1).astype(np.float32))
+
+
+def _check_size(library, path: "str | Path") -> None:
+    """Before any memory is taken: the header alone says how much."""
+    with library.File(str(path), header_only=True) as file:
+        values = 0
+        for part in file.parts:
+            low, high = part.header["dataWindow"]
+            width, height = (int(b) - int(a) + 1 for a, b in zip(low, high, strict=True))
+            values += width * height * len(part.header["channels"])
+            if width * height > MAX_PIXELS or values > MAX_VALUES:
+                raise UserError(
+                    f"{path} declares {width} x {height} pixels, in all its channels more than "
+                    f"{MAX_VALUES:,} values.",
+                    "Make it smaller, or save it again with the colours alone.",
+                )
 
 
 def find_channel(channels: dict[str, np.ndarray], letter: str) -> np.ndarray | None:

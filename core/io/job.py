@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, BinaryIO, ClassVar, get_origin
 
-from core.errors import UserError
+from core.errors import UserError, shown
 from core.io.atomic import atomic_file
 from core.io.json_file import parse_object
 
@@ -56,18 +56,22 @@ class Job:
 
     @classmethod
     def from_json(cls, text: str) -> "Job":
-        """Parse ``text``; an unknown key is refused, so that a misspelt one is never ignored."""
-        data = parse_object(text, "job.json", "Start a new run.")
+        """:meth:`from_object` of the text of a job.json."""
+        return cls.from_object(parse_object(text, "job.json", "Start a new run."))
+
+    @classmethod
+    def from_object(cls, data: dict[str, Any]) -> "Job":
+        """Check ``data``; an unknown key is refused, so that a misspelt one is never ignored."""
         if data.get("version") != VERSION:
             raise UserError(
-                f"job.json has version {data.get('version')!r}; this core reads {VERSION}.",
+                f"job.json has version {shown(data.get('version'))}; this core reads {VERSION}.",
                 "Install the add-on and the core of the same release.",
             )
         known = [f.name for f in dataclasses.fields(cls)]
         for key in sorted(data.keys() - set(known)):
             near = difflib.get_close_matches(key, known, n=1)
             hint = f"Did you mean {near[0]!r}?" if near else f"It takes {', '.join(known)}."
-            raise UserError(f"job.json has no setting {key!r}.", hint)
+            raise UserError(f"job.json has no setting {shown(key)}.", hint)
         if "prompt" not in data:
             raise UserError("job.json has no prompt.", "Say what to make.")
         return cls(**data)
@@ -83,44 +87,60 @@ def _check(job: Job) -> None:
         kind = get_origin(f.type) or f.type
         takes = (int, float) if kind is float else kind
         if isinstance(value, bool) != (kind is bool) or not isinstance(value, takes):
-            raise UserError(f"{f.name} is {value!r}.", f"It takes {kind.__name__}.")
+            raise UserError(f"{f.name} is {shown(value)}.", f"It takes {kind.__name__}.")
     if not job.prompt.strip():
         raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')
     for f in dataclasses.fields(job):
         _check_text(f.name, getattr(job, f.name))
     for name in ("prompt", "negative_prompt"):
-        if len(getattr(job, name)) > MAX_PROMPT:
-            raise UserError(
-                f"The {name.replace('_', ' ')} has {len(getattr(job, name))} characters.",
-                f"Shorten it to {MAX_PROMPT} or less.",
-            )
+        check_prompt(name, getattr(job, name))
     if job.command not in COMMANDS:
-        raise UserError(f"There is no command {job.command!r}.", f"Take {' or '.join(COMMANDS)}.")
+        raise UserError(
+            f"There is no command {shown(job.command)}.", f"Take {' or '.join(COMMANDS)}."
+        )
     if job.command == "texture" and not job.mesh:
         raise UserError("There is no mesh to texture.", "Name an OBJ, PLY, GLB or STL file.")
     if job.uv not in UV_MODES:
-        raise UserError(f"There is no uv mode {job.uv!r}.", f"Take {' or '.join(UV_MODES)}.")
+        raise UserError(f"There is no uv mode {shown(job.uv)}.", f"Take {' or '.join(UV_MODES)}.")
     if job.base_color and job.command != "texture":
         raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
-        raise UserError(f"The guide strength is {job.guide_strength}.", "It takes 0 to 1.")
+        raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
     if not 0 <= job.seed < 2**63:
-        raise UserError(f"The seed is {job.seed}.", "It takes a whole number from 0 to 2**63 - 1.")
+        raise UserError(
+            f"The seed is {shown(job.seed)}.", "It takes a whole number from 0 to 2**63 - 1."
+        )
     if job.texture_size and not 64 <= job.texture_size <= 8192:
-        raise UserError(f"The texture size is {job.texture_size}.", "It takes 64 to 8192 texels.")
+        raise UserError(
+            f"The texture size is {shown(job.texture_size)}.", "It takes 64 to 8192 texels."
+        )
     if job.max_faces and job.max_faces < 100:
-        raise UserError(f"The face budget is {job.max_faces}.", "It takes 100 faces or more.")
+        raise UserError(
+            f"The face budget is {shown(job.max_faces)}.", "It takes 100 faces or more."
+        )
+
+
+def check_prompt(name: str, text: str) -> None:
+    """Raise UserError for a text that UTF-8 cannot hold, or one too long."""
+    _check_text(name, text)
+    if len(text) > MAX_PROMPT:
+        raise UserError(
+            f"The {name.replace('_', ' ')} has {len(text)} characters.",
+            f"Shorten it to {MAX_PROMPT} or less.",
+        )
 
 
 def _check_text(name: str, value: Any) -> None:
     """Text that UTF-8 cannot hold comes from a terminal of another encoding."""
     try:
-        str(value).encode("utf-8")
+        found = str(value).encode("utf-8")
     except UnicodeEncodeError:
+        found = b"\0"
+    if b"\0" in found:  # which ends a name where the system reads it
         raise UserError(
             f"The {name.replace('_', ' ')} holds a byte that is no text.",
             "Type it again, in a terminal that uses UTF-8.",
-        ) from None
+        )
 
 
 class EventWriter:
@@ -161,10 +181,11 @@ def _remove_half_a_line(file: BinaryIO) -> None:
 
 
 def read_events(run: Path) -> list[dict[str, Any]]:
-    """All whole lines of a run's events.jsonl."""
+    """All whole lines of a run's events.jsonl; UserError for one that is no JSON object."""
     path = run / "events.jsonl"
     text = path.read_bytes() if path.exists() else b""
-    return [json.loads(line) for line in text[: text.rfind(b"\n") + 1].splitlines()]
+    lines = text[: text.rfind(b"\n") + 1].decode("utf-8", "replace").split("\n")[:-1]
+    return [parse_object(line, str(path), "Start a new run.") for line in lines]
 
 
 def write_text(path: Path, text: str) -> None:

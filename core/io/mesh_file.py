@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import torch
 import trimesh
-from PIL.Image import Image
+from PIL.Image import Image as Picture
 from torch import Tensor
 
 from core.errors import UserError
@@ -83,18 +83,28 @@ def _read_parts(path: Path) -> list[_Part]:
         if not isinstance(part, trimesh.Trimesh) or not len(part.faces):
             continue
         _check_indices(path, part)
-        verts = np.asarray(part.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
+        with np.errstate(all="ignore"):  # not finite, or too large: refused below
+            verts = np.asarray(part.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
         mirrored = np.linalg.det(matrix[:3, :3]) < 0
         faces = np.asarray(part.faces)[:, ::-1] if mirrored else np.asarray(part.faces)
         uv, material = getattr(part.visual, "uv", None), getattr(part.visual, "material", None)
-        usable = uv is not None and len(uv) == len(verts) and np.isfinite(uv).all()
-        parts.append(_Part(verts, faces, np.asarray(uv) if usable else None, material))
+        parts.append(_Part(verts, faces, _usable_uv(uv, len(verts)), material))
     return parts
 
 
+def _usable_uv(uv: object, count: int) -> np.ndarray | None:
+    """(count, 2) where the file has that; an OBJ may give a third coordinate, which is no use."""
+    found = np.asarray(uv) if uv is not None else np.empty(0)
+    if found.ndim != 2 or found.shape[1] < 2 or len(found) != count:
+        return None
+    return found[:, :2] if np.isfinite(found[:, :2]).all() else None
+
+
 def _check_indices(path: Path, part: trimesh.Trimesh) -> None:
-    faces = np.asarray(part.faces)
-    if faces.min() < 0 or faces.max() >= len(part.vertices):
+    faces, verts = np.asarray(part.faces), np.asarray(part.vertices)
+    if verts.ndim != 2 or verts.shape[1] != 3 or faces.ndim != 2 or faces.shape[1] != 3:
+        raise UserError(f"{path.name} has vertices that are not three numbers.", EXPORT_AGAIN)
+    if faces.min() < 0 or faces.max() >= len(verts):
         raise UserError(f"{path.name} has a face without one of its vertices.", EXPORT_AGAIN)
 
 
@@ -125,23 +135,33 @@ def _texture(
     uv, number = _weld(uv.astype(np.float32))
     texture = None
     for image, part in images.values():
-        srgb = torch.from_numpy(np.asarray(image.convert("RGB")).astype(np.float32) / 255)
+        srgb = torch.from_numpy(_pixels(image).astype(np.float32) / 255)
         texture = srgb_to_linear(srgb) * _factor(part.material)
     return torch.from_numpy(uv), torch.from_numpy(number[face_uvs][kept]), texture
 
 
-def _image(material: object) -> Image | None:
+def _image(material: object) -> Picture | None:
     """The base colour's picture: of a glTF material, or of an OBJ's."""
-    image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
-    # Where a file names none, trimesh makes a grey one up; only a file's has a format.
-    return image if image is not None and image.format else None
+    named = (getattr(material, name, None) for name in ("baseColorTexture", "image"))
+    # A broken file may have anything else there. Where it names none, trimesh makes a grey one up;
+    # only a file's has a format.
+    images = (image for image in named if isinstance(image, Picture) and image.format)
+    return next(images, None)
+
+
+def _pixels(image: Picture) -> np.ndarray:
+    """(H,W,3) uint8; PIL reads the pixels only here."""
+    try:
+        return np.asarray(image.convert("RGB"))
+    except Exception as error:  # whatever a broken picture makes PIL raise
+        raise UserError(f"The mesh's texture cannot be read: {error}.", EXPORT_AGAIN) from error
 
 
 def _factor(material: object) -> Tensor:
     """glTF's linear factor of the texture; 1 for other formats."""
     factor = getattr(material, "baseColorFactor", None)
-    if factor is None:
+    factor = np.asarray(factor if factor is not None else ())
+    if factor.shape not in ((3,), (4,)) or factor.dtype.kind not in "iuf":
         return torch.ones(3)
-    factor = np.asarray(factor)
     scale = 255 if np.issubdtype(factor.dtype, np.integer) else 1  # trimesh keeps it in 8 bits
     return torch.from_numpy((factor[:3] / scale).astype(np.float32))

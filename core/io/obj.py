@@ -83,7 +83,7 @@ def read_obj(path: Path) -> Mesh:
             raise ValueError("indices without a vertex")
     except OSError as error:
         raise UserError(f"{path} cannot be read: {error.strerror}.", "Check the path.") from error
-    except (ValueError, RuntimeError) as error:
+    except (ValueError, RuntimeError, OverflowError) as error:  # Overflow: an index over 64 bits
         raise UserError(
             f"{path} is not the triangle mesh that was written there ({error}).",
             "Make the asset again, or take the OBJ as a mesh: texture MESH.",
@@ -93,7 +93,8 @@ def read_obj(path: Path) -> Mesh:
 
 def _read(lines: list[bytes], key: bytes, width: int) -> Float[Tensor, "n {width}"]:
     rows = [line[len(key) :] for line in lines if line.startswith(key)]
-    values = np.array(b" ".join(rows).split(), np.float64).astype(np.float32)
+    with np.errstate(over="ignore"):  # beyond single precision: not finite, and refused below
+        values = np.array(b" ".join(rows).split(), np.float64).astype(np.float32)
     if not np.isfinite(values).all():
         raise ValueError("numbers that are not finite")
     return torch.from_numpy(values).view(len(rows), width)

@@ -7,7 +7,12 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO
 
-MAX_SIDE = 1 << 15  # pixels; a larger side is a broken header or an attack on the memory
+# A larger picture is a broken header or an attack on the memory.
+MAX_SIDE = 1 << 15  # pixels
+MAX_PIXELS = 1 << 27  # a light of 16384 x 8192; decoded it takes up to 1.5 GB
+# Bytes of a picture for each byte of its file: deflate packs 1032 to 1 at most; of a Radiance
+# picture, whose runs have no bound, no more than a flat one needs.
+MAX_RATIO = {"png": 1100, "hdr": 10_000}
 
 # Alpha as stored: the library would multiply colours by it.
 STRAIGHT_ALPHA = OpenImageIO.ImageSpec()
@@ -30,10 +35,7 @@ def read_pixels(path: Path, format: str) -> np.ndarray:
         spec = source.spec()
         if source.format_name() != format:
             raise UnreadableError(f"it is a {source.format_name()} file")
-        if max(spec.width, spec.height) > MAX_SIDE:
-            raise UnreadableError(
-                f"its size {spec.width} x {spec.height} is over {MAX_SIDE} a side"
-            )
+        _check_size(spec, path.stat().st_size, format)
         if spec.get_int_attribute("Orientation", 1) != 1:
             raise UnreadableError("its rows do not run from the top left")
         pixels = source.read_image(0, 0, 0, spec.nchannels, spec.format.basetype)
@@ -43,6 +45,17 @@ def read_pixels(path: Path, format: str) -> np.ndarray:
         return pixels
     finally:
         source.close()
+
+
+def _check_size(spec: OpenImageIO.ImageSpec, size: int, format: str) -> None:
+    """Before any memory is taken: the header alone says how much."""
+    declared = f"its size {spec.width} x {spec.height}"
+    if max(spec.width, spec.height) > MAX_SIDE:
+        raise UnreadableError(f"{declared} is over {MAX_SIDE} a side")
+    if spec.width * spec.height > MAX_PIXELS:
+        raise UnreadableError(f"{declared} is over {MAX_PIXELS:,} pixels")
+    if spec.image_bytes(True) > MAX_RATIO[format] * size:
+        raise UnreadableError(f"{declared} cannot be in {size:,} bytes")
 
 
 def write_pixels(path: Path, pixels: np.ndarray) -> None:

@@ -2,7 +2,8 @@
 
 import json
 import os
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from tqdm import tqdm
 from core.errors import UserError
 from core.io.atomic import atomic_file
 from core.io.job import EventWriter, Job, write_text
+from core.io.json_file import read_object
 
 # What file managers leave in a folder that a user takes for empty.
 FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")
@@ -76,7 +78,7 @@ class RunFolder:
     @property
     def job(self) -> Job:
         """What the user asked for."""
-        return Job.from_json((self.path / "job.json").read_text(encoding="utf-8"))
+        return Job.from_object(read_object(self.path / "job.json", "Start a new run."))
 
     @property
     def asset(self) -> Path:
@@ -91,7 +93,7 @@ class RunFolder:
 
     def has(self, name: str) -> bool:
         """Whether there is a checkpoint of that name."""
-        return (self.path / "checkpoint" / f"{name}.safetensors").exists()
+        return self._checkpoint(name).exists()
 
     def preview_path(self, name: str) -> Path:
         """The file of the preview ``name``; who writes it renames a temporary file to it."""
@@ -116,19 +118,30 @@ class RunFolder:
 
     def load(self, name: str) -> tuple[dict[str, Tensor], dict[str, Any]] | None:
         """A checkpoint's tensors and meta; None where there is none."""
-        path = self.path / "checkpoint" / f"{name}.safetensors"
+        path = self._checkpoint(name)
         if not path.exists():
             return None
-        try:
-            with safe_open(path, "pt") as file:
-                meta = json.loads((file.metadata() or {})["meta"])
-                tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
-        except (SafetensorError, KeyError, ValueError):
-            raise UserError(
-                f"{path} is broken.", "Remove it: on resume the stage then starts again."
-            ) from None
-        self.timings |= meta["timings"]
+        with self.whole_checkpoint(name), safe_open(path, "pt") as file:
+            meta = json.loads((file.metadata() or {})["meta"])
+            tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
+            self.timings |= {str(key): float(value) for key, value in meta["timings"].items()}
         return tensors, meta
+
+    @contextmanager
+    def whole_checkpoint(self, name: str) -> Iterator[None]:
+        """Turn what a broken checkpoint makes its reader raise into a UserError that names it."""
+        try:
+            yield
+        # Also of what is whole and means nothing: names, shapes and types that no run of ours has.
+        except (AttributeError, LookupError, OverflowError, RecursionError, RuntimeError,
+                SafetensorError, TypeError, ValueError) as error:  # fmt: skip
+            raise UserError(
+                f"{self._checkpoint(name)} is broken.",
+                "Remove it: on resume the stage then starts again.",
+            ) from error
+
+    def _checkpoint(self, name: str) -> Path:
+        return self.path / "checkpoint" / f"{name}.safetensors"
 
 
 def is_half_a_job(path: Path) -> bool:

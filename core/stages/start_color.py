@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import torch
 from jaxtyping import Float
-from PIL import Image, UnidentifiedImageError
+from PIL import Image
 from torch import Tensor
 from torch.nn.functional import grid_sample, mse_loss
 
@@ -40,7 +40,8 @@ def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
             srgb = np.asarray(file.convert("RGB"))
     except FileNotFoundError:
         raise UserError(f"There is no file {name}.", "Check the base colour's path.") from None
-    except (OSError, UnidentifiedImageError) as error:
+    # SyntaxError and ValueError: a broken header, as PIL's readers raise it. Size: PIL's own bound.
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise UserError(f"{name} is no picture ({error}).", "Use a PNG or a JPEG.") from None
     return srgb_to_linear(torch.from_numpy(srgb.astype(np.float32) / 255))
 

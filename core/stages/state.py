@@ -88,9 +88,10 @@ class Training(Generic[Net]):
             return
         tensors, meta = found
         start = len(HEALTHY)
-        self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
-        self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
-        self.step, self.extra = meta["step"], meta["extra"]
+        with self.run.whole_checkpoint(self.name):
+            self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
+            self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
+            self.step, self.extra = int(meta["step"]), dict(meta["extra"])
 
     @property
     def _parameters(self) -> list[torch.nn.Parameter]:
@@ -103,5 +104,7 @@ class Training(Generic[Net]):
         for key, value in moments.items():
             i, name = key.split(".", 1)
             p = parameters[int(i)]
+            if name != "step" and value.shape != p.shape:
+                raise ValueError(f"{key} has another shape than its parameter")
             # AdamW counts its steps on the CPU.
             self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)

@@ -66,7 +66,10 @@ def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
 def load_unwrapped(run: RunFolder) -> UvMesh | None:
     """The unwrapped mesh of an earlier session of this run."""
     found = run.load("mesh")
-    return UvMesh.of(Mesh(*(found[0][name] for name in PARTS))) if found else None
+    if found is None:
+        return None
+    with run.whole_checkpoint("mesh"):
+        return UvMesh.of(Mesh(*(found[0][name] for name in PARTS)))
 
 
 def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:

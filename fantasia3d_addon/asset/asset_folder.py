@@ -8,6 +8,7 @@ changes the selection, and links into the collection that is active when the job
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,8 @@ import numpy as np
 from ..errors import AssetError
 
 VERSION = 1
+MAX_BYTES = 8 << 20  # asset.json is a few kilobytes
+MAX_PIXELS = 1 << 27  # of a map; the core's largest has half of that
 PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
 DISTRIBUTIONS = ("GGX", "MULTI_GGX")
@@ -114,7 +117,9 @@ def _is_plain_name(name: str) -> bool:
 def asset_in(folder: Path) -> Path:
     """``folder``, or the asset in it where it is a run folder."""
     inside = folder / "asset"
-    is_run = not (folder / "asset.json").is_file() and (inside / "asset.json").is_file()
+    # Not Path.is_file, which raises for a name that is too long.
+    here, below = (os.path.isfile(path / "asset.json") for path in (folder, inside))  # noqa: PTH113
+    is_run = below and not here
     return inside if is_run else folder
 
 
@@ -127,6 +132,8 @@ def read_info(folder: Path) -> dict[str, Any]:
     folder = asset_in(folder)
     path = folder / "asset.json"
     try:
+        if path.stat().st_size > MAX_BYTES:
+            raise AssetError(f"{path} is larger than {MAX_BYTES >> 20} MB.", REMAKE)
         info = json.loads(path.read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
         raise AssetError(
@@ -137,6 +144,9 @@ def read_info(folder: Path) -> dict[str, Any]:
         raise AssetError(f"{path} can't be read ({error}).", REMAKE) from None
     if not isinstance(info, dict) or not isinstance(info.get("files"), dict):
         raise AssetError(f"{path} names no files.", REMAKE)
+    for name in ("prompt", "light"):
+        if not isinstance(info.get(name, "") or "", str):
+            raise AssetError(f"{path} has a {name} that is no text.", REMAKE)
     if info.get("version") != VERSION:
         raise AssetError(
             f"{path} has version {info.get('version')!r}; this add-on reads {VERSION}.",
@@ -154,11 +164,15 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     Raises:
         AssetError: the file is no triangle mesh with a uv for each corner.
     """
-    lines = path.read_bytes().splitlines()
+    try:
+        lines = path.read_bytes().splitlines()
+    except OSError as error:
+        raise AssetError(f"{path} can't be read ({error.strerror}).", REMAKE) from None
     broken = AssetError(f"{path} is no triangle mesh with a uv for each corner.", REMAKE)
     try:
-        verts = _numbers(lines, b"v ", 3).astype(np.float32)
-        uv = _numbers(lines, b"vt ", 2).astype(np.float32)
+        with np.errstate(over="ignore"):  # beyond single precision: not finite, and refused below
+            verts = _numbers(lines, b"v ", 3).astype(np.float32)
+            uv = _numbers(lines, b"vt ", 2).astype(np.float32)
         corners = _corners(lines)
     except (ValueError, OverflowError):  # OverflowError: a number beyond 64 bits
         raise broken from None
@@ -185,9 +199,11 @@ def _check_png(path: Path) -> None:
     except OSError:
         head = end = b""
     # The header's width and height.
-    sizes = head[16:20], head[20:24]
-    if head[:8] != PNG or b"\0\0\0\0" in sizes or end != b"IEND":
+    width, height = int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
+    if head[:8] != PNG or not width * height or end != b"IEND":
         raise AssetError(f"{path} is no picture, or an incomplete one.", REMAKE)
+    if width * height > MAX_PIXELS:
+        raise AssetError(f"{path} declares {width} x {height} pixels, which is too many.", REMAKE)
 
 
 def _numbers(lines: list[bytes], key: bytes, width: int) -> np.ndarray:

@@ -118,7 +118,7 @@ def _set_color_space(image: bpy.types.Image, picture: Picture) -> None:
         return
     try:
         image.colorspace_settings.name = picture.color_space
-    except TypeError:
+    except (TypeError, ValueError):  # ValueError: text that UTF-8 cannot hold
         raise AssetError(
             f"{picture.path} is in the color space {picture.color_space!r}, "
             "which this Blender does not have.",

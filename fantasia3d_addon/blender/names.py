@@ -7,4 +7,4 @@ def data_name(prompt: str, suffix: str = "") -> str:
     """``prompt`` as a name in Blender: one line, room for ".001", no letter cut in half."""
     line = " ".join(prompt.split()) or "Asset"
     room = NAME_BYTES - len(suffix) - len(".001")
-    return line.encode()[:room].decode(errors="ignore").rstrip() + suffix
+    return line.encode(errors="replace")[:room].decode(errors="ignore").rstrip() + suffix

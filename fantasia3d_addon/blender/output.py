@@ -34,9 +34,9 @@ def temporary_output(path: Path) -> Iterator[Path]:
         OutputError: the place can't be written, or nothing was written.
     """
     path = path.expanduser().absolute()
-    if path.is_dir():
-        raise OutputError(f"{path} is a folder.", "Name a file.")
     try:
+        if path.is_dir():
+            raise OutputError(f"{path} is a folder.", "Name a file.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # On the same disk as ``path``: only then is a rename one step.
         with _temporary_folder(path.parent) as folder:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
@@ -67,7 +68,8 @@ def _check(args: argparse.Namespace) -> None:
 
 def _object(name: str) -> bpy.types.Object:
     """The asset of a folder, imported; or an object of the open file."""
-    if not Path(name).exists() and name in bpy.data.objects:
+    # Not Path.exists, which raises for a name that is too long; bytes that are no text name none.
+    if not os.path.exists(name) and name in {obj.name for obj in bpy.data.objects}:  # noqa: PTH110
         return mesh_object(bpy.data.objects[name])
     scene = bpy.context.scene
     obj = import_asset(scene, Path(name).expanduser(), scene.cursor.location)
@@ -133,11 +135,11 @@ def _points_of_fall(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:
 
 def _set_light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
     scene, strength = bpy.context.scene, 1.0 if args.strength is None else args.strength
-    name = args.light or obj.get(LIGHT, light.STUDIO)
+    name = obj.get(LIGHT, light.STUDIO) if args.light is None else args.light
     try:
         relight.relight(scene, name, strength, args.rotation)
     except LightError as error:
-        if args.light:
+        if args.light is not None:
             raise
         # The asset's own light was deleted since: that does not stop the command.
         print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
+
+from .untrusted import has_types, is_inside, is_number, is_text, is_whole
 
 EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
 END_EVENTS = ("done", "error", "cancelled")  # exactly one of these ends a session of the core
@@ -21,6 +23,17 @@ STAGES = {  # in the order in which they run: the core's name, and the name in t
     "start": "Present colour",  # of "texture": the material starts from the mesh's own colour
     "appearance": "Material",
     "bake": "Textures",
+}
+
+
+KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of an event holds
+    **dict.fromkeys(("type", "stage", "text", "fix"), is_text),
+    **dict.fromkeys(("step", "steps"), is_whole),
+    "time": is_number,
+    **dict.fromkeys(("loss", "seconds_left"), lambda value: value is None or is_number(value)),
+    "path": is_inside,
+    # A signal to 1 may reach every process of the user's, and one to a negative number a group.
+    "pid": lambda value: is_whole(value) and value != 1 and value < 2**31,
 }
 
 
@@ -48,17 +61,26 @@ class Event:
 
 def parse_event(line: bytes) -> Event:
     """One line of events.jsonl; a line that can't be read becomes a warning."""
-    try:
-        data = json.loads(line)
-        # A newer core may write more fields: what is unknown here is left out.
-        known = {field.name for field in dataclasses.fields(Event)}
-        return Event(**{key: value for key, value in data.items() if key in known})
-    except (ValueError, TypeError, AttributeError, RecursionError):
+    data = event_object(line)
+    if data is None:
         return Event(
             type="warning",
             text="A line of events.jsonl can't be read.",
             fix="Install the add-on and the core of the same release.",
         )
+    # A newer core may write more fields: what is unknown here is left out.
+    known = {field.name for field in dataclasses.fields(Event)}
+    return Event(**{key: value for key, value in data.items() if key in known})
+
+
+def event_object(line: bytes) -> dict[str, Any] | None:
+    """The JSON object of one line of events.jsonl; None where it is no event."""
+    try:
+        data = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    is_event = isinstance(data, dict) and "type" in data and has_types(data, KINDS)
+    return data if is_event else None
 
 
 def stages_of(job: Mapping[str, Any]) -> tuple[str, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import random
 import shutil
 import time
@@ -14,8 +13,8 @@ from typing import Any
 
 from ..errors import JobError
 from . import target
-from .events import END_EVENTS
-from .job_file import FILES, IMPORTED, NAME
+from .events import END_EVENTS, event_object
+from .job_file import FILES, IMPORTED, NAME, read_job
 from .process import START_SECONDS, is_core
 
 WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED = (
@@ -97,10 +96,10 @@ def read_entry(folder: Path) -> Entry | None:
     """The run in ``folder``; None where there is none."""
     try:
         requested = (folder / NAME).stat().st_mtime
-        job = json.loads((folder / NAME).read_text("utf-8"))
-    except (OSError, ValueError, RecursionError):
+    except OSError:
         return None
-    if not isinstance(job, dict):
+    job = read_job(folder)
+    if not job:
         return None
     entry = Entry(folder=folder, job=job, requested=requested, stamp=_stamp(folder))
     events = _events(folder / "events.jsonl")
@@ -158,11 +157,8 @@ def _parse(chunk: bytes, whole: bool) -> list[dict[str, Any]]:
     lines = chunk[: chunk.rfind(b"\n") + 1].splitlines()[0 if whole else 1 :]
     events = []
     for line in lines:
-        try:
-            event = json.loads(line)
-        except (ValueError, RecursionError):
-            continue  # a line that was cut by a full disk
-        events += [event] if isinstance(event, dict) else []
+        event = event_object(line)  # None: a line that was cut by a full disk
+        events += [event] if event is not None else []
     return events
 
 

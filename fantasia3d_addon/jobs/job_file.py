@@ -4,18 +4,31 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from ..blender.names import data_name
 from ..environment.files import write_text
 from ..errors import JobError
+from .untrusted import has_types, is_number, is_settings, is_text, is_whole, read_object
 
 NAME = "job.json"
 IMPORTED = "taken"  # an empty file in a run folder whose asset came into a scene
 # The user's files that a job refers to, and the names of their copies in the run folder.
 FILES = {"guide_mesh": "guide.obj", "mesh": "mesh.obj", "base_color": "base_color.png"}
+
+
+KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a job holds
+    **dict.fromkeys(
+        ("command", "prompt", "negative_prompt", "preset", "guidance", "guide_mesh", "mesh", "uv",
+         "base_color", "light", "device"),
+        is_text,
+    ),
+    **dict.fromkeys(("seed", "texture_size", "max_faces", "version"), is_whole),
+    "guide_strength": is_number,
+    "settings": is_settings,
+}  # fmt: skip
 
 
 def new_run_folder(runs: Path, prompt: str) -> Path:
@@ -58,12 +71,12 @@ def write_job(folder: Path, job: Mapping[str, Any]) -> None:
 
 
 def read_job(folder: Path) -> Mapping[str, Any]:
-    """job.json of a run folder; empty where it can't be read."""
+    """job.json of a run folder; empty where it can't be read, or has values of other types."""
     try:
-        job = json.loads((folder / NAME).read_text("utf-8"))
-    except (OSError, ValueError, RecursionError):  # RecursionError: nested too deeply
+        job = read_object(folder / NAME)
+    except (OSError, ValueError):
         return {}
-    return job if isinstance(job, dict) else {}
+    return job if has_types(job, KINDS) else {}
 
 
 def with_own_paths(job: Mapping[str, Any], folder: Path) -> dict[str, Any]:

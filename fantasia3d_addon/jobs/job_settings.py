@@ -42,7 +42,26 @@ def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
 
 
 def apply_job(settings: Settings, job: Mapping[str, Any]) -> None:
-    """Set the panel's fields to those of a job of the history, but for its objects."""
+    """Set the panel's fields to those of a job of the history, but for its objects.
+
+    Raises:
+        AddonError: a value that the panel does not take; the fields stay as they are.
+    """
+    before = dict(settings.items())
+    try:
+        _apply(settings, job)
+    except (TypeError, ValueError, OverflowError) as error:
+        for name in list(settings.keys()):
+            del settings[name]
+        for name, value in before.items():
+            settings[name] = value
+        raise AddonError(
+            f"The job has a value that the panel does not take ({error}).",
+            "Set the fields yourself, or repeat the job as it is.",
+        ) from None
+
+
+def _apply(settings: Settings, job: Mapping[str, Any]) -> None:
     settings.task = job.get("command", "generate")
     for name in ("prompt", "negative_prompt", "seed", "preset", "max_faces", "device"):
         if name in job:

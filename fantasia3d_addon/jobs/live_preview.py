@@ -7,6 +7,7 @@ and undo does not bring it back.
 from __future__ import annotations
 
 import zipfile
+import zlib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -30,14 +31,24 @@ def show(
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
             verts, faces = parts["verts"], parts["faces"]
-    except (OSError, ValueError, KeyError, zipfile.BadZipFile):
+    # MemoryError: a declared size; zlib.error: a broken part.
+    except (OSError, ValueError, KeyError, MemoryError, zipfile.BadZipFile, zlib.error):
         return None  # it is being replaced or removed at this moment: the next one comes soon
-    if not len(faces):
+    if not _is_mesh(verts, faces):
         return None
     obj = find(followed.name) or _add(collection, followed.name, followed.prompt)
     obj.location = followed.target.location
     _fill(obj.data, to_metres(verts), faces)
     return obj
+
+
+def _is_mesh(verts: np.ndarray, faces: np.ndarray) -> bool:
+    """Whether these are triangles: Blender crashes on an index beyond the vertices."""
+    shaped = verts.ndim == faces.ndim == 2 and verts.shape[1] == faces.shape[1] == 3
+    if not shaped or not faces.size or verts.dtype.kind != "f" or faces.dtype.kind not in "iu":
+        return False
+    inside = faces.min() >= 0 and faces.max() < len(verts)
+    return bool(inside and np.isfinite(verts).all() and np.ptp(verts, axis=0).max() < 1e6)
 
 
 def find(run: str) -> bpy.types.Object | None:

@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
-import json
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from .job_file import write_json
+from .untrusted import has_types, is_number, is_text, read_object
 
 NAME = "target.json"
+
+
+KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a target holds
+    **dict.fromkeys(("file", "scene", "object", "uv_map"), is_text),
+    "assign": lambda value: value in ("slot", "object"),
+    "location": lambda value: (
+        isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
+    ),
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,11 +41,13 @@ class Target:
     def read(cls, run: Path) -> Target:
         """That of a run folder; an empty one where there is none."""
         try:
-            data = json.loads((run / NAME).read_text("utf-8"))
+            data = read_object(run / NAME)
             # A newer add-on may have written more fields: what is unknown here is left out.
             known = {field.name for field in dataclasses.fields(cls)}
             given = {key: value for key, value in data.items() if key in known}
+            if not has_types(given, KINDS):
+                return cls()
             location = tuple(given.get("location", (0.0, 0.0, 0.0)))  # JSON has lists alone
             return cls(**given | {"location": location})
-        except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+        except (OSError, ValueError):
             return cls()

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
+import re
+import struct
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,6 +17,9 @@ from ..errors import LightError
 
 WORLD = "Fantasia3D light"
 STUDIO = "studio"
+MAX_PIXELS = 1 << 27  # of a light, 16384 x 8192: as in the core
+HEADER = 1 << 16  # bytes in which the size is declared
+EXR_WINDOW = b"dataWindow\0box2i\0"  # then the length of the four numbers, and they
 # The core's own studio light as a file; blender_tests/test_light.py has the command.
 STUDIO_FILE = Path(__file__).with_name("studio.exr")
 
@@ -36,7 +42,7 @@ def light_file(name_or_path: str) -> Path:
         return STUDIO_FILE
     # A file comes before a name: "city" may be a file of the user's.
     path = Path(bpy.path.abspath(name_or_path)).expanduser()
-    if path.is_file():
+    if os.path.isfile(path):  # noqa: PTH113 - Path.is_file raises for a name that is too long
         return path.resolve()
     named = blender_lights()
     name = name_or_path.removeprefix("blender:")
@@ -135,7 +141,25 @@ def _remove_unused(world: bpy.types.World | None) -> None:
         bpy.data.images.remove(image)
 
 
+def _check_size(path: Path) -> None:
+    """By the header, since Blender takes the memory for any size that a file declares."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEADER)
+    except OSError as error:
+        raise LightError(f"{path} can't be read ({error.strerror}).", "Choose another.") from None
+    width = height = 0
+    if found := re.search(rb"\n[-+][XY] (\d+) [-+][XY] (\d+)\n", head):
+        width, height = (int(number[:9]) for number in found.groups())
+    elif (start := head.find(EXR_WINDOW)) >= 0 and len(head) >= start + len(EXR_WINDOW) + 20:
+        low_x, low_y, high_x, high_y = struct.unpack_from("<4i", head, start + len(EXR_WINDOW) + 4)
+        width, height = high_x - low_x + 1, high_y - low_y + 1
+    if width * height > MAX_PIXELS:
+        raise LightError(f"{path} declares {width} x {height} pixels.", "Use a smaller picture.")
+
+
 def _load(path: Path) -> bpy.types.Image:
+    _check_size(path)
     try:
         image = bpy.data.images.load(str(path), check_existing=False)
     except RuntimeError as error:

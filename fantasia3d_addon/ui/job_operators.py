@@ -131,7 +131,10 @@ class FANTASIA3D_OT_job_settings(_RunOperator, bpy.types.Operator):
     bl_options = {"UNDO"}
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
-        apply_job(context.scene.fantasia3d, entry.job)
+        try:
+            apply_job(context.scene.fantasia3d, entry.job)
+        except USER_ERRORS as error:
+            return report_error(self, error)
         return {"FINISHED"}
 
 

@@ -1,0 +1,107 @@
+"""Every command answers every bad input of ``bad_inputs.txt`` by one sentence and its exit code."""
+
+import os
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+import run
+from core.command_line import _known, carry_out, exit_code
+from core.errors import UserError
+from core.tests.bad_files import make
+
+TABLE = Path(__file__).with_name("bad_inputs.txt")
+
+
+def rows(table: Path) -> list[tuple[int, str, str]]:
+    """Exit code, a part of the sentence, command line."""
+    lines = table.read_text(encoding="utf-8").splitlines()
+    cells = [line.split(" |", 2) for line in lines if line and not line.startswith("#")]
+    return [(int(code), part.strip(), line.strip()) for code, part, line in cells]
+
+
+def words(line: str) -> list[str]:
+    """A command line with its placeholders filled in."""
+
+    def filled(word: str) -> str:
+        word = word.replace("<byte>", "\udcff").replace("<400>", "9" * 400)
+        return re.sub(r"<(\d+)>", lambda found: "x" * int(found[1]), word)
+
+    return [filled(word) for word in shlex.split(line)]
+
+
+def listed(folder: Path) -> dict[str, tuple[int, int]]:
+    """Every file below ``folder``, its size and the time of its last change."""
+    found = {}
+    for above, _, names in os.walk(folder):
+        for path in (Path(above), *(Path(above, name) for name in names)):
+            stat = path.lstat()
+            found[str(path)] = (stat.st_size if path.is_file() else 0, stat.st_mtime_ns)
+    return found
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("bad")
+    make(made)
+    return made
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is trained or measured, nothing is installed, and Apple's GPU is none of ours."""
+
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("the input was taken")
+
+    monkeypatch.setattr("core.generate.generate", never)
+    monkeypatch.setattr("fantasia3d_addon.environment.ensure", never)
+    monkeypatch.setattr("torch.backends.mps.is_available", lambda: False)
+    monkeypatch.setenv("HF_HUB_OFFLINE", "1")
+
+
+def test_the_table_is_long_enough_and_names_each_input_once() -> None:
+    lines = [line for _, _, line in rows(TABLE)]
+    assert len(lines) >= 150
+    assert len(set(lines)) == len(lines)
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(("code", "part", "line"), rows(TABLE), ids=lambda value: str(value)[:60])
+def test_a_bad_input_is_one_sentence_and_its_exit_code(
+    code: int,
+    part: str,
+    line: str,
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(folder)
+    before, caught = listed(folder), []
+
+    def work() -> None:
+        try:
+            argv = words(line)
+            args = run.parse(argv) if argv else run.parser().parse(argv)
+            if args.command in run.OWN:
+                run.launch(argv)
+            else:
+                carry_out(args)
+        except Exception as error:
+            caught.append(error if isinstance(error, UserError) else _known(error))
+            raise
+
+    assert exit_code(work) == code
+    (error,) = caught
+    assert part in str(error)
+    assert error.text and error.fix, "what was got, and what to do"
+    assert len(str(error)) < 2000
+    said = capsys.readouterr().err
+    assert said.startswith("error: ") and said.count("\n") == 1, said
+    # A run that exists reports in its own folder: its lock, its events, its log.
+    own = re.compile(re.escape(str(folder)) + r"/run-[\w-]+(/(lock|events.jsonl))?")
+    after = listed(folder)
+    changed = {path for path in before | after if before.get(path) != after.get(path)}
+    assert {path for path in changed if not own.fullmatch(path)} == set()
