@@ -68,6 +68,7 @@ def test_the_package_loads_without_blender():
 def test_the_import_operator_is_the_function(addon, asset):
     bpy.context.scene.cursor.location = (0, 0, 1)
     function = import_asset(bpy.context, asset, (0, 0, 1))
+    bpy.context.scene.fantasia3d.placement = "cursor"
     assert bpy.ops.fantasia3d.import_asset(directory=str(asset)) == {"FINISHED"}
     operator = bpy.context.object
     assert operator != function

@@ -14,18 +14,20 @@ import bpy
 import numpy as np
 
 from ..blender.names import data_name
+from ..scene import view
+from .place import place_of
 from .progress import FollowedRun
 
 RUN = "fantasia3d_run"  # the custom property with the run of a preview object
 SIZE_M = 1.0  # the longest side, as of a finished asset
+GROWTH = 0.6  # of the longest side: room that a preview gets at least in width and depth
 
 
-def show(
-    collection: bpy.types.Collection, path: Path, followed: FollowedRun
-) -> bpy.types.Object | None:
+def show(scene: bpy.types.Scene, path: Path, followed: FollowedRun) -> bpy.types.Object | None:
     """Show the mesh in ``path``, the newest of ``followed``; None where it can't be read.
 
-    It stands on the target's location as the finished asset will.
+    It is where the finished asset will be, and the view is turned there where it shows something
+    else at the first preview.
     """
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
@@ -34,10 +36,25 @@ def show(
         return None  # it is being replaced or removed at this moment: the next one comes soon
     if not len(faces):
         return None
-    obj = find(followed.name) or _add(collection, followed.name, followed.prompt)
-    obj.location = followed.target.location
+    is_first = followed.place is None
+    obj = find(followed.name) or _add(scene.collection, followed.name, followed.prompt)
     _fill(obj.data, to_metres(verts), faces)
+    if followed.place is None:
+        followed.place = place_of(scene, followed.target, _room(obj), ignored=(obj,))
+    obj.location = followed.place
+    if is_first:
+        scene.view_layers[0].update()  # the framing reads its matrix
+        view.frame_if_unseen(scene, obj)
     return obj
+
+
+def _room(obj: bpy.types.Object) -> np.ndarray:
+    """The bounds (2,3) that a preview of now may grow to: legs and handles come later."""
+    corners = np.array([corner[:] for corner in obj.bound_box], np.float64)
+    low, high = corners.min(0), corners.max(0)
+    half = GROWTH * float((high - low).max()) / 2
+    low[:2], high[:2] = np.minimum(low[:2], -half), np.maximum(high[:2], half)
+    return np.stack([low, high])
 
 
 def find(run: str) -> bpy.types.Object | None:
@@ -45,10 +62,17 @@ def find(run: str) -> bpy.types.Object | None:
     return next((obj for obj in bpy.data.objects if obj.get(RUN) == run), None)
 
 
+def any_shown() -> bpy.types.Object | None:
+    """A preview of any run."""
+    return next((obj for obj in bpy.data.objects if RUN in obj), None)
+
+
 def remove(keep: Sequence[str] = ()) -> None:
     """Remove all previews but those of the runs ``keep``."""
     # By the custom property: the user may have renamed the object.
     stale = [obj for obj in bpy.data.objects if RUN in obj and obj[RUN] not in keep]
+    for obj in stale:
+        view.leave_local_views(obj)  # or they would show nothing
     meshes = [obj.data for obj in stale]
     bpy.data.batch_remove([*stale, *(mesh for mesh in meshes if mesh.users == 1)])
 

@@ -24,6 +24,7 @@ from .job_file import new_run_folder, with_own_paths, write_job
 from .lock import RunLock
 from .memory import FreeMemory
 from .paths import Paths
+from .place import requested
 from .process import Run
 from .progress import FollowedRun
 from .target import Target
@@ -73,14 +74,10 @@ class Session:
         """The log of the run that is shown first."""
         return self.run.run.log if self.run and self.run.run.log.exists() else None
 
-    def target_at_cursor(self, context: bpy.types.Context, **more: Any) -> Target:
-        """The target of an asset that is requested now: this file, this scene, the 3D cursor."""
-        return Target(
-            file=bpy.data.filepath,
-            scene=context.scene.name,
-            location=tuple(context.scene.cursor.location),
-            **more,
-        )
+    def target_here(self, context: bpy.types.Context, **more: Any) -> Target:
+        """The target of an asset that is requested now: this file, this scene, this place."""
+        here = {"file": bpy.data.filepath, "scene": context.scene.name} | requested(context)
+        return Target(**here | more)
 
     # The queue
 
@@ -299,8 +296,7 @@ class Session:
         path, followed.shape = followed.shape, None
         # A material for the user's own object changes no shape: there is nothing to preview.
         if path and self._is_file_open(followed) and not followed.target.object:
-            collection = scene_of(followed.target).collection
-            live_preview.show(collection, path, followed)
+            live_preview.show(scene_of(followed.target), path, followed)
 
     def _is_file_open(self, followed: FollowedRun) -> bool:
         """Whether the file that requested ``followed`` is open."""
@@ -325,7 +321,9 @@ class Session:
         scene = scene_of(followed.target)
         asset = task.result if isinstance(task.result, AssetFolder) else None
         try:
-            self.asset = import_result(followed.run.folder, followed.target, scene, asset)
+            self.asset = import_result(
+                followed.run.folder, followed.target, scene, asset, near=followed.place
+            )
         except AddonError as error:
             self.error = (error.text, error.fix)
 

@@ -36,7 +36,7 @@ def generate(context: bpy.types.Context) -> Path:
             files["guide.obj"] = Path(folder) / "guide.obj"
             export_shape(settings.guide, files["guide.obj"], context.evaluated_depsgraph_get())
             job["guide_mesh"] = "guide.obj"
-        return session.submit(context, job, session.target_at_cursor(context), files)
+        return session.submit(context, job, session.target_here(context), files)
 
 
 def texture(context: bpy.types.Context) -> Path:
@@ -59,7 +59,7 @@ def texture(context: bpy.types.Context) -> Path:
             files["base_color.png"] = Path(folder) / "base_color.png"
             bake_base_color.bake(context, obj, uv_map, files["base_color.png"], COLOR_SIZE)
             job["base_color"] = "base_color.png"
-        target = session.target_at_cursor(
+        target = session.target_here(
             context, object=obj.name, uv_map=uv_map, assign=settings.assign
         )
         return session.submit(context, job, target, files)
@@ -74,10 +74,8 @@ def repeat(context: bpy.types.Context, entry: Entry, vary_seed: bool = False) ->
     seed = history.other_seed(entry.job.get("seed", 0)) if vary_seed else None
     job, files = history.copy_of_job(entry, seed)
     old = Target.read(entry.folder)
-    # The same object as before, but a new object comes to where the cursor is now.
-    target = session.target_at_cursor(
-        context, object=old.object, uv_map=old.uv_map, assign=old.assign
-    )
+    # The same object as before, but a new object comes to where the user wants it now.
+    target = session.target_here(context, object=old.object, uv_map=old.uv_map, assign=old.assign)
     return session.submit(context, job, target, files)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from .job_file import write_json
 
 NAME = "target.json"
+FREE, EXACT = "free", "exact"  # of a Target's place
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,6 +20,7 @@ class Target:
     file: str = ""  # the .blend; empty for one that was not saved
     scene: str = ""
     location: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of the asset's base
+    place: str = FREE  # the free place nearest to ``location``; EXACT: there, whatever is there
     object: str = ""  # that receives the material; empty for a new object
     uv_map: str = ""  # of that object: the map that the textures use
     assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object

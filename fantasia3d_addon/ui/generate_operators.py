@@ -9,10 +9,11 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from ..blender.mesh_arrays import EDIT_MODE
-from ..jobs import history, submit
+from ..jobs import history, live_preview, submit
 from ..jobs.import_result import mark_imported
 from ..jobs.session import session
-from .operator_helpers import USER_ERRORS, import_at_cursor, queue_job, report_error
+from ..scene import view
+from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
 
 
 class FANTASIA3D_OT_generate(bpy.types.Operator):
@@ -66,6 +67,28 @@ class FANTASIA3D_OT_cancel(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class FANTASIA3D_OT_local_view(bpy.types.Operator):
+    """Show the preview of the running job alone in this view, or everything again"""
+
+    bl_idname = "fantasia3d.local_view"
+    bl_label = "Local View"
+
+    run: StringProperty(name="Run", description="Name of the run folder; empty: the first run")
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        reason = "" if live_preview.any_shown() else "There is no preview."
+        if context.area is None or context.area.type != "VIEW_3D":
+            reason = "Use it in a 3D view."
+        cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        obj = live_preview.find(self.run) or live_preview.any_shown()
+        view.toggle_local_view(context.area, context.window, obj)
+        return {"FINISHED"}
+
+
 class FANTASIA3D_OT_stop_now(bpy.types.Operator):
     """End a process whose cancel takes long; the run resumes from its last checkpoint"""
 
@@ -97,7 +120,7 @@ class FANTASIA3D_OT_dismiss(bpy.types.Operator):
 
 
 class FANTASIA3D_OT_import_asset(bpy.types.Operator):
-    """Import an asset folder into the scene, at the 3D cursor"""
+    """Import an asset folder into the scene"""
 
     bl_idname = "fantasia3d.import_asset"
     bl_label = "Import Asset"
@@ -120,7 +143,7 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:
-            import_at_cursor(context, Path(bpy.path.abspath(self.directory)))
+            import_and_select(context, Path(bpy.path.abspath(self.directory)))
         except USER_ERRORS as error:
             return report_error(self, error)
         return {"FINISHED"}
@@ -174,6 +197,7 @@ CLASSES = (
     FANTASIA3D_OT_generate,
     FANTASIA3D_OT_texture,
     FANTASIA3D_OT_cancel,
+    FANTASIA3D_OT_local_view,
     FANTASIA3D_OT_stop_now,
     FANTASIA3D_OT_dismiss,
     FANTASIA3D_OT_import_asset,

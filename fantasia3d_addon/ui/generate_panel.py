@@ -6,7 +6,7 @@ import bpy
 
 from ..blender import compat
 from ..environment import SetupError
-from ..jobs import memory, submit
+from ..jobs import live_preview, memory, submit
 from ..jobs.import_result import reason_to_wait
 from ..jobs.job_settings import FILE
 from ..jobs.paths import Paths
@@ -110,6 +110,7 @@ def _draw_collapsed(layout: bpy.types.UILayout, context: bpy.types.Context) -> N
         body.prop(settings, "texture_size")
         if settings.task == "generate":
             body.prop(settings, "max_faces")
+            body.prop(settings, "placement")
         wrapped_label(body, context, _memory_line(settings)[0], dimmed=True)
     body = collapsible(layout, "advanced", "Advanced")
     if body:
@@ -176,6 +177,10 @@ def _draw_run(
     else:
         row.enabled = not progress.cancelling
         row.operator("fantasia3d.cancel", icon="CANCEL").run = followed.name
+    if live_preview.find(followed.name):
+        is_alone = context.space_data and context.space_data.local_view
+        icon = "HIDE_ON" if is_alone else "HIDE_OFF"
+        box.operator("fantasia3d.local_view", icon=icon).run = followed.name
 
 
 def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:

@@ -14,7 +14,7 @@ from ..jobs.import_result import import_result
 from ..jobs.job_settings import apply_job
 from ..jobs.session import session
 from ..jobs.target import Target
-from .operator_helpers import USER_ERRORS, import_at_cursor, queue_job, report_error
+from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
 
 RUN_FOLDER = "The folder of the run; empty: the one that is selected in the list"
 
@@ -94,7 +94,7 @@ class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
 
 
 class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
-    """Import this job's asset into the scene: at the 3D cursor, or onto its object"""
+    """Import this job's asset into the scene, or its material onto its object"""
 
     bl_idname = "fantasia3d.job_import"
     bl_label = "Import"
@@ -117,7 +117,7 @@ class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
                 import_result(entry.folder, target, context.scene, push_undo=False)
                 session.mark_imported(entry.folder)
             else:
-                import_at_cursor(context, entry.folder)
+                import_and_select(context, entry.folder)
         except USER_ERRORS as error:
             return report_error(self, error)
         return {"FINISHED"}

@@ -17,6 +17,7 @@ from bpy.props import (
 )
 
 from ..jobs.job_settings import FILE
+from ..jobs.place import CURSOR, FREE_PLACE, IN_VIEW
 from ..scene import light
 from . import icons
 
@@ -57,6 +58,11 @@ UV_MODES = (
 ASSIGN = (
     ("slot", "New Slot", "Add the material in a new slot and leave the other slots as they are"),
     ("object", "All Slots", "Show it in every slot; the mesh keeps its own materials underneath"),
+)
+PLACEMENTS = (
+    (FREE_PLACE, "Free Place", "The place nearest to the 3D cursor where nothing else is"),
+    (IN_VIEW, "In View", "The free place nearest to what the view is centred on"),
+    (CURSOR, "3D Cursor", "Exactly at the 3D cursor, also inside of other objects"),
 )
 _light_items: list[tuple[str, str, str, int, int]] = []  # Blender keeps no reference to its texts
 
@@ -143,6 +149,9 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         description="The mesh is simplified to this many triangles; 0: as the quality has it",
         min=0,
         max=2_000_000,
+    )
+    placement: EnumProperty(
+        name="Location", description="Where the preview and the asset appear", items=PLACEMENTS
     )
     device: EnumProperty(name="Device", description="What the run computes on", items=DEVICES)
     overrides: StringProperty(
