@@ -85,6 +85,9 @@ def add_core_commands(commands: Commands) -> None:
     generate.add_argument(
         "--guide-strength", type=float, metavar="0..1", help="0: a start only; 1: keep the shape"
     )
+    generate.add_argument(
+        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
+    )
     texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
     texture.add_argument("mesh")
     texture.add_argument("prompt")
@@ -174,6 +177,7 @@ def job_of(args: argparse.Namespace) -> "Job":
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
         "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
         "uv": getattr(args, "uv", None),
+        "size_m": getattr(args, "size", None),
         "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
     }
@@ -182,6 +186,8 @@ def job_of(args: argparse.Namespace) -> "Job":
     for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
         if given[name] == 0:  # which stands for the preset's own in job.json
             raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
+    if given["size_m"] == 0:
+        raise UserError("--size is 0.", "It takes metres, such as 0.9.")
     if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):

@@ -206,13 +206,22 @@ def _write_mesh(folder: Path, mesh: Mesh) -> None:
 def _report(folder: Path, mesh: Mesh, info: dict[str, Any]) -> dict[str, Any]:
     """asset.json: what is known here, and what ``info`` adds."""
     size = float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
+    mesh_health = health(mesh.verts, mesh.faces)
     here = {
         "version": VERSION,
         "size_m": round(size, 6),
-        "mesh": health(mesh.verts, mesh.faces) | uv_health(mesh),
+        "mass_kg": _mass(mesh_health["volume"], info.get("density")),
+        "mesh": mesh_health | uv_health(mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
     }
     return info | here
+
+
+def _mass(volume: object, density: object) -> float | None:
+    """Kilograms, of a closed mesh whose density (kg/m³) is known."""
+    if not (isinstance(volume, float) and isinstance(density, float)):
+        return None
+    return float(f"{abs(volume) * density:.4g}")
 
 
 def _read_info(folder: Path) -> dict[str, Any]:

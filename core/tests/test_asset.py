@@ -320,3 +320,21 @@ def test_plain_obj(tmp_path: Path) -> None:
     told = inspect(tmp_path / "shape.obj")
     assert told["mesh"]["genus"] == 1
     assert told["mesh"]["volume"] == pytest.approx(health(verts, faces)["volume"], rel=1e-4)
+
+
+def test_a_closed_asset_of_known_density_has_its_mass(tmp_path: Path) -> None:
+    import trimesh
+
+    from core.io.asset import write_asset
+
+    box = trimesh.creation.box((0.2, 0.2, 0.5))
+    verts = torch.tensor(box.vertices, dtype=torch.float32)
+    faces = torch.tensor(box.faces, dtype=torch.long)
+    uv = torch.rand(3, 2, generator=torch.Generator().manual_seed(0))
+    mesh = Mesh(verts, faces, uv, torch.arange(3).expand(len(faces), 3))
+    flat = torch.zeros(4, 4, 3)
+    maps = Maps(flat, flat, flat + torch.tensor([0.0, 0, 1]))
+    write_asset(tmp_path / "box", mesh, maps, {"density": 650.0})
+    report = json.loads((tmp_path / "box" / "asset.json").read_text("utf-8"))
+    assert report["size_m"] == 0.5
+    assert report["mass_kg"] == pytest.approx(0.02 * 650, rel=1e-3)

@@ -220,6 +220,8 @@ def test_what_is_understood_is_plain_data():
         "colours": ["red", "white"],
         "materials": ["wooden"],
         "pattern": "two-tone",
+        "size_m": 8.0,
+        "density": 97.5,
         "left_out": [],
         "notes": ["oak: made as wooden."],
     }  # fmt: skip

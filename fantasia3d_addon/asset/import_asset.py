@@ -13,6 +13,9 @@ from ..errors import AssetError
 from .asset_folder import AssetFolder, Picture, read_asset
 from .material_nodes import UV_MAP, build_material
 
+# Custom property of an object: kg/m³, averaged over its volume.
+DENSITY = "fantasia3d_density"
+
 
 def import_asset(
     where: bpy.types.Context | bpy.types.Scene | bpy.types.LayerCollection,
@@ -40,11 +43,18 @@ def import_asset(
         obj = bpy.data.objects.new(name, mesh)
         made.append(obj)
         obj.location = location
+        _set_density(obj, asset)
         where.collection.objects.link(obj)
     except BaseException:
         bpy.data.batch_remove(made)
         raise
     return obj
+
+
+def _set_density(obj: bpy.types.Object, asset: AssetFolder) -> None:
+    density = asset.info.get("density")
+    if isinstance(density, int | float) and 0 < density < np.inf:
+        obj[DENSITY] = float(density)
 
 
 def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:

@@ -19,7 +19,7 @@ from .place import place_of
 from .progress import FollowedRun
 
 RUN = "fantasia3d_run"  # the custom property with the run of a preview object
-SIZE_M = 1.0  # the longest side, as of a finished asset
+SIZE_M = 1.0  # the longest side, where the core reports none
 GROWTH = 0.6  # of the longest side: room that a preview gets at least in width and depth
 
 
@@ -32,13 +32,14 @@ def show(scene: bpy.types.Scene, path: Path, followed: FollowedRun) -> bpy.types
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
             verts, faces = parts["verts"], parts["faces"]
+            size = float(parts["size_m"]) if "size_m" in parts else SIZE_M
     except (OSError, ValueError, KeyError, zipfile.BadZipFile):
         return None  # it is being replaced or removed at this moment: the next one comes soon
     if not len(faces):
         return None
     is_first = followed.place is None
     obj = find(followed.name) or _add(scene.collection, followed.name, followed.prompt)
-    _fill(obj.data, to_metres(verts), faces)
+    _fill(obj.data, to_metres(verts, size), faces)
     if followed.place is None:
         followed.place = place_of(scene, followed.target, _room(obj), ignored=(obj,))
     obj.location = followed.place
@@ -77,12 +78,12 @@ def remove(keep: Sequence[str] = ()) -> None:
     bpy.data.batch_remove([*stale, *(mesh for mesh in meshes if mesh.users == 1)])
 
 
-def to_metres(verts: np.ndarray) -> np.ndarray:
-    """From training units: on z = 0, centred in x and y, ``SIZE_M`` on the longest side."""
+def to_metres(verts: np.ndarray, size: float) -> np.ndarray:
+    """From training units: on z = 0, centred in x and y, ``size`` metres on the longest side."""
     low, high = verts.min(0), verts.max(0)
     base = (low + high) / 2
     base[2] = low[2]
-    return ((verts - base) * (SIZE_M / max(float((high - low).max()), 1e-9))).astype(np.float32)
+    return ((verts - base) * (size / max(float((high - low).max()), 1e-9))).astype(np.float32)
 
 
 def _add(collection: bpy.types.Collection, run: str, prompt: str) -> bpy.types.Object:

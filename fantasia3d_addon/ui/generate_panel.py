@@ -69,6 +69,8 @@ def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup
     row = column.row(align=True)
     row.prop(settings, "seed")
     row.operator("fantasia3d.new_seed", text="", icon="FILE_REFRESH")
+    if settings.task == "generate":
+        column.prop(settings, "size")
     column.prop(settings, "guidance")
     if settings.guidance == "folder":
         column.prop(settings, "model_folder")

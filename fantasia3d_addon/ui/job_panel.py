@@ -13,7 +13,7 @@ from ..jobs.job_file import read_job
 from ..jobs.session import session
 from . import icons
 from .job_operators import entry_of, selected
-from .text import TAB, duration, wrapped_label
+from .text import TAB, duration, length, wrapped_label
 
 ICONS = {
     history.WAITING: "TIME",
@@ -43,7 +43,8 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
             row.label(text=entry.prompt, icon="OUTLINER_OB_MESH")
         end = row.row()
         end.active = False
-        end.label(text="", icon=ICONS[entry.state])
+        end.alignment = "RIGHT"
+        end.label(text=length(entry.size_m) if entry.size_m else "", icon=ICONS[entry.state])
 
     def filter_items(self, context, data, property) -> tuple[list[int], list[int]]:
         """By prompt."""
@@ -134,6 +135,8 @@ def facts(entry: Entry) -> list[str]:
     state = "" if done else f"{STATES.get(entry.state, entry.state.capitalize())}{stage}"
     lines = [f"{when}{took}", state]
     lines.append(f"{str(job.get('preset', '')).capitalize()}, seed {job.get('seed', 0)}")
+    if entry.size_m:
+        lines.append(f"Size: {length(entry.size_m)}")
     # Only what differs from the default.
     if job.get("negative_prompt"):
         lines.append(f"Negative prompt: {job['negative_prompt']}")

@@ -135,6 +135,16 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         max=1.0,
         subtype="FACTOR",
     )
+    size: FloatProperty(
+        name="Size",
+        description="Length of the longest side; 0: the usual size of the thing",
+        default=0.0,
+        min=0.0,
+        max=1000.0,
+        soft_max=30.0,
+        precision=3,
+        subtype="DISTANCE",
+    )
     light: EnumProperty(
         name="Light", description="The light that the material is learned under", items=light_items
     )

@@ -80,3 +80,8 @@ def duration(seconds: float) -> str:
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
+
+def length(metres: float) -> str:
+    """4.2 m, or 10 cm."""
+    return f"{metres:.3g} m" if metres >= 1 else f"{100 * metres:.3g} cm"

@@ -27,6 +27,7 @@ from core.guidance.builtin.lexicon import (
 )
 from core.guidance.builtin.looks import LOOKS
 from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.words import (
     FILLER,
     IGNORED_ADJECTIVES,
@@ -86,6 +87,7 @@ def understood(prompt: str, known: Vocabulary | None = None) -> dict[str, Any]:
         UserError: as ``parse``; ``UnknownWordsError`` has the nearest known words.
     """
     words = parse(prompt, known=offered_words() if known is None else known)
+    size_m, density = usual(words.noun, words.material)
     return {
         "prompt": prompt,
         "thing": words.noun,
@@ -94,6 +96,8 @@ def understood(prompt: str, known: Vocabulary | None = None) -> dict[str, Any]:
         "colours": [color for color in (words.color, words.second) if color],
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
+        "size_m": size_m,
+        "density": density,
         "left_out": list(words.left_out),
         "notes": list(words.notes),
     }
