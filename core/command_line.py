@@ -126,7 +126,10 @@ def add_core_commands(commands: Commands) -> None:
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
     words = add("words", "What the built-in prior understands of a prompt, as JSON.")
-    words.add_argument("prompt")
+    words.add_argument("prompt", nargs="?", help="without one: all known words by group")
+    words.add_argument(
+        "--ignore-unknown-words", action="store_true", help="as generate with this option"
+    )
 
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
@@ -236,7 +239,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
         with suppress(OSError):  # a full disk takes no last word
             # Carried out. Its time may be in a later session's future: a clock can be set back.
             request.unlink(missing_ok=True)
-            run.report(kind, text=error.text, fix=error.fix or None)
+            run.report(kind, text=error.text, fix=error.window_fix or error.fix or None)
         raise
     except BaseException as error:
         known = _known(error)
@@ -352,12 +355,16 @@ def _export(args: argparse.Namespace) -> None:
 
 
 def _words(args: argparse.Namespace) -> None:
+    from core.guidance.builtin.groups import word_groups
     from core.guidance.builtin.vocabulary import understood, words_report
 
-    report, code = words_report(args.prompt)
+    if args.prompt is None:
+        print(json.dumps(word_groups(), indent=1, ensure_ascii=False))
+        return
+    report, code = words_report(args.prompt, args.ignore_unknown_words)
     print(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
-        understood(args.prompt)  # raises what the report says
+        understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 
 
 def _bench(args: argparse.Namespace) -> None:

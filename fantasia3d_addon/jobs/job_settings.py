@@ -33,6 +33,7 @@ def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
         "texture_size": int(settings.texture_size),
         "max_faces": settings.max_faces,
         "device": settings.device,
+        "ignore_unknown_words": settings.ignore_unknown,
         "settings": overrides_of(settings),
     }
     # Blender holds single precision: 0.7 would be written as 0.699999988079071.
@@ -50,6 +51,7 @@ def apply_job(settings: Settings, job: Mapping[str, Any]) -> None:
             setattr(settings, name, job[name])
     settings.texture_size = str(job.get("texture_size", 0))
     settings.size = job.get("size_m", 0.0)
+    settings.ignore_unknown = job.get("ignore_unknown_words", False)
     # The core has one strength for both commands, the panel one for each.
     strength = "color_strength" if settings.task == "texture" else "guide_strength"
     setattr(settings, strength, job.get("guide_strength", 0.5))

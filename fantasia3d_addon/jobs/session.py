@@ -28,6 +28,7 @@ from .place import requested
 from .process import Run
 from .progress import FollowedRun
 from .target import Target
+from .words import Words
 
 TICK_SECONDS = 0.25
 ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
@@ -48,6 +49,7 @@ class Session:
         self.task: Task | None = None  # a set-up, check or removal of the environment
         self.history: list[Entry] = []
         self.free_memory = FreeMemory()
+        self.words = Words()
         self._scan: Task | None = None  # reads the history
         self._file_number = 0  # counts the files that were opened
         # Blender knows a timer by its identity, and a bound method is a new object each time.
@@ -272,9 +274,19 @@ class Session:
                 self.history = self._scan.result
             self._scan = None
             _update_list(self.history)
+        self._ask_words()
         _redraw()
-        working = (self.task and self.task.running) or self._scan
+        working = (self.task and self.task.running) or self._scan or self.words.pending
         return TICK_SECONDS if self.busy or working else None
+
+    def _ask_words(self) -> None:
+        if not self.words.pending:
+            return
+        try:
+            core = Paths(bpy.context).core
+        except SetupError:
+            core = None
+        self.words.tick(core)
 
     def _end(self, followed: FollowedRun) -> None:
         self.running.remove(followed)

@@ -17,6 +17,7 @@ from .job_settings import job_of
 from .paths import Paths
 from .session import session
 from .target import Target
+from .words import Report, unknown
 
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
@@ -94,6 +95,13 @@ def resume(context: bpy.types.Context, entry: Entry) -> None:
     session.enqueue(context, entry.folder)
 
 
+def report_of(settings: bpy.types.PropertyGroup) -> Report | None:
+    """What the built-in model understands of the prompt; None: not known, or another model."""
+    if settings.guidance != "builtin":
+        return None
+    return session.words.report(settings.prompt, settings.ignore_unknown)
+
+
 def reason_against_generate(context: bpy.types.Context) -> str:
     """Why no job can be requested now; empty if one can."""
     if not context.scene.fantasia3d.prompt.strip():
@@ -104,6 +112,8 @@ def reason_against_generate(context: bpy.types.Context) -> str:
         return f"{error.text} {error.fix}"
     if not python.exists():
         return "Press Install first: the method's Python environment is missing."
+    if unknown(report_of(context.scene.fantasia3d)):
+        return "The prompt has unknown words."
     try:
         job_of(context.scene.fantasia3d)
     except AddonError as error:

@@ -16,6 +16,7 @@ from . import icons
 from .presets import FANTASIA3D_PT_presets
 from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
 from .text import TAB, collapsible, error_and_fix, wrapped_label
+from .words_menu import draw_understood
 
 PICTURE = 7.0  # height of the preview, in rows
 
@@ -43,6 +44,7 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         column = layout.column(align=True)
         compat.text_field(column, settings, "prompt", placeholder="a red wooden chair")
         column.prop(settings, "negative_prompt", text="", placeholder="Negative prompt")
+        draw_understood(layout, context)
         layout.use_property_split = True
         layout.use_property_decorate = False
         _draw_settings(layout, settings)

@@ -18,6 +18,7 @@ SAVED = (  # what a preset holds: everything but the prompt, the seed and the ob
     "light_file",
     "texture_size",
     "max_faces",
+    "ignore_unknown",
     "size",
     "placement",
     "device",

@@ -102,7 +102,15 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     task: EnumProperty(
         name="Task", description="A new asset, or a material for a mesh", items=TASKS
     )
-    prompt: StringProperty(name="Prompt", description="What to make, such as: a red wooden chair")
+    prompt: StringProperty(
+        name="Prompt",
+        description="What to make, such as: a red wooden chair",
+        options={"TEXTEDIT_UPDATE"},  # the panel shows what is understood while it is typed
+    )
+    ignore_unknown: BoolProperty(
+        name="Ignore Unknown Words",
+        description="Leave out the words that the built-in model does not know",
+    )
     negative_prompt: StringProperty(
         name="Negative Prompt", description="What it should not look like"
     )

@@ -23,6 +23,7 @@ from . import (
     setup_operators,
     tool_properties,
     tools_panel,
+    words_menu,
 )
 
 MODULES = (  # each has its CLASSES
@@ -32,6 +33,7 @@ MODULES = (  # each has its CLASSES
     generate_operators,
     job_operators,
     setup_operators,
+    words_menu,
     generate_panel,
     job_panel,
     tool_properties,
