@@ -275,7 +275,7 @@ class Session:
             self._scan = None
             _update_list(self.history)
         self._ask_words()
-        _redraw()
+        redraw()
         working = (self.task and self.task.running) or self._scan or self.words.pending
         return TICK_SECONDS if self.busy or working else None
 
@@ -355,15 +355,15 @@ def _update_list(entries: list[Entry]) -> None:
             listed.add().name = str(entry.folder)
 
 
-def _redraw() -> None:
+def redraw() -> None:
     """Redraw the sidebars and the preferences, which do not notice a job's progress."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "PREFERENCES":
-                area.tag_redraw()
+                area.tagredraw()
             for region in area.regions if area.type == "VIEW_3D" else ():
                 if region.type == "UI":
-                    region.tag_redraw()
+                    region.tagredraw()
 
 
 session = Session()  # the one of this Blender; unregistration empties it

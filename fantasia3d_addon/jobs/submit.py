@@ -106,12 +106,9 @@ def reason_against_generate(context: bpy.types.Context) -> str:
     """Why no job can be requested now; empty if one can."""
     if not context.scene.fantasia3d.prompt.strip():
         return "Enter a prompt: what to generate."
-    try:
-        python = Paths(context).python
-    except SetupError as error:
-        return f"{error.text} {error.fix}"
-    if not python.exists():
-        return "Press Install first: the method's Python environment is missing."
+    reason = reason_against_jobs(context)
+    if reason:
+        return reason
     if unknown(report_of(context.scene.fantasia3d)):
         return "The prompt has unknown words."
     try:
@@ -119,6 +116,15 @@ def reason_against_generate(context: bpy.types.Context) -> str:
     except AddonError as error:
         return str(error)
     return ""
+
+
+def reason_against_jobs(context: bpy.types.Context) -> str:
+    """Why no job at all can be started; empty if one can."""
+    try:
+        python = Paths(context).python
+    except SetupError as error:
+        return f"{error.text} {error.fix}"
+    return "" if python.exists() else "Installation required: press Install."
 
 
 def reason_against_texture(context: bpy.types.Context) -> str:

@@ -29,6 +29,7 @@ KINDS = options.KIND.names
 # Custom property: on the asset, what clear() needs; on objects made for it, the asset's name.
 MARK = "fantasia3d_physics"
 GROUND = "Fantasia3D ground"
+COLLECTION = "Fantasia3D Physics"
 MIN_MASS = 0.001  # kg: Blender's own limit
 CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
 _NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
@@ -348,7 +349,8 @@ def _add(
     """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
     made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
     made[MARK] = obj.name
-    for collection in obj.users_collection or [bpy.context.scene.collection]:
+    own = obj.users_collection or [bpy.context.scene.collection]
+    for collection in [_hidden_collection()] if hidden else own:
         collection.objects.link(made)
     if hidden:
         made.hide_render = True
@@ -357,12 +359,27 @@ def _add(
     return made
 
 
+def _hidden_collection() -> bpy.types.Collection:
+    """The scene's collection of cages, hulls and colliders, which no view shows."""
+    scene = bpy.context.scene
+    found = next((c for c in scene.collection.children if MARK in c), None)
+    if found is None:
+        found = bpy.data.collections.new(COLLECTION)
+        found[MARK] = True
+        scene.collection.children.link(found)
+        found.hide_render = True
+    return found
+
+
 def _remove(made: bpy.types.Object) -> None:
     _release(made)
-    mesh = made.data
+    mesh, collections = made.data, made.users_collection
     bpy.data.objects.remove(made)
     if not mesh.users:
         bpy.data.meshes.remove(mesh)
+    for collection in collections:
+        if MARK in collection and not collection.all_objects:
+            bpy.data.collections.remove(collection)
 
 
 def _release(obj: bpy.types.Object) -> None:

@@ -60,6 +60,23 @@ def focus(scene: bpy.types.Scene, area: bpy.types.Area | None = None) -> Vector:
     return ground if 0 < down < TOO_FAR * distance else center
 
 
+def hides_colors(space: bpy.types.Space | None) -> bool:
+    """Whether a 3D view shows grey where an asset has its colours."""
+    if space is None or space.type != "VIEW_3D":
+        return False
+    shading = space.shading
+    return shading.type == "WIREFRAME" or (
+        shading.type == "SOLID" and shading.color_type != "TEXTURE"
+    )
+
+
+def show_colors(space: bpy.types.SpaceView3D, in_solid: bool = False) -> None:
+    """Show the materials in a 3D view; ``in_solid``: only the base colour, in Solid shading."""
+    space.shading.type = "SOLID" if in_solid else "MATERIAL"
+    if in_solid:
+        space.shading.color_type = "TEXTURE"
+
+
 def toggle_local_view(
     area: bpy.types.Area, window: bpy.types.Window, obj: bpy.types.Object
 ) -> None:

@@ -5,13 +5,12 @@ from __future__ import annotations
 import bpy
 
 from ..blender import compat
-from ..environment import SetupError
-from ..jobs import live_preview, memory, submit
+from ..jobs import environment_setup, live_preview, memory, submit
 from ..jobs.import_result import reason_to_wait
 from ..jobs.job_settings import FILE
-from ..jobs.paths import Paths
 from ..jobs.progress import FollowedRun
 from ..jobs.session import session
+from ..scene import view
 from . import icons
 from .presets import FANTASIA3D_PT_presets
 from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
@@ -36,9 +35,9 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, settings = self.layout, context.scene.fantasia3d
-        if not is_set_up(context):
+        if not environment_setup.is_installed():
             box = layout.box()
-            wrapped_label(box, context, "Installation required, once:", "INFO")
+            wrapped_label(box, context, "Installation required", "INFO")
             draw_set_up(box, context)
         layout.row().prop(settings, "task", expand=True)
         column = layout.column(align=True)
@@ -55,14 +54,6 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         for followed in session.running:
             _draw_run(layout, context, followed)
         _draw_result(layout, context)
-
-
-def is_set_up(context: bpy.types.Context) -> bool:
-    """Whether the core's Python exists."""
-    try:
-        return Paths(context).python.exists()
-    except SetupError:
-        return False
 
 
 def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
@@ -177,14 +168,14 @@ def _draw_run(
         error_and_fix(box, context, followed.warning, "INFO")
     row = box.row(align=True)
     if progress.overdue:
-        row.operator("fantasia3d.stop_now", icon="X")
+        row.operator("fantasia3d.stop_now", text="Stop Now", icon="X")
     else:
         row.enabled = not progress.cancelling
-        row.operator("fantasia3d.cancel", icon="CANCEL").run = followed.name
+        row.operator("fantasia3d.cancel", text="Cancel", icon="CANCEL").run = followed.name
     if live_preview.find(followed.name):
         is_alone = context.space_data and context.space_data.local_view
         icon = "HIDE_ON" if is_alone else "HIDE_OFF"
-        box.operator("fantasia3d.local_view", icon=icon).run = followed.name
+        box.operator("fantasia3d.local_view", text="Local View", icon=icon).run = followed.name
 
 
 def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -195,14 +186,23 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
     elif last and last.end and last.end.type == "cancelled":
         row = layout.row(align=True)
         row.label(text="Cancelled", icon="CANCEL")
-        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+        row.operator("fantasia3d.job_resume", text="Resume", icon="PLAY").folder = str(
+            last.run.folder
+        )
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif session.asset:
         wrapped_label(layout, context, f"Imported: {session.asset}", "CHECKMARK")
+        if view.hides_colors(context.space_data):
+            row = layout.row(align=True)
+            for shading, text in (("MATERIAL", "Material Preview"), ("TEXTURE", "Texture Color")):
+                button = row.operator("fantasia3d.show_colors", text=text)
+                button.shading = shading
     for entry in session.missed:
         row = layout.row(align=True)
         row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
-        row.operator("fantasia3d.job_import", icon="IMPORT").folder = str(entry.folder)
+        row.operator("fantasia3d.job_import", text="Import", icon="IMPORT").folder = str(
+            entry.folder
+        )
     if session.importing:
         wrapped_label(layout, context, f"The asset is ready. {reason_to_wait()}", "CHECKMARK")
 
@@ -214,9 +214,11 @@ def _draw_error(
     box = layout.box().column()
     error_and_fix(box, context, error, "ERROR")
     row = box.row(align=True)
-    row.operator("fantasia3d.open_log", icon="TEXT")
+    row.operator("fantasia3d.open_log", text="Open Log", icon="TEXT")
     if last and last.end and last.end.type == "error" and last.run.resumable:
-        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+        row.operator("fantasia3d.job_resume", text="Resume", icon="PLAY").folder = str(
+            last.run.folder
+        )
     row.operator("fantasia3d.dismiss", text="", icon="X")
 
 

@@ -63,7 +63,7 @@ class FANTASIA3D_OT_job_repeat(_RunOperator, bpy.types.Operator):
     """Run this job again, with the same settings"""
 
     bl_idname = "fantasia3d.job_repeat"
-    bl_label = "Repeat"
+    bl_label = "Repeat Job"
 
     vary_seed: BoolProperty(name="Vary Seed", description="Use another seed", options={"SKIP_SAVE"})
 
@@ -83,7 +83,7 @@ class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
     """Continue this job from its last checkpoint"""
 
     bl_idname = "fantasia3d.job_resume"
-    bl_label = "Resume"
+    bl_label = "Resume Job"
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         def resume() -> Path:
@@ -97,7 +97,7 @@ class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
     """Import this job's asset into the scene, or its material onto its object"""
 
     bl_idname = "fantasia3d.job_import"
-    bl_label = "Import"
+    bl_label = "Import Job's Asset"
     bl_options = {"REGISTER", "UNDO"}
 
     @staticmethod
@@ -127,7 +127,7 @@ class FANTASIA3D_OT_job_settings(_RunOperator, bpy.types.Operator):
     """Set the panel's fields to those of this job"""
 
     bl_idname = "fantasia3d.job_settings"
-    bl_label = "Use Settings"
+    bl_label = "Use Job's Settings"
     bl_options = {"UNDO"}
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
@@ -139,7 +139,7 @@ class FANTASIA3D_OT_job_folder(_RunOperator, bpy.types.Operator):
     """Open this job's folder"""
 
     bl_idname = "fantasia3d.job_folder"
-    bl_label = "Open Folder"
+    bl_label = "Open Job's Folder"
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         return bpy.ops.wm.path_open(filepath=str(entry.folder))
@@ -149,7 +149,7 @@ class FANTASIA3D_OT_job_remove(_RunOperator, bpy.types.Operator):
     """Delete this job and its asset from the disk; what was imported stays in its scene"""
 
     bl_idname = "fantasia3d.job_remove"
-    bl_label = "Delete"
+    bl_label = "Delete Job"
 
     @staticmethod
     def reason_against(entry: Entry) -> str:
@@ -215,7 +215,7 @@ class FANTASIA3D_OT_refresh(bpy.types.Operator):
     """Look for runs again, also those of other Blenders and of the command line"""
 
     bl_idname = "fantasia3d.refresh"
-    bl_label = "Refresh"
+    bl_label = "Refresh Jobs"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.adopt(context)

@@ -202,7 +202,10 @@ class FANTASIA3D_PG_entry(bpy.types.PropertyGroup):
 class FANTASIA3D_PG_jobs(bpy.types.PropertyGroup):
     """The history as the panel's list shows it."""
 
-    entries: CollectionProperty(type=FANTASIA3D_PG_entry)
+    entries: CollectionProperty(
+        name="Runs", description="The runs on this machine, the newest first",
+        type=FANTASIA3D_PG_entry,
+    )  # fmt: skip
     index: IntProperty(name="Run", description="The selected run")
 
 

@@ -7,6 +7,7 @@ import bpy
 from ..jobs import handlers
 from ..jobs.session import session
 from . import (
+    drop_files,
     export_operators,
     generate_operators,
     generate_panel,
@@ -14,6 +15,7 @@ from . import (
     job_operators,
     job_panel,
     material_operators,
+    menus,
     mesh_operators,
     physics_operators,
     preferences,
@@ -21,6 +23,7 @@ from . import (
     properties,
     scene_operators,
     setup_operators,
+    shortcut,
     tool_properties,
     tools_panel,
     words_menu,
@@ -42,7 +45,9 @@ MODULES = (  # each has its CLASSES
     physics_operators,
     mesh_operators,
     export_operators,
+    drop_files,
     tools_panel,
+    menus,
 )
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
@@ -58,6 +63,8 @@ def register() -> None:
     bpy.types.Scene.fantasia3d = pointer(type=properties.FANTASIA3D_PG_settings)
     bpy.types.Scene.fantasia3d_tools = pointer(type=tool_properties.FANTASIA3D_PG_tools)
     bpy.types.WindowManager.fantasia3d = pointer(type=properties.FANTASIA3D_PG_jobs)
+    menus.append()
+    shortcut.update(preferences.uses_pie())
     handlers.add()
     session.open()
 
@@ -66,6 +73,8 @@ def unregister() -> None:
     """Undo :func:`register`, backwards."""
     session.close()
     handlers.remove()
+    shortcut.remove()
+    menus.remove()
     del bpy.types.Scene.fantasia3d
     del bpy.types.Scene.fantasia3d_tools
     del bpy.types.WindowManager.fantasia3d
