@@ -10,7 +10,8 @@ bpy = pytest.importorskip("bpy")
 from blender_tests.asset_fixture import block, write_asset  # noqa: E402
 from blender_tests.test_free_place import followed  # noqa: E402
 from blender_tests.test_live_preview import write_shape  # noqa: E402
-from fantasia3d_addon.asset.import_asset import DENSITY, import_asset  # noqa: E402
+from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
+from fantasia3d_addon.asset.origin import DENSITY  # noqa: E402
 from fantasia3d_addon.jobs import history, live_preview  # noqa: E402
 from fantasia3d_addon.jobs.job_settings import apply_job, job_of  # noqa: E402
 from fantasia3d_addon.mesh.export import export_object  # noqa: E402

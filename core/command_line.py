@@ -17,7 +17,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -119,6 +119,9 @@ def add_core_commands(commands: Commands) -> None:
 
     inspect = add("inspect", "The health of an asset or a mesh, as JSON.")
     inspect.add_argument("path", type=Path, metavar="ASSET|MESH")
+
+    verify = add("verify", "Make an asset again from what it records, and compare the files.")
+    verify.add_argument("asset", type=Path)
 
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
@@ -304,7 +307,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
-    (other | {"words": _words})[args.command](args)
+    (other | {"words": _words, "verify": _verify})[args.command](args)
     return None
 
 
@@ -346,6 +349,21 @@ def _inspect(args: argparse.Namespace) -> None:
     from core.io.asset import inspect
 
     print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
+
+
+def _verify(args: argparse.Namespace) -> None:
+    from core.verify import verify
+
+    with redirect_stdout(sys.stderr):  # the report alone goes to the output
+        report = verify(args.asset, run_job)
+    print(json.dumps(report, indent=1))
+    if not report["same"]:
+        changed = "changed" in report["files"].values()
+        raise UserError(
+            "It did not come out the same.",
+            "Its files were changed since it was made." if changed
+            else "Compare the versions above: another machine or library rounds otherwise.",
+        )  # fmt: skip
 
 
 def _export(args: argparse.Namespace) -> None:

@@ -27,6 +27,7 @@ from core.io.mesh_file import load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import config_of, within
+from core.provenance import made_by, recorded
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
@@ -151,4 +152,5 @@ def info_of(job: Job, run: RunFolder) -> dict:
     words = {key: value for key, value in asdict(job).items() if key in names}
     timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}
     _, density = usual_of(job.prompt)
-    return words | {"density": density, "timings": timings, "distribution": "GGX"}
+    origin = {"job": recorded(job), "made_by": made_by(job)}
+    return words | origin | {"density": density, "timings": timings, "distribution": "GGX"}

@@ -20,6 +20,8 @@ from core.io.glb import glb_bytes
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
+from core.io.png import add_text
+from core.io.provenance import file_hash, summary
 
 __all__ = [
     "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
@@ -44,6 +46,7 @@ FILES: dict[str, dict[str, Any]] = {
     "asset.glb": {"role": "glb", "axes": "forward +Z, up +Y"},
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
+DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
 REMAKE = "Name the folder that holds asset.json, or make the asset again."
 
 
@@ -97,7 +100,10 @@ def write_asset(
 
     def fill(temporary: Path) -> None:
         _write_pictures(temporary, maps, preview)
-        _write_mesh(temporary, mesh)
+        origin = summary(info)
+        for path in temporary.glob("*.png"):
+            add_text(path, {key.title().replace("_", " "): text for key, text in origin.items()})
+        _write_mesh(temporary, mesh, origin)
         report = _report(temporary, mesh, info)
         text = json.dumps(report, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
         with atomic_file(temporary / "asset.json") as path:
@@ -189,12 +195,12 @@ def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
         images.write_png(folder / "preview.png", preview)
 
 
-def _write_mesh(folder: Path, mesh: Mesh) -> None:
+def _write_mesh(folder: Path, mesh: Mesh, origin: dict[str, str]) -> None:
     normals = smooth_normals(mesh.verts, mesh.faces)
     tangents = corner_tangents(mesh, normals)
     pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
     pictures["normal"] = (folder / "normal.png").read_bytes()
-    glb = glb_bytes(mesh, normals, tangents, pictures)
+    glb = glb_bytes(mesh, normals, tangents, pictures, origin)
     with atomic_file(folder / "asset.glb") as path:
         path.write_bytes(glb)
     with atomic_file(folder / "mesh.mtl") as path:
@@ -213,6 +219,7 @@ def _report(folder: Path, mesh: Mesh, info: dict[str, Any]) -> dict[str, Any]:
         "mass_kg": _mass(mesh_health["volume"], info.get("density")),
         "mesh": mesh_health | uv_health(mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
+        "hashes": {name: file_hash(folder / name) for name in DATA_FILES},
     }
     return info | here
 

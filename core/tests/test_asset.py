@@ -338,3 +338,34 @@ def test_a_closed_asset_of_known_density_has_its_mass(tmp_path: Path) -> None:
     report = json.loads((tmp_path / "box" / "asset.json").read_text("utf-8"))
     assert report["size_m"] == 0.5
     assert report["mass_kg"] == pytest.approx(0.02 * 650, rel=1e-3)
+
+
+def test_pictures_and_glb_say_where_they_came_from(parts, tmp_path: Path) -> None:
+    info = INFO | {"prompt": "ein roter Stuhl, größer", "guidance": "builtin", "preset": "draft"}
+    folder = write_asset(tmp_path / "made", *parts, info)
+    for name in ("base_color.png", "orm.png", "normal.png"):
+        data = (folder / name).read_bytes()
+        assert b"iTXtPrompt" in data
+        assert "ein roter Stuhl, größer".encode() in data
+        assert b"iTXtSeed\0\0\0\0\x003" in data
+    glb = (folder / "asset.glb").read_bytes()
+    (length,) = struct.unpack("<I", glb[12:16])
+    node = json.loads(glb[20 : 20 + length])["nodes"][0]
+    assert node["name"] == "ein roter Stuhl, größer"
+    assert node["extras"]["seed"] == "3"
+    report = json.loads((folder / "asset.json").read_text("utf-8"))
+    import hashlib
+
+    mesh = hashlib.sha256((folder / "mesh.obj").read_bytes()).hexdigest()
+    assert report["hashes"]["mesh.obj"] == mesh
+
+
+def test_text_in_a_png_leaves_its_pixels_and_other_readers_find_it(tmp_path: Path) -> None:
+    import OpenImageIO
+
+    pixels = np.random.default_rng(0).integers(0, 255, (5, 7, 3), dtype=np.uint8)
+    images.write_png(tmp_path / "a.png", pixels)
+    images.add_text(tmp_path / "a.png", {"Prompt": "a chair", "Seed": "7"})
+    assert (images.read_png(tmp_path / "a.png") == pixels).all()
+    spec = OpenImageIO.ImageInput.open(str(tmp_path / "a.png")).spec()
+    assert spec.get_string_attribute("Prompt") == "a chair"

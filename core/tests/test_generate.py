@@ -326,3 +326,17 @@ def test_a_guide_shortens_the_phase_that_decides_the_shape():
     assert 0 < shortened(standard, 0.9).geometry.fine.steps < fine / 5
     assert keeps.refine.t[0] == draft.geometry.refine.t[0] / 2
     assert draft.geometry.join and not keeps.join  # two shoes stay two
+
+
+def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, tmp_path):
+    """Moved out of its run folder: asset.json alone must do."""
+    import json
+    import shutil
+
+    alone = shutil.copytree(whole / "asset", tmp_path / "alone")
+    status, said = finished(core("verify", alone))
+    assert status == 0, said
+    report = json.loads(said[said.index("{") :])
+    assert report["same"]
+    assert set(report["files"].values()) == {"same"}
+    assert report["versions"] == {}

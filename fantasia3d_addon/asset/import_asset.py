@@ -12,9 +12,7 @@ from ..blender.names import data_name
 from ..errors import AssetError
 from .asset_folder import AssetFolder, Picture, read_asset
 from .material_nodes import UV_MAP, build_material
-
-# Custom property of an object: kg/m³, averaged over its volume.
-DENSITY = "fantasia3d_density"
+from .origin import set_origin
 
 
 def import_asset(
@@ -43,18 +41,12 @@ def import_asset(
         obj = bpy.data.objects.new(name, mesh)
         made.append(obj)
         obj.location = location
-        _set_density(obj, asset)
+        set_origin(obj, asset.info)
         where.collection.objects.link(obj)
     except BaseException:
         bpy.data.batch_remove(made)
         raise
     return obj
-
-
-def _set_density(obj: bpy.types.Object, asset: AssetFolder) -> None:
-    density = asset.info.get("density")
-    if isinstance(density, int | float) and 0 < density < np.inf:
-        obj[DENSITY] = float(density)
 
 
 def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:
@@ -86,6 +78,7 @@ def _make_material(
     material = bpy.data.materials.new(name)
     made.append(material)
     build_material(material, images, asset.distribution, uv_map)
+    set_origin(material, asset.info)
     return material
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bmesh
 import bpy
 
-from ..asset.import_asset import DENSITY
+from ..asset.origin import DENSITY
 
 WOOD = 400.0  # kg/m³: light wood, of what has no density of its own
 
