@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 from ..blender import compat
 from ..jobs import environment_setup, live_preview, memory, submit
@@ -161,7 +162,9 @@ def _draw_run(
     if picture:
         box.template_icon(picture, scale=PICTURE)
     wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH")
-    box.progress(factor=progress.fraction, text=progress.line)
+    title = translated(progress.title if not progress.cancelling else progress.line)
+    percent = f"  {progress.fraction:.0%}" if progress.steps and not progress.cancelling else ""
+    box.progress(factor=progress.fraction, text=title + percent)
     if progress.detail:
         wrapped_label(box, context, progress.detail, dimmed=True)
     if followed.warning:

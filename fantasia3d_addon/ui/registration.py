@@ -26,6 +26,7 @@ from . import (
     shortcut,
     tool_properties,
     tools_panel,
+    translations,
     words_menu,
 )
 
@@ -54,6 +55,7 @@ CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 def register() -> None:
     """Register all classes, the settings of scenes and of this Blender, and the handlers."""
+    translations.register()
     # Before the classes: an enum of lights needs the icons.
     icons.open_collection()
     properties.clear_light_items()
@@ -82,3 +84,4 @@ def unregister() -> None:
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
     icons.close_collection()
+    translations.unregister()
