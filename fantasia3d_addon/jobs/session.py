@@ -360,10 +360,10 @@ def redraw() -> None:
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "PREFERENCES":
-                area.tagredraw()
+                area.tag_redraw()
             for region in area.regions if area.type == "VIEW_3D" else ():
                 if region.type == "UI":
-                    region.tagredraw()
+                    region.tag_redraw()
 
 
 session = Session()  # the one of this Blender; unregistration empties it
