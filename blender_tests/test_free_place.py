@@ -120,6 +120,16 @@ def test_the_user_may_place_it_exactly_at_the_cursor_or_in_the_view(default_scen
     assert tuple(bpy.context.object.location) == pytest.approx((5, 6, 0), abs=1e-4)
 
 
+def test_the_place_is_on_the_side_that_the_view_shows(default_scene, asset):
+    bpy.ops.fantasia3d.import_asset(directory=str(asset))
+    bpy.context.view_layer.update()
+    obj, eye = bpy.context.object, view.eye(bpy.context.scene)
+    ray = obj.matrix_world @ Vector((0, 0, 0.5)) - eye
+    graph = bpy.context.evaluated_depsgraph_get()
+    assert bpy.context.scene.ray_cast(graph, eye, ray)[4] == obj
+    assert np.linalg.norm(obj.location) < 2.5
+
+
 def followed(tmp_path, **target) -> FollowedRun:
     folder = tmp_path / "run"
     folder.mkdir(exist_ok=True)

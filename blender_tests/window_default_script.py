@@ -93,10 +93,9 @@ def arrivals(screen: Screen, settings) -> Iterator[float]:
     )
     screenshot("arrived")
     with bpy.context.temp_override(window=screen.window, area=screen.area):
-        bpy.ops.fantasia3d.show_colors()
-    yield 4.0
+        bpy.ops.fantasia3d.show_colors(shading="TEXTURE")  # EEVEE would compile for minutes here
+    yield 2.0
     screenshot("colors")
-    screen.area.spaces.active.shading.type = "SOLID"
 
 
 def search(screen: Screen) -> Iterator[float]:

@@ -36,7 +36,9 @@ def place_of(
     """
     if target.place == EXACT:
         return target.location
-    return free_place(scene, bounds, near or target.location, ignored)
+    if near:  # of its preview: there it stays, unless something else has come there
+        return free_place(scene, bounds, near, ignored)
+    return free_place(scene, bounds, target.location, ignored, view.eye(scene))
 
 
 def bounds_of(asset: AssetFolder) -> np.ndarray:

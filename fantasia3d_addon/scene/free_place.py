@@ -20,6 +20,7 @@ MIN_SURROUNDINGS = 3.0  # metres; what is wider may be a room or a terrain
 SURROUNDINGS = 4.0  # and so many times as wide as the asset
 CLEAR_FROM = 0.1  # of the asset's height: lower faces are the floor that it stands on
 EXACT_TRIES = 64  # places that are compared with the faces of the surroundings
+FARTHER = 1.5  # times the distance of the nearest place, for one that is seen
 UP = Vector((0, 0, 1))
 BOX_FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
 
@@ -29,20 +30,44 @@ def free_place(
     bounds: np.ndarray,
     near: Sequence[float],
     ignored: Container[bpy.types.Object] = (),
+    eye: Vector | None = None,
 ) -> tuple[float, float, float]:
     """The location nearest to ``near``, on its height, where an object intersects no other.
 
-    ``bounds`` (2,3) are the object's lowest and highest corner about its origin, in metres.
+    ``bounds`` (2,3) are the object's lowest and highest corner about its origin, in metres. ``eye``
+    is where it is looked at from: a place a little farther away is taken if the nearest is hidden.
     """
     near = np.asarray(near, np.float64)
     boxes, around = _obstacles(scene, bounds, ignored)
     beyond = np.array([_box_of(obj) for obj in around]).reshape(-1, 2, 3)
     places = _places(boxes, beyond, bounds, near)
-    for place in places[:EXACT_TRIES]:
-        if not any(_intersects(obj, place + bounds) for obj in around):
-            return tuple(place.tolist())
+    free = [
+        place
+        for place in places[:EXACT_TRIES]
+        if not any(_intersects(obj, place + bounds) for obj in around)
+    ]
     # Nowhere in the surroundings, such as in a narrow room: then at least not in another object.
-    return tuple(places[0].tolist())
+    best = (free or [places[0]])[0]
+    if eye is not None:
+        reach = FARTHER * float(np.linalg.norm(best - near)) + float(np.ptp(bounds, axis=0).max())
+        close = (place for place in free if np.linalg.norm(place - near) <= reach)
+        best = next((place for place in close if _is_seen(scene, place + bounds, eye)), best)
+    return tuple(best.tolist())
+
+
+def _is_seen(scene: bpy.types.Scene, box: np.ndarray, eye: Vector) -> bool:
+    """Whether nothing is between ``eye`` and the middle of ``box`` (2,3), nor its upper part."""
+    graph = bpy.context.evaluated_depsgraph_get()
+    middle, top = box.mean(0), box.mean(0)
+    top[2] = 0.1 * box[0, 2] + 0.9 * box[1, 2]
+    radius = float(np.linalg.norm(box[1] - box[0])) / 2
+    for point in (Vector(middle), Vector(top)):
+        ray = point - eye
+        # Up to the box itself: the object may be there already, as a preview.
+        distance = max(ray.length - radius, 0.0)
+        if scene.ray_cast(graph, eye, ray.normalized(), distance=distance)[0]:
+            return False
+    return True
 
 
 def _obstacles(

@@ -60,6 +60,16 @@ def focus(scene: bpy.types.Scene, area: bpy.types.Area | None = None) -> Vector:
     return ground if 0 < down < TOO_FAR * distance else center
 
 
+def eye(scene: bpy.types.Scene) -> Vector | None:
+    """Where the largest 3D view looks from; None where there is none, or a camera's view."""
+    area = next((area for _, area in areas(scene)), None)
+    if area is None or _region_3d(area).view_perspective == "CAMERA":
+        return None
+    region_3d = _region_3d(area)
+    back = region_3d.view_rotation @ Vector((0, 0, 1))
+    return region_3d.view_location + region_3d.view_distance * back
+
+
 def hides_colors(space: bpy.types.Space | None) -> bool:
     """Whether a 3D view shows grey where an asset has its colours."""
     if space is None or space.type != "VIEW_3D":
@@ -93,7 +103,7 @@ def toggle_local_view(
         obj.hide_select = False  # the operator shows what is selected, and a preview can't be
         layer.update()  # or it still can't
         obj.select_set(True, view_layer=layer)
-        _local_view(window, area, frame=True)
+        _local_view(window, area)
     finally:
         obj.select_set(False, view_layer=layer)
         obj.hide_select = hidden
@@ -111,10 +121,11 @@ def leave_local_views(obj: bpy.types.Object) -> None:
                 _local_view(window, area)
 
 
-def _local_view(window: bpy.types.Window, area: bpy.types.Area, frame: bool = False) -> None:
+def _local_view(window: bpy.types.Window, area: bpy.types.Area) -> None:
+    """Enter local view with what is selected, framed; or leave it, to where the view was before."""
     region = next(region for region in area.regions if region.type == "WINDOW")
     with bpy.context.temp_override(window=window, area=area, region=region):
-        bpy.ops.view3d.localview(frame_selected=frame)
+        bpy.ops.view3d.localview(frame_selected=True)
 
 
 def _region_3d(area: bpy.types.Area) -> bpy.types.RegionView3D:
