@@ -104,9 +104,10 @@ class Screen:
                 return
             yield from self.key("ESC")
 
-    def press_generate(self) -> Iterator[float]:
-        """Click where the button is; call the operator where none was hit."""
-        yield from self.find(290, 330, lambda: bool(session.running))
+    def press_generate(self, below: int) -> Iterator[float]:
+        """Click where the button is, ``below`` pixels from the sidebar's top; call the operator
+        where none was hit."""
+        yield from self.find(below, below + 40, lambda: bool(session.running))
         report["clicked"] = bool(session.running)
         if not session.running:
             bpy.ops.fantasia3d.generate()

@@ -117,7 +117,8 @@ def leave_local_views(obj: bpy.types.Object) -> None:
     for scene in obj.users_scene:
         for window, area in areas(scene):
             space, others = area.spaces.active, set(window.view_layer.objects) - {obj}
-            if space.local_view and not any(other.local_view_get(space) for other in others):
+            # Not local_view_get(): it is false for all objects (4.3 and 4.5).
+            if space.local_view and not any(o.visible_in_viewport_get(space) for o in others):
                 _local_view(window, area)
 
 
