@@ -17,6 +17,7 @@ from fantasia3d_addon import environment
 from fantasia3d_addon.blender.mesh_arrays import world_verts
 from fantasia3d_addon.jobs import live_preview, paths, submit
 from fantasia3d_addon.jobs.session import session
+from fantasia3d_addon.scene import view
 
 ASSET = sys.argv[-1]
 
@@ -67,7 +68,7 @@ def preview(screen: Screen, settings) -> Iterator[float]:
         bpy.ops.fantasia3d.local_view()
     yield 1.0
     cube = bpy.data.objects["Cube"]
-    report["alone"] = [shown.visible_in_viewport_get(space) for shown in (obj, cube)]
+    report["alone"] = [view.is_shown(shown, space) for shown in (obj, cube)]
     screenshot("alone")
     session.cancel()
     while session.running:
@@ -120,13 +121,13 @@ def search(screen: Screen) -> Iterator[float]:
 
 
 def german(screen: Screen) -> Iterator[float]:
-    view = bpy.context.preferences.view
+    settings = bpy.context.preferences.view
     codes = [code for code in ("de_DE", "de") if code in bpy.app.translations.locales]
     report["german"] = bool(codes)
     if not codes:
         return
-    view.language = codes[0]
-    view.use_translate_interface = view.use_translate_tooltips = True
+    settings.language = codes[0]
+    settings.use_translate_interface = settings.use_translate_tooltips = True
     screen.region("UI").tag_redraw()
     yield 1.5
     screenshot("german")

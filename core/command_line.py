@@ -125,7 +125,9 @@ def add_core_commands(commands: Commands) -> None:
 
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
-    export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
+    export.add_argument(
+        "--format", required=True, help="glb, obj, stl or 3mf; run.py also blend, usd, fbx"
+    )
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
     words = add("words", "What the built-in prior understands of a prompt, as JSON.")

@@ -21,6 +21,7 @@ from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
 from core.io.png import add_text
+from core.io.printing import check_printable, stl_bytes, three_mf_bytes
 from core.io.provenance import file_hash, summary
 
 __all__ = [
@@ -47,6 +48,7 @@ FILES: dict[str, dict[str, Any]] = {
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
 DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
+FORMATS = ("glb", "obj", "stl", "3mf")  # that are written without Blender
 REMAKE = "Name the folder that holds asset.json, or make the asset again."
 
 
@@ -163,23 +165,38 @@ def inspect(path: Path) -> dict[str, Any]:
 
 
 def export(folder: Path, format: str, out: Path) -> Path:
-    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures next to it.
+    """Write the asset as "glb"; as "obj" with its .mtl and pictures next to it; or, in millimetres
+    for printing, as "stl" or "3mf".
 
-    Raises UserError for another format, no asset, or a place that cannot be written.
+    Raises UserError for another format, no asset, a place that cannot be written, or for printing
+    a mesh that is not watertight.
     """
     asset, out = read_asset(folder), Path(out)
-    if format not in ("glb", "obj"):
-        raise UserError(f"The core does not write {format!r}.", "Take glb or obj.")
+    if format not in FORMATS:
+        raise UserError(
+            f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
+        )
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
     if format == "glb":
         _copy(asset.folder / "asset.glb", out)
         return out
-    names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
-    for name, file in names.items():
-        _copy(asset.folder / f"{name}.png", out.with_name(file))
+    if format in ("stl", "3mf"):
+        verts, faces = asset.mesh.verts, asset.mesh.faces
+        check_printable(verts, faces)
+        data = stl_bytes(verts, faces) if format == "stl" else three_mf_bytes(verts, faces)
+        with atomic_file(out) as temporary:
+            temporary.write_bytes(data)
+        return out
+    roles = ("base_color", "normal", "roughness", "metallic")
+    names = {name: f"{out.stem}_{name}.png" for name in roles}
+    for name in ("base_color", "normal"):
+        _copy(asset.folder / f"{name}.png", out.with_name(names[name]))
+    orm = images.read_png(asset.folder / "orm.png")
+    for channel, name in ((1, "roughness"), (2, "metallic")):
+        images.write_png(out.with_name(names[name]), orm[..., [channel] * 3])
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
-    material = mtl_text(out.stem, names["base_color"], names["normal"])
+    material = mtl_text(out.stem, *(names[name] for name in roles))
     text = obj_text(asset.mesh, normals, out.stem)
     for path, content in ((out.with_suffix(".mtl"), material), (out, text)):
         with atomic_file(path) as temporary:

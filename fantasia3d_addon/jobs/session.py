@@ -276,11 +276,13 @@ class Session:
             _update_list(self.history)
         self._ask_words()
         redraw()
-        working = (self.task and self.task.running) or self._scan or self.words.pending
+        working = (self.task and self.task.running) or self._scan
+        working = working or (self.words.pending and not bpy.app.background)
         return TICK_SECONDS if self.busy or working else None
 
     def _ask_words(self) -> None:
-        if not self.words.pending:
+        # A script would wait for what nobody looks at.
+        if not self.words.pending or bpy.app.background:
             return
         try:
             core = Paths(bpy.context).core

@@ -117,9 +117,15 @@ def leave_local_views(obj: bpy.types.Object) -> None:
     for scene in obj.users_scene:
         for window, area in areas(scene):
             space, others = area.spaces.active, set(window.view_layer.objects) - {obj}
-            # Not local_view_get(): it is false for all objects (4.3 and 4.5).
-            if space.local_view and not any(o.visible_in_viewport_get(space) for o in others):
+            if space.local_view and not any(is_shown(other, space) for other in others):
                 _local_view(window, area)
+
+
+def is_shown(obj: bpy.types.Object, space: bpy.types.SpaceView3D) -> bool:
+    """Whether a 3D view shows ``obj``, local view considered."""
+    # The evaluated object alone knows; local_view_get() is false for all objects (4.3, 4.5).
+    graph = bpy.context.evaluated_depsgraph_get()
+    return obj.evaluated_get(graph).visible_in_viewport_get(space)
 
 
 def _local_view(window: bpy.types.Window, area: bpy.types.Area) -> None:

@@ -71,8 +71,10 @@ class ModalTask:
             self.report({"ERROR"}, str(error))
             self._end(context)
             return {"CANCELLED"}
-        running[:] = [Running(self.title, step, fraction)]
-        redraw()
+        now = Running(self.title, step, round(fraction, 2))
+        if running != [now]:  # drawing takes longer than most steps
+            running[:] = [now]
+            redraw()
         context.window_manager.progress_update(100 * fraction)
         context.workspace.status_text_set(f"{self.title}: {step} {fraction:.0%}    Esc: Cancel")
         return {"PASS_THROUGH"} if self.shares_window else {"RUNNING_MODAL"}
