@@ -11,6 +11,7 @@ Commands:
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
+    verify ASSET               makes it again from what it records, and compares the files
     export ASSET --format blend|glb|usd|fbx|obj --out FILE
     relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]

@@ -104,9 +104,10 @@ class Screen:
                 return
             yield from self.key("ESC")
 
-    def press_generate(self) -> Iterator[float]:
-        """Click where the button is; call the operator where none was hit."""
-        yield from self.find(290, 330, lambda: bool(session.running))
+    def press_generate(self, below: int) -> Iterator[float]:
+        """Click where the button is, ``below`` pixels from the sidebar's top; call the operator
+        where none was hit."""
+        yield from self.find(below, below + 40, lambda: bool(session.running))
         report["clicked"] = bool(session.running)
         if not session.running:
             bpy.ops.fantasia3d.generate()
@@ -168,11 +169,14 @@ def beat() -> None:
     bpy.app.timers.register(pulse, persistent=True)
 
 
-def play(steps: Callable[[Screen], Iterator[float]]) -> None:
-    """Register the add-on in an empty scene, do the ``steps``, write OUT/report.json, and leave."""
+def play(steps: Callable[[Screen], Iterator[float]], is_empty: bool = True) -> None:
+    """Register the add-on, do the ``steps``, write OUT/report.json, and leave.
+
+    ``is_empty`` removes what is in Blender's default scene first.
+    """
     bpy.context.preferences.view.show_splash = False
     bpy.context.preferences.view.show_tooltips = False
-    for obj in list(bpy.data.objects):
+    for obj in list(bpy.data.objects) if is_empty else ():
         bpy.data.objects.remove(obj)
     bpy.ops.ed.undo_push(message="Empty")
     time_ticks_and_draws()

@@ -28,6 +28,8 @@ def traces() -> set[str]:
     """What Blender knows by our name."""
     kinds = (
         bpy.types.Panel,
+        bpy.types.Menu,
+        bpy.types.FileHandler,
         bpy.types.UIList,
         bpy.types.Operator,
         bpy.types.PropertyGroup,
@@ -68,6 +70,7 @@ def test_the_package_loads_without_blender():
 def test_the_import_operator_is_the_function(addon, asset):
     bpy.context.scene.cursor.location = (0, 0, 1)
     function = import_asset(bpy.context, asset, (0, 0, 1))
+    bpy.context.scene.fantasia3d.placement = "cursor"
     assert bpy.ops.fantasia3d.import_asset(directory=str(asset)) == {"FINISHED"}
     operator = bpy.context.object
     assert operator != function
@@ -118,7 +121,7 @@ def test_generate_has_a_reason_when_it_is_disabled(addon, monkeypatch, tmp_path)
     assert "Enter a prompt" in submit.reason_against_generate(bpy.context)
     settings.prompt = "a chair"
     monkeypatch.setenv("FANTASIA3D_PYTHON", str(tmp_path / "none"))
-    assert "Press Install first" in submit.reason_against_generate(bpy.context)
+    assert "press Install" in submit.reason_against_generate(bpy.context)
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
     assert submit.reason_against_generate(bpy.context) == ""
     assert bpy.ops.fantasia3d.generate.poll()

@@ -32,7 +32,7 @@ def show(path: Path, location=(1, 2, 3)) -> bpy.types.Object | None:
     folder.mkdir(exist_ok=True)
     (folder / "job.json").write_text('{"prompt": "a red chair"}')
     followed = FollowedRun(Run.attach(folder), Target(location=location), None, 0)
-    return live_preview.show(bpy.context.scene.collection, path, followed)
+    return live_preview.show(bpy.context.scene, path, followed)
 
 
 def test_it_is_where_the_asset_will_be_and_is_updated_in_place(addon, tmp_path):

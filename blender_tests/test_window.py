@@ -62,6 +62,29 @@ def core_report(tmp_path_factory):
         return in_a_window("window_core_script.py", tmp_path_factory.mktemp("core"), *SHORT.split())
 
 
+@pytest.fixture(scope="module")
+def default_report(tmp_path_factory):
+    out = tmp_path_factory.mktemp("default")
+    asset = write_asset(out / "asset", size=128)
+    return in_a_window("window_default_script.py", out, str(asset))
+
+
+def test_in_the_default_scene_nothing_is_inside_the_cube(default_report):
+    assert not default_report["preview_overlaps"]
+    assert default_report["meshes"] == 3
+    assert not default_report["asset_overlaps"]
+
+
+def test_a_preview_is_looked_at_alone_until_its_end(default_report):
+    assert default_report["alone"] == [True, False]
+    assert default_report["left_local_view"]
+
+
+def test_an_unknown_word_is_shown_before_the_job(default_report):
+    assert default_report["unknown"] == "The prompt has unknown words."
+    assert default_report["replaced"] == ["a red cube", ""]
+
+
 def test_a_prompt_is_typed_and_generate_is_clicked(report):
     """By events of the keyboard and the mouse."""
     assert report["prompt"] == "show"
@@ -127,7 +150,7 @@ def test_the_real_asset_is_at_the_cursor_with_its_material(core_report):
     asset = core_report["asset"]
     assert asset["objects"] == asset["materials"] == ["a red wooden chair"]
     assert asset["location"] == core_report["cursor"]
-    assert max(asset["dimensions"]) == pytest.approx(1.0, abs=1e-4)
+    assert max(asset["dimensions"]) == pytest.approx(0.9, abs=1e-4)  # a chair's usual size
     assert (asset["uvs"], asset["packed"], asset["previews"]) == (1, [True] * 3, [])
     assert 1000 < asset["faces"] <= 4000
     assert core_report["after_undo"] == []

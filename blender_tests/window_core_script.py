@@ -36,7 +36,7 @@ def steps(screen: Screen) -> Iterator[float]:
     beat()
     yield 1.0
     screenshot("before")
-    yield from screen.press_generate()
+    yield from screen.press_generate(364)
     yield from watch(session.running[0])
     while session.busy:
         yield 0.1

@@ -31,9 +31,10 @@ def steps(screen: Screen) -> Iterator[float]:
     yield from screen.type_prompt(TYPED)
     report["prompt"] = settings.prompt
     settings.prompt, settings.negative_prompt = PROMPT, ASSET
+    settings.ignore_unknown = True  # of the words that tell the fake core what to do
     yield 1.0
     screenshot("before")
-    yield from screen.press_generate()
+    yield from screen.press_generate(432)
     yield from watch()
     screenshot("running")
     yield from cancel()

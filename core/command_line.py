@@ -18,7 +18,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -94,6 +94,9 @@ def add_core_commands(commands: Commands) -> None:
     generate.add_argument(
         "--guide-strength", type=float, metavar="0..1", help="0: a start only; 1: keep the shape"
     )
+    generate.add_argument(
+        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
+    )
     texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
     texture.add_argument("mesh")
     texture.add_argument("prompt")
@@ -126,13 +129,21 @@ def add_core_commands(commands: Commands) -> None:
     inspect = add("inspect", "The health of an asset or a mesh, as JSON.")
     inspect.add_argument("path", type=Path, metavar="ASSET|MESH")
 
+    verify = add("verify", "Make an asset again from what it records, and compare the files.")
+    verify.add_argument("asset", type=Path)
+
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
-    export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
+    export.add_argument(
+        "--format", required=True, help="glb, obj, stl or 3mf; run.py also blend, usd, fbx"
+    )
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
     words = add("words", "What the built-in prior understands of a prompt, as JSON.")
-    words.add_argument("prompt")
+    words.add_argument("prompt", nargs="?", help="without one: all known words by group")
+    words.add_argument(
+        "--ignore-unknown-words", action="store_true", help="as generate with this option"
+    )
 
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
@@ -183,6 +194,7 @@ def job_of(args: argparse.Namespace) -> "Job":
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
         "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
         "uv": getattr(args, "uv", None),
+        "size_m": getattr(args, "size", None),
         "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
     }
@@ -191,6 +203,8 @@ def job_of(args: argparse.Namespace) -> "Job":
     for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
         if given[name] == 0:  # which stands for the preset's own in job.json
             raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
+    if given["size_m"] == 0:
+        raise UserError("--size is 0.", "It takes metres, such as 0.9.")
     if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
@@ -241,7 +255,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
         with suppress(OSError):  # a full disk takes no last word
             # Carried out. Its time may be in a later session's future: a clock can be set back.
             request.unlink(missing_ok=True)
-            run.report(kind, text=error.text, fix=error.fix or None)
+            run.report(kind, text=error.text, fix=error.window_fix or error.fix or None)
         raise
     except BaseException as error:
         known = _known(error)
@@ -307,7 +321,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
-    (other | {"words": _words})[args.command](args)
+    (other | {"words": _words, "verify": _verify})[args.command](args)
     return None
 
 
@@ -351,6 +365,21 @@ def _inspect(args: argparse.Namespace) -> None:
     print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
 
 
+def _verify(args: argparse.Namespace) -> None:
+    from core.verify import verify
+
+    with redirect_stdout(sys.stderr):  # the report alone goes to the output
+        report = verify(args.asset, run_job)
+    print(json.dumps(report, indent=1))
+    if not report["same"]:
+        changed = "changed" in report["files"].values()
+        raise UserError(
+            "It did not come out the same.",
+            "Its files were changed since it was made." if changed
+            else "Compare the versions above: another machine or library rounds otherwise.",
+        )  # fmt: skip
+
+
 def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
 
@@ -358,14 +387,18 @@ def _export(args: argparse.Namespace) -> None:
 
 
 def _words(args: argparse.Namespace) -> None:
+    from core.guidance.builtin.groups import word_groups
     from core.guidance.builtin.vocabulary import understood, words_report
     from core.io.job import check_prompt
 
+    if args.prompt is None:
+        print(json.dumps(word_groups(), indent=1, ensure_ascii=False))
+        return
     check_prompt("prompt", args.prompt)
-    report, code = words_report(args.prompt)
+    report, code = words_report(args.prompt, args.ignore_unknown_words)
     print(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
-        understood(args.prompt)  # raises what the report says
+        understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 
 
 def _bench(args: argparse.Namespace) -> None:

@@ -16,6 +16,7 @@ class UserError(Exception):
     """A sentence for the user: what was got and expected (``text``), and what to do (``fix``)."""
 
     status = 2  # the process's exit status: the user's input
+    window_fix = ""  # instead of ``fix`` where there is no command line; "": the same
 
     def __init__(self, text: str, fix: str = "") -> None:
         super().__init__(f"{text} {fix}".strip())

@@ -18,6 +18,7 @@ from core.config import Config
 from core.device import device_of
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
+from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
 from core.io.asset import place, write_asset
@@ -26,10 +27,11 @@ from core.io.mesh_file import load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import config_of, within
+from core.provenance import made_by, recorded
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
-from core.stages.preview import show_shape
+from core.stages.preview import show_shape, size_of
 from core.stages.start_color import fit_start_color, start_picture
 from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
@@ -102,7 +104,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     # TEXTURING (§4.3): Γ on the texels, edge padding, the asset folder
     maps = bake_maps(mesh, net, config.texture, progress)
     verts = mesh.verts.cpu()
-    verts = place(verts) if job.command == "generate" else back(verts, inputs.shape)
+    verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(net, mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
@@ -149,4 +151,6 @@ def info_of(job: Job, run: RunFolder) -> dict:
     names = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
     words = {key: value for key, value in asdict(job).items() if key in names}
     timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}
-    return words | {"timings": timings, "distribution": "GGX"}
+    _, density = usual_of(job.prompt)
+    origin = {"job": recorded(job), "made_by": made_by(job)}
+    return words | origin | {"density": density, "timings": timings, "distribution": "GGX"}

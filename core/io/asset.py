@@ -21,6 +21,9 @@ from core.io.glb import glb_bytes
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
+from core.io.png import add_text
+from core.io.printing import check_printable, stl_bytes, three_mf_bytes
+from core.io.provenance import file_hash, summary
 
 __all__ = [
     "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
@@ -45,6 +48,8 @@ FILES: dict[str, dict[str, Any]] = {
     "asset.glb": {"role": "glb", "axes": "forward +Z, up +Y"},
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
+DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
+FORMATS = ("glb", "obj", "stl", "3mf")  # that are written without Blender
 REMAKE = "Name the folder that holds asset.json, or make the asset again."
 
 
@@ -98,7 +103,10 @@ def write_asset(
 
     def fill(temporary: Path) -> None:
         _write_pictures(temporary, maps, preview)
-        _write_mesh(temporary, mesh)
+        origin = summary(info)
+        for path in temporary.glob("*.png"):
+            add_text(path, {key.title().replace("_", " "): text for key, text in origin.items()})
+        _write_mesh(temporary, mesh, origin)
         report = _report(temporary, mesh, info)
         text = json.dumps(report, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
         with atomic_file(temporary / "asset.json") as path:
@@ -158,36 +166,52 @@ def inspect(path: Path) -> dict[str, Any]:
 
 
 def export(folder: Path, format: str, out: Path) -> Path:
-    """Copy the asset out as "glb", or as "obj" with its .mtl and pictures next to it.
+    """Write the asset as "glb"; as "obj" with its .mtl and pictures next to it; or, in millimetres
+    for printing, as "stl" or "3mf".
 
-    Raises UserError for another format, no asset, or a place that cannot be written.
+    Raises UserError for another format, no asset, a place that cannot be written, or for printing
+    a mesh that is not watertight.
     """
     asset, out = read_asset(folder), Path(out)
-    if format not in ("glb", "obj"):
-        raise UserError(f"The core does not write {format!r}.", "Take glb or obj.")
+    if format not in FORMATS:
+        raise UserError(
+            f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
+        )
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
     check_target(out)
     if format == "glb":
         _copy(asset.folder / "asset.glb", out)
         return out
+    if format in ("stl", "3mf"):
+        verts, faces = asset.mesh.verts, asset.mesh.faces
+        check_printable(verts, faces)
+        data = stl_bytes(verts, faces) if format == "stl" else three_mf_bytes(verts, faces)
+        with atomic_file(out) as temporary:
+            temporary.write_bytes(data)
+        return out
     _export_obj(asset, out)
     return out
 
 
 def _export_obj(asset: Asset, out: Path) -> None:
-    names = {name: f"{out.stem}_{name}.png" for name in ("base_color", "orm", "normal")}
+    roles = ("base_color", "normal", "roughness", "metallic")
+    names = {name: f"{out.stem}_{name}.png" for name in roles}
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
     texts = {
         out: obj_text(asset.mesh, normals, out.stem),
-        out.with_suffix(".mtl"): mtl_text(out.stem, names["base_color"], names["normal"]),
+        out.with_suffix(".mtl"): mtl_text(out.stem, *(names[name] for name in roles)),
     }
     with ExitStack() as files:  # all are written before the first takes its name; the OBJ is last
         for path, content in texts.items():
             files.enter_context(atomic_file(path)).write_text(content, encoding="utf-8")
-        for name, file in names.items():
-            temporary = files.enter_context(atomic_file(out.with_name(file)))
+        for name in ("base_color", "normal"):
+            temporary = files.enter_context(atomic_file(out.with_name(names[name])))
             shutil.copyfile(asset.folder / f"{name}.png", temporary)
+        orm = images.read_png(asset.folder / "orm.png")
+        for channel, name in ((1, "roughness"), (2, "metallic")):
+            temporary = files.enter_context(atomic_file(out.with_name(names[name])))
+            images.write_png(temporary, orm[..., [channel] * 3])
 
 
 def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
@@ -198,12 +222,12 @@ def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
         images.write_png(folder / "preview.png", preview)
 
 
-def _write_mesh(folder: Path, mesh: Mesh) -> None:
+def _write_mesh(folder: Path, mesh: Mesh, origin: dict[str, str]) -> None:
     normals = smooth_normals(mesh.verts, mesh.faces)
     tangents = corner_tangents(mesh, normals)
     pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
     pictures["normal"] = (folder / "normal.png").read_bytes()
-    glb = glb_bytes(mesh, normals, tangents, pictures)
+    glb = glb_bytes(mesh, normals, tangents, pictures, origin)
     with atomic_file(folder / "asset.glb") as path:
         path.write_bytes(glb)
     with atomic_file(folder / "mesh.mtl") as path:
@@ -215,13 +239,23 @@ def _write_mesh(folder: Path, mesh: Mesh) -> None:
 def _report(folder: Path, mesh: Mesh, info: dict[str, Any]) -> dict[str, Any]:
     """asset.json: what is known here, and what ``info`` adds."""
     size = float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
+    mesh_health = health(mesh.verts, mesh.faces)
     here = {
         "version": VERSION,
         "size_m": round(size, 6),
-        "mesh": health(mesh.verts, mesh.faces) | uv_health(mesh),
+        "mass_kg": _mass(mesh_health["volume"], info.get("density")),
+        "mesh": mesh_health | uv_health(mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
+        "hashes": {name: file_hash(folder / name) for name in DATA_FILES},
     }
     return info | here
+
+
+def _mass(volume: object, density: object) -> float | None:
+    """Kilograms, of a closed mesh whose density (kg/m³) is known."""
+    if not (isinstance(volume, float) and isinstance(density, float)):
+        return None
+    return float(f"{abs(volume) * density:.4g}")
 
 
 def _read_info(folder: Path) -> dict[str, Any]:

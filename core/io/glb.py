@@ -5,6 +5,7 @@ World (x, y, z) is written as (x, z, -y): +Y up, the front looks along +Z, as gl
 
 import json
 import struct
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -57,9 +58,11 @@ def glb_bytes(
     normals: Float[Tensor, "v 3"],
     tangents: Float[Tensor, "f 3 4"],
     pictures: dict[str, bytes],
-    name: str = "asset",
+    origin: Mapping[str, str] | None = None,
 ) -> bytes:
     """The file. ``pictures`` are the PNG files "base_color", "orm" and "normal".
+
+    ``origin`` is kept in the object's extras; its "prompt" names the object.
 
     Vertices are split where their uv or tangents differ.
     """
@@ -80,7 +83,8 @@ def glb_bytes(
         for key, column in columns.items()
     }
     indices = buffer.array(index.numpy().astype(np.uint32), "SCALAR", INDICES)
-    return _packed(_described(buffer, attributes, indices, pictures, name), bytes(buffer.data))
+    described = _described(buffer, attributes, indices, pictures, dict(origin or {}))
+    return _packed(described, bytes(buffer.data))
 
 
 def split_corners(
@@ -107,8 +111,9 @@ def _described(
     attributes: dict[str, int],
     indices: int,
     pictures: dict[str, bytes],
-    name: str,
+    origin: dict[str, str],
 ) -> dict[str, Any]:
+    name = origin.get("prompt", "asset")
     roles = ("base_color", "orm", "normal")
     images = [
         {"name": role, "mimeType": "image/png", "bufferView": buffer.view(pictures[role])}
@@ -127,7 +132,7 @@ def _described(
         "asset": {"version": "2.0", "generator": "Fantasia3D for Blender"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "name": name}],
+        "nodes": [{"mesh": 0, "name": name} | ({"extras": origin} if origin else {})],
         "meshes": [
             {
                 "name": name,

@@ -24,6 +24,7 @@ EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancell
 LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
 MAX_PROMPT = 2000  # characters
 MAX_LINE = 1 << 16  # bytes of an event: far more than any has
+SIZES = (0.001, 1000.0)  # metres, of an asset's longest side
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,6 +45,7 @@ class Job:
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
+    size_m: float = 0.0  # of "generate": the longest side, metres; 0 is the thing's usual size
     device: str = "auto"
     ignore_unknown_words: bool = False  # of "builtin": leave out what it does not know
     settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}
@@ -106,6 +108,10 @@ def _check(job: Job) -> None:
         raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
         raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
+    if job.size_m and not SIZES[0] <= job.size_m <= SIZES[1]:
+        raise UserError(
+            f"The size is {shown(job.size_m)} m.", "It takes {:g} to {:g} m.".format(*SIZES)
+        )
     if not 0 <= job.seed < 2**63:
         raise UserError(
             f"The seed is {shown(job.seed)}.", "It takes a whole number from 0 to 2**63 - 1."

@@ -48,13 +48,19 @@ def obj_text(mesh: Mesh, normals: Float[Tensor, "v 3"], material: str) -> str:
     )
 
 
-def mtl_text(material: str, base_color: str, normal: str) -> str:
-    """A material with two maps. OBJ has no place for a packed roughness and metallic map.
+def mtl_text(
+    material: str, base_color: str, normal: str, roughness: str = "", metallic: str = ""
+) -> str:
+    """A material with its maps. OBJ has no place for a packed roughness and metallic map: those
+    are files of their own, or constants where they are empty.
 
     Blender calls a normal map map_Bump, other programs norm.
     """
+    surface = "Pr 0.5\nPm 0\n"
+    if roughness and metallic:
+        surface = f"Pr 1\nPm 1\nmap_Pr {roughness}\nmap_Pm {metallic}\n"
     return (
-        f"newmtl {material}\nKd 1 1 1\nillum 2\nPr 0.5\nPm 0\n"
+        f"newmtl {material}\nKd 1 1 1\nillum 2\n{surface}"
         f"map_Kd {base_color}\nmap_Bump -bm 1 {normal}\nnorm {normal}\n"
     )
 

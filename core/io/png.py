@@ -4,7 +4,9 @@ Numbers are scaled and cut in floating point and rounded last: colours get their
 they lose bits, and a normal below -1 or above 1 stays at the end of the range, it does not wrap.
 """
 
-from collections.abc import Callable
+import struct
+import zlib
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -70,6 +72,21 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
         image = unit_bytes(image)
     with atomic_file(path) as temporary:
         write_pixels(temporary, image)
+
+
+def add_text(path: Path, texts: Mapping[str, str]) -> None:
+    """Add ``texts`` by keyword to a PNG, as its own text chunks (iTXt, UTF-8, uncompressed).
+
+    PNG specification, 11.3.3.4: keyword, flags, an empty language and translated keyword, text.
+    """
+    data = path.read_bytes()
+    end = 8 + 25  # the signature and the header chunk, which is always first
+    chunks = b""
+    for key, text in texts.items():
+        body = b"iTXt" + key.encode("latin-1") + b"\0\0\0\0\0" + text.encode("utf-8")
+        chunks += struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(data[:end] + chunks + data[end:])
 
 
 def read_png(path: Path) -> np.ndarray:

@@ -9,7 +9,9 @@ from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
 from core.camera import Cameras
+from core.guidance.builtin.physical import usual_of
 from core.io.atomic import atomic_file
+from core.io.job import Job
 from core.io.png import unit_bytes, write_png
 from core.io.run_folder import RunFolder
 from core.render.normals import render_normals
@@ -24,7 +26,7 @@ def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "
     cameras = Cameras.orbit(**VIEW).to(verts.device)
     n, o = render_normals(verts, faces, cameras, SIZE, "camera")
     write_png(run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
-    write_shape(run.preview_path("shape.npz"), verts, faces)
+    write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run.job))
     run.report("preview", stage="geometry", path="preview/normals.png")
     run.report("preview", stage="geometry", path="preview/shape.npz")
 
@@ -42,12 +44,20 @@ def over_grey(
     return unit_bytes((picture + (1 - o) * 0.9).detach().cpu())
 
 
-def write_shape(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
+def size_of(job: Job) -> float:
+    """The longest side of the job's asset in metres: the user's, or else the thing's usual one."""
+    return job.size_m or usual_of(job.prompt)[0]
+
+
+def write_shape(
+    path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], size_m: float = 1.0
+) -> None:
     """A light mesh as numpy's npz, without pickle: ``verts`` float32 in the world's axes (+Z up),
-    ``faces`` int32."""
+    ``faces`` int32, ``size_m`` what the longest side will be in metres."""
     v, f = lighter(verts.detach().cpu(), faces.cpu())
     packed = io.BytesIO()  # in memory first: on a full disk numpy leaves a zip file open
-    np.savez(packed, verts=v.numpy(), faces=f.numpy().astype(np.int32))
+    faces_32 = f.numpy().astype(np.int32)
+    np.savez(packed, verts=v.numpy(), faces=faces_32, size_m=np.float64(size_m))
     with atomic_file(path) as temporary:
         temporary.write_bytes(packed.getvalue())
 

@@ -306,8 +306,8 @@ def test_export(folder: Path, tmp_path: Path) -> None:
     for name in ("base_color", "normal"):
         assert f"chair_{name}.png" in material
         assert (tmp_path / f"chair_{name}.png").is_file()
-    with pytest.raises(UserError, match="'stl'"):
-        export(folder, "stl", tmp_path / "chair.stl")
+    with pytest.raises(UserError, match="'usd'"):
+        export(folder, "usd", tmp_path / "chair.usd")
     with pytest.raises(UserError, match="does not end in"):
         export(folder, "glb", tmp_path / "chair.obj")
     with pytest.raises(UserError, match="cannot be written"):
@@ -320,3 +320,103 @@ def test_plain_obj(tmp_path: Path) -> None:
     told = inspect(tmp_path / "shape.obj")
     assert told["mesh"]["genus"] == 1
     assert told["mesh"]["volume"] == pytest.approx(health(verts, faces)["volume"], rel=1e-4)
+
+
+def test_a_closed_asset_of_known_density_has_its_mass(tmp_path: Path) -> None:
+    import trimesh
+
+    from core.io.asset import write_asset
+
+    box = trimesh.creation.box((0.2, 0.2, 0.5))
+    verts = torch.tensor(box.vertices, dtype=torch.float32)
+    faces = torch.tensor(box.faces, dtype=torch.long)
+    uv = torch.rand(3, 2, generator=torch.Generator().manual_seed(0))
+    mesh = Mesh(verts, faces, uv, torch.arange(3).expand(len(faces), 3))
+    flat = torch.zeros(4, 4, 3)
+    maps = Maps(flat, flat, flat + torch.tensor([0.0, 0, 1]))
+    write_asset(tmp_path / "box", mesh, maps, {"density": 650.0})
+    report = json.loads((tmp_path / "box" / "asset.json").read_text("utf-8"))
+    assert report["size_m"] == 0.5
+    assert report["mass_kg"] == pytest.approx(0.02 * 650, rel=1e-3)
+
+
+def test_pictures_and_glb_say_where_they_came_from(parts, tmp_path: Path) -> None:
+    info = INFO | {"prompt": "ein roter Stuhl, größer", "guidance": "builtin", "preset": "draft"}
+    folder = write_asset(tmp_path / "made", *parts, info)
+    for name in ("base_color.png", "orm.png", "normal.png"):
+        data = (folder / name).read_bytes()
+        assert b"iTXtPrompt" in data
+        assert "ein roter Stuhl, größer".encode() in data
+        assert b"iTXtSeed\0\0\0\0\x003" in data
+    glb = (folder / "asset.glb").read_bytes()
+    (length,) = struct.unpack("<I", glb[12:16])
+    node = json.loads(glb[20 : 20 + length])["nodes"][0]
+    assert node["name"] == "ein roter Stuhl, größer"
+    assert node["extras"]["seed"] == "3"
+    report = json.loads((folder / "asset.json").read_text("utf-8"))
+    import hashlib
+
+    mesh = hashlib.sha256((folder / "mesh.obj").read_bytes()).hexdigest()
+    assert report["hashes"]["mesh.obj"] == mesh
+
+
+def test_text_in_a_png_leaves_its_pixels_and_other_readers_find_it(tmp_path: Path) -> None:
+    import OpenImageIO
+
+    pixels = np.random.default_rng(0).integers(0, 255, (5, 7, 3), dtype=np.uint8)
+    images.write_png(tmp_path / "a.png", pixels)
+    images.add_text(tmp_path / "a.png", {"Prompt": "a chair", "Seed": "7"})
+    assert (images.read_png(tmp_path / "a.png") == pixels).all()
+    spec = OpenImageIO.ImageInput.open(str(tmp_path / "a.png")).spec()
+    assert spec.get_string_attribute("Prompt") == "a chair"
+
+
+@pytest.mark.parametrize("format", ["stl", "3mf"])
+def test_a_print_file_is_the_watertight_mesh_in_millimetres(folder, tmp_path, format) -> None:
+    """STL is read by trimesh; 3MF by its own XML."""
+    import xml.etree.ElementTree as ElementTree
+    import zipfile
+
+    import trimesh
+
+    asset = read_asset(folder)
+    out = export(folder, format, tmp_path / f"ring.{format}")
+    if format == "stl":
+        back = trimesh.load(out)
+        verts, faces = np.asarray(back.vertices), np.asarray(back.faces)
+        assert back.is_watertight
+    else:
+        with zipfile.ZipFile(out) as file:
+            root = ElementTree.fromstring(file.read("3D/3dmodel.model"))
+        assert root.get("unit") == "millimeter"
+        rows = [[float(e.get(k)) for k in "xyz"] for e in root.iter() if e.tag.endswith("}vertex")]
+        keys = ("v1", "v2", "v3")
+        triangles = [e for e in root.iter() if e.tag.endswith("}triangle")]
+        verts, faces = np.array(rows), np.array([[int(e.get(k)) for k in keys] for e in triangles])
+        np.testing.assert_array_equal(faces, asset.mesh.faces.numpy())
+    a, b, c = (verts[faces[:, i]] for i in range(3))
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    expected = health(asset.mesh.verts, asset.mesh.faces)["volume"]
+    assert volume == pytest.approx(1e9 * expected, rel=1e-4)
+    again = export(folder, format, tmp_path / f"again.{format}")
+    assert again.read_bytes() == out.read_bytes()
+
+
+def test_an_open_mesh_is_not_printed(parts, tmp_path: Path) -> None:
+    mesh, maps = parts
+    uv, face_uvs = mesh.atlas
+    opened = Mesh(mesh.verts, mesh.faces[1:], uv, face_uvs[1:])
+    folder = write_asset(tmp_path / "open", opened, maps, INFO)
+    with pytest.raises(UserError, match="not watertight: 3 open"):
+        export(folder, "stl", tmp_path / "open.stl")
+
+
+def test_an_obj_has_its_roughness_and_metallic_as_maps(folder, tmp_path: Path) -> None:
+    export(folder, "obj", tmp_path / "ring.obj")
+    text = (tmp_path / "ring.mtl").read_text()
+    assert "map_Pr ring_roughness.png" in text
+    assert "map_Pm ring_metallic.png" in text
+    orm = images.read_png(folder / "orm.png")
+    for channel, name in ((1, "roughness"), (2, "metallic")):
+        picture = images.read_png(tmp_path / f"ring_{name}.png")
+        assert (picture == orm[..., channel : channel + 1]).all()

@@ -18,6 +18,7 @@ from core.generate import back
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
+from core.guidance.builtin.physical import usual_of
 from core.io.asset import inspect, read_asset
 from core.io.job import LAST, Job, read_events
 from core.io.obj import obj_text
@@ -111,7 +112,9 @@ def test_the_asset_is_whole_and_closed(whole):
     assert mesh["volume"] > 0
     assert mesh["faces"] <= 1500
     assert mesh["bounds"][0][2] == pytest.approx(0, abs=1e-6)
-    assert report["size_m"] == pytest.approx(1, abs=1e-5)
+    assert report["size_m"] == pytest.approx(usual_of("a red torus")[0], abs=1e-5)
+    mass = mesh["volume"] * usual_of("a red torus")[1]
+    assert report["mass_kg"] == pytest.approx(mass, rel=1e-3)
     names = {p.name for p in (whole / "asset").iterdir()}
     for name in ("asset.json", "mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb"):
         assert name in names
@@ -336,3 +339,17 @@ def test_a_guide_shortens_the_phase_that_decides_the_shape():
     assert 0 < shortened(standard, 0.9).geometry.fine.steps < fine / 5
     assert keeps.refine.t[0] == draft.geometry.refine.t[0] / 2
     assert draft.geometry.join and not keeps.join  # two shoes stay two
+
+
+def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, tmp_path):
+    """Moved out of its run folder: asset.json alone must do."""
+    import json
+    import shutil
+
+    alone = shutil.copytree(whole / "asset", tmp_path / "alone")
+    status, said = finished(core("verify", alone))
+    assert status == 0, said
+    report = json.loads(said[said.index("{") :])
+    assert report["same"]
+    assert set(report["files"].values()) == {"same"}
+    assert report["versions"] == {}

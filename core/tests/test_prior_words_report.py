@@ -10,6 +10,7 @@ import pytest
 
 from core.errors import MissingError, UserError
 from core.guidance.builtin import offered
+from core.guidance.builtin.groups import word_groups
 from core.guidance.builtin.lexicon import LEXICON, MEANT, NARROWER, SLOTS, nearest_words
 from core.guidance.builtin.nearest import NEAREST
 from core.guidance.builtin.offered import offered_words, read_metadata
@@ -220,6 +221,8 @@ def test_what_is_understood_is_plain_data():
         "colours": ["red", "white"],
         "materials": ["wooden"],
         "pattern": "two-tone",
+        "size_m": 8.0,
+        "density": 97.5,
         "left_out": [],
         "notes": ["oak: made as wooden."],
     }  # fmt: skip
@@ -276,3 +279,29 @@ def test_broken_weights_are_named(tmp_path, monkeypatch):
     (tmp_path / "x").write_bytes((10**6).to_bytes(8, "little"))
     with pytest.raises(ValueError, match="cut"):
         read_metadata(tmp_path / "x")
+
+
+def test_the_groups_hold_every_offered_word_once():
+    known = offered_words()
+    groups = word_groups()
+    by_kind: dict[str, list[str]] = {}
+    for group in groups:
+        by_kind.setdefault(group["kind"], []).extend(group["words"])
+    assert sorted(by_kind["thing"]) == sorted(known["noun"])
+    for slot in ("shape", "color", "material", "pattern", "part"):
+        assert by_kind[slot] == list(known[slot])
+    assert all(group["of"][part] for group in groups if "of" in group for part in group["words"])
+    assert max(len(group["words"]) for group in groups) < 25  # a menu that fits the screen
+
+
+def test_unknown_words_may_be_ignored_in_a_report():
+    report, code = words_report("a red wombat chair, a phone", ignore_unknown=True)
+    assert (code, report["thing"], report["colours"]) == (0, "chair", ["red"])
+
+
+def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
+    for prompt in ("a wombat", "red", "a chair and a table"):
+        with pytest.raises(UserError) as caught:
+            parse(prompt)
+        assert 0 < len(caught.value.window_fix) < 80
+        assert "--" not in caught.value.window_fix

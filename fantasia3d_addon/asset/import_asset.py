@@ -12,6 +12,7 @@ from ..blender.names import data_name
 from ..errors import AssetError
 from .asset_folder import AssetFolder, Picture, read_asset
 from .material_nodes import UV_MAP, build_material
+from .origin import set_origin
 
 
 def import_asset(
@@ -40,6 +41,7 @@ def import_asset(
         obj = bpy.data.objects.new(name, mesh)
         made.append(obj)
         obj.location = location
+        set_origin(obj, asset.info)
         where.collection.objects.link(obj)
     except BaseException:
         bpy.data.batch_remove(made)
@@ -76,6 +78,7 @@ def _make_material(
     material = bpy.data.materials.new(name)
     made.append(material)
     build_material(material, images, asset.distribution, uv_map)
+    set_origin(material, asset.info)
     return material
 
 

@@ -9,7 +9,7 @@ import bpy
 from ..blender import compat
 
 UV_MAP = "UVMap"
-LABELS = {"base_color": "Base Color", "orm": "Roughness, Metallic", "normal": "Normal"}
+LABELS = {"base_color": "Base Color", "orm": "Occlusion, Roughness, Metallic", "normal": "Normal"}
 
 
 def build_material(
@@ -45,6 +45,7 @@ def build_material(
     compat.set_opengl_convention(bump)
     _link(tree, maps["normal"], "Color", bump, "Color")
     _link(tree, bump, "Normal", bsdf, "Normal")
+    compat.deselect_nodes(tree)
 
 
 def _add_pictures(

@@ -17,6 +17,12 @@ def empty_nodes(owner: bpy.types.Material | bpy.types.World) -> bpy.types.NodeTr
     return tree
 
 
+def deselect_nodes(tree: bpy.types.NodeTree) -> None:
+    """Deselect all nodes: Blender selects each new one, and a drag would move them all."""
+    for node in tree.nodes:
+        node.select = False
+
+
 def has_cycles() -> bool:
     """Whether Cycles is part of this build and enabled."""
     return hasattr(bpy.types.Scene, "cycles")

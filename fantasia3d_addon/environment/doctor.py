@@ -83,7 +83,7 @@ def _python(root: Path, folder: Path, given: str) -> list[Line]:
 def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     groups, make = ["blender"], "generate creates it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
-        groups, make = [], 'press "Install", or: python3 run.py setup'
+        groups, make = [], 'press "Install"'
     lacking = [] if given else paths.lacking(folder, root, groups)
     if "core" in lacking:
         return [Line("environment", MISSING, f"{folder} does not exist yet; {make}")]
@@ -144,12 +144,14 @@ def _data(root: Path) -> list[Line]:
     # The folder itself may not exist yet.
     place = next(path for path in (data, *data.parents) if path.exists())
     free = shutil.disk_usage(str(place)).free / 1e9
+    own = "none in the hub's cache; optional: choose a diffusers folder as the model"
+    if "bpy" not in sys.modules:
+        own = "none in the hub's cache; optional: --guidance FOLDER accepts any diffusers folder"
     return [
         Line("built-in weights", OK, f"{names} ({size:.1f} MB)")
         if weights
         else Line("built-in weights", MISSING, "there are none; install again"),
-        Line("Stable Diffusion", NOTE, _hub_models() or "none in the hub's cache; optional: "
-             "--guidance FOLDER accepts any diffusers folder"),
+        Line("Stable Diffusion", NOTE, _hub_models() or own),
         Line("disk", NOTE, f"{free:.0f} GB free at {place}"),
     ]  # fmt: skip
 

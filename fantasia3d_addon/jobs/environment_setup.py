@@ -63,8 +63,16 @@ def reason_against(needs_network: bool = True) -> str:
     if wheels and not wheels.is_dir():
         return f"The wheels folder {wheels} does not exist."
     if needs_network and not wheels and not bpy.app.online_access:
-        return "Allow online access (Preferences, System, Network), or choose a wheels folder."
+        return "The installation needs online access, or a folder of wheels."
     return ""
+
+
+def is_installed() -> bool:
+    """Whether the method's Python exists."""
+    try:
+        return Paths(bpy.context).python.exists()
+    except environment.SetupError:
+        return False
 
 
 def reason_against_removal() -> str:

@@ -42,6 +42,7 @@ class Entry:
     fix: str = ""
     requested: float = 0.0  # seconds since the epoch; when job.json was written
     seconds: float = 0.0  # of the last session
+    size_m: float = 0.0  # the longest side of a finished asset; 0: unknown
     stamp: float = 0.0  # when the last event was written, as the file system has it
 
     @property
@@ -106,6 +107,7 @@ def read_entry(folder: Path) -> Entry | None:
     if not events:
         return dataclasses.replace(entry, state=_state_without_events(folder))
     last = events[-1]
+    size = _size(folder) if last.get("type") == "done" else 0.0
     # A resumed run has several sessions: the last one counts.
     starts = [event for event in events if event.get("type") == "started"]
     start = starts[-1] if starts else {}
@@ -116,8 +118,18 @@ def read_entry(folder: Path) -> Entry | None:
         stage=str(staged[-1]["stage"]) if staged else "",
         text=str(last.get("text", "")),
         fix=str(last.get("fix", "")),
+        size_m=size,
         seconds=max(0.0, last.get("time", 0.0) - start.get("time", requested)),
     )
+
+
+def _size(folder: Path) -> float:
+    """The longest side of the run's asset in metres, by its asset.json; 0 where it has none."""
+    try:
+        size = json.loads((folder / "asset" / "asset.json").read_text("utf-8")).get("size_m", 0.0)
+        return float(size)
+    except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+        return 0.0
 
 
 def _state(folder: Path, last: Mapping[str, Any], pid: int) -> str:

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import bpy
 
-from ..asset.asset_folder import AssetFolder
+from ..asset.asset_folder import AssetFolder, read_asset
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
 from ..errors import AddonError
 from .job_file import IMPORTED
+from .place import bounds_of, place_of
 from .target import Target
 
 # Operators that hold references into the scene while they run: nothing may be added meanwhile.
@@ -23,10 +24,12 @@ def import_result(
     scene: bpy.types.Scene,
     asset: AssetFolder | None = None,
     push_undo: bool = True,
+    near: tuple[float, float, float] | None = None,
 ) -> str:
     """Import the asset of the run in ``folder`` at ``target``; the name of its object.
 
-    ``asset`` is the asset folder where it was read already. One undo step; ``push_undo`` is off
+    ``asset`` is the asset folder where it was read already; ``near`` is where its preview was.
+    One undo step; ``push_undo`` is off
     for operators, which have their own.
 
     Raises:
@@ -42,7 +45,9 @@ def import_result(
         assign_material(obj, asset or folder, target.uv_map, target.assign)
     else:
         where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
-        obj = import_asset(where, asset or folder, target.location)
+        asset = asset or read_asset(folder)
+        place = place_of(scene, target, bounds_of(asset), near)
+        obj = import_asset(where, asset, place)
     mark_imported(folder)
     if push_undo:
         _push_undo(f"Generate {obj.name}")

@@ -33,11 +33,13 @@ def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
         "texture_size": int(settings.texture_size),
         "max_faces": settings.max_faces,
         "device": settings.device,
+        "ignore_unknown_words": settings.ignore_unknown,
         "settings": overrides_of(settings),
     }
     # Blender holds single precision: 0.7 would be written as 0.699999988079071.
     if command == "generate":
-        return job | {"guide_strength": round(settings.guide_strength, 4)}
+        more = {"guide_strength": round(settings.guide_strength, 4), "size_m": size_of(settings)}
+        return job | more
     return job | {"guide_strength": round(settings.color_strength, 4), "uv": "keep"}
 
 
@@ -67,6 +69,8 @@ def _apply(settings: Settings, job: Mapping[str, Any]) -> None:
         if name in job:
             setattr(settings, name, job[name])
     settings.texture_size = str(job.get("texture_size", 0))
+    settings.size = job.get("size_m", 0.0)
+    settings.ignore_unknown = job.get("ignore_unknown_words", False)
     # The core has one strength for both commands, the panel one for each.
     strength = "color_strength" if settings.task == "texture" else "guide_strength"
     setattr(settings, strength, job.get("guide_strength", 0.5))
@@ -84,6 +88,11 @@ def light_of(settings: Settings) -> str:
         raise AddonError("No light is chosen.", "Choose an HDR or EXR file.")
     name = settings.light_file if settings.light == FILE else settings.light
     return str(light.light_file(name))
+
+
+def size_of(settings: Settings) -> float:
+    """The longest side in metres; 0: the usual size."""
+    return float(f"{settings.size:.4g}")
 
 
 def guidance_of(settings: Settings) -> str:

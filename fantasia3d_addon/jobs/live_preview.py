@@ -15,30 +15,39 @@ import bpy
 import numpy as np
 
 from ..blender.names import data_name
+from ..scene import view
+from .place import place_of
 from .progress import FollowedRun
 
 RUN = "fantasia3d_run"  # the custom property with the run of a preview object
-SIZE_M = 1.0  # the longest side, as of a finished asset
+SIZE_M = 1.0  # the longest side, where the core reports none
+GROWTH = 0.6  # of the longest side: room that a preview gets at least in width and depth
 
 
-def show(
-    collection: bpy.types.Collection, path: Path, followed: FollowedRun
-) -> bpy.types.Object | None:
+def show(scene: bpy.types.Scene, path: Path, followed: FollowedRun) -> bpy.types.Object | None:
     """Show the mesh in ``path``, the newest of ``followed``; None where it can't be read.
 
-    It stands on the target's location as the finished asset will.
+    It is where the finished asset will be, and the view is turned there where it shows something
+    else at the first preview.
     """
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as parts:
             verts, faces = parts["verts"], parts["faces"]
-    # MemoryError: a declared size; zlib.error: a broken part.
-    except (OSError, ValueError, KeyError, MemoryError, zipfile.BadZipFile, zlib.error):
+            size = float(parts["size_m"]) if "size_m" in parts else SIZE_M
+    # MemoryError: a declared size; TypeError: a size that is no number; zlib.error: a broken part.
+    except (OSError, TypeError, ValueError, KeyError, MemoryError, zipfile.BadZipFile, zlib.error):
         return None  # it is being replaced or removed at this moment: the next one comes soon
     if not _is_mesh(verts, faces):
         return None
-    obj = find(followed.name) or _add(collection, followed.name, followed.prompt)
-    obj.location = followed.target.location
-    _fill(obj.data, to_metres(verts), faces)
+    is_first = followed.place is None
+    obj = find(followed.name) or _add(scene.collection, followed.name, followed.prompt)
+    _fill(obj.data, to_metres(verts, size), faces)
+    if followed.place is None:
+        followed.place = place_of(scene, followed.target, _room(obj), ignored=(obj,))
+    obj.location = followed.place
+    if is_first:
+        scene.view_layers[0].update()  # the framing reads its matrix
+        view.frame_if_unseen(scene, obj)
     return obj
 
 
@@ -51,25 +60,41 @@ def _is_mesh(verts: np.ndarray, faces: np.ndarray) -> bool:
     return bool(inside and np.isfinite(verts).all() and np.ptp(verts, axis=0).max() < 1e6)
 
 
+def _room(obj: bpy.types.Object) -> np.ndarray:
+    """The bounds (2,3) that a preview of now may grow to: legs and handles come later."""
+    corners = np.array([corner[:] for corner in obj.bound_box], np.float64)
+    low, high = corners.min(0), corners.max(0)
+    half = GROWTH * float((high - low).max()) / 2
+    low[:2], high[:2] = np.minimum(low[:2], -half), np.maximum(high[:2], half)
+    return np.stack([low, high])
+
+
 def find(run: str) -> bpy.types.Object | None:
     """The preview object of ``run``."""
     return next((obj for obj in bpy.data.objects if obj.get(RUN) == run), None)
+
+
+def any_shown() -> bpy.types.Object | None:
+    """A preview of any run."""
+    return next((obj for obj in bpy.data.objects if RUN in obj), None)
 
 
 def remove(keep: Sequence[str] = ()) -> None:
     """Remove all previews but those of the runs ``keep``."""
     # By the custom property: the user may have renamed the object.
     stale = [obj for obj in bpy.data.objects if RUN in obj and obj[RUN] not in keep]
+    for obj in stale:
+        view.leave_local_views(obj)  # or they would show nothing
     meshes = [obj.data for obj in stale]
     bpy.data.batch_remove([*stale, *(mesh for mesh in meshes if mesh.users == 1)])
 
 
-def to_metres(verts: np.ndarray) -> np.ndarray:
-    """From training units: on z = 0, centred in x and y, ``SIZE_M`` on the longest side."""
+def to_metres(verts: np.ndarray, size: float) -> np.ndarray:
+    """From training units: on z = 0, centred in x and y, ``size`` metres on the longest side."""
     low, high = verts.min(0), verts.max(0)
     base = (low + high) / 2
     base[2] = low[2]
-    return ((verts - base) * (SIZE_M / max(float((high - low).max()), 1e-9))).astype(np.float32)
+    return ((verts - base) * (size / max(float((high - low).max()), 1e-9))).astype(np.float32)
 
 
 def _add(collection: bpy.types.Collection, run: str, prompt: str) -> bpy.types.Object:

@@ -85,6 +85,7 @@ class FollowedRun:
         self.warning: tuple[str, str] | None = None  # the last one: text and fix
         self.picture: Path | None = None  # the newest preview picture
         self.shape: Path | None = None  # a preview mesh that the viewport does not show yet
+        self.place: tuple[float, float, float] | None = None  # where its preview was put
 
     @property
     def name(self) -> str:

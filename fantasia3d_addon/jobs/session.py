@@ -24,9 +24,11 @@ from .job_file import new_run_folder, with_own_paths, write_job
 from .lock import RunLock
 from .memory import FreeMemory
 from .paths import Paths
+from .place import requested
 from .process import Run
 from .progress import FollowedRun
 from .target import Target
+from .words import Words
 
 TICK_SECONDS = 0.25
 ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
@@ -47,6 +49,7 @@ class Session:
         self.task: Task | None = None  # a set-up, check or removal of the environment
         self.history: list[Entry] = []
         self.free_memory = FreeMemory()
+        self.words = Words()
         self._scan: Task | None = None  # reads the history
         self._file_number = 0  # counts the files that were opened
         # Blender knows a timer by its identity, and a bound method is a new object each time.
@@ -73,14 +76,10 @@ class Session:
         """The log of the run that is shown first."""
         return self.run.run.log if self.run and self.run.run.log.exists() else None
 
-    def target_at_cursor(self, context: bpy.types.Context, **more: Any) -> Target:
-        """The target of an asset that is requested now: this file, this scene, the 3D cursor."""
-        return Target(
-            file=bpy.data.filepath,
-            scene=context.scene.name,
-            location=tuple(context.scene.cursor.location),
-            **more,
-        )
+    def target_here(self, context: bpy.types.Context, **more: Any) -> Target:
+        """The target of an asset that is requested now: this file, this scene, this place."""
+        here = {"file": bpy.data.filepath, "scene": context.scene.name} | requested(context)
+        return Target(**here | more)
 
     # The queue
 
@@ -288,9 +287,21 @@ class Session:
                 self.history = self._scan.result
             self._scan = None
             _update_list(self.history)
-        _redraw()
+        self._ask_words()
+        redraw()
         working = (self.task and self.task.running) or self._scan
+        working = working or (self.words.pending and not bpy.app.background)
         return TICK_SECONDS if self.busy or working else None
+
+    def _ask_words(self) -> None:
+        # A script would wait for what nobody looks at.
+        if not self.words.pending or bpy.app.background:
+            return
+        try:
+            core = Paths(bpy.context).core
+        except SetupError:
+            core = None
+        self.words.tick(core)
 
     def _end(self, followed: FollowedRun) -> None:
         self.running.remove(followed)
@@ -312,8 +323,7 @@ class Session:
         path, followed.shape = followed.shape, None
         # A material for the user's own object changes no shape: there is nothing to preview.
         if path and self._is_file_open(followed) and not followed.target.object:
-            collection = scene_of(followed.target).collection
-            live_preview.show(collection, path, followed)
+            live_preview.show(scene_of(followed.target), path, followed)
 
     def _is_file_open(self, followed: FollowedRun) -> bool:
         """Whether the file that requested ``followed`` is open."""
@@ -338,7 +348,9 @@ class Session:
         scene = scene_of(followed.target)
         asset = task.result if isinstance(task.result, AssetFolder) else None
         try:
-            self.asset = import_result(followed.run.folder, followed.target, scene, asset)
+            self.asset = import_result(
+                followed.run.folder, followed.target, scene, asset, near=followed.place
+            )
         except AddonError as error:
             self.error = (error.text, error.fix)
 
@@ -358,7 +370,7 @@ def _update_list(entries: list[Entry]) -> None:
             listed.add().name = str(entry.folder)
 
 
-def _redraw() -> None:
+def redraw() -> None:
     """Redraw the sidebars and the preferences, which do not notice a job's progress."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:

@@ -17,6 +17,7 @@ from .job_settings import job_of
 from .paths import Paths
 from .session import session
 from .target import Target
+from .words import Report, unknown
 
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
@@ -36,7 +37,7 @@ def generate(context: bpy.types.Context) -> Path:
             files["guide.obj"] = Path(folder) / "guide.obj"
             export_shape(settings.guide, files["guide.obj"], context.evaluated_depsgraph_get())
             job["guide_mesh"] = "guide.obj"
-        return session.submit(context, job, session.target_at_cursor(context), files)
+        return session.submit(context, job, session.target_here(context), files)
 
 
 def texture(context: bpy.types.Context) -> Path:
@@ -59,7 +60,7 @@ def texture(context: bpy.types.Context) -> Path:
             files["base_color.png"] = Path(folder) / "base_color.png"
             bake_base_color.bake(context, obj, uv_map, files["base_color.png"], COLOR_SIZE)
             job["base_color"] = "base_color.png"
-        target = session.target_at_cursor(
+        target = session.target_here(
             context, object=obj.name, uv_map=uv_map, assign=settings.assign
         )
         return session.submit(context, job, target, files)
@@ -74,10 +75,8 @@ def repeat(context: bpy.types.Context, entry: Entry, vary_seed: bool = False) ->
     seed = history.other_seed(entry.job.get("seed", 0)) if vary_seed else None
     job, files = history.copy_of_job(entry, seed)
     old = Target.read(entry.folder)
-    # The same object as before, but a new object comes to where the cursor is now.
-    target = session.target_at_cursor(
-        context, object=old.object, uv_map=old.uv_map, assign=old.assign
-    )
+    # The same object as before, but a new object comes to where the user wants it now.
+    target = session.target_here(context, object=old.object, uv_map=old.uv_map, assign=old.assign)
     return session.submit(context, job, target, files)
 
 
@@ -96,21 +95,36 @@ def resume(context: bpy.types.Context, entry: Entry) -> None:
     session.enqueue(context, entry.folder)
 
 
+def report_of(settings: bpy.types.PropertyGroup) -> Report | None:
+    """What the built-in model understands of the prompt; None: not known, or another model."""
+    if settings.guidance != "builtin":
+        return None
+    return session.words.report(settings.prompt, settings.ignore_unknown)
+
+
 def reason_against_generate(context: bpy.types.Context) -> str:
     """Why no job can be requested now; empty if one can."""
     if not context.scene.fantasia3d.prompt.strip():
         return "Enter a prompt: what to generate."
-    try:
-        python = Paths(context).python
-    except SetupError as error:
-        return f"{error.text} {error.fix}"
-    if not python.exists():
-        return "Press Install first: the method's Python environment is missing."
+    reason = reason_against_jobs(context)
+    if reason:
+        return reason
+    if unknown(report_of(context.scene.fantasia3d)):
+        return "The prompt has unknown words."
     try:
         job_of(context.scene.fantasia3d)
     except AddonError as error:
         return str(error)
     return ""
+
+
+def reason_against_jobs(context: bpy.types.Context) -> str:
+    """Why no job at all can be started; empty if one can."""
+    try:
+        python = Paths(context).python
+    except SetupError as error:
+        return f"{error.text} {error.fix}"
+    return "" if python.exists() else "Installation required: press Install."
 
 
 def reason_against_texture(context: bpy.types.Context) -> str:

@@ -11,6 +11,7 @@ from .job_file import write_json
 from .untrusted import has_types, is_number, is_text, read_object
 
 NAME = "target.json"
+FREE, EXACT = "free", "exact"  # of a Target's place
 
 
 KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a target holds
@@ -29,6 +30,7 @@ class Target:
     file: str = ""  # the .blend; empty for one that was not saved
     scene: str = ""
     location: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of the asset's base
+    place: str = FREE  # the free place nearest to ``location``; EXACT: there, whatever is there
     object: str = ""  # that receives the material; empty for a new object
     uv_map: str = ""  # of that object: the map that the textures use
     assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object

@@ -104,7 +104,9 @@ def edit_nodes(material: bpy.types.Material, make: bool = False) -> list[bpy.typ
         raise AddonError(
             f"{material.name} has no Principled BSDF.", "Choose a material that has one."
         )
-    return [_edit_node(tree, bsdf, name, EDITS[name]) for name in EDITS]
+    made = [_edit_node(tree, bsdf, name, EDITS[name]) for name in EDITS]
+    compat.deselect_nodes(tree)
+    return made
 
 
 def principled(material: bpy.types.Material | None) -> bpy.types.Node | None:
@@ -221,6 +223,7 @@ def _add_normal_map(
     own = bsdf.inputs["Normal"].links
     into = own[0].from_node.inputs["Normal"] if own else bsdf.inputs["Normal"]
     tree.links.new(bump.outputs["Normal"], into)
+    compat.deselect_nodes(tree)
 
 
 def _remove_unused(materials: Sequence[bpy.types.Material | None]) -> None:

@@ -42,6 +42,7 @@ def build(material: bpy.types.Material, name: str, size: float) -> bpy.types.Nod
             bsdf.inputs[socket].default_value = value
     else:
         SOLID[name](tree, bsdf, size)
+    compat.deselect_nodes(tree)
     return bsdf
 
 

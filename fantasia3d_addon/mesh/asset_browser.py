@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from ..asset.origin import copy_origin, origin_of
 from ..blender.mesh_arrays import mesh_object
 from ..blender.output import temporary_output
 from ..errors import AddonError, OutputError
@@ -37,7 +38,10 @@ def mark_asset(
     if not obj.asset_data:
         obj.asset_mark()
     data = obj.asset_data
-    data.description = description or data.description or obj.name
+    origin = origin_of(obj)
+    data.description = description or data.description or origin.get("prompt", obj.name)
+    data.author = data.author or origin.get("software", "")
+    copy_origin(obj, data)
     for tag in tags:
         if tag.strip():
             data.tags.new(tag.strip(), skip_if_exists=True)

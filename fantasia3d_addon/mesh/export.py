@@ -16,6 +16,7 @@ import bpy
 import numpy as np
 
 from ..asset.material_nodes import build_material
+from ..asset.origin import copy_origin
 from ..blender import compat
 from ..blender.mesh_arrays import acting, baked_mesh, mesh_object
 from ..blender.output import temporary_output
@@ -89,6 +90,7 @@ def _plain_copy(obj: bpy.types.Object, paths: Mapping[str, Path]) -> Iterator[bp
     material = bpy.data.materials.new("copy")
     _connect(material, images, obj.data.uv_layers.active.name, distribution)
     copy = bpy.data.objects.new("copy", baked_mesh(obj))
+    copy_origin(obj, copy)
     mesh = copy.data
     mesh.materials.clear()
     mesh.materials.append(material)
@@ -145,7 +147,7 @@ def _write(obj: bpy.types.Object, path: Path, kind: str) -> None:
 def _glb(path: str) -> None:
     bpy.ops.export_scene.gltf(
         filepath=path, export_format="GLB", use_selection=True, export_tangents=True,
-        export_animations=False, export_morph=False, export_skins=False,
+        export_animations=False, export_morph=False, export_skins=False, export_extras=True,
     )  # fmt: skip
 
 

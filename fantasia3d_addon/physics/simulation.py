@@ -23,13 +23,15 @@ from ..mesh import health
 from ..scene.placement import visible_meshes
 from . import proxy
 from .bake import bake_until_stable, cache_of, edge_lengths
+from .mass import mass_of
 
 KINDS = options.KIND.names
 # Custom property: on the asset, what clear() needs; on objects made for it, the asset's name.
 MARK = "fantasia3d_physics"
 GROUND = "Fantasia3D ground"
+COLLECTION = "Fantasia3D Physics"
+MIN_MASS = 0.001  # kg: Blender's own limit
 CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
-DENSITY = 400.0  # kg / m³: wood
 _NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
 
 
@@ -143,6 +145,7 @@ def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     """A body with its origin in the centre of mass, to which the asset is parented."""
     matrix, parts = obj.matrix_world.copy(), _parts(obj, settings.convex)
     hulls = [proxy.hull_mesh("hull", moved(points, matrix)) for points in parts]
+    mass = mass_of(obj, sum(volume for _, _, volume in hulls))
     # 1e-9: a flat hull must not make the weights zero.
     volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
     middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
@@ -172,7 +175,7 @@ def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     for child in children:  # after their parent: or Blender finds a cycle
         _add_rigid(child, "ACTIVE", "CONVEX_HULL")
     # The mass changes how it collides with the user's own rigid bodies.
-    body.rigid_body.mass = DENSITY * float(volumes.sum())
+    body.rigid_body.mass = max(mass, MIN_MASS)
     body.rigid_body.friction, body.rigid_body.restitution = 0.6, 0.15
     world = bpy.context.scene.rigidbody_world
     world.substeps_per_frame, world.solver_iterations = 20, 20
@@ -200,7 +203,7 @@ def _soft(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     soft.bend, soft.damping = firm + 0.1, 2.0
     soft.mass, soft.friction = 1.0, 0.5
     soft.step_min, soft.error_threshold = 5, 0.1
-    _collide_with(_supports(obj))
+    _collide_with(_supports(obj), float(max(obj.dimensions)))
     return cage
 
 
@@ -209,7 +212,7 @@ def _cloth(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     cloth = cage.modifiers.new(MARK, "CLOTH")
     _set_up_cloth(cloth, cage, settings.self_collision)
     cloth.settings.bending_stiffness = 2.0
-    _collide_with(_supports(obj))
+    _collide_with(_supports(obj), float(max(obj.dimensions)))
     return cage
 
 
@@ -240,7 +243,7 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     # The fine mesh as a collider would slow each frame down.
     hard = _add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
     hard.parent = obj
-    _collide_with([hard, *_supports(obj)])
+    _collide_with([hard, *_supports(obj)], float(max(obj.dimensions)))
     return sheet
 
 
@@ -314,13 +317,14 @@ def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object
     return ground
 
 
-def _collide_with(others: Sequence[bpy.types.Object]) -> None:
+def _collide_with(others: Sequence[bpy.types.Object], size: float) -> None:
+    """Let what falls, ``size`` metres large, collide with ``others``."""
     for other in others:
         if not any(m.type == "COLLISION" for m in other.modifiers):
             other.modifiers.new(MARK, "COLLISION")
             other[f"{MARK}_collider"] = True
-        # Half of Blender's default of 20 mm, which is visible as a gap.
-        other.collision.thickness_outer = 0.01
+        # Blender's default of 20 mm is visible as a gap; 1 mm is its least.
+        other.collision.thickness_outer = min(max(0.01 * size, 0.001), 0.01)
         other.collision.damping = 0.4
         other.collision.friction_factor = 0.5
         other.collision.cloth_friction = 20.0
@@ -345,7 +349,8 @@ def _add(
     """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
     made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
     made[MARK] = obj.name
-    for collection in obj.users_collection or [bpy.context.scene.collection]:
+    own = obj.users_collection or [bpy.context.scene.collection]
+    for collection in [_hidden_collection()] if hidden else own:
         collection.objects.link(made)
     if hidden:
         made.hide_render = True
@@ -354,12 +359,27 @@ def _add(
     return made
 
 
+def _hidden_collection() -> bpy.types.Collection:
+    """The scene's collection of cages, hulls and colliders, which no view shows."""
+    scene = bpy.context.scene
+    found = next((c for c in scene.collection.children if MARK in c), None)
+    if found is None:
+        found = bpy.data.collections.new(COLLECTION)
+        found[MARK] = True
+        scene.collection.children.link(found)
+        found.hide_render = True
+    return found
+
+
 def _remove(made: bpy.types.Object) -> None:
     _release(made)
-    mesh = made.data
+    mesh, collections = made.data, made.users_collection
     bpy.data.objects.remove(made)
     if not mesh.users:
         bpy.data.meshes.remove(mesh)
+    for collection in collections:
+        if MARK in collection and not collection.all_objects:
+            bpy.data.collections.remove(collection)
 
 
 def _release(obj: bpy.types.Object) -> None:

@@ -88,6 +88,7 @@ def set_world(
         ("Background", "Background", "OutputWorld", "Surface"),
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
+    compat.deselect_nodes(tree)
     # The new world is complete before the old one is touched.
     old, scene.world = scene.world, world
     _remove_unused(old)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 from ..blender import compat
-from ..environment import SetupError
-from ..jobs import memory, submit
+from ..jobs import environment_setup, live_preview, memory, submit
 from ..jobs.import_result import reason_to_wait
 from ..jobs.job_settings import FILE
-from ..jobs.paths import Paths
 from ..jobs.progress import FollowedRun
 from ..jobs.session import session
+from ..scene import view
 from . import icons
 from .presets import FANTASIA3D_PT_presets
 from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
 from .text import TAB, collapsible, error_and_fix, wrapped_label
+from .words_menu import draw_understood
 
 PICTURE = 7.0  # height of the preview, in rows
 
@@ -35,14 +36,15 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, settings = self.layout, context.scene.fantasia3d
-        if not is_set_up(context):
+        if not environment_setup.is_installed():
             box = layout.box()
-            wrapped_label(box, context, "Installation required, once:", "INFO")
+            wrapped_label(box, context, "Installation required", "INFO")
             draw_set_up(box, context)
         layout.row().prop(settings, "task", expand=True)
         column = layout.column(align=True)
         compat.text_field(column, settings, "prompt", placeholder="a red wooden chair")
         column.prop(settings, "negative_prompt", text="", placeholder="Negative prompt")
+        draw_understood(layout, context)
         layout.use_property_split = True
         layout.use_property_decorate = False
         _draw_settings(layout, settings)
@@ -55,20 +57,14 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         _draw_result(layout, context)
 
 
-def is_set_up(context: bpy.types.Context) -> bool:
-    """Whether the core's Python exists."""
-    try:
-        return Paths(context).python.exists()
-    except SetupError:
-        return False
-
-
 def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
     column = layout.column()
     column.prop(settings, "preset")
     row = column.row(align=True)
     row.prop(settings, "seed")
     row.operator("fantasia3d.new_seed", text="", icon="FILE_REFRESH")
+    if settings.task == "generate":
+        column.prop(settings, "size")
     column.prop(settings, "guidance")
     if settings.guidance == "folder":
         column.prop(settings, "model_folder")
@@ -110,6 +106,7 @@ def _draw_collapsed(layout: bpy.types.UILayout, context: bpy.types.Context) -> N
         body.prop(settings, "texture_size")
         if settings.task == "generate":
             body.prop(settings, "max_faces")
+            body.prop(settings, "placement")
         wrapped_label(body, context, _memory_line(settings)[0], dimmed=True)
     body = collapsible(layout, "advanced", "Advanced")
     if body:
@@ -165,17 +162,23 @@ def _draw_run(
     if picture:
         box.template_icon(picture, scale=PICTURE)
     wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH")
-    box.progress(factor=progress.fraction, text=progress.line)
+    title = translated(progress.title if not progress.cancelling else progress.line)
+    percent = f"  {progress.fraction:.0%}" if progress.steps and not progress.cancelling else ""
+    box.progress(factor=progress.fraction, text=title + percent)
     if progress.detail:
         wrapped_label(box, context, progress.detail, dimmed=True)
     if followed.warning:
         error_and_fix(box, context, followed.warning, "INFO")
     row = box.row(align=True)
     if progress.overdue:
-        row.operator("fantasia3d.stop_now", icon="X")
+        row.operator("fantasia3d.stop_now", text="Stop Now", icon="X")
     else:
         row.enabled = not progress.cancelling
-        row.operator("fantasia3d.cancel", icon="CANCEL").run = followed.name
+        row.operator("fantasia3d.cancel", text="Cancel", icon="CANCEL").run = followed.name
+    if live_preview.find(followed.name):
+        is_alone = context.space_data and context.space_data.local_view
+        icon = "HIDE_ON" if is_alone else "HIDE_OFF"
+        box.operator("fantasia3d.local_view", text="Local View", icon=icon).run = followed.name
 
 
 def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -186,14 +189,23 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
     elif last and last.end and last.end.type == "cancelled":
         row = layout.row(align=True)
         row.label(text="Cancelled", icon="CANCEL")
-        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+        row.operator("fantasia3d.job_resume", text="Resume", icon="PLAY").folder = str(
+            last.run.folder
+        )
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif session.asset:
         wrapped_label(layout, context, f"Imported: {session.asset}", "CHECKMARK")
+        if view.hides_colors(context.space_data):
+            row = layout.row(align=True)
+            for shading, text in (("MATERIAL", "Material Preview"), ("TEXTURE", "Texture Color")):
+                button = row.operator("fantasia3d.show_colors", text=text)
+                button.shading = shading
     for entry in session.missed:
         row = layout.row(align=True)
         row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
-        row.operator("fantasia3d.job_import", icon="IMPORT").folder = str(entry.folder)
+        row.operator("fantasia3d.job_import", text="Import", icon="IMPORT").folder = str(
+            entry.folder
+        )
     if session.importing:
         wrapped_label(layout, context, f"The asset is ready. {reason_to_wait()}", "CHECKMARK")
 
@@ -205,9 +217,11 @@ def _draw_error(
     box = layout.box().column()
     error_and_fix(box, context, error, "ERROR")
     row = box.row(align=True)
-    row.operator("fantasia3d.open_log", icon="TEXT")
+    row.operator("fantasia3d.open_log", text="Open Log", icon="TEXT")
     if last and last.end and last.end.type == "error" and last.run.resumable:
-        row.operator("fantasia3d.job_resume", icon="PLAY").folder = str(last.run.folder)
+        row.operator("fantasia3d.job_resume", text="Resume", icon="PLAY").folder = str(
+            last.run.folder
+        )
     row.operator("fantasia3d.dismiss", text="", icon="X")
 
 

@@ -14,7 +14,7 @@ from ..jobs.import_result import import_result
 from ..jobs.job_settings import apply_job
 from ..jobs.session import session
 from ..jobs.target import Target
-from .operator_helpers import USER_ERRORS, import_at_cursor, queue_job, report_error
+from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
 
 RUN_FOLDER = "The folder of the run; empty: the one that is selected in the list"
 
@@ -63,7 +63,7 @@ class FANTASIA3D_OT_job_repeat(_RunOperator, bpy.types.Operator):
     """Run this job again, with the same settings"""
 
     bl_idname = "fantasia3d.job_repeat"
-    bl_label = "Repeat"
+    bl_label = "Repeat Job"
 
     vary_seed: BoolProperty(name="Vary Seed", description="Use another seed", options={"SKIP_SAVE"})
 
@@ -83,7 +83,7 @@ class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
     """Continue this job from its last checkpoint"""
 
     bl_idname = "fantasia3d.job_resume"
-    bl_label = "Resume"
+    bl_label = "Resume Job"
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         def resume() -> Path:
@@ -94,10 +94,10 @@ class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
 
 
 class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
-    """Import this job's asset into the scene: at the 3D cursor, or onto its object"""
+    """Import this job's asset into the scene, or its material onto its object"""
 
     bl_idname = "fantasia3d.job_import"
-    bl_label = "Import"
+    bl_label = "Import Job's Asset"
     bl_options = {"REGISTER", "UNDO"}
 
     @staticmethod
@@ -117,7 +117,7 @@ class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
                 import_result(entry.folder, target, context.scene, push_undo=False)
                 session.mark_imported(entry.folder)
             else:
-                import_at_cursor(context, entry.folder)
+                import_and_select(context, entry.folder)
         except USER_ERRORS as error:
             return report_error(self, error)
         return {"FINISHED"}
@@ -127,7 +127,7 @@ class FANTASIA3D_OT_job_settings(_RunOperator, bpy.types.Operator):
     """Set the panel's fields to those of this job"""
 
     bl_idname = "fantasia3d.job_settings"
-    bl_label = "Use Settings"
+    bl_label = "Use Job's Settings"
     bl_options = {"UNDO"}
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
@@ -142,7 +142,7 @@ class FANTASIA3D_OT_job_folder(_RunOperator, bpy.types.Operator):
     """Open this job's folder"""
 
     bl_idname = "fantasia3d.job_folder"
-    bl_label = "Open Folder"
+    bl_label = "Open Job's Folder"
 
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         return bpy.ops.wm.path_open(filepath=str(entry.folder))
@@ -152,7 +152,7 @@ class FANTASIA3D_OT_job_remove(_RunOperator, bpy.types.Operator):
     """Delete this job and its asset from the disk; what was imported stays in its scene"""
 
     bl_idname = "fantasia3d.job_remove"
-    bl_label = "Delete"
+    bl_label = "Delete Job"
 
     @staticmethod
     def reason_against(entry: Entry) -> str:
@@ -218,7 +218,7 @@ class FANTASIA3D_OT_refresh(bpy.types.Operator):
     """Look for runs again, also those of other Blenders and of the command line"""
 
     bl_idname = "fantasia3d.refresh"
-    bl_label = "Refresh"
+    bl_label = "Refresh Jobs"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.adopt(context)

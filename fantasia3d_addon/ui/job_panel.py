@@ -13,7 +13,7 @@ from ..jobs.job_file import read_job
 from ..jobs.session import session
 from . import icons
 from .job_operators import entry_of, selected
-from .text import TAB, duration, wrapped_label
+from .text import TAB, duration, length, wrapped_label
 
 ICONS = {
     history.WAITING: "TIME",
@@ -35,7 +35,8 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
         if entry is None:  # removed since the list was made
             layout.label(text="…")
             return
-        picture = icons.icon(entry.picture)
+        # A running job replaces its picture every second: read later, it would blink.
+        picture = icons.icon(entry.picture, at_once=entry.state == history.RUNNING)
         row = layout.row(align=True)
         if picture:
             row.label(text=entry.prompt, icon_value=picture)
@@ -43,7 +44,8 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
             row.label(text=entry.prompt, icon="OUTLINER_OB_MESH")
         end = row.row()
         end.active = False
-        end.label(text="", icon=ICONS[entry.state])
+        end.alignment = "RIGHT"
+        end.label(text=length(entry.size_m) if entry.size_m else "", icon=ICONS[entry.state])
 
     def filter_items(self, context, data, property) -> tuple[list[int], list[int]]:
         """By prompt."""
@@ -74,7 +76,7 @@ class FANTASIA3D_PT_jobs(bpy.types.Panel):
         _draw_queue(layout, context)
         if not len(jobs.entries):
             wrapped_label(layout, context, "No jobs yet.", dimmed=True)
-            layout.operator("fantasia3d.import_asset", icon="IMPORT")
+            layout.operator("fantasia3d.import_asset", text="Import from Folder", icon="IMPORT")
             return
         layout.template_list("FANTASIA3D_UL_runs", "", jobs, "entries", jobs, "index", rows=4)
         entry = selected(context)
@@ -94,13 +96,13 @@ def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     if session.paused:
         text = "These jobs were queued in an earlier Blender session."
         wrapped_label(box, context, text, dimmed=True)
-        box.operator("fantasia3d.queue_go_on", icon="PLAY")
+        box.operator("fantasia3d.queue_go_on", text="Resume Queue", icon="PLAY")
 
 
 def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: Entry) -> None:
     """The selected run: its picture, its exact settings, its buttons."""
     box = layout.box().column()
-    picture = icons.icon(entry.picture)
+    picture = icons.icon(entry.picture, at_once=True)
     if picture:
         box.template_icon(picture, scale=PICTURE)
     wrapped_label(box, context, entry.prompt)
@@ -108,21 +110,21 @@ def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: E
     for line in facts(entry):
         wrapped_label(column, context, line, dimmed=True)
     if entry.state in (history.FAILED, history.STOPPED):
-        wrapped_label(box, context, entry.text or "No error was reported.", "ERROR")
+        wrapped_label(box, context, entry.text or "No error reported.", "ERROR")
     path = str(entry.folder)
     row = box.row(align=True)
     if entry.state == history.DONE:
-        row.operator("fantasia3d.job_import", icon="IMPORT").folder = path
+        row.operator("fantasia3d.job_import", text="Import", icon="IMPORT").folder = path
     elif entry.resumable:
-        row.operator("fantasia3d.job_resume", icon="PLAY").folder = path
-    row.operator("fantasia3d.job_settings", icon="COPYDOWN").folder = path
+        row.operator("fantasia3d.job_resume", text="Resume", icon="PLAY").folder = path
+    row.operator("fantasia3d.job_settings", text="Use Settings", icon="COPYDOWN").folder = path
     row = box.row(align=True)
-    row.operator("fantasia3d.job_repeat", icon="LOOP_BACK").folder = path
+    row.operator("fantasia3d.job_repeat", text="Repeat", icon="LOOP_BACK").folder = path
     vary = row.operator("fantasia3d.job_repeat", text="Vary Seed", icon="FILE_REFRESH")
     vary.folder, vary.vary_seed = path, True
     row = box.row(align=True)
-    row.operator("fantasia3d.job_folder", icon="FILE_FOLDER").folder = path
-    row.operator("fantasia3d.job_remove", icon="TRASH").folder = path
+    row.operator("fantasia3d.job_folder", text="Open Folder", icon="FILE_FOLDER").folder = path
+    row.operator("fantasia3d.job_remove", text="Delete", icon="TRASH").folder = path
 
 
 def facts(entry: Entry) -> list[str]:
@@ -134,6 +136,8 @@ def facts(entry: Entry) -> list[str]:
     state = "" if done else f"{STATES.get(entry.state, entry.state.capitalize())}{stage}"
     lines = [f"{when}{took}", state]
     lines.append(f"{str(job.get('preset', '')).capitalize()}, seed {job.get('seed', 0)}")
+    if entry.size_m:
+        lines.append(f"Size: {length(entry.size_m)}")
     # Only what differs from the default.
     if job.get("negative_prompt"):
         lines.append(f"Negative prompt: {job['negative_prompt']}")

@@ -11,7 +11,7 @@ from .. import options
 from ..background import blender_process
 from ..blender.mesh_arrays import mesh_object
 from ..mesh import health, remesh
-from .modal_operator import ModalTask, wait_for
+from .modal_operator import ModalTask, reason_to_wait, wait_for
 from .operator_helpers import UNDO, can_run, run_and_report
 from .option_properties import option_property
 
@@ -104,7 +104,7 @@ class FANTASIA3D_OT_quad_remesh(ModalTask, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return can_run(cls, context)
+        return can_run(cls, context, reason_to_wait())
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         obj = context.active_object

@@ -3,11 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import bpy
 
 from ..background.thread import Task
 from ..errors import AddonError
+from ..jobs.session import redraw
+
+
+@dataclass
+class Running:
+    """The tool that is working now, for the panels."""
+
+    title: str
+    step: str = ""
+    fraction: float = 0.0
+
+
+running: list[Running] = []  # one at most
+
+
+def reason_to_wait() -> str:
+    """Why no other tool can start now; empty if one can."""
+    return f"“{running[0].title}” is running." if running else ""
 
 
 class ModalTask:
@@ -25,7 +44,11 @@ class ModalTask:
         raise NotImplementedError
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if running:  # a shortcut does not ask poll()
+            self.report({"ERROR"}, reason_to_wait())
+            return {"CANCELLED"}
         self._steps = self.steps(context)
+        running[:] = [Running(self.title)]
         manager = context.window_manager
         manager.progress_begin(0, 100)
         self._timer = manager.event_timer_add(self.pause, window=context.window)
@@ -48,15 +71,22 @@ class ModalTask:
             self.report({"ERROR"}, str(error))
             self._end(context)
             return {"CANCELLED"}
+        now = Running(self.title, step, round(fraction, 2))
+        if running != [now]:  # drawing takes longer than most steps
+            running[:] = [now]
+            redraw()
         context.window_manager.progress_update(100 * fraction)
         context.workspace.status_text_set(f"{self.title}: {step} {fraction:.0%}    Esc: Cancel")
         return {"PASS_THROUGH"} if self.shares_window else {"RUNNING_MODAL"}
 
     def cancel(self, context: bpy.types.Context) -> None:
         """Blender calls this when another file is opened or the window is closed."""
+        running.clear()
         self._steps.close()  # the window's timer and status bar go with the window
 
     def _end(self, context: bpy.types.Context) -> None:
+        running.clear()
+        redraw()
         self._steps.close()
         context.workspace.status_text_set(None)
         context.window_manager.progress_end()

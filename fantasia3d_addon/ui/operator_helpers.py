@@ -7,10 +7,12 @@ from pathlib import Path
 
 import bpy
 
+from ..asset.asset_folder import read_asset
 from ..asset.import_asset import import_asset
 from ..blender.mesh_arrays import EDIT_MODE, reason_against_mesh
 from ..environment import SetupError
 from ..errors import AddonError
+from ..jobs.place import bounds_of, place_of
 from ..jobs.session import session
 
 UNDO = {"REGISTER", "UNDO"}
@@ -64,13 +66,14 @@ def report_error(operator: bpy.types.Operator, error: AddonError | SetupError) -
     return {"CANCELLED"}
 
 
-def import_at_cursor(context: bpy.types.Context, folder: Path) -> bpy.types.Object:
-    """Import the asset in ``folder`` at the 3D cursor and select it.
+def import_and_select(context: bpy.types.Context, folder: Path) -> bpy.types.Object:
+    """Import the asset in ``folder`` where the panel's setting places it, and select it.
 
     Raises:
         AddonError: the folder is no asset.
     """
-    obj = import_asset(context, folder, context.scene.cursor.location)
+    asset, target = read_asset(folder), session.target_here(context)
+    obj = import_asset(context, asset, place_of(context.scene, target, bounds_of(asset)))
     session.mark_imported(folder)
     for other in context.selected_objects:
         other.select_set(False)

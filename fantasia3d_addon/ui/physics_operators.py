@@ -9,7 +9,7 @@ import bpy
 
 from .. import options
 from ..physics import simulation
-from .modal_operator import ModalTask
+from .modal_operator import ModalTask, reason_to_wait
 from .operator_helpers import UNDO, can_run, run_and_report
 from .option_properties import option_property
 
@@ -31,7 +31,7 @@ class FANTASIA3D_OT_simulate(ModalTask, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return can_run(cls, context)
+        return can_run(cls, context, reason_to_wait())
 
     def settings(self) -> simulation.Options:
         """The operator's properties."""

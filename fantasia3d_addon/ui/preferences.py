@@ -6,6 +6,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .. import PACKAGE, environment
+from . import shortcut
 from .setup_panel import draw_set_up
 
 
@@ -51,6 +52,12 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         description="Allow the method to download a model that is named by its hub id",
     )
 
+    use_pie: BoolProperty(
+        name="Pie Menu",
+        description=f"Open a pie menu of the tools in the 3D view by {shortcut.TEXT}",
+        update=lambda self, _context: shortcut.update(self.use_pie),
+    )
+
     def draw(self, context: bpy.types.Context) -> None:
         """The installation first: nothing runs without it."""
         layout = self.layout
@@ -65,6 +72,13 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         row = column.row()
         row.active = bpy.app.online_access
         row.prop(self, "download_models")
+        column.prop(self, "use_pie", text=f"Pie Menu ({shortcut.TEXT})")
+
+
+def uses_pie() -> bool:
+    """Whether the user wants the pie menu's shortcut."""
+    addon = bpy.context.preferences.addons.get(PACKAGE)
+    return bool(addon and addon.preferences and addon.preferences.use_pie)
 
 
 CLASSES = (FANTASIA3D_AddonPreferences,)

@@ -17,6 +17,7 @@ from bpy.props import (
 )
 
 from ..jobs.job_settings import FILE
+from ..jobs.place import CURSOR, FREE_PLACE, IN_VIEW
 from ..scene import light
 from . import icons
 
@@ -58,6 +59,11 @@ ASSIGN = (
     ("slot", "New Slot", "Add the material in a new slot and leave the other slots as they are"),
     ("object", "All Slots", "Show it in every slot; the mesh keeps its own materials underneath"),
 )
+PLACEMENTS = (
+    (FREE_PLACE, "Free Place", "The place nearest to the 3D cursor where nothing else is"),
+    (IN_VIEW, "In View", "The free place nearest to what the view is centred on"),
+    (CURSOR, "3D Cursor", "Exactly at the 3D cursor, also inside of other objects"),
+)
 _light_items: list[tuple[str, str, str, int, int]] = []  # Blender keeps no reference to its texts
 
 
@@ -96,7 +102,15 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     task: EnumProperty(
         name="Task", description="A new asset, or a material for a mesh", items=TASKS
     )
-    prompt: StringProperty(name="Prompt", description="What to make, such as: a red wooden chair")
+    prompt: StringProperty(
+        name="Prompt",
+        description="What to make, such as: a red wooden chair",
+        options={"TEXTEDIT_UPDATE"},  # the panel shows what is understood while it is typed
+    )
+    ignore_unknown: BoolProperty(
+        name="Ignore Unknown Words",
+        description="Leave out the words that the built-in model does not know",
+    )
     negative_prompt: StringProperty(
         name="Negative Prompt", description="What it should not look like"
     )
@@ -129,6 +143,16 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         max=1.0,
         subtype="FACTOR",
     )
+    size: FloatProperty(
+        name="Size",
+        description="Length of the longest side; 0: the usual size of the thing",
+        default=0.0,
+        min=0.0,
+        max=1000.0,
+        soft_max=30.0,
+        precision=3,
+        subtype="DISTANCE",
+    )
     light: EnumProperty(
         name="Light", description="The light that the material is learned under", items=light_items
     )
@@ -143,6 +167,9 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         description="The mesh is simplified to this many triangles; 0: as the quality has it",
         min=0,
         max=2_000_000,
+    )
+    placement: EnumProperty(
+        name="Location", description="Where the preview and the asset appear", items=PLACEMENTS
     )
     device: EnumProperty(name="Device", description="What the run computes on", items=DEVICES)
     overrides: StringProperty(
@@ -175,7 +202,10 @@ class FANTASIA3D_PG_entry(bpy.types.PropertyGroup):
 class FANTASIA3D_PG_jobs(bpy.types.PropertyGroup):
     """The history as the panel's list shows it."""
 
-    entries: CollectionProperty(type=FANTASIA3D_PG_entry)
+    entries: CollectionProperty(
+        name="Runs", description="The runs on this machine, the newest first",
+        type=FANTASIA3D_PG_entry,
+    )  # fmt: skip
     index: IntProperty(name="Run", description="The selected run")
 
 

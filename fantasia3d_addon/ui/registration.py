@@ -7,6 +7,7 @@ import bpy
 from ..jobs import handlers
 from ..jobs.session import session
 from . import (
+    drop_files,
     export_operators,
     generate_operators,
     generate_panel,
@@ -14,6 +15,7 @@ from . import (
     job_operators,
     job_panel,
     material_operators,
+    menus,
     mesh_operators,
     physics_operators,
     preferences,
@@ -21,8 +23,11 @@ from . import (
     properties,
     scene_operators,
     setup_operators,
+    shortcut,
     tool_properties,
     tools_panel,
+    translations,
+    words_menu,
 )
 
 MODULES = (  # each has its CLASSES
@@ -32,6 +37,7 @@ MODULES = (  # each has its CLASSES
     generate_operators,
     job_operators,
     setup_operators,
+    words_menu,
     generate_panel,
     job_panel,
     tool_properties,
@@ -40,13 +46,16 @@ MODULES = (  # each has its CLASSES
     physics_operators,
     mesh_operators,
     export_operators,
+    drop_files,
     tools_panel,
+    menus,
 )
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)
 
 
 def register() -> None:
     """Register all classes, the settings of scenes and of this Blender, and the handlers."""
+    translations.register()
     # Before the classes: an enum of lights needs the icons.
     icons.open_collection()
     properties.clear_light_items()
@@ -56,6 +65,8 @@ def register() -> None:
     bpy.types.Scene.fantasia3d = pointer(type=properties.FANTASIA3D_PG_settings)
     bpy.types.Scene.fantasia3d_tools = pointer(type=tool_properties.FANTASIA3D_PG_tools)
     bpy.types.WindowManager.fantasia3d = pointer(type=properties.FANTASIA3D_PG_jobs)
+    menus.append()
+    shortcut.update(preferences.uses_pie())
     handlers.add()
     session.open()
 
@@ -64,6 +75,8 @@ def unregister() -> None:
     """Undo :func:`register`, backwards."""
     session.close()
     handlers.remove()
+    shortcut.remove()
+    menus.remove()
     del bpy.types.Scene.fantasia3d
     del bpy.types.Scene.fantasia3d_tools
     del bpy.types.WindowManager.fantasia3d
@@ -71,3 +84,4 @@ def unregister() -> None:
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
     icons.close_collection()
+    translations.unregister()

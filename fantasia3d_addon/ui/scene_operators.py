@@ -24,13 +24,17 @@ class FANTASIA3D_OT_relight(bpy.types.Operator):
     light: StringProperty(
         name="Light", description="studio, one of Blender's by name, or a file", default="studio"
     )
+    filepath: StringProperty(
+        name="File", description="An HDR or EXR picture instead of the named light",
+        subtype="FILE_PATH", options={"SKIP_SAVE"},
+    )  # fmt: skip
     strength: option_property(options.STRENGTH)
     rotation: option_property(options.ROTATION)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        turn = math.degrees(self.rotation)
+        turn, name = math.degrees(self.rotation), bpy.path.abspath(self.filepath) or self.light
         return run_and_report(
-            self, lambda: relight.relight(context.scene, self.light, self.strength, turn)
+            self, lambda: relight.relight(context.scene, name, self.strength, turn)
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import bpy
+from bpy.props import BoolProperty, StringProperty
 
 from .. import PACKAGE, environment
 from ..background.thread import Task
@@ -12,6 +13,8 @@ from ..jobs import environment_setup
 from ..jobs.paths import Paths
 from ..jobs.session import session
 from .operator_helpers import USER_ERRORS, report_error
+
+NO_ADDON = "The add-on is not installed in this Blender."
 
 
 class _SetupOperator:
@@ -41,7 +44,7 @@ class FANTASIA3D_OT_set_up(_SetupOperator, bpy.types.Operator):
     """Create the method's own Python environment; nothing is installed into Blender"""
 
     bl_idname = "fantasia3d.set_up"
-    bl_label = "Install"
+    bl_label = "Install Python Environment"
     reason_against = staticmethod(environment_setup.reason_against)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -52,7 +55,7 @@ class FANTASIA3D_OT_repair(_SetupOperator, bpy.types.Operator):
     """Create the environment again from nothing"""
 
     bl_idname = "fantasia3d.repair"
-    bl_label = "Reinstall"
+    bl_label = "Reinstall Python Environment"
     reason_against = staticmethod(environment_setup.reason_against)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -63,7 +66,7 @@ class FANTASIA3D_OT_check(_SetupOperator, bpy.types.Operator):
     """List what is installed and what is missing, with the fix"""
 
     bl_idname = "fantasia3d.check"
-    bl_label = "Check"
+    bl_label = "Check Installation"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return self.start(environment_setup.check, context)
@@ -73,7 +76,7 @@ class FANTASIA3D_OT_remove_environment(_SetupOperator, bpy.types.Operator):
     """Remove the environment that Install created; runs and assets stay"""
 
     bl_idname = "fantasia3d.remove_environment"
-    bl_label = "Uninstall"
+    bl_label = "Uninstall Python Environment"
     reason_against = staticmethod(environment_setup.reason_against_removal)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -83,11 +86,53 @@ class FANTASIA3D_OT_remove_environment(_SetupOperator, bpy.types.Operator):
         return self.start(environment_setup.remove, context)
 
 
+class FANTASIA3D_OT_allow_online_access(bpy.types.Operator):
+    """Allow Blender to use the internet, for the installation: Preferences, System, Network"""
+
+    bl_idname = "fantasia3d.allow_online_access"
+    bl_label = "Allow Online Access"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        reason = "Online access is allowed already." if bpy.app.online_access else ""
+        if bpy.app.online_access_override:
+            reason = "It was decided when Blender was started."
+        cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.preferences.system.use_online_access = True
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_choose_wheels(bpy.types.Operator):
+    """Choose a folder of wheels, for an installation without a network"""
+
+    bl_idname = "fantasia3d.choose_wheels"
+    bl_label = "Choose Wheels Folder"
+
+    directory: StringProperty(name="Folder", description="The folder of wheels", subtype="DIR_PATH")
+    filter_folder: BoolProperty(default=True, options={"HIDDEN"})  # the file browser's own filter
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        cls.poll_message_set(NO_ADDON)
+        return PACKAGE in context.preferences.addons
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.preferences.addons[PACKAGE].preferences.wheels_folder = self.directory
+        return {"FINISHED"}
+
+
 class FANTASIA3D_OT_cancel_set_up(bpy.types.Operator):
     """Stop the installation; nothing incomplete is left"""
 
     bl_idname = "fantasia3d.cancel_set_up"
-    bl_label = "Cancel"
+    bl_label = "Cancel Installation"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -104,7 +149,7 @@ class FANTASIA3D_OT_open_set_up_log(bpy.types.Operator):
     """Open the log of the last installation"""
 
     bl_idname = "fantasia3d.open_set_up_log"
-    bl_label = "Open Log"
+    bl_label = "Open Installation Log"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -123,11 +168,11 @@ class FANTASIA3D_OT_open_preferences(bpy.types.Operator):
     """Folders of this machine: the environment, the runs, the models"""
 
     bl_idname = "fantasia3d.open_preferences"
-    bl_label = "Preferences…"
+    bl_label = "Open Preferences"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("The add-on is not installed in this Blender.")
+        cls.poll_message_set(NO_ADDON)
         return PACKAGE in context.preferences.addons
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -139,6 +184,8 @@ CLASSES = (
     FANTASIA3D_OT_repair,
     FANTASIA3D_OT_check,
     FANTASIA3D_OT_remove_environment,
+    FANTASIA3D_OT_allow_online_access,
+    FANTASIA3D_OT_choose_wheels,
     FANTASIA3D_OT_cancel_set_up,
     FANTASIA3D_OT_open_set_up_log,
     FANTASIA3D_OT_open_preferences,

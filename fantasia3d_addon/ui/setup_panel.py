@@ -25,7 +25,7 @@ class FANTASIA3D_PT_set_up(bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         draw_set_up(self.layout, context, repair=True)
-        self.layout.operator("fantasia3d.open_preferences", icon="PREFERENCES")
+        self.layout.operator("fantasia3d.open_preferences", text="Preferences…", icon="PREFERENCES")
 
 
 def draw_set_up(
@@ -41,20 +41,33 @@ def draw_set_up(
         wrapped_label(layout, context, task.text, dimmed=True)
         row = layout.row(align=True)
         row.enabled = not task.cancelled
-        row.operator("fantasia3d.cancel_set_up", icon="CANCEL")
+        row.operator("fantasia3d.cancel_set_up", text="Cancel", icon="CANCEL")
         return
     row = layout.row(align=True)
-    row.operator("fantasia3d.set_up", icon="IMPORT")
-    row.operator("fantasia3d.check", icon="VIEWZOOM")
-    reason = environment_setup.reason_against()
-    if reason and not repair:  # not in both places: the main panel's box shows it first
-        wrapped_label(layout, context, reason, "INFO", dimmed=True)
+    row.operator("fantasia3d.set_up", text="Install", icon="IMPORT")
+    row.operator("fantasia3d.check", text="Check", icon="VIEWZOOM")
+    _draw_reason(layout, context)
     if repair:
         row = layout.row(align=True)
-        row.operator("fantasia3d.repair", icon="FILE_REFRESH")
-        row.operator("fantasia3d.remove_environment", icon="TRASH")
+        row.operator("fantasia3d.repair", text="Reinstall", icon="FILE_REFRESH")
+        row.operator("fantasia3d.remove_environment", text="Uninstall", icon="TRASH")
     if task:
         _draw_result(layout, context)
+
+
+def _draw_reason(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """Why nothing can be installed now, and the buttons that change it; nothing once all is here.
+
+    ``context`` may be of the panel or of the preferences.
+    """
+    reason = environment_setup.reason_against()
+    if not reason or environment_setup.is_installed():
+        return
+    wrapped_label(layout, context, reason, "INFO", dimmed=True)
+    if not bpy.app.online_access:
+        column = layout.column(align=True)
+        column.operator("fantasia3d.allow_online_access", icon="URL")
+        column.operator("fantasia3d.choose_wheels", icon="FILE_FOLDER")
 
 
 def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -63,7 +76,7 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
         return
     if task.error:
         error_and_fix(layout, context, task.error, "ERROR")
-        layout.operator("fantasia3d.open_set_up_log", icon="TEXT")
+        layout.operator("fantasia3d.open_set_up_log", text="Open Log", icon="TEXT")
         return
     lines = task.result if isinstance(task.result, list) else []  # only a check has lines
     missing = any(isinstance(line, Line) and line.state == "MISSING" for line in lines)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import blf
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 TAB = "Fantasia3D"
 TEXT_SIZE = 11.0  # points, as Blender's widgets
@@ -20,9 +21,11 @@ def wrapped_label(
     """Text of any length, in lines that fit the region; ``dimmed`` for the less important."""
     column = layout.column(align=True)
     column.active = not dimmed
-    for index, line in enumerate(wrapped(text, _text_width(context))):
+    # Translated as a whole: the lines are no messages.
+    for index, line in enumerate(wrapped(translated(text), _text_width(context))):
         # The icon comes before the first line; a blank one indents the others.
-        column.label(text=line, icon=icon if index == 0 or icon == "NONE" else "BLANK1")
+        shown = icon if index == 0 or icon == "NONE" else "BLANK1"
+        column.label(text=line, icon=shown, translate=False)
 
 
 def error_and_fix(
@@ -80,3 +83,8 @@ def duration(seconds: float) -> str:
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
+
+def length(metres: float) -> str:
+    """4.2 m, or 10 cm."""
+    return f"{metres:.3g} m" if metres >= 1 else f"{100 * metres:.3g} cm"

@@ -11,7 +11,7 @@ from .option_properties import option_property
 from .properties import light_items
 
 MATERIALS = tuple(
-    (name, name.title(), f"The library's material “{name}”") for name in material_library.NAMES
+    (name, name.title(), "A material of the add-on's library") for name in material_library.NAMES
 )
 
 

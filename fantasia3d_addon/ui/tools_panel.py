@@ -10,6 +10,7 @@ from ..material import edit as material_edit
 from ..mesh import health
 from ..physics import simulation
 from ..scene import cornell_box, light
+from . import modal_operator
 from .operator_helpers import reason_against_tool
 from .text import TAB, wrapped_label
 
@@ -244,7 +245,15 @@ def _split(panel: bpy.types.Panel) -> bpy.types.UILayout:
 
 
 def _draw_reason(layout: bpy.types.UILayout, context: bpy.types.Context) -> bool:
-    """Show why no tool can act on the active object; whether there is a reason."""
+    """Show why no tool can act on the active object; whether there is a reason.
+
+    A tool that is working is shown by its progress instead.
+    """
+    if modal_operator.running:
+        now = modal_operator.running[0]
+        layout.progress(factor=now.fraction, text=f"{now.title}  {now.fraction:.0%}")
+        wrapped_label(layout, context, f"{now.step}  Esc: Cancel".strip(), dimmed=True)
+        return True
     reason = reason_against_tool(context)
     if reason:
         wrapped_label(layout, context, reason, "INFO", dimmed=True)

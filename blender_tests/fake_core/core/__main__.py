@@ -12,6 +12,10 @@ import sys
 import time
 from pathlib import Path
 
+if sys.argv[1] == "words":  # which the real one reports as fast
+    root = Path(__file__).parents[3]
+    os.chdir(root)
+    os.execv(sys.executable, [sys.executable, "-m", "core", *sys.argv[1:]])
 if sys.argv[1] == "generate":
     run = Path(sys.argv[sys.argv.index("--out") + 1])
     run.mkdir(parents=True)

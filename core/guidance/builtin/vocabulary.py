@@ -27,6 +27,8 @@ from core.guidance.builtin.lexicon import (
 )
 from core.guidance.builtin.looks import LOOKS
 from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.prompt_errors import PromptError, UnknownWordsError
+from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.words import (
     FILLER,
     IGNORED_ADJECTIVES,
@@ -43,14 +45,6 @@ ELSEWHERE = (
     "For any other wording use Stable Diffusion: --guidance FOLDER, where FOLDER holds its weights."
 )
 LONGEST = 3  # words of a phrase
-
-
-class UnknownWordsError(UserError):
-    """A prompt has words that are not known; ``nearest`` has the nearest known ones of each."""
-
-    def __init__(self, text: str, fix: str, nearest: dict[str, list[str]]) -> None:
-        super().__init__(text, fix)
-        self.nearest = nearest
 
 
 @dataclass(frozen=True)
@@ -76,16 +70,21 @@ class Words:
         return " ".join(word for slot in slots if (word := getattr(self, slot)))
 
 
-def understood(prompt: str, known: Vocabulary | None = None) -> dict[str, Any]:
+def understood(
+    prompt: str, known: Vocabulary | None = None, ignore_unknown: bool = False
+) -> dict[str, Any]:
     """What the built-in prior makes of ``prompt``, as plain data.
 
     Args:
         known: the words that may be asked for; None: those that the shipped weights offer.
+        ignore_unknown: leave out what is not known.
 
     Raises:
         UserError: as ``parse``; ``UnknownWordsError`` has the nearest known words.
     """
-    words = parse(prompt, known=offered_words() if known is None else known)
+    known = offered_words() if known is None else known
+    words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
+    size_m, density = usual(words.noun, words.material)
     return {
         "prompt": prompt,
         "thing": words.noun,
@@ -94,16 +93,18 @@ def understood(prompt: str, known: Vocabulary | None = None) -> dict[str, Any]:
         "colours": [color for color in (words.color, words.second) if color],
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
+        "size_m": size_m,
+        "density": density,
         "left_out": list(words.left_out),
         "notes": list(words.notes),
     }
 
 
-def words_report(prompt: str) -> tuple[dict[str, Any], int]:
+def words_report(prompt: str, ignore_unknown: bool = False) -> tuple[dict[str, Any], int]:
     """``understood`` and exit code 0; or why the prompt is refused, with the nearest known words of
     each unknown one, and the error's exit code."""
     try:
-        return understood(prompt), 0
+        return understood(prompt, ignore_unknown=ignore_unknown), 0
     except UserError as error:
         nearest = error.nearest if isinstance(error, UnknownWordsError) else {}
         report = {"prompt": prompt, "error": error.text, "fix": error.fix, "nearest": nearest}
@@ -128,7 +129,7 @@ def parse(
     if reading.refused and not ignore_unknown:
         raise _unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
-        raise UserError(
+        raise PromptError(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
             f"Use one of: {', '.join(known['noun'])}. {ELSEWHERE}",
         )
@@ -376,7 +377,7 @@ def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary)
 
 
 def _two_error(slot: str, words: list[str]) -> UserError:
-    return UserError(
+    return PromptError(
         f"The built-in prior takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
         f"Keep one of them. {ELSEWHERE}",

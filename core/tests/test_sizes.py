@@ -1,0 +1,70 @@
+"""Usual sizes and densities: every noun has them, and what is made has the size and the mass."""
+
+import pytest
+
+from core.command_line import job_of, parse
+from core.errors import UserError
+from core.guidance.builtin.physical import usual_of
+from core.guidance.builtin.sizes import DENSITIES, THINGS, UNKNOWN, USUAL, usual
+from core.guidance.builtin.words import MATERIALS, NOUNS
+from core.io.job import Job
+from core.stages.preview import size_of
+
+
+def test_every_noun_has_one_group_and_every_material_its_density():
+    nouns = [noun for group in THINGS.values() for noun in group]
+    assert sorted(nouns) == sorted(NOUNS)
+    assert set(DENSITIES) == set(MATERIALS)
+    assert all(0 < u.filled <= 1 and 0.05 <= u.size_m <= 30 for u in USUAL.values())
+    assert all(100 < density < 20000 for density in DENSITIES.values())
+
+
+@pytest.mark.parametrize(
+    ("prompt", "size_m"),
+    [
+        ("a blue ceramic mug", 0.1),
+        ("a red wooden chair", 0.9),
+        ("a rusty sports car", 4.2),
+        ("a tall stone house without a chimney", 8.0),
+        ("two nouns: a chair and a car", UNKNOWN.size_m),
+        ("a steampunk owl", UNKNOWN.size_m),
+    ],
+)
+def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):
+    assert usual_of(prompt)[0] == size_m
+    assert size_of(Job(prompt=prompt)) == size_m
+    assert size_of(Job(prompt=prompt, size_m=0.25)) == 0.25
+
+
+# The volume of the thing's bounding box that it fills, roughly, and the mass that a person expects.
+@pytest.mark.parametrize(
+    ("noun", "volume", "low", "high"),
+    [
+        ("car", 4.2 * 1.7 * 1.4 * 0.8, 900, 2000),
+        ("bus", 12 * 2.5 * 3 * 0.9, 8000, 16000),
+        ("apple", 0.08**3 * 0.5, 0.1, 0.3),
+        ("chair", 0.015, 4, 12),
+        ("mug", 0.0004, 0.2, 0.6),
+        ("bowling pin", 0.0022, 1.2, 1.7),
+        ("ball", 0.22**3 * 0.52, 0.3, 0.6),
+        ("anvil", 0.01, 50, 120),
+        ("sofa", 0.9, 40, 100),
+        ("house", 8 * 7 * 6 * 0.7, 50e3, 200e3),
+    ],
+)
+def test_the_mass_is_that_of_an_ordinary_specimen(noun, volume, low, high):
+    assert low < volume * usual(noun)[1] < high
+
+
+def test_the_material_of_the_prompt_decides_the_density_and_the_thing_how_hollow_it_is():
+    _, gold = usual_of("a golden mug")
+    _, clay = usual_of("a ceramic mug")
+    assert gold / clay == pytest.approx(DENSITIES["golden"] / DENSITIES["ceramic"])
+
+
+def test_a_size_of_the_users_is_in_the_job():
+    assert job_of(parse(["generate", "a mug", "--size", "0.3"])).size_m == 0.3
+    assert job_of(parse(["generate", "a mug"])).size_m == 0
+    for wrong in ("0", "-1", "nan", "1e9"):
+        with pytest.raises(UserError, match="size is"):
+            job_of(parse(["generate", "a mug", f"--size={wrong}"]))

@@ -1,0 +1,59 @@
+"""The ``verify`` command: makes an asset again from what it records, and compares the files."""
+
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from core.errors import UserError
+from core.generate import prepare
+from core.io.asset import DATA_FILES, inspect
+from core.io.job import Job
+from core.io.provenance import file_hash
+from core.io.run_folder import RunFolder
+from core.provenance import FILES, made_by
+
+
+def verify(folder: Path, make: Any) -> dict[str, Any]:
+    """Whether the asset in ``folder`` (or its run folder) comes out again, file by file.
+
+    ``make(run, inputs)`` carries a run out and returns its asset. ``files`` has for each file
+    "same", "differs", or "changed" where the file is not the one that was made; ``versions`` what
+    is another one now than when it was made, as [then, now].
+
+    Raises UserError for an asset that does not record its job, or a job whose files are gone.
+    """
+    info = inspect(folder)
+    path = folder / "asset" if (folder / "asset" / "asset.json").is_file() else folder
+    job = _job(path, info)
+    hashes = info.get("hashes", {})
+    with tempfile.TemporaryDirectory() as temporary:
+        run = RunFolder.create(Path(temporary) / "run", job)
+        again = make(run, prepare(job))
+        files = {}
+        for name in DATA_FILES:
+            is_own = hashes.get(name) in (None, file_hash(path / name))
+            is_same = file_hash(path / name) == file_hash(again / name)
+            files[name] = "same" if is_same else "differs" if is_own else "changed"
+    then, now = info.get("made_by", {}), made_by(job)
+    versions = {key: [then.get(key), now[key]] for key in now if then.get(key) != now[key]}
+    return {"same": set(files.values()) == {"same"}, "files": files, "versions": versions}
+
+
+def _job(path: Path, info: dict[str, Any]) -> Job:
+    """The job of the run around the asset; or else the one that asset.json records."""
+    run = path.parent / "job.json"
+    if path.name == "asset" and run.is_file():
+        return Job.from_json(run.read_text("utf-8"))
+    if not isinstance(info.get("job"), dict):
+        raise UserError(
+            f"{path} does not record how it was made.", "Name an asset of this release."
+        )
+    job = Job(**info["job"])
+    for name in FILES:
+        value = getattr(job, name)
+        if value and value not in ("builtin", "studio", "mesh") and not Path(value).exists():
+            raise UserError(
+                f"The asset was made from {value}, which is not here.",
+                "Name its run folder, or run it from the folder that holds this file.",
+            )
+    return job

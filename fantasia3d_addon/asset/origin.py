@@ -1,0 +1,46 @@
+"""Where an object came from, as custom properties, which stay in the file and go into exports."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import bpy
+
+PREFIX = "fantasia3d_"
+DENSITY = f"{PREFIX}density"  # kg/m³, averaged over the volume; the user may change it
+TEXTS = ("prompt", "negative_prompt", "preset", "guidance", "light")
+NAMES = (*TEXTS, "seed", "software", "mesh_hash")
+
+
+def set_origin(owner: bpy.types.ID, info: Mapping[str, Any]) -> None:
+    """Keep what asset.json's ``info`` says of the making as custom properties of ``owner``."""
+    for name in TEXTS:
+        if isinstance(info.get(name), str) and info[name]:
+            owner[PREFIX + name] = info[name]
+    seed, density = info.get("seed"), info.get("density")
+    if isinstance(seed, int):
+        owner[f"{PREFIX}seed"] = str(seed)  # Blender's integers have 32 bits
+    if isinstance(density, int | float) and 0 < density < math.inf:
+        owner[DENSITY] = float(density)
+    for name, group, key in (
+        ("software", "made_by", "software"),
+        ("mesh_hash", "hashes", "mesh.obj"),
+    ):
+        values = info.get(group)
+        if isinstance(values, dict) and isinstance(values.get(key), str):
+            owner[PREFIX + name] = values[key]
+
+
+def origin_of(owner: bpy.types.ID) -> dict[str, str]:
+    """What :func:`set_origin` kept, by the names in asset.json."""
+    found = {name: owner.get(PREFIX + name) for name in NAMES}
+    return {name: value for name, value in found.items() if isinstance(value, str)}
+
+
+def copy_origin(source: bpy.types.ID, to: bpy.types.ID) -> None:
+    """Give ``to`` the custom properties of ``source`` that say where it came from."""
+    for key in (DENSITY, *(PREFIX + name for name in NAMES)):
+        if key in source:
+            to[key] = source[key]

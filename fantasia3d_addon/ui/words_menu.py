@@ -1,0 +1,139 @@
+"""The words of the built-in model: what is understood of the prompt, and menus of known words."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import StringProperty
+
+from ..jobs import submit, words
+from ..jobs.session import session
+from .text import length, wrapped_label
+
+MAX_GROUPS = 16  # menus must exist before the groups are known
+MAX_NOTES = 3
+
+
+class FANTASIA3D_OT_add_word(bpy.types.Operator):
+    """Add this word to the prompt; a thing replaces the one that it has"""
+
+    bl_idname = "fantasia3d.add_word"
+    bl_label = "Add Word"
+    bl_options = {"UNDO", "INTERNAL"}
+
+    word: StringProperty(name="Word", description="The word to add")
+    kind: StringProperty(
+        name="Kind", description="thing, shape, color, material, pattern or part", default="thing"
+    )
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        settings = context.scene.fantasia3d
+        thing = (submit.report_of(settings) or {}).get("thing", "")
+        settings.prompt = words.with_word(settings.prompt, self.kind, self.word, thing)
+        return {"FINISHED"}
+
+
+class FANTASIA3D_OT_replace_word(bpy.types.Operator):
+    """Replace the unknown word of the prompt by this one"""
+
+    bl_idname = "fantasia3d.replace_word"
+    bl_label = "Replace Word"
+    bl_options = {"UNDO", "INTERNAL"}
+
+    old: StringProperty(name="Old Word", description="A word of the prompt")
+    new: StringProperty(name="New Word", description="What replaces it; empty: nothing")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        settings = context.scene.fantasia3d
+        settings.prompt = " ".join(words.replaced(settings.prompt, self.old, self.new).split())
+        return {"FINISHED"}
+
+
+class FANTASIA3D_MT_words(bpy.types.Menu):
+    """The words that the built-in model knows, by group."""
+
+    bl_idname = "FANTASIA3D_MT_words"
+    bl_label = "Words"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        groups = _groups()
+        if not groups:
+            self.layout.label(text="Loading the words…")
+        for number, group in enumerate(groups[:MAX_GROUPS]):
+            self.layout.menu(f"FANTASIA3D_MT_words_{number}", text=group["name"])
+
+
+def _draw_group(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    number = int(self.bl_idname.rpartition("_")[2])
+    for group in _groups()[number : number + 1]:
+        for word in group["words"]:
+            button = self.layout.operator("fantasia3d.add_word", text=word, translate=False)
+            button.word, button.kind = word, group["kind"]
+
+
+GROUP_MENUS = tuple(
+    type(
+        f"FANTASIA3D_MT_words_{number}",
+        (bpy.types.Menu,),
+        {"bl_idname": f"FANTASIA3D_MT_words_{number}", "bl_label": "Words", "draw": _draw_group},
+    )
+    for number in range(MAX_GROUPS)
+)
+
+
+def draw_understood(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """What the built-in model makes of the prompt, and buttons for what it does not know."""
+    settings = context.scene.fantasia3d
+    if settings.guidance != "builtin":
+        return
+    layout.menu("FANTASIA3D_MT_words", icon="OUTLINER_OB_FONT")
+    _groups()  # known before the menu is opened
+    report = submit.report_of(settings)
+    _follow()
+    if not report:
+        return
+    column = layout.column(align=True)
+    if "thing" in report:
+        _draw_report(column, context, report)
+    elif words.unknown(report):
+        _draw_unknown(column, words.unknown(report))
+        layout.prop(settings, "ignore_unknown")
+    else:
+        wrapped_label(column, context, report["error"], "ERROR")
+    if settings.ignore_unknown and "thing" in report:
+        layout.prop(settings, "ignore_unknown")
+
+
+def _draw_report(
+    layout: bpy.types.UILayout, context: bpy.types.Context, report: words.Report
+) -> None:
+    size = context.scene.fantasia3d.size or report["size_m"]
+    text = f"{words.summary(report)}: {length(size)}"
+    wrapped_label(layout, context, text, "CHECKMARK")
+    for note in report["notes"][:MAX_NOTES]:
+        wrapped_label(layout, context, note, "BLANK1", dimmed=True)
+
+
+def _draw_unknown(layout: bpy.types.UILayout, unknown: object) -> None:
+    for word, nearest in dict(unknown).items():
+        row = layout.row(align=True)
+        row.label(text=f"“{word}”", icon="QUESTION", translate=False)
+        for near in nearest:
+            button = row.operator("fantasia3d.replace_word", text=near, translate=False)
+            button.old, button.new = word, near
+        button = row.operator("fantasia3d.replace_word", text="", icon="X")
+        button.old, button.new = word, ""
+
+
+def _groups() -> list[words.Report]:
+    groups = list(session.words.groups())
+    _follow()
+    return groups
+
+
+def _follow() -> None:
+    """Have the question asked: drawing must not wait for the core."""
+    if session.words.pending and not bpy.app.background:
+        session.start_timer()
+
+
+CLASSES = (FANTASIA3D_OT_add_word, FANTASIA3D_OT_replace_word, FANTASIA3D_MT_words, *GROUP_MENUS)
