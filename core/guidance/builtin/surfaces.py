@@ -1,0 +1,48 @@
+"""What a prompt's words and the thing's nature say of the substance of each part."""
+
+import torch
+
+from core.guidance.builtin.palette import FINISHES, Painted, painted
+from core.guidance.builtin.variants import BUILDINGS, BY_PATTERN, VARIANTS, Color
+from core.guidance.builtin.vocabulary import Words
+from core.guidance.guidance import Surface
+from core.ops import srgb_to_linear
+
+
+def surfaces_of(words: Words) -> tuple[Surface, ...]:
+    """Each of the thing's parts, without repeats."""
+    found = [_surface(words, part) for part in painted(words.noun, words)]
+    return tuple(dict.fromkeys(found))
+
+
+def _surface(words: Words, part: Painted) -> Surface:
+    if not words.material or part.look.role == "-":
+        return Surface(_by_nature(part), part.color)
+    variant = VARIANTS.get(words.material_form)
+    if variant is None:
+        return Surface(_kind(words, part), part.color)
+    finish = FINISHES[words.material]
+    factor = (1.0, 1.0, 1.0)
+    # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
+    if variant.color and not words.color:
+        factor = _factor(part.color, variant.color)
+    roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
+    return Surface(variant.kind, part.color, factor, roughness)
+
+
+def _kind(words: Words, part: Painted) -> str:
+    if words.material == "stone" and words.noun in BUILDINGS:
+        return "masonry"
+    # Rust has its own colour; with another one it is paint that rusts.
+    if words.material == "rusty" and part.color != FINISHES["rusty"].color:
+        return "rusted paint"
+    return words.material
+
+
+def _by_nature(part: Painted) -> str:
+    return BY_PATTERN.get(part.look.pattern) or part.look.material or "plain"
+
+
+def _factor(known: Color, wanted: Color) -> Color:
+    red, green, blue = (srgb_to_linear(torch.tensor(wanted)) / srgb_to_linear(torch.tensor(known))).tolist()
+    return red, green, blue
