@@ -44,7 +44,8 @@ def bake(
 
     A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
     unit length again; ``finish`` then makes the last change to it. Occlusion is 1: the light's
-    shadows are the renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in [0, 1]; what it raises stops it.
+    shadows are the renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in
+    [0, 1]; what it raises stops it.
 
     Raises UserError where the uv map covers no texel.
     """

@@ -122,9 +122,7 @@ def _look(text: str) -> Look:
     color, pattern, finish = (*text[1:].split(), ".", ".")[:3]
     red, green, blue = (int(color[i : i + 2], 16) / 255 for i in (0, 2, 4))
     kinds = FINISHES | {".": PLAIN, "paint": PAINT}
-    return Look(
-        text[0], (red, green, blue), pattern.strip("."), kinds[finish], finish.strip(".")
-    )
+    return Look(text[0], (red, green, blue), pattern.strip("."), kinds[finish], finish.strip("."))
 
 
 def finishes_of(noun: str, material: str) -> list[Finish]:

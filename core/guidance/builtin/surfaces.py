@@ -44,5 +44,7 @@ def _by_nature(part: Painted) -> str:
 
 
 def _factor(known: Color, wanted: Color) -> Color:
-    red, green, blue = (srgb_to_linear(torch.tensor(wanted)) / srgb_to_linear(torch.tensor(known))).tolist()
+    """Of ``known`` (sRGB) to become ``wanted``, linear."""
+    before, after = srgb_to_linear(torch.tensor([known, wanted]))
+    red, green, blue = (after / before).tolist()
     return red, green, blue

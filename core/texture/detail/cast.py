@@ -74,9 +74,7 @@ def paint(place: Place) -> Layer:
     """A sprayed coat: orange peel, and dust on it."""
     noise, p = place.noise, place.point
     peel, dust = noise.waves(p, 45.0, 1, 2), noise.waves(p, 4.0, 2, 4)
-    return Layer.of(
-        0.12 * dust, GREY, roughness=0.05 * dust + 0.02 * peel, height=0.00025 * peel
-    )
+    return Layer.of(0.12 * dust, GREY, roughness=0.05 * dust + 0.02 * peel, height=0.00025 * peel)
 
 
 def plain(place: Place) -> Layer:

@@ -66,7 +66,7 @@ class Detail:
         return cls(parts, noise, strength, torch.stack(gains))
 
     def __call__(self, at: Spots, coat: Coat) -> tuple[Coat, Float[Tensor, "n 3"]]:
-        """The material with its detail, and the gradient of the relief's height along the surface."""
+        """The material with its detail, and the gradient of the relief along the surface."""
         weights = self.parts.weights(coat.kd)
         kd, roughness, metallic = torch.zeros_like(coat.kd), coat.roughness, coat.metallic
         slope = torch.zeros_like(at.point)

@@ -38,4 +38,3 @@ def lengths(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Ten
     for _ in range(SMOOTHING):
         score = mean @ score
     return torch.from_numpy(score / np.maximum(score.sum(1, keepdims=True), 1e-30)).to(verts)
-

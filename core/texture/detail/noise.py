@@ -33,7 +33,7 @@ class Noise:
         return float(np.clip((texels - GONE) / (WHOLE - GONE), 0, 1))
 
     def waves(self, points: Points, frequency: Frequency, salt: int, octaves: int = 1) -> Values:
-        """Gradient noise, about in [-1, 1]; each further octave is half as long and half as high."""
+        """Gradient noise, about in [-1, 1]; each further octave has half the length and height."""
         scale = _scale(frequency)
         weights = [self.seen(float(scale.max()) * 2**o) * 0.5**o for o in range(octaves)]
         return kernels.gradient(
