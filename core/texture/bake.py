@@ -5,7 +5,7 @@ and what is empty is padded.
 """
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
@@ -21,6 +21,7 @@ from core.texture.texels import Texels, texel_bands
 CHUNK = 1 << 18  # points given to the material at once
 
 
+@runtime_checkable
 class TexelFinish(Protocol):
     """What becomes of a texel's means: see :class:`core.texture.finish.Finish`."""
 

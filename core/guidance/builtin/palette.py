@@ -5,7 +5,7 @@ Colours are written as sRGB in [0, 1], the way one picks them.
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
@@ -130,6 +130,7 @@ def finishes_of(noun: str, material: str) -> list[Finish]:
     return [FINISHES[material]] if material else [look.finish for look in looks(noun).values()]
 
 
+@runtime_checkable
 class Stated(Protocol):
     """The words that a part's paint depends on; empty is not stated."""
 
@@ -146,6 +147,7 @@ class Stated(Protocol):
 class Painted(NamedTuple):
     """The paint of one part under words."""
 
+    name: str
     look: Look  # by nature
     color: Color
     second: Color  # what the pattern is drawn with
@@ -157,7 +159,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     """What the words make of each of the noun's parts."""
     # Of a thing with accents these take the second colour; of any other its lower half.
     two_tone = stated.pattern == "two-tone" and has_accents(noun)
-    for look in looks(noun).values():
+    for name, look in looks(noun).items():
         finish, color, pattern = look.finish, look.color, look.pattern
         # The material first: a stated colour then replaces the material's own.
         if stated.material and look.role != "-":
@@ -172,7 +174,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             pattern = finish.pattern
         elif stated.pattern and look.role in "*&" and not two_tone:
             pattern = stated.pattern
-        yield Painted(look, color, second, finish, pattern)
+        yield Painted(name, look, color, second, finish, pattern)
 
 
 def has_accents(noun: str) -> bool:

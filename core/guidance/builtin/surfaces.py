@@ -3,7 +3,14 @@
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
-from core.guidance.builtin.variants import BUILDINGS, BY_PATTERN, VARIANTS, Color
+from core.guidance.builtin.variants import (
+    BUILDINGS,
+    BY_NOUN,
+    BY_PART,
+    BY_PATTERN,
+    VARIANTS,
+    Color,
+)
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
@@ -17,14 +24,14 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 
 def _surface(words: Words, part: Painted) -> Surface:
     if not words.material or part.look.role == "-":
-        return Surface(_by_nature(part), part.color)
+        return Surface(_by_nature(words.noun, part), part.color)
     variant = VARIANTS.get(words.material_form)
     if variant is None:
         return Surface(_kind(words, part), part.color)
     finish = FINISHES[words.material]
     factor = (1.0, 1.0, 1.0)
     # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
-    if variant.color and not words.color:
+    if variant.color and not (words.color or words.second):
         factor = _factor(part.color, variant.color)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     return Surface(variant.kind, part.color, factor, roughness)
@@ -39,8 +46,12 @@ def _kind(words: Words, part: Painted) -> str:
     return words.material
 
 
-def _by_nature(part: Painted) -> str:
-    return BY_PATTERN.get(part.look.pattern) or part.look.material or "plain"
+def _by_nature(noun: str, part: Painted) -> str:
+    known = BY_PATTERN.get(part.look.pattern) or part.look.material
+    if not known:
+        known = BY_PART.get(part.name) or BY_NOUN.get(noun, "plain")
+    # A train's chimney is no wall.
+    return "paint" if known == "brick" and noun not in BUILDINGS else known
 
 
 def _factor(known: Color, wanted: Color) -> Color:

@@ -61,7 +61,41 @@ VARIANTS: dict[str, Variant] = {
     "denim": Variant("denim", (0.20, 0.29, 0.45)),
 }
 
-# Kinds that a thing's parts have by nature: by the pattern that its look names.
+# Kinds that a thing's parts have by nature: by the pattern that the part's look names, or else by
+# its finish; then, where that is none, by the part's name, then by the thing's.
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
+BY_PART = {
+    "door": "wooden",
+    "trunk": "wooden",
+    "mast": "wooden",
+    "sticks": "wooden",
+    "feet": "wooden",
+    "neck": "wooden",
+    "bridge": "wooden",
+    "chimney": "brick",
+    "pot": "clay",
+    "wheels": "rubber",
+    "sails": "fabric",
+    "ribbon": "fabric",
+    "shade": "fabric",
+    "cushion": "fabric",
+    "blanket": "fabric",
+    "mattress": "fabric",
+    "pillow": "fabric",
+    "collar": "fabric",
+}
+BY_NOUN = {
+    "armchair": "fabric",
+    "boat": "wooden",
+    "bowl": "ceramic",
+    "bowling pin": "paint",
+    "dumbbell": "cast iron",
+    "hat": "felt",
+    "mug": "ceramic",
+    "rocket": "paint",
+    "teapot": "ceramic",
+    "train": "paint",
+    "vase": "clay",
+}
 # Things that are built of stones, not carved from one.
 BUILDINGS = ("house", "cottage", "tower", "lighthouse", "church", "arch")
