@@ -90,7 +90,7 @@ def test_the_same_surface_gives_a_flat_map_and_a_thin_parts_other_side_none_of_i
     mesh = UvMesh.of(Mesh(*torus(), *torus_uv()))
     maps = bake(mesh.mesh, PLAIN, 64, finish=Finish(mesh, FineSurface(mesh.mesh)))
     torch.testing.assert_close(
-        maps.normal, torch.tensor([0.0, 0, 1]).expand(64, 64, 3), atol=2e-3, rtol=0
+        maps.normal, torch.tensor([0.0, 0, 1]).expand(64, 64, 3), atol=0.03, rtol=0
     )
     below = sheet(8, 0.0)
     behind = FineSurface(Mesh(below.verts - torch.tensor([0.0, 0, 1e-3]), below.faces.flip(1)))

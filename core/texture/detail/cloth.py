@@ -7,6 +7,7 @@ from core.texture.detail.place import Layer, Place
 
 THREAD = 0.013  # from one thread to the next, in units
 TWILL = 0.010
+PEBBLE = 0.0147  # of leather
 
 
 def fabric(place: Place) -> Layer:
@@ -64,16 +65,17 @@ def leather(place: Place) -> Layer:
     """Pebbles with furrows between them, creases, and wear that makes it lighter."""
     noise, p = place.noise, place.point
     bend = np.stack([noise.waves(p, 12.0, salt, 2) for salt in (1, 2, 3)], 1)
-    _, edge, pebble = noise.cells(p + 0.012 * bend, 48.0, 4)
-    bump = smoothstep(0.0, 0.38, edge) * noise.seen(48.0)
-    crease = smoothstep(0.09, 0.0, np.abs(noise.waves(p + 0.03 * bend, 4.5, 5, 3)))
-    crease *= smoothstep(-0.1, 0.3, noise.waves(p, 3.0, 6))
-    worn = noise.waves(p, 3.5, 7, 4)
+    _, edge, pebble = noise.cells(p + 0.008 * bend, 1 / noise.shown(PEBBLE), 4)
+    bump = smoothstep(0.0, 0.45, edge)
+    # Creases: where slow noise passes through 0, here and there.
+    crease = smoothstep(0.10, 0.0, np.abs(noise.waves(p + 0.03 * bend, 4.0, 5, 3)))
+    crease *= smoothstep(0.0, 0.4, noise.waves(p, 3.0, 6))
+    worn = noise.waves(p, 3.0, 7, 4)
     return Layer.of(
-        0.8 * (0.7 - bump) + 0.6 * crease + 0.45 * worn + 0.25 * (pebble - 0.5),
+        0.5 * (0.6 - bump) + 0.35 * crease + 0.6 * worn + 0.15 * (pebble - 0.5),
         (0.55, 0.48, 0.43),
         roughness=0.15 * (0.7 - bump) + 0.12 * worn + 0.08 * crease,
-        height=0.0017 * bump - 0.003 * crease,
+        height=0.0011 * bump - 0.0022 * crease,
     )
 
 
@@ -100,11 +102,10 @@ def _box(place: Place, weave, size: float) -> Values:
     """``weave`` from three sides, each where the surface faces it; blended at the borders."""
     # A cloth is never quite straight.
     p = place.point + 0.004 * place.noise.waves(place.point, 6.0, 1, 2)[:, None]
+    size = place.noise.shown(size)
     p = p / np.float32(size)
     sides = [weave(p[:, (axis + 1) % 3], p[:, (axis + 2) % 3]) for axis in range(3)]
-    mean = np.float32(0.5)
-    height = (place.faced * (np.stack(sides, 1) - mean)).sum(1)
-    return mean + height * place.noise.seen(1 / size)
+    return (place.faced * np.stack(sides, 1)).sum(1)
 
 
 def _threads(place: Place) -> Values:

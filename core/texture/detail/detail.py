@@ -10,7 +10,7 @@ from torch import Tensor
 
 from core.guidance.guidance import Surface
 from core.texture.detail.kinds import KINDS
-from core.texture.detail.noise import Noise
+from core.texture.detail.noise import Noise, Values
 from core.texture.detail.parts import Parts
 from core.texture.detail.place import Layer, Place
 
@@ -60,8 +60,10 @@ class Detail:
             # By the points that are mostly this surface's; a part that is nowhere keeps 1.
             weight = weights[:, k : k + 1] * (weights[:, k : k + 1] > 0.5)
             wanted = coat.kd * torch.tensor(surface.factor)
-            got = _colored(coat.kd, plain._layer(k, at), surface, strength)
-            gain = (weight * wanted).sum(0) / (weight * got).sum(0).clamp(min=1e-9)
+            layer = plain._layer(k, at)
+            got, apart = _colored(coat.kd, layer, surface, strength), _column(layer.apart)
+            missing = (weight * (wanted - apart * got)).sum(0)
+            gain = missing / (weight * (1 - apart) * got).sum(0).clamp(min=1e-9)
             gains.append(torch.where(weight.sum() > 0, gain, torch.ones(3)).clamp(*GAIN))
         return cls(parts, noise, strength, torch.stack(gains))
 
@@ -76,9 +78,10 @@ class Detail:
                 continue
             spots, w = Spots(*(x[here] for x in at)), weights[here, k : k + 1]
             layer, gradient = self._relief(k, spots)
-            color = self.gains[k] * _colored(coat.kd[here], layer, surface, self.strength)
-            more = self.strength * torch.from_numpy(layer.roughness)[:, None] + surface.roughness
-            metal = self.strength * torch.from_numpy(layer.metallic)[:, None] + surface.metallic
+            gain = torch.lerp(self.gains[k], torch.ones(3), _column(layer.apart))
+            color = gain * _colored(coat.kd[here], layer, surface, self.strength)
+            more = self.strength * _column(layer.roughness) + surface.roughness
+            metal = self.strength * _column(layer.metallic) + surface.metallic
             kd = kd.index_add(0, here, w * color)
             roughness = roughness.index_add(0, here, w * more)
             metallic = metallic.index_add(0, here, w * metal)
@@ -121,6 +124,10 @@ def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:
     b = x * y * a
     one = torch.stack([1 + sign * x * x * a, sign * b, -sign * x], 1)
     return one, torch.stack([b, sign + y * y * a, -y], 1)
+
+
+def _column(values: Values) -> Float[Tensor, "n 1"]:
+    return torch.from_numpy(np.asarray(values, np.float32))[:, None]
 
 
 def _colored(

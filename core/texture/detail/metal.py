@@ -26,7 +26,7 @@ def metal(place: Place) -> Layer:
         0.35 * line + 0.4 * hand,
         GREY,
         roughness=0.09 * line + 0.12 * hand,
-        height=0.00012 * line,
+        height=0.0002 * line + 0.0008 * hand,
     )
 
 
@@ -46,7 +46,7 @@ def polished(place: Place) -> Layer:
     hand = smudges(place, 2)
     line = place.noise.waves(place.grained, (3.0, 80.0, 80.0), 1)
     return Layer.of(
-        0.15 * hand, GREY, roughness=0.07 * np.abs(hand), height=0.00004 * line + 0.0003 * hand
+        0.15 * hand, GREY, roughness=0.07 * np.abs(hand), height=0.00004 * line + 0.0008 * hand
     )
 
 
@@ -70,7 +70,7 @@ def golden(place: Place) -> Layer:
         0.5 * hand + 0.25 * line - 0.3 * beaten,
         (0.78, 0.68, 0.52),
         roughness=0.05 * line + 0.1 * hand,
-        height=0.0035 * beaten + 0.00008 * line,
+        height=0.0022 * beaten + 0.00008 * line,
     )
 
 

@@ -32,6 +32,11 @@ class Noise:
         texels = 1 / max(frequency * self.footprint, 1e-9)
         return float(np.clip((texels - GONE) / (WHOLE - GONE), 0, 1))
 
+    def shown(self, wave: float) -> float:
+        """The length of a wave, or of the shortest that the texels show whole: for what a material
+        cannot be without, such as a weave."""
+        return max(wave, 1.05 * WHOLE * self.footprint)
+
     def waves(self, points: Points, frequency: Frequency, salt: int, octaves: int = 1) -> Values:
         """Gradient noise, about in [-1, 1]; each further octave has half the length and height."""
         scale = _scale(frequency)

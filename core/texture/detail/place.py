@@ -42,6 +42,9 @@ class Layer(NamedTuple):
     roughness: Values  # added
     metallic: Values  # added
     height: Values  # over the surface, in the points' units
+    # How much of the colour is no part of the material's mean, in [0, 1]: such as bare metal, that
+    # has to stay grey while the rust around it makes up for it.
+    apart: Values
 
     @classmethod
     def of(cls, tone: Values, dark: tuple[float, float, float], **more: np.ndarray) -> "Layer":
@@ -49,5 +52,5 @@ class Layer(NamedTuple):
         zero = np.zeros(len(tone), np.float32)
         ratio = np.array(dark, np.float32) ** tone[:, None]
         fields = {"over": np.zeros_like(ratio), "cover": zero, "roughness": zero}
-        fields |= {"metallic": zero, "height": zero}
+        fields |= {"metallic": zero, "height": zero, "apart": zero}
         return cls(ratio, **(fields | more))

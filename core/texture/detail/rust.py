@@ -6,7 +6,7 @@ from jaxtyping import Float
 from core.texture.detail.noise import Values, smoothstep
 from core.texture.detail.place import Layer, Place
 
-STEEL = (0.30, 0.29, 0.28)  # linear, worn and dull
+STEEL = (0.19, 0.18, 0.175)  # linear, worn and dull
 DARK, BRIGHT = (0.075, 0.022, 0.010), (0.34, 0.10, 0.022)  # linear: old rust and fresh
 
 
@@ -37,10 +37,11 @@ def rusty(place: Place) -> Layer:
         0.3 * crust,
         (0.6, 0.5, 0.4),
         over=over,
-        cover=np.full(len(rust), 0.8, np.float32),
+        cover=np.where(rust > 0.5, np.float32(0.75), np.float32(0.95)),
         roughness=0.15 * rust + 0.06 * crust * rust + (0.08 * line - 0.33) * (1 - rust),
         metallic=-0.58 * rust + 0.4 * (1 - rust),
         height=rust * (0.0025 + 0.0022 * crust) + 0.0001 * line * (1 - rust),
+        apart=1 - rust,
     )
 
 

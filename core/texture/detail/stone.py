@@ -115,6 +115,7 @@ def brick(place: Place) -> Layer:
         (0.60, 0.52, 0.50),
         over=np.full((len(p), 3), (0.42, 0.39, 0.34), np.float32),
         cover=0.8 * joint,
+        apart=joint,
         roughness=0.05 * rough,
         height=0.005 * smoothstep(0.3 * JOINT, 1.2 * JOINT, np.minimum(*inside)) + 0.0025 * rough,
     )
