@@ -167,7 +167,7 @@ def test_the_same_seed_gives_the_same_maps():
 
 @pytest.mark.parametrize("kind", ["wooden", "leather", "fabric", "brick", "rusty"])
 def test_both_sides_of_a_uv_seam_have_the_same_detail(kind):
-    """The torus's uv is cut along both rings: a vertex there is a corner of two islands' borders."""
+    """The torus's uv is cut along both rings: a vertex there is in two borders of the island."""
     mesh, material = ring(), one_material(BROWN)
     surfaces = (Surface(kind, BROWN),)
     detail = detail_of(mesh, material, surfaces, strength=1.0, size=1024, seed=0)
