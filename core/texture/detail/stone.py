@@ -49,16 +49,16 @@ def marble(place: Place) -> Layer:
     noise, p = place.noise, place.point
     bend = np.stack([noise.waves(p, 3.0, salt, 4) for salt in (1, 2, 3)], 1)
     q = p + 0.16 * bend
-    wide = np.abs(noise.waves(q, (2.2, 2.6, 1.7), 4, 2))
-    thin = np.abs(noise.waves(q, (5.5, 6.0, 4.5), 5, 3))
-    vein = smoothstep(0.11, 0.0, wide) * (0.55 + 0.45 * bend[:, 0])
-    hair = smoothstep(0.05, 0.0, thin) * smoothstep(-0.2, 0.4, bend[:, 1])
+    wide = np.abs(noise.waves(q, (3.4, 4.0, 2.7), 4, 2))
+    thin = np.abs(noise.waves(q, (7.5, 8.0, 6.0), 5, 3))
+    vein = smoothstep(0.13, 0.0, wide) * (0.65 + 0.55 * bend[:, 0])
+    hair = smoothstep(0.06, 0.0, thin) * smoothstep(-0.3, 0.3, bend[:, 1])
     cloud = noise.waves(q, 3.0, 6, 3)
     return Layer.of(
-        1.1 * vein + 0.6 * hair + 0.22 * cloud,
+        1.2 * vein + 0.7 * hair + 0.25 * cloud,
         (0.40, 0.41, 0.44),
         roughness=0.06 * vein,
-        height=-0.0002 * vein,
+        height=0.0012 * bend[:, 2] - 0.0002 * vein,
     )
 
 
