@@ -61,4 +61,5 @@ def rusted_paint(place: Place) -> Layer:
         roughness=0.2 * rust - 0.25 * (1 - rust) + 0.12 * stain + 0.08 * worn,
         metallic=np.full(len(rust), -0.58, np.float32) + 0.1 * rust,
         height=0.0018 * stain * (1 - rust) - 0.002 * rust + 0.0022 * crust * rust,
+        apart=rust,
     )
