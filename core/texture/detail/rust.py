@@ -6,7 +6,8 @@ from jaxtyping import Float
 from core.texture.detail.noise import Values, smoothstep
 from core.texture.detail.place import Layer, Place
 
-STEEL = (0.19, 0.18, 0.175)  # linear, worn and dull
+# Linear, worn and stained. A lighter grey would draw the mean away from rust.
+STEEL = (0.15, 0.138, 0.13)
 DARK, BRIGHT = (0.075, 0.022, 0.010), (0.34, 0.10, 0.022)  # linear: old rust and fresh
 
 
@@ -27,9 +28,9 @@ def flakes(place: Place) -> tuple[Values, Float[np.ndarray, "n 3"]]:
 
 
 def rusty(place: Place) -> Layer:
-    """Iron, two thirds of it rust: dull, rough and not metallic; bare metal in between."""
+    """Iron, most of it rust: dull, rough and not metallic; bare metal in between."""
     crust, color = flakes(place)
-    rust = smoothstep(-0.28, -0.10, spread(place))
+    rust = smoothstep(-0.33, -0.15, spread(place))
     # The learnt colour stays as a tint; what is under it is rust or steel.
     over = color * rust[:, None] + np.array(STEEL, np.float32) * (1 - rust)[:, None]
     line = place.noise.waves(place.grained, (2.0, 70.0, 70.0), 5, 2)
