@@ -33,8 +33,8 @@ from core.camera import Cameras
 from core.io.asset import read_asset
 from core.io.exr import read_exr
 from core.ops import dot, linear_to_srgb, normalize
-from core.picture import maps_source
 from core.render.rasterizer import interpolate, rasterize
+from core.texture.look_up import maps_source
 from fantasia3d_addon.asset.import_asset import import_asset
 from fantasia3d_addon.scene import light, render
 
@@ -131,7 +131,7 @@ def asset_pixels(
     mesh = UvMesh.of(replace(asset.mesh, verts=asset.mesh.verts - middle_of(folder)))
     fragments = rasterize(mesh.verts, mesh.faces, CAMERA.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, CAMERA)
-    m = maps_source(asset)(surface.points, surface.uv)
+    m = maps_source(asset.maps)(surface.points, surface.uv)
     occlusion = None
     if self_shadow:
         occlusion = interpolate(

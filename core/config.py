@@ -128,6 +128,9 @@ class AppearanceConfig:
     metallic_start: Fraction = 0.5  # fraction of its range that metallic starts at
     bump: Annotated[float, Range(0, 10)] = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
     smooth: Weight = 0.0  # weight of the material's change between neighbouring points
+    # Strength of what the bake adds for the materials that a guidance names (grain, rust, a weave);
+    # 0 is none. Stable Diffusion paints its own and names none.
+    detail: Annotated[float, Range(0, 2)] = 1.0
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -37,6 +37,7 @@ from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
 from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
 from core.stages.training import Setup
+from core.texture.look_up import maps_source
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
 
@@ -79,17 +80,17 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     for text in inputs.warnings:
         progress.warn(text)
 
-    mesh = load_unwrapped(run)
-    if mesh is None:
+    unwrapped = load_unwrapped(run)
+    if unwrapped is None:
         # GEOMETRY (§4.2): Ψ learns the shape, unless the user brings one to texture
         shape = inputs.shape if job.command == "texture" else learned_shape(run, inputs, progress)
         assert shape is not None  # a job of "texture" has a mesh
 
         # UNWRAP: once, in the training's cube, within the face budget
         shape = replace(shape, verts=normalise(shape.verts)[0])
-        mesh = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
-        save_unwrapped(run, mesh)
-    mesh = mesh.to(device)
+        unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
+        save_unwrapped(run, unwrapped)
+    mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
     generator = torch.Generator().manual_seed(job.seed + 1)
@@ -101,12 +102,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
     learn_appearance(Setup(training, guidance, ranges), mesh, light, progress)
 
-    # TEXTURING (§4.3): Γ on the texels, edge padding, the asset folder
-    maps = bake_maps(mesh, net, config.texture, progress)
+    # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
+    named = {"surfaces": guidance.surfaces(), "seed": job.seed}
+    maps = bake_maps(unwrapped, net, config, progress, **named)
     verts = mesh.verts.cpu()
     verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
-    picture = picture_of(net, mesh, light, PREVIEW_SIZE)
+    picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 

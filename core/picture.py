@@ -9,8 +9,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
-from core.appearance.material import Material
-from core.appearance.shaded import MaterialSource, UvMesh, render_shaded, surface_at
+from core.appearance.shaded import UvMesh, render_shaded, surface_at
 from core.camera import Cameras
 from core.errors import UserError
 from core.geometry.mesh import normalise
@@ -18,11 +17,12 @@ from core.io.asset import Asset, read_asset
 from core.io.atomic import check_target
 from core.io.exr import write_exr
 from core.io.png import write_png
-from core.ops import linear_to_srgb, normalize, srgb_to_linear
+from core.ops import linear_to_srgb, srgb_to_linear
 from core.render.antialias import antialias
 from core.render.normals import render_normals
 from core.render.rasterizer import rasterize, scatter
 from core.stages.preview import over_grey
+from core.texture.look_up import maps_source
 
 MAPS = ("shaded", "normal", "base_color", "roughness", "metallic", "mask")
 FRAMING = 3.0  # training units: the distance that shows the whole asset
@@ -93,7 +93,7 @@ def _draw(
     if map in ("normal", "mask"):
         n, o = render_normals(mesh.verts, mesh.faces, cameras, size, "object")
         return (n if map == "normal" else o)[0], o[0]
-    source = maps_source(asset)
+    source = maps_source(asset.maps)
     if map == "shaded":
         environment = Environment.of(load_light(light))
         shaded = render_shaded(mesh, source, cameras, size, environment)
@@ -115,20 +115,3 @@ def encoded(picture: Float[Tensor, "h w c"], o: Float[Tensor, "h w 1"], map: str
     if map in ("shaded", "base_color"):
         return linear_to_srgb(picture)
     return picture.expand(-1, -1, 3)
-
-
-def maps_source(asset: Asset) -> MaterialSource:
-    """The asset's maps as a material, sampled bilinearly by uv."""
-    maps = asset.maps
-    stack = torch.cat([maps.base_color, maps.orm, maps.normal], -1).permute(2, 0, 1)[None]
-
-    def source(_points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
-        # uv (0, 0) is bottom left, grid_sample's (-1, -1) top left.
-        grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
-        texel = torch.nn.functional.grid_sample(
-            stack, grid, mode="bilinear", padding_mode="border", align_corners=False
-        )[0, :, 0].T
-        kd, _, roughness, metallic, kn = texel.split([3, 1, 1, 1, 3], -1)
-        return Material(kd, roughness, metallic, normalize(kn))
-
-    return source

@@ -133,7 +133,8 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
     finish = FINISHES[facts["material"]]
     roughness, metallic = orm[:, 1].median().item(), orm[:, 2].median().item()
     right = abs(roughness - finish.roughness) < ROUGHNESS_REACH
-    right &= (metallic > 0.5) == (finish.metallic > 0.5)
+    # Of rust the texture decides: rust and paint are not metallic, the bare metal in between is.
+    right &= facts["material"] == "rusty" or (metallic > 0.5) == (finish.metallic > 0.5)
     return shape | {
         "delta_e": round(main_delta_e(kd, noun, facts["color"]), 1),
         "roughness": round(roughness, 3),

@@ -51,6 +51,18 @@ class MaterialRanges(NamedTuple):
     metallic: tuple[float, float]
 
 
+class Surface(NamedTuple):
+    """What a part of the object is made of, for the detail of its maps."""
+
+    kind: str  # one of core.texture.detail.kinds
+    color: tuple[float, float, float]  # sRGB, by which the part is found among the others
+    # To a kind that the model was asked for by another name: the base colour's factor, linear, and
+    # what is added to roughness and metallic.
+    factor: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    roughness: float = 0.0
+    metallic: float = 0.0
+
+
 class Predictions(NamedTuple):
     """ε̂_φ(z_t; y, t) for each text y, not yet combined (``core.guidance.sds.guided``)."""
 
@@ -126,6 +138,11 @@ class PromptedGuidance(ABC):
     def ranges(self) -> MaterialRanges | None:
         """What the words themselves state of the material; None where they leave all open."""
         return None
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """What the words and the thing's nature state of the parts' substances; none where the
+        model paints its own detail."""
+        return ()
 
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views

@@ -1,6 +1,5 @@
 """Paint for the families' objects: their parts' colours by nature, and what a caption changes."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -8,14 +7,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.guidance.builtin.palette import (
-    COLOR_VALUES,
-    FINISHES,
-    Color,
-    companion,
-    has_accents,
-    looks,
-)
+from core.guidance.builtin.palette import painted
 from core.guidance.builtin.patterns import Place
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
@@ -50,36 +42,18 @@ def coat(noun: str, caption: Caption, draw: Draw) -> Coat:
     shift = 1 + draw(-JITTER, JITTER)
     tint = torch.tensor([1 + draw(-JITTER, JITTER) / 2 for _ in range(3)]) * shift
     gloss = draw(-0.05, 0.05)
-    colors, seconds, roughness, metallic, patterns = zip(*_rows(noun, caption), strict=True)
+    parts = list(painted(noun, caption))
     return Coat(
-        (torch.tensor(colors) * tint).clamp(0.02, 1),
-        (torch.tensor(seconds) * tint).clamp(0.02, 1),
-        torch.tensor(roughness)[:, None] + gloss,
-        torch.tensor(metallic)[:, None],
-        torch.tensor([[*ALL_PATTERNS].index(name) if name else -1 for name in patterns]),
+        (torch.tensor([part.color for part in parts]) * tint).clamp(0.02, 1),
+        (torch.tensor([part.second for part in parts]) * tint).clamp(0.02, 1),
+        torch.tensor([part.finish.roughness for part in parts])[:, None] + gloss,
+        torch.tensor([part.finish.metallic for part in parts])[:, None],
+        torch.tensor([_index(part.pattern) for part in parts]),
     )
 
 
-def _rows(noun: str, caption: Caption) -> Iterator[tuple[Color, Color, float, float, str]]:
-    """Colour, second colour, roughness, metallic and pattern of each part."""
-    # Of a thing with accents these take the second colour; of any other its lower half.
-    two_tone = caption.pattern == "two-tone" and has_accents(noun)
-    for look in looks(noun).values():
-        finish, color, pattern = look.finish, look.color, look.pattern
-        # The material first: a stated colour then replaces the material's own.
-        if caption.material and look.role != "-":
-            finish = FINISHES[caption.material]
-            color, pattern = finish.color or color, finish.pattern
-        if caption.color and look.role in "*&":
-            color, pattern = COLOR_VALUES[caption.color], finish.pattern
-        second = COLOR_VALUES[caption.second] if caption.second else companion(color)
-        if two_tone and look.role in "+&":
-            first = COLOR_VALUES[caption.color] if caption.color else look.color
-            color = COLOR_VALUES[caption.second] if caption.second else companion(first)
-            pattern = finish.pattern
-        elif caption.pattern and look.role in "*&" and not two_tone:
-            pattern = caption.pattern
-        yield color, second, finish.roughness, finish.metallic, pattern
+def _index(pattern: str) -> int:
+    return [*ALL_PATTERNS].index(pattern) if pattern else -1
 
 
 def paint(

@@ -1,6 +1,7 @@
 """The paper's last step: the shape is unwrapped, and the material becomes maps (§4.3)."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float
@@ -8,33 +9,48 @@ from torch import Tensor
 
 from core.appearance.material import Material, MaterialNet
 from core.appearance.shaded import UvMesh
-from core.config import TextureConfig
+from core.config import Config, TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
+from core.guidance.guidance import Surface
 from core.io.asset import Maps
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.texture.bake import bake
+from core.texture.fine_surface import FineSurface
+from core.texture.finish import Finish, detail_of
 from core.texture.simplify import simplify
 from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
 
 PARTS = ("verts", "faces", "uv", "face_uvs")  # of the mesh, in a checkpoint; the rest is derived
+FINE = ("fine_verts", "fine_faces")  # of the shape before it was simplified, if it was
+
+
+class Unwrapped(NamedTuple):
+    """The mesh of the asset, and the shape that it was simplified from; None where it was not."""
+
+    mesh: UvMesh
+    fine: Mesh | None = None
+
+    def to(self, device: "torch.device | str") -> "Unwrapped":
+        """The mesh on ``device``; the fine shape is only ever looked at on the CPU."""
+        return self._replace(mesh=self.mesh.to(device))
 
 
 def unwrap_shape(
     shape: Mesh, config: TextureConfig, progress: Progress, keep_uv: bool = False
-) -> UvMesh:
+) -> Unwrapped:
     """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is.
 
     With ``keep_uv`` its own uv is used even where faces share texels.
     """
     if keep_uv:
-        return _with_own_uv(shape, progress)
+        return Unwrapped(_with_own_uv(shape, progress))
     if shape.uv is not None and shape.face_uvs is not None:
         faults = uv_faults(shape.uv, shape.face_uvs)
         if not faults:
-            return UvMesh.of(shape)
+            return Unwrapped(UvMesh.of(shape))
         progress.warn(
             f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
             "A new one is made. To keep yours, unwrap it without overlaps inside the square.",
@@ -45,7 +61,8 @@ def unwrap_shape(
         verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
         progress.complete("unwrap")  # a small mesh is done before it reports anything
-    return UvMesh.of(Mesh(verts, faces, *atlas))
+    fine = shape if len(faces) < len(shape.faces) else None
+    return Unwrapped(UvMesh.of(Mesh(verts, faces, *atlas)), fine)
 
 
 def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
@@ -63,35 +80,55 @@ def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
     return UvMesh.of(shape)
 
 
-def load_unwrapped(run: RunFolder) -> UvMesh | None:
+def load_unwrapped(run: RunFolder) -> Unwrapped | None:
     """The unwrapped mesh of an earlier session of this run."""
     found = run.load("mesh")
     if found is None:
         return None
+    tensors = found[0]
     with run.whole_checkpoint("mesh"):
-        return UvMesh.of(Mesh(*(found[0][name] for name in PARTS)))
+        fine = Mesh(*(tensors[name] for name in FINE)) if FINE[0] in tensors else None
+        return Unwrapped(UvMesh.of(Mesh(*(tensors[name] for name in PARTS))), fine)
 
 
-def save_unwrapped(run: RunFolder, mesh: UvMesh) -> None:
+def save_unwrapped(run: RunFolder, unwrapped: Unwrapped) -> None:
     """Keep the unwrapped mesh: from here on the geometry is not trained again."""
-    run.save("mesh", {name: getattr(mesh, name) for name in PARTS}, {})
+    mesh, fine = unwrapped
+    tensors = {name: getattr(mesh, name) for name in PARTS}
+    if fine is not None:
+        tensors |= dict(zip(FINE, (fine.verts, fine.faces), strict=True))
+    run.save("mesh", tensors, {})
 
 
-def bake_maps(mesh: UvMesh, net: MaterialNet, config: TextureConfig, progress: Progress) -> Maps:
-    """Γ on every texel."""
-    device = next(net.parameters()).device
+def bake_maps(
+    shape: Unwrapped,
+    net: MaterialNet,
+    config: Config,
+    progress: Progress,
+    *,
+    surfaces: tuple[Surface, ...] = (),
+    seed: int = 0,
+) -> Maps:
+    """Γ on every texel, with the detail of ``surfaces`` and the relief of the fine shape."""
+    device, size = next(net.parameters()).device, config.texture.size
 
     @torch.no_grad()
     def material(points: Float[Tensor, "n 3"]) -> Material:
         return Material(*(x.cpu() for x in net(points.to(device))))
 
     with progress.timed("bake"):
+        mesh = shape.mesh.to("cpu")
+        strength = config.appearance.detail
+        detail = detail_of(mesh, material, surfaces, strength=strength, size=size, seed=seed)
+        fine = FineSurface(shape.fine) if shape.fine else None
         return bake(
-            Mesh(mesh.verts.cpu(), mesh.faces.cpu(), mesh.uv.cpu(), mesh.face_uvs.cpu()),
+            mesh.mesh,
             material,
-            config.size,
+            size,
             _hundredths("bake", progress),
-            config.samples,
+            config.texture.samples,
+            # Without either the maps are Γ's own, to the last bit.
+            Finish(mesh, fine, detail) if fine or detail else None,
         )
 
 

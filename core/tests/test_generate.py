@@ -180,7 +180,7 @@ def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
 
     status, said = finished(core("resume", run))
     assert status == 0, said
-    for name in ("mesh.obj", "base_color.png", "orm.png"):
+    for name in ("mesh.obj", "base_color.png", "orm.png", "normal.png"):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
 
 
@@ -196,7 +196,7 @@ def test_a_run_killed_between_geometry_and_unwrap_extracts_the_same_mesh(whole, 
     assert {path.stem for path in (run / "checkpoint").iterdir()} == {"geometry"}
     status, said = finished(core("resume", run))
     assert status == 0, said
-    for name in ("mesh.obj", "base_color.png", "orm.png"):
+    for name in ("mesh.obj", "base_color.png", "orm.png", "normal.png"):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
 
 

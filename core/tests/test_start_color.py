@@ -88,7 +88,7 @@ def test_a_base_colour_belongs_to_texture():
 def kept(uv: torch.Tensor | None, tmp_path: Path):
     shape = Mesh(CORNERS, FACES, uv, None if uv is None else FACES)
     run = RunFolder.create(tmp_path, Job(prompt="x"))
-    return unwrap_shape(shape, TextureConfig(), Progress(run), keep_uv=True)
+    return unwrap_shape(shape, TextureConfig(), Progress(run), keep_uv=True).mesh
 
 
 def test_an_own_uv_that_can_take_no_texture_is_refused(tmp_path):

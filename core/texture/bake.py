@@ -5,6 +5,7 @@ and what is empty is padded.
 """
 
 from collections.abc import Callable
+from typing import Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
@@ -20,6 +21,17 @@ from core.texture.texels import Texels, texel_bands
 CHUNK = 1 << 18  # points given to the material at once
 
 
+@runtime_checkable
+class TexelFinish(Protocol):
+    """What becomes of a texel's means: see :class:`core.texture.finish.Finish`."""
+
+    attributes: Float[Tensor, "f 3 c"]  # of the surface, by corner
+
+    def __call__(
+        self, attributes: Float[Tensor, "t c"], values: Float[Tensor, "t 8"]
+    ) -> Float[Tensor, "t 8"]: ...
+
+
 @torch.no_grad()
 def bake(
     mesh: Mesh,
@@ -27,12 +39,14 @@ def bake(
     size: int,
     progress: Callable[[float], None] | None = None,
     samples: int = 4,
+    finish: TexelFinish | None = None,
 ) -> Maps:
     """Evaluate ``material`` on the surface; every texel of the maps has a value.
 
     A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
-    unit length again. Occlusion is 1: the light's shadows are the renderer's. The maps lie in
-    main memory. ``progress`` gets the fraction done, in [0, 1]; what it raises stops it.
+    unit length again; ``finish`` then makes the last change to it. Occlusion is 1: the light's
+    shadows are the renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in
+    [0, 1]; what it raises stops it.
 
     Raises UserError where the uv map covers no texel.
     """
@@ -41,7 +55,7 @@ def bake(
     covered = torch.zeros(size * size, dtype=torch.bool)
     for texels in texel_bands(*mesh.atlas, size, samples):
         if len(texels.index):
-            where, mean = _means(mesh, texels, material)
+            where, mean = _means(mesh, texels, material, finish)
             maps.base_color[where] = mean[:, :3]
             maps.orm[where, 1:] = mean[:, 3:5]
             maps.normal[where] = normalize(mean[:, 5:])
@@ -60,15 +74,27 @@ def bake(
 
 
 def _means(
-    mesh: Mesh, texels: Texels, material: Callable[[Float[Tensor, "n 3"]], Material]
+    mesh: Mesh,
+    texels: Texels,
+    material: Callable[[Float[Tensor, "n 3"]], Material],
+    finish: TexelFinish | None,
 ) -> tuple[Int[Tensor, " t"], Float[Tensor, "t 8"]]:
-    """The covered texels and, for each, the mean of kd, roughness, metallic and kn."""
+    """The covered texels and, for each, the mean of kd, roughness, metallic and kn, finished."""
     # A texel's points follow each other, so no sort is needed.
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
     total = torch.zeros(len(where), 8, device=mesh.verts.device)
+    width = finish.attributes.shape[-1] if finish else 0
+    place = torch.zeros(len(where), width, device=mesh.verts.device)
     for face, bary, to in zip(
         texels.face.split(CHUNK), texels.bary.split(CHUNK), slot.split(CHUNK), strict=True
     ):
         points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
         total.index_add_(0, to, torch.cat(material(points), -1).to(total))
-    return where.cpu(), (total / count[:, None]).cpu()
+        if finish:
+            place.index_add_(0, to, torch.einsum("nk,nkc->nc", bary, finish.attributes[face]))
+    mean = total / count[:, None]
+    if finish:
+        mean[:, 5:] = normalize(mean[:, 5:])
+        # Once a texel, at the middle of its points: the detail is made of waves that texels show.
+        mean = finish(place / count[:, None], mean)
+    return where.cpu(), mean.cpu()

@@ -24,6 +24,7 @@ from core.guidance.builtin.offered import (
 )
 from core.guidance.builtin.palette import finishes_of
 from core.guidance.builtin.restore import as_render, restored
+from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
@@ -33,6 +34,7 @@ from core.guidance.guidance import (
     Predictions,
     PromptedGuidance,
     PromptWarning,
+    Surface,
     Views,
     coarse_latent,
 )
@@ -112,6 +114,10 @@ class PromptedBuiltin(PromptedGuidance):
             (max(min(rough) - 0.15, 0.05), min(max(rough) + 0.1, 0.95)),
             (max(min(metal) - 0.02, 0.0), min(max(metal) + 0.02, 1.0)),
         )
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Of each part, by the words or by the thing's nature."""
+        return surfaces_of(self.words)
 
     @torch.no_grad()
     def restore(

@@ -87,8 +87,8 @@ NEAREST = {
     "plastic": "vinyl, nylon, acrylic",
     "metal": "titanium, tin, zinc",
     "wooden": "wicker",
-    "stone": "brick, cement, sandstone",
-    "ceramic": "terracotta, earthenware, enamel",
+    "stone": "cement, sandstone",
+    "ceramic": "earthenware, enamel",
     "rubber": "silicone, latex",
     "fabric": "fur, fluffy, linen, canvas, knitted, plush",
 }

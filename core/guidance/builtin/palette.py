@@ -3,8 +3,9 @@
 Colours are written as sRGB in [0, 1], the way one picks them.
 """
 
+from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
@@ -108,6 +109,7 @@ class Look(NamedTuple):
     color: Color
     pattern: str
     finish: Finish
+    material: str = ""  # the finish's name in LOOKS
 
 
 @cache
@@ -120,12 +122,59 @@ def _look(text: str) -> Look:
     color, pattern, finish = (*text[1:].split(), ".", ".")[:3]
     red, green, blue = (int(color[i : i + 2], 16) / 255 for i in (0, 2, 4))
     kinds = FINISHES | {".": PLAIN, "paint": PAINT}
-    return Look(text[0], (red, green, blue), pattern.strip("."), kinds[finish])
+    return Look(text[0], (red, green, blue), pattern.strip("."), kinds[finish], finish.strip("."))
 
 
 def finishes_of(noun: str, material: str) -> list[Finish]:
     """How the noun's parts shine: by nature, or as the word ``material`` says ("" for none)."""
     return [FINISHES[material]] if material else [look.finish for look in looks(noun).values()]
+
+
+@runtime_checkable
+class Stated(Protocol):
+    """The words that a part's paint depends on; empty is not stated."""
+
+    @property
+    def color(self) -> str: ...
+    @property
+    def material(self) -> str: ...
+    @property
+    def pattern(self) -> str: ...
+    @property
+    def second(self) -> str: ...
+
+
+class Painted(NamedTuple):
+    """The paint of one part under words."""
+
+    name: str
+    look: Look  # by nature
+    color: Color
+    second: Color  # what the pattern is drawn with
+    finish: Finish
+    pattern: str
+
+
+def painted(noun: str, stated: Stated) -> Iterator[Painted]:
+    """What the words make of each of the noun's parts."""
+    # Of a thing with accents these take the second colour; of any other its lower half.
+    two_tone = stated.pattern == "two-tone" and has_accents(noun)
+    for name, look in looks(noun).items():
+        finish, color, pattern = look.finish, look.color, look.pattern
+        # The material first: a stated colour then replaces the material's own.
+        if stated.material and look.role != "-":
+            finish = FINISHES[stated.material]
+            color, pattern = finish.color or color, finish.pattern
+        if stated.color and look.role in "*&":
+            color, pattern = COLOR_VALUES[stated.color], finish.pattern
+        second = COLOR_VALUES[stated.second] if stated.second else companion(color)
+        if two_tone and look.role in "+&":
+            first = COLOR_VALUES[stated.color] if stated.color else look.color
+            color = COLOR_VALUES[stated.second] if stated.second else companion(first)
+            pattern = finish.pattern
+        elif stated.pattern and look.role in "*&" and not two_tone:
+            pattern = stated.pattern
+        yield Painted(name, look, color, second, finish, pattern)
 
 
 def has_accents(noun: str) -> bool:

@@ -58,6 +58,7 @@ class Words:
     material: str = ""
     pattern: str = ""
     second: str = ""  # colour, of what the pattern or the accent parts are painted with
+    material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
@@ -136,6 +137,7 @@ def parse(
     # The part last: what may be stated of it depends on the noun.
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
+    words["material_form"] = next((entry.form for entry in reading.found["material"]), "")
     notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
     return Words(**words, notes=tuple(notes), left_out=tuple(dict.fromkeys(reading.left_out)))
 

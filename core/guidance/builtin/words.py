@@ -111,14 +111,15 @@ COLORS = {
 }
 MATERIALS = {
     "wooden": "wood, timber; oak, walnut, bamboo, mahogany",
-    "metal": "polished metal, shiny metal, metallic, polished; steel, iron, silver, silvery, "
-    "cast iron, chrome, aluminium, aluminum, polished steel",
-    "golden": "gold, polished gold; brass, polished brass",
+    "metal": "polished metal, shiny metal, metallic, polished; brushed metal, brushed steel, "
+    "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
+    "aluminium, aluminum, polished steel",
+    "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass",
     "plastic": "",
     "rubber": "",
-    "stone": "rock; marble, granite, concrete",
+    "stone": "rock; marble, granite, concrete, brick",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
-    "ceramic": "porcelain, china, glazed, glazed ceramic; clay",
+    "ceramic": "porcelain, china, glazed, glazed ceramic; clay, terracotta",
     "leather": "",
     "glass": "glassy, glass like; glossy, crystal",
     "copper": "polished copper; bronze",

@@ -1,0 +1,61 @@
+"""What a prompt's words and the thing's nature say of the substance of each part."""
+
+import torch
+
+from core.guidance.builtin.palette import FINISHES, Painted, painted
+from core.guidance.builtin.variants import (
+    BUILDINGS,
+    BY_NOUN,
+    BY_PART,
+    BY_PATTERN,
+    VARIANTS,
+    Color,
+)
+from core.guidance.builtin.vocabulary import Words
+from core.guidance.guidance import Surface
+from core.ops import srgb_to_linear
+
+
+def surfaces_of(words: Words) -> tuple[Surface, ...]:
+    """Each of the thing's parts, without repeats."""
+    found = [_surface(words, part) for part in painted(words.noun, words)]
+    return tuple(dict.fromkeys(found))
+
+
+def _surface(words: Words, part: Painted) -> Surface:
+    if not words.material or part.look.role == "-":
+        return Surface(_by_nature(words.noun, part), part.color)
+    variant = VARIANTS.get(words.material_form)
+    if variant is None:
+        return Surface(_kind(words, part), part.color)
+    finish = FINISHES[words.material]
+    factor = (1.0, 1.0, 1.0)
+    # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
+    if variant.color and not (words.color or words.second):
+        factor = _factor(part.color, variant.color)
+    roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
+    return Surface(variant.kind, part.color, factor, roughness)
+
+
+def _kind(words: Words, part: Painted) -> str:
+    if words.material == "stone" and words.noun in BUILDINGS:
+        return "masonry"
+    # Rust has its own colour; with another one it is paint that rusts.
+    if words.material == "rusty" and part.color != FINISHES["rusty"].color:
+        return "rusted paint"
+    return words.material
+
+
+def _by_nature(noun: str, part: Painted) -> str:
+    known = BY_PATTERN.get(part.look.pattern) or part.look.material
+    if not known:
+        known = BY_PART.get(part.name) or BY_NOUN.get(noun, "plain")
+    # A train's chimney is no wall.
+    return "paint" if known == "brick" and noun not in BUILDINGS else known
+
+
+def _factor(known: Color, wanted: Color) -> Color:
+    """Of ``known`` (sRGB) to become ``wanted``, linear."""
+    before, after = srgb_to_linear(torch.tensor([known, wanted]))
+    red, green, blue = (after / before).tolist()
+    return red, green, blue

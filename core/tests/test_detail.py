@@ -1,0 +1,295 @@
+"""Materials that look like their word: where the detail is, what it keeps, and that it shows."""
+
+import inspect
+from functools import cache
+from itertools import product
+
+import numpy as np
+import pytest
+import torch
+from torch import Tensor
+
+from core.appearance.material import Material
+from core.appearance.shade import perturb
+from core.appearance.shaded import UvMesh
+from core.config import DRAFT, with_settings
+from core.errors import UserError
+from core.geometry.mesh import Mesh
+from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.palette import FINISHES
+from core.guidance.builtin.surfaces import surfaces_of
+from core.guidance.builtin.variants import VARIANTS
+from core.guidance.builtin.vocabulary import Words, parse
+from core.guidance.builtin.words import MATERIALS, NOUNS
+from core.guidance.guidance import PromptedGuidance, Surface
+from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion
+from core.ops import lab, srgb_to_linear
+from core.tests.texture_shapes import one_material, torus, torus_uv
+from core.texture.bake import bake
+from core.texture.detail.grain import lengths
+from core.texture.detail.kinds import KINDS
+from core.texture.detail.noise import Noise
+from core.texture.detail.parts import Parts
+from core.texture.detail.place import Layer, Place
+from core.texture.finish import Finish, detail_of
+
+SIZE = 256
+BROWN = (0.30, 0.14, 0.06)  # linear
+NOISE = Noise(seed=3, footprint=1 / 450)
+
+
+def place_at(point: np.ndarray, noise: Noise = NOISE) -> Place:
+    """Points of a surface that faces up, of a part along x."""
+    n = len(point)
+    up = np.tile(np.array([0, 0, 1], np.float32), (n, 1))
+    return Place(point.astype(np.float32), up, np.zeros(n, np.int64), noise)
+
+
+def line(axis: int, count: int = 4000, start: tuple[float, float, float] = (0.1, 0.2, 0.3)):
+    """Points along an axis, half a texel apart."""
+    points = np.tile(np.array(start), (count, 1))
+    points[:, axis] += np.arange(count) * NOISE.footprint / 2
+    return points
+
+
+@cache
+def ring() -> UvMesh:
+    return UvMesh.of(Mesh(*torus(96, 48), *torus_uv(96, 48)))
+
+
+def detailed(
+    kind: str, color: tuple[float, float, float] = BROWN, size: int = SIZE, strength: float = 1.0
+):
+    """The torus's maps in one material with the detail of ``kind``."""
+    mesh, material = ring(), one_material(color)
+    surfaces = (Surface(kind, tuple(torch.tensor(color).pow(1 / 2.2).tolist())),)
+    options = {"strength": strength, "size": size, "seed": 1}
+    detail = detail_of(mesh, material, surfaces, **options)
+    return bake(mesh.mesh, material, size, finish=Finish(mesh, None, detail))
+
+
+# NOISE
+
+
+def test_gradient_noise_is_zero_on_its_lattice_and_lipschitz_between():
+    nodes = np.stack(np.meshgrid(*[np.arange(-3.0, 4)] * 3), -1).reshape(-1, 3)
+    assert np.abs(NOISE.waves(nodes, 1.0, 5)).max() < 1e-6
+    values = NOISE.waves(line(0), 8.0, 5)
+    assert values.std() > 0.1
+    # Its slope is at most about 2.5 a cell.
+    assert np.abs(np.diff(values)).max() < 3 * 8 * NOISE.footprint / 2
+
+
+def test_seeds_and_salts_are_other_fields_and_the_same_ones_repeat():
+    points = line(0)
+    one = NOISE.waves(points, 8.0, 5)
+    assert np.array_equal(one, NOISE.waves(points, 8.0, 5))
+    for other in (NOISE.waves(points, 8.0, 6), Noise(4, 1 / 450).waves(points, 8.0, 5)):
+        assert abs(np.corrcoef(one, other)[0, 1]) < 0.3
+
+
+def test_cells_give_the_distance_to_the_nearest_point_and_more_to_the_second():
+    near, gap, number = NOISE.cells(line(1), 10.0, 2)
+    assert (gap >= 0).all()
+    # A distance to a set changes no faster than the place does.
+    assert np.abs(np.diff(near)).max() <= 10 * NOISE.footprint / 2 * 1.01
+    # A cell's number is the same in all of it, and changes where the two are as near.
+    changes = np.flatnonzero(np.diff(number))
+    assert 5 < len(changes) < 200
+    assert gap[changes].max() < 2 * 10 * NOISE.footprint
+
+
+def test_what_a_texel_cannot_show_is_left_out():
+    assert NOISE.seen(450 / 2) == 0
+    assert NOISE.seen(450 / 4) == 1
+    assert not NOISE.waves(line(0), 300.0, 1).any()
+
+
+# KINDS
+
+
+def test_every_kind_that_the_built_in_prior_names_has_its_detail():
+    forms = [("", ""), *((word, "") for word in MATERIALS)]
+    forms += [(word, form) for form in VARIANTS for word in MATERIALS if form in MATERIALS[word]]
+    for noun, (material, form), color in product(NOUNS, forms, ("", "blue")):
+        words = Words(noun=noun, color=color, material=material, material_form=form)
+        found = surfaces_of(words)
+        assert {surface.kind for surface in found} <= KINDS.keys(), words
+    assert {variant.kind for variant in VARIANTS.values()} <= KINDS.keys()
+    assert FINISHES.keys() - {""} <= KINDS.keys()
+
+
+def test_every_variant_is_a_word_of_its_material():
+    for form, variant in VARIANTS.items():
+        words = parse(f"a {form} ball")
+        assert words.material_form == form
+        assert surfaces_of(words)[0].kind == variant.kind
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_kind_shows_in_the_maps_and_keeps_the_mean_colour(kind):
+    maps = detailed(kind)
+    assert (maps.normal.norm(dim=-1) - 1).abs().max() < 1e-5
+    # Not blank: some of it differs by 8 bits' step and more.
+    assert float(maps.normal[..., :2].abs().max()) > 1 / 127
+    assert float(maps.normal[..., 2].min()) > 0
+    mean = maps.base_color.reshape(-1, 3).mean(0)
+    assert float((lab(mean) - lab(torch.tensor(BROWN))).norm()) < 5
+    assert float(maps.orm[..., 1].std()) > 0.002
+    for image in maps:
+        assert bool(torch.isfinite(image).all())
+
+
+def test_the_strength_0_leaves_what_was_learnt_and_so_does_a_guidance_without_surfaces():
+    mesh, material = ring(), one_material(BROWN)
+    options = {"size": SIZE, "seed": 1}
+    surfaces = (Surface("wooden", BROWN),)
+    assert detail_of(mesh, material, surfaces, strength=0.0, **options) is None
+    assert detail_of(mesh, material, (), strength=1.0, **options) is None
+
+
+def test_stable_diffusion_paints_its_own_detail():
+    assert PromptedStableDiffusion.surfaces is PromptedGuidance.surfaces
+    assert "return ()" in inspect.getsource(PromptedGuidance.surfaces)
+
+
+def test_the_strength_is_a_setting_with_a_range():
+    assert DRAFT.appearance.detail == 1
+    assert with_settings(DRAFT, {"appearance.detail": "0"}).appearance.detail == 0
+    with pytest.raises(UserError, match=r"appearance\.detail"):
+        with_settings(DRAFT, {"appearance.detail": 3})
+
+
+def test_the_same_seed_gives_the_same_maps():
+    for one, again in zip(detailed("rusty", size=64), detailed("rusty", size=64), strict=True):
+        assert torch.equal(one, again)
+
+
+@pytest.mark.parametrize("kind", ["wooden", "leather", "fabric", "brick", "rusty"])
+def test_both_sides_of_a_uv_seam_have_the_same_detail(kind):
+    """The torus's uv is cut along both rings: a vertex there is in two borders of the island."""
+    mesh, material = ring(), one_material(BROWN)
+    surfaces = (Surface(kind, BROWN),)
+    detail = detail_of(mesh, material, surfaces, strength=1.0, size=1024, seed=0)
+    finish = Finish(mesh, None, detail)
+    uv_of: dict[int, dict[int, int]] = {}
+    for corner, (vert, uv) in enumerate(
+        zip(mesh.faces.reshape(-1).tolist(), mesh.face_uvs.reshape(-1).tolist(), strict=True)
+    ):
+        uv_of.setdefault(vert, {})[uv] = corner
+    pairs = torch.tensor([list(c.values())[:2] for c in uv_of.values() if len(c) > 1])
+    assert len(pairs) > 100
+    learnt = torch.cat([*material(torch.zeros(len(pairs), 3))], 1)
+    sides = [finish.attributes.view(-1, 13)[pairs[:, k]] for k in (0, 1)]
+    one, two = (finish(at, learnt) for at in sides)
+    torch.testing.assert_close(one[:, :5], two[:, :5], atol=1e-4, rtol=0)
+    # The normal maps differ, since the tangents do; what they show does not.
+    shown = [
+        perturb(at[:, 3:6], at[:, 6:10], made[:, 5:])
+        for at, made in zip(sides, (one, two), strict=True)
+    ]
+    torch.testing.assert_close(*shown, atol=1e-3, rtol=0)
+    assert one[:, :5].std(0).max() > 0.01
+
+
+def test_wood_changes_across_the_grain_more_than_along_it():
+    def change(axis: int) -> float:
+        starts = [(0.1, 0.2 + 0.05 * k, 0.3) for k in range(8)]
+        tones = [KINDS["wooden"](place_at(line(axis, start=s))).ratio[:, 1] for s in starts]
+        return float(np.mean([np.abs(np.diff(tone)).mean() for tone in tones]))
+
+    assert change(1) > 4 * change(0)
+    assert change(2) > 4 * change(0)
+
+
+def test_rust_is_rough_and_brown_and_bare_metal_is_smooth_and_grey():
+    layer: Layer = KINDS["rusty"](place_at(line(0, 20000)))
+    bare = layer.metallic > 0.3
+    rust = layer.metallic < -0.3
+    assert 0.1 < bare.mean() < 0.6
+    assert rust.mean() > 0.3
+    assert layer.roughness[bare].mean() < layer.roughness[rust].mean() - 0.3
+    warm = layer.over[:, 0] / layer.over[:, 2]
+    assert warm[bare].mean() < 1.5 < 3 < warm[rust].mean()
+    assert np.corrcoef(layer.roughness, layer.metallic)[0, 1] < -0.9
+
+
+# PARTS
+
+
+def two_tone(points: Tensor) -> Material:
+    """Brown below, white above."""
+    material = one_material(BROWN)(points)
+    above = points[:, 2:] > 0
+    return material._replace(kd=torch.where(above, torch.full_like(material.kd, 0.8), material.kd))
+
+
+def test_each_colour_gets_its_own_surface_and_keeps_its_mean():
+    brown, white = (Surface("wooden", (0.58, 0.41, 0.28)), Surface("glass", (0.91, 0.91, 0.91)))
+    mesh = ring()
+    detail = detail_of(mesh, two_tone, (brown, white), strength=1.0, size=512, seed=0)
+    finish = Finish(mesh, None, detail)
+    plain, maps = bake(mesh.mesh, two_tone, 512), bake(mesh.mesh, two_tone, 512, finish=finish)
+    above = plain.base_color[..., 0] > 0.7
+    tone = (maps.base_color / plain.base_color)[..., 1]
+    assert tone[above].std() < 0.05 < 0.15 < tone[~above].std()
+    for where in (above, ~above):
+        shift = lab(maps.base_color[where].mean(0)) - lab(plain.base_color[where].mean(0))
+        assert float(shift.norm()) < 5
+
+
+def test_parts_that_look_alike_are_one():
+    near, far = (0.10, 0.10, 0.11), (0.9, 0.9, 0.9)
+    surfaces = (Surface("paint", (0.1, 0.1, 0.1)), Surface("glass", near), Surface("rubber", far))
+    parts = Parts.of(surfaces, srgb_to_linear(torch.tensor([[0.1] * 3, [0.9] * 3])))
+    assert [surface.kind for surface in parts.surfaces] == ["paint", "rubber"]
+
+
+def test_the_words_say_what_each_part_is_made_of():
+    def kinds(prompt: str) -> list[str]:
+        return [surface.kind for surface in surfaces_of(parse(prompt))]
+
+    assert set(kinds("a red wooden chair")) == {"wooden"}
+    assert set(kinds("a chair")) == {"wooden"}  # by nature
+    assert set(kinds("a hammer")) == {"metal", "wooden"}
+    assert "masonry" in kinds("a stone house") and "glass" in kinds("a stone house")
+    assert kinds("a stone bust")[0] == "stone"
+    assert kinds("a marble bust")[0] == "marble"
+    assert kinds("a rusty robot")[0] == "rusty"
+    assert kinds("a blue rusty robot")[0] == "rusted paint"
+    assert set(kinds("an apple")) == {"plain"}
+
+
+def test_a_variants_own_colour_is_for_prompts_without_one():
+    marble, pink = (surfaces_of(parse(p))[0] for p in ("a marble ball", "a pink marble ball"))
+    assert min(marble.factor) > 1.5
+    assert pink.factor == (1, 1, 1)
+    known = srgb_to_linear(torch.tensor(FINISHES["stone"].color))
+    wanted = srgb_to_linear(torch.tensor(VARIANTS["marble"].color))
+    torch.testing.assert_close(known * torch.tensor(marble.factor), wanted)
+
+
+def test_every_noun_has_surfaces_without_words():
+    for noun in LOOKS:
+        assert surfaces_of(Words(noun=noun))
+
+
+# GRAIN
+
+
+def box_mesh(size: tuple[float, float, float], steps: int = 12) -> Mesh:
+    """A closed box of small triangles."""
+    import trimesh
+
+    box = trimesh.creation.box(size)
+    for _ in range(4):
+        box = box.subdivide()
+    return Mesh(torch.tensor(box.vertices).float(), torch.tensor(box.faces))
+
+
+def test_a_parts_length_is_its_grain():
+    for axis in range(3):
+        size = [0.1, 0.1, 0.1]
+        size[axis] = 1.0
+        box = box_mesh(tuple(size))
+        assert (lengths(box.verts, box.faces).argmax(1) == axis).float().mean() > 0.95

@@ -1,0 +1,139 @@
+"""The substances' detail on one object: what it does to the material that was learnt."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.guidance import Surface
+from core.texture.detail.kinds import KINDS
+from core.texture.detail.noise import Noise, Values
+from core.texture.detail.parts import Parts
+from core.texture.detail.place import Layer, Place
+
+LEAST = 0.02  # weight of a surface at a point, below which it is not looked at
+STEEPEST = 1.2  # slope of the relief: steeper ones would hide themselves
+STEP = 0.5  # texels, over which a slope is measured
+KD_RANGE = (0.002, 0.98)
+ROUGHNESS_RANGE = (0.04, 1.0)
+GAIN = (0.5, 2.0)  # bounds of what brings the mean colour back
+
+
+class Coat(NamedTuple):
+    """The material at N points."""
+
+    kd: Float[Tensor, "n 3"]  # linear
+    roughness: Float[Tensor, "n 1"]
+    metallic: Float[Tensor, "n 1"]
+
+
+class Spots(NamedTuple):
+    """N points of the surface."""
+
+    point: Float[Tensor, "n 3"]  # in units of the object's longest side
+    normal: Float[Tensor, "n 3"]  # unit
+    lengths: Float[Tensor, "n 3"]  # see core.texture.detail.grain
+
+
+@dataclass(frozen=True)
+class Detail:
+    """The detail of all of an object's surfaces."""
+
+    parts: Parts
+    noise: Noise
+    strength: float
+    gains: Float[Tensor, "k 3"]  # of each surface's base colour, so that its mean stays
+
+    @classmethod
+    def of(
+        cls, surfaces: tuple[Surface, ...], noise: Noise, strength: float, at: Spots, coat: Coat
+    ) -> "Detail":
+        """``at``, ``coat``: points evenly over the surface, and what was learnt there."""
+        parts = Parts.of(surfaces, coat.kd)
+        plain = cls(parts, noise, strength, torch.ones(len(parts.surfaces), 3))
+        weights = parts.weights(coat.kd)
+        gains = []
+        for k, surface in enumerate(parts.surfaces):
+            # By the points that are mostly this surface's; a part that is nowhere keeps 1.
+            weight = weights[:, k : k + 1] * (weights[:, k : k + 1] > 0.5)
+            wanted = coat.kd * torch.tensor(surface.factor)
+            layer = plain._layer(k, at)
+            got, apart = _colored(coat.kd, layer, surface, strength), _column(layer.apart)
+            missing = (weight * (wanted - apart * got)).sum(0)
+            gain = missing / (weight * (1 - apart) * got).sum(0).clamp(min=1e-9)
+            gains.append(torch.where(weight.sum() > 0, gain, torch.ones(3)).clamp(*GAIN))
+        return cls(parts, noise, strength, torch.stack(gains))
+
+    def __call__(self, at: Spots, coat: Coat) -> tuple[Coat, Float[Tensor, "n 3"]]:
+        """The material with its detail, and the gradient of the relief along the surface."""
+        weights = self.parts.weights(coat.kd)
+        kd, roughness, metallic = torch.zeros_like(coat.kd), coat.roughness, coat.metallic
+        slope = torch.zeros_like(at.point)
+        for k, surface in enumerate(self.parts.surfaces):
+            here = (weights[:, k] > LEAST).nonzero().squeeze(1)
+            if not len(here):
+                continue
+            spots, w = Spots(*(x[here] for x in at)), weights[here, k : k + 1]
+            layer, gradient = self._relief(k, spots)
+            gain = torch.lerp(self.gains[k], torch.ones(3), _column(layer.apart))
+            color = gain * _colored(coat.kd[here], layer, surface, self.strength)
+            more = self.strength * _column(layer.roughness) + surface.roughness
+            metal = self.strength * _column(layer.metallic) + surface.metallic
+            kd = kd.index_add(0, here, w * color)
+            roughness = roughness.index_add(0, here, w * more)
+            metallic = metallic.index_add(0, here, w * metal)
+            slope = slope.index_add(0, here, w * gradient)
+        # What no surface was looked at for stays as it was learnt.
+        left = 1 - (weights * (weights > LEAST)).sum(1, keepdim=True)
+        kd = (kd + left * coat.kd).clamp(*KD_RANGE)
+        made = Coat(kd, roughness.clamp(*ROUGHNESS_RANGE), metallic.clamp(0, 1))
+        return made, self.strength * slope
+
+    def _layer(self, k: int, at: Spots) -> Layer:
+        along = at.lengths.argmax(1)
+        place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise)
+        return KINDS[self.parts.surfaces[k].kind](place)
+
+    def _relief(self, k: int, at: Spots) -> tuple[Layer, Float[Tensor, "n 3"]]:
+        """The layer at the points, and its height's gradient: by one step along each of two
+        directions across the normal (J. Blinn, "Simulation of Wrinkled Surfaces", 1978)."""
+        step, count = STEP * self.noise.footprint, len(at.point)
+        one, two = across(at.normal)
+        points = torch.cat([at.point, at.point + step * one, at.point + step * two])
+        # The part's direction and normal are the middle's, or a step over their border would jump.
+        rest = (x.repeat(3, 1) for x in (at.normal, at.lengths))
+        layer = self._layer(k, Spots(points, *rest))
+        height, h1, h2 = torch.from_numpy(layer.height).view(3, count, 1)
+        gradient = ((h1 - height) * one + (h2 - height) * two) / step
+        length = gradient.norm(dim=1, keepdim=True).clamp(min=1e-9)
+        gradient = gradient * (STEEPEST / length).clamp(max=1)
+        return Layer(*(x[:count] for x in layer)), gradient
+
+
+def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:
+    """Two unit vectors across each normal and across each other.
+
+    T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
+    """
+    x, y, z = normal.unbind(1)
+    sign = torch.where(z < 0, -1.0, 1.0)
+    a = -1 / (sign + z)
+    b = x * y * a
+    one = torch.stack([1 + sign * x * x * a, sign * b, -sign * x], 1)
+    return one, torch.stack([b, sign + y * y * a, -y], 1)
+
+
+def _column(values: Values) -> Float[Tensor, "n 1"]:
+    return torch.from_numpy(np.asarray(values, np.float32))[:, None]
+
+
+def _colored(
+    kd: Float[Tensor, "n 3"], layer: Layer, surface: Surface, strength: float
+) -> Float[Tensor, "n 3"]:
+    """The learnt colour under a layer, before its mean is brought back."""
+    ratio, over, cover = (torch.from_numpy(np.asarray(x)) for x in layer[:3])
+    below = kd * torch.tensor(surface.factor) * ratio**strength
+    return torch.lerp(below, over, (strength * cover).clamp(max=1)[:, None])

@@ -1,0 +1,49 @@
+"""Which substance is where: each point's colour is compared with what the parts were painted."""
+
+from dataclasses import dataclass
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.guidance import Surface
+from core.ops import lab, srgb_to_linear
+
+# CIELAB. Parts nearer to each other in colour cannot be told apart: both get the first's detail.
+APART = 12.0
+SPREAD = 6.0  # how fast a part's weight falls with the distance of the colour beyond the nearest's
+ROUNDS = 3  # of moving each colour to the mean of the points that are nearest to it
+KEPT = 0.3  # of a part's stated colour, so that it is not drawn away to another part's
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The kinds of an object's surface, and where they are."""
+
+    surfaces: tuple[Surface, ...]
+    colors: Float[Tensor, "k 3"]  # CIELAB
+
+    @classmethod
+    def of(cls, surfaces: tuple[Surface, ...], kd: Float[Tensor, "n 3"]) -> "Parts":
+        """``kd``: linear, at points evenly over the surface."""
+        stated = lab(srgb_to_linear(torch.tensor([s.color for s in surfaces])))
+        kept = [
+            i for i in range(len(surfaces)) if not i or _distance(stated[i], stated[:i]) > APART
+        ]
+        stated, colors, seen = stated[kept], stated[kept], lab(kd)
+        for _ in range(ROUNDS):
+            nearest = torch.cdist(seen, colors).argmin(1)
+            count = torch.bincount(nearest, minlength=len(kept))[:, None]
+            total = torch.zeros_like(colors).index_add_(0, nearest, seen)
+            mean = KEPT * stated + (1 - KEPT) * total / count.clamp(min=1)
+            colors = torch.where(count > 0, mean, stated)
+        return cls(tuple(surfaces[i] for i in kept), colors)
+
+    def weights(self, kd: Float[Tensor, "n 3"]) -> Float[Tensor, "n k"]:
+        """How much each surface is what is there; a point's weights add up to 1."""
+        distance = torch.cdist(lab(kd), self.colors)
+        return torch.softmax(-distance / SPREAD * 2, 1)
+
+
+def _distance(color: Float[Tensor, "3"], others: Float[Tensor, "k 3"]) -> float:
+    return float((others - color).norm(dim=1).min())

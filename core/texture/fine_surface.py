@@ -1,0 +1,58 @@
+"""The surface before it was simplified, whose shape the normal map keeps."""
+
+import igl
+import numpy as np
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.mesh import Mesh
+from core.geometry.tangents import smooth_normals
+from core.ops import dot, normalize
+
+# Cosine to the coarse surface's normal: below it the nearest point is another side of a thin part.
+SAME_SIDE = 0.2
+
+
+class FineSurface:
+    """Normals of a fine mesh, found from points of a coarse one."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        self._verts = np.ascontiguousarray(mesh.verts.cpu().double().numpy())
+        self._faces = np.ascontiguousarray(mesh.faces.cpu().numpy().astype(np.int64))
+        self._normals = smooth_normals(mesh.verts.cpu().double(), mesh.faces.cpu())
+        self._tree = igl.AABB()
+        self._tree.init(self._verts, self._faces)
+
+    def normals(
+        self, points: Float[Tensor, "n 3"], coarse: Float[Tensor, "n 3"]
+    ) -> Float[Tensor, "n 3"]:
+        """Unit normals at the fine surface's points nearest to ``points``.
+
+        ``coarse``: the coarse surface's own there, unit, which stay where the nearest point is on
+        another side.
+        """
+        query = np.ascontiguousarray(points.double().numpy())
+        _, face, at = self._tree.squared_distance(self._verts, self._faces, query)
+        corners = self._faces[np.asarray(face).reshape(-1)]
+        a, b, c = (np.ascontiguousarray(self._verts[corners[:, k]]) for k in range(3))
+        weights = torch.from_numpy(igl.barycentric_coordinates(np.ascontiguousarray(at), a, b, c))
+        # A face without area has none.
+        weights = weights.nan_to_num(1 / 3, 1 / 3, 1 / 3)
+        fine = torch.einsum("nk,nkc->nc", weights, self._normals[torch.from_numpy(corners)])
+        fine = normalize(fine).to(points)
+        return torch.where(dot(fine, coarse) > SAME_SIDE, fine, coarse)
+
+
+def turned(
+    vector: Float[Tensor, "n 3"], start: Float[Tensor, "n 3"], end: Float[Tensor, "n 3"]
+) -> Float[Tensor, "n 3"]:
+    """``vector`` by the least turn that takes ``start`` to ``end``, which are unit.
+
+    So a normal map goes on top of another one: C. Barré-Brisebois and S. Hill, "Blending in Detail:
+    Reoriented Normal Mapping", 2012.
+    """
+    half = start + end
+    # Two reflections: across the plane between start and end, and start's own.
+    scale = dot(half, vector) / (1 + dot(start, end)).clamp(min=1e-6)
+    return vector - scale * half + 2 * dot(start, vector) * end

@@ -1,0 +1,113 @@
+"""The last hand on each texel: the fine surface's normals, and the materials' detail."""
+
+from collections.abc import Callable
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.material import Material
+from core.appearance.shade import perturb
+from core.appearance.shaded import UvMesh
+from core.geometry.mesh import face_areas
+from core.guidance.guidance import Surface
+from core.ops import dot, normalize
+from core.texture.detail.detail import Coat, Detail, Spots
+from core.texture.detail.grain import lengths
+from core.texture.detail.noise import Noise
+from core.texture.detail.survey import spread
+from core.texture.fine_surface import FineSurface, turned
+
+CHUNK = 1 << 17  # texels at once
+SURVEYED = 1 << 14  # points of the surface, for the parts' colours and their means
+LEAST_Z = 0.05  # of a normal in tangent space: none points into the surface
+
+MaterialAt = Callable[[Float[Tensor, "n 3"]], Material]
+
+
+class Finish:
+    """What a texel's material becomes, from the surface's attributes there."""
+
+    def __init__(
+        self, mesh: UvMesh, fine: FineSurface | None = None, detail: Detail | None = None
+    ) -> None:
+        self.fine, self.detail = fine, detail
+        self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
+        # By corner: the point, the normal, the tangent with its sign, and the parts' lengths.
+        length = lengths(mesh.verts, mesh.faces) if detail else torch.zeros_like(mesh.verts)
+        by_vert = torch.cat([mesh.verts, mesh.normals], 1)[mesh.faces]
+        self.attributes = torch.cat([by_vert, mesh.tangents, length[mesh.faces]], -1)
+
+    def __call__(
+        self, attributes: Float[Tensor, "t 13"], values: Float[Tensor, "t 8"]
+    ) -> Float[Tensor, "t 8"]:
+        """``values``: kd, roughness, metallic and kn, the means of each texel."""
+        parts = zip(attributes.split(CHUNK), values.split(CHUNK), strict=True)
+        return torch.cat([self._finished(*part) for part in parts])
+
+    def _finished(
+        self, attributes: Float[Tensor, "t 13"], values: Float[Tensor, "t 8"]
+    ) -> Float[Tensor, "t 8"]:
+        point, normal, tangent, length = attributes.split([3, 3, 4, 3], 1)
+        coat = Coat(*values[:, :5].split([3, 1, 1], 1))
+        # What was learnt, in the object's frame, on the coarse surface.
+        shape = normalize(normal)
+        bumpy = perturb(normal, tangent, values[:, 5:])
+        if self.fine:
+            fine = self.fine.normals(point, shape)
+            shape, bumpy = fine, turned(bumpy, shape, fine)
+        if self.detail:
+            coat, slope = self.detail(Spots(point * self.scale, shape, length), coat)
+            # The relief's gradient across the normal that is there already.
+            bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
+        return torch.cat([*coat, in_tangent_space(bumpy, normal, tangent)], 1)
+
+
+def detail_of(
+    mesh: UvMesh,
+    material: MaterialAt,
+    surfaces: tuple[Surface, ...],
+    *,
+    strength: float,
+    size: int,
+    seed: int,
+) -> Detail | None:
+    """The detail of ``surfaces`` on ``mesh``, whose learnt material is ``material``; None where
+    there is none to make."""
+    if not surfaces or strength == 0:
+        return None
+    finish = Finish(mesh)
+    face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
+    at = torch.einsum("nk,nkc->nc", bary, finish.attributes[face])
+    learnt = material(at[:, :3])
+    long = torch.einsum("nk,nkc->nc", bary, lengths(mesh.verts, mesh.faces)[mesh.faces[face]])
+    spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long)
+    noise = Noise(seed, footprint(mesh, size) * finish.scale)
+    coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
+    return Detail.of(surfaces, noise, strength, spots, coat)
+
+
+def footprint(mesh: UvMesh, size: int) -> float:
+    """Side of a texel on the surface, in the mesh's units, in the mean over its faces."""
+    a, b, c = mesh.uv[mesh.face_uvs].unbind(1)
+    (p, q), (r, s) = (b - a).unbind(1), (c - a).unbind(1)
+    in_texels = float((p * s - q * r).abs().sum()) / 2 * size**2
+    return (float(face_areas(mesh.verts, mesh.faces).sum()) / max(in_texels, 1.0)) ** 0.5
+
+
+def in_tangent_space(
+    world: Float[Tensor, "t 3"], normal: Float[Tensor, "t 3"], tangent: Float[Tensor, "t 4"]
+) -> Float[Tensor, "t 3"]:
+    """The inverse of :func:`core.appearance.shade.perturb`, up to what would point inside."""
+    t = tangent[:, :3]
+    b = tangent[:, 3:].sign() * torch.linalg.cross(normal, t)
+    # Cramer's rule for x t + y b + z n = world, up to a length.
+    volume = dot(t, torch.linalg.cross(b, normal))
+    x = dot(world, torch.linalg.cross(b, normal))
+    y = dot(world, torch.linalg.cross(normal, t))
+    z = dot(world, torch.linalg.cross(t, b))
+    kn = torch.cat([x, y, z], 1) * volume.sign()
+    kn = kn / kn.norm(dim=1, keepdim=True).clamp(min=1e-20)
+    kn = normalize(torch.cat([kn[:, :2], kn[:, 2:].clamp(min=LEAST_Z)], 1))
+    # Where the tangents cancel there is no frame: flat.
+    return torch.where(volume.abs() > 1e-12, kn, torch.tensor([0.0, 0.0, 1.0]).to(kn))

@@ -1,0 +1,26 @@
+"""A baked texture set as a material: what the renderer sees of an asset."""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.material import Material
+from core.appearance.shaded import MaterialSource
+from core.io.asset import Maps
+from core.ops import normalize
+
+
+def maps_source(maps: Maps) -> MaterialSource:
+    """The maps, sampled bilinearly by uv."""
+    stack = torch.cat([maps.base_color, maps.orm, maps.normal], -1).permute(2, 0, 1)[None]
+
+    def source(_points: Float[Tensor, "p 3"], uv: Float[Tensor, "p 2"]) -> Material:
+        # uv (0, 0) is bottom left, grid_sample's (-1, -1) top left.
+        grid = torch.stack([2 * uv[:, 0] - 1, 1 - 2 * uv[:, 1]], -1)[None, None]
+        texel = torch.nn.functional.grid_sample(
+            stack.to(uv), grid, mode="bilinear", padding_mode="border", align_corners=False
+        )[0, :, 0].T
+        kd, _, roughness, metallic, kn = texel.split([3, 1, 1, 1, 3], -1)
+        return Material(kd, roughness, metallic, normalize(kn))
+
+    return source
