@@ -30,6 +30,7 @@ from core.ranges import (
 
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+Distillation = Literal["sds", "csd", "sdi"]
 ShadingModel = Literal["lobes", "split_sum"]
 Curve = Literal["linear", "srgb"]
 
@@ -44,6 +45,11 @@ class PhaseConfig:
     t_low: Fraction = 0.02  # fraction of the diffusion's T steps
     t_high: Fractions = (0.5, 0.5)  # at the phase's first and last step
     guidance_scale: Scale = 100.0  # 1 is no guidance
+    # How the score becomes a gradient: core/guidance/sds.py. sdi takes t_high itself for t.
+    distillation: Distillation = "sds"
+    # csd: weight of steering away from the negative prompt, at the first and at the last step.
+    csd_negative: Fractions = (0.0, 0.5)
+    inversion_steps: Annotated[int, Range(1, 1000)] = 10  # sdi: predictions for one noise
 
 
 @dataclass(frozen=True, kw_only=True)
