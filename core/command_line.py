@@ -128,11 +128,19 @@ def add_core_commands(commands: Commands) -> None:
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
-    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="prior, fit: which")
+    folders = "prior, fit, distillation"  # the benches that make something of each noun
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=f"{folders}: which")
     bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
-    bench.add_argument("--out", type=Path, metavar="FOLDER", help="prior, fit: where the runs go")
     bench.add_argument(
-        "--set", action="append", default=[], metavar="stage.field=value", help="of fit: over draft"
+        "--calls", type=int, default=60, help="of distillation: network calls of each view"
+    )
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
+    bench.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="stage.field=value",
+        help="of fit, distillation: over draft",
     )
 
 
@@ -366,6 +374,10 @@ def _bench(args: argparse.Namespace) -> None:
             from core.benchmarks.bench_fit import bench_fit
 
             bench_fit(args.nouns, args.set, args.out, args.json)
+        elif args.names == ["distillation"]:  # five trainings a noun, and a folder
+            from core.benchmarks.bench_distillation import bench_distillation
+
+            bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
         else:
             bench(args.names, args.json)
     except ModuleNotFoundError as error:
