@@ -31,7 +31,8 @@ from core.ranges import (
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 Distillation = Literal["sds", "csd", "sdi"]
-ShadingModel = Literal["lobes", "split_sum"]
+ShadingModel = Literal["lobes", "split_sum", "diffuse"]
+ShapePictures = Literal["normals", "shaded", "entangled"]
 Curve = Literal["linear", "srgb"]
 
 
@@ -89,6 +90,9 @@ class GeometryConfig:
     learning_rate: Rate = 1e-3
     learning_rate_end: Fraction = 1.0  # fraction of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
+    # What the shape is learned from: its normals (§4.2), or (the paper's ablations) shaded pictures
+    # of grey clay, or of Γ's material, which is then learned with it; no appearance phase follows.
+    pictures: ShapePictures = "normals"
     gradient_cap: Weight = 0.0  # upper bound of the score's RMS; 0 is none
     gradient_clip: Weight = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
     # Fraction of all distilling steps, from the first on: the coarse ones among them also move the
@@ -122,7 +126,8 @@ class AppearanceConfig:
     learning_rate: Rate = 1e-2
     learning_rate_end: Fraction = 1.0  # fraction left at the end of distilling and of refining
     gradient_cap: Weight = 0.0
-    shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
+    # As Cycles renders it, or the paper's split sum, or (its ablation) no specular layer at all.
+    shading: ShadingModel = "lobes"
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
     # know no such shadows.
     self_shadow: bool = False

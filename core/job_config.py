@@ -37,7 +37,20 @@ def config_of(job: Job) -> Config:
     check(config)
     if job.base_color:
         config = retouching(config, job.guide_strength)
-    return shortened(config, job.guide_strength) if job.guide_mesh else config
+    if job.guide_mesh:
+        config = shortened(config, job.guide_strength)
+    learned = job.command == "generate" and not (job.guide_mesh and job.guide_strength == 1)
+    return trained_together(config) if learned else config
+
+
+def trained_together(config: Config) -> Config:
+    """``config`` without the appearance's phases where Γ is learned with the shape."""
+    if config.geometry.pictures != "entangled":
+        return config
+    a = config.appearance
+    early, late = replace(a.early, steps=0), replace(a.late, steps=0)
+    less = replace(a, early=early, late=late, refine=replace(a.refine, rounds=0))
+    return replace(config, appearance=less)
 
 
 def with_builtin(config: Config) -> Config:
@@ -105,7 +118,10 @@ def retouching(config: Config, strength: float) -> Config:
 
 
 def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> AppearanceConfig:
-    """``config`` with the bounds that the words set."""
+    """``config`` with the bounds that the words set; without a specular layer it is matte."""
+    if config.shading == "diffuse":
+        # The asset has no other way to say so: Blender's coat is weakest there.
+        return replace(config, roughness_range=(1.0, 1.0), metallic_range=(0.0, 0.0))
     if bounds is None:
         return config
     return replace(config, roughness_range=bounds.roughness, metallic_range=bounds.metallic)
