@@ -122,6 +122,10 @@ def add_core_commands(commands: Commands) -> None:
     export.add_argument("--format", required=True, help="glb or obj; run.py also blend, usd, fbx")
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
+    report = add("report", "A run as one HTML file, to read anywhere and without a network.")
+    report.add_argument("run", type=Path)
+    report.add_argument("--out", type=Path, metavar="FILE.html", help="default: RUN/report.html")
+
     words = add("words", "What the built-in prior understands of a prompt, as JSON.")
     words.add_argument("prompt")
 
@@ -303,7 +307,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
-    (other | {"words": _words})[args.command](args)
+    (other | {"words": _words, "report": _report})[args.command](args)
     return None
 
 
@@ -351,6 +355,12 @@ def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
 
     export(args.asset, args.format, args.out)
+
+
+def _report(args: argparse.Namespace) -> None:
+    from core.report.page import write_report
+
+    print(write_report(args.run, args.out))
 
 
 def _words(args: argparse.Namespace) -> None:

@@ -1,4 +1,4 @@
-"""The comparison of the distillations: equal network calls, resumable, one run folder a training."""
+"""The comparison of the distillations: equal calls, resumable, one run folder a training."""
 
 import json
 
