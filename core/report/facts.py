@@ -68,7 +68,7 @@ def facts_of(folder: Path) -> Facts:
         ends[-1] if ends and events[-1]["type"] in LAST else "running or broken off",
         sum(event["type"] == "started" for event in events),
         _curves(events),
-        [f"{e['text']} {e.get('fix') or ''}".strip() for e in events if e["type"] == "warning"],
+        [f"{e.get('text')} {e.get('fix') or ''}".strip() for e in events if e["type"] == "warning"],
         _film(folder / "preview"),
         asset,
         _seconds(asset, events),
@@ -80,9 +80,17 @@ def _events(folder: Path) -> list[dict[str, Any]]:
         events = read_events(folder)
     except ValueError:
         events = [None]
-    if not all(isinstance(e, dict) and "time" in e and "type" in e for e in events):
+    if not all(map(_is_event, events)):
         raise UserError(f"{folder / 'events.jsonl'} holds a line that is no event.", REMAKE)
     return events
+
+
+def _is_event(event: Any) -> bool:
+    return (
+        isinstance(event, dict)
+        and isinstance(event.get("time"), int | float)
+        and isinstance(event.get("type"), str)
+    )
 
 
 def _settings(job: Job) -> dict[str, Any]:

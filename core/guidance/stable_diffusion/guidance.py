@@ -235,12 +235,10 @@ class PromptedStableDiffusion(PromptedGuidance):
         """
         Args:
             views: CLIP's last hidden states of the prompt, for each of ``VIEWS``.
-            negative: those of the negative prompt.
-            empty: those of no words.
+            negative, empty: those of the negative prompt, and of no words.
         """
         super().__init__(guidance)
-        self.diffusion, self.views, self.negative = guidance, views, negative
-        self.empty = empty
+        self.diffusion, self.views, self.negative, self.empty = guidance, views, negative, empty
         self._soft_views = guidance.config.soft_views
         self._perp_neg = guidance.config.perp_neg
 
