@@ -97,7 +97,7 @@ def test_shading_model_is_a_setting() -> None:
     assert draft.appearance.shading == "lobes"
     with pytest.raises(UserError, match="appearance.shading is 'phong'") as caught:
         with_settings(draft, {"appearance.shading": "phong"})
-    assert caught.value.fix == "It takes lobes or split_sum."
+    assert caught.value.fix == "It takes lobes or split_sum or diffuse."
 
 
 def numbers(config, prefix=""):
