@@ -70,7 +70,7 @@ class ShapeScene(Scene):
         # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
-        self.coverage = 0.0  # the largest of any part of the views
+        self.coverage: float = 0.0  # the largest of any part of the views
 
     def render(
         self, cameras: Cameras, size: int
