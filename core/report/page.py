@@ -88,7 +88,7 @@ def _sections(facts: Facts) -> list[str]:
     frames = "".join(_figure(path, stage) for stage, path in facts.film)
     sections = [
         (_viewer_tag(facts), ""),
-        (f'<div class="film">{frames}</div>' if frames else "", "How it came about"),
+        (f'<div class="film">{frames}</div>' if frames else "", "Previews"),
         (_maps(facts.folder / "asset"), "Maps"),
         (f'<div class="grid">{"".join(plots)}</div>' if plots else "", "Loss and coverage"),
         (_table(_health(facts.asset)), "Health of the mesh"),
