@@ -139,6 +139,10 @@ def add_core_commands(commands: Commands) -> None:
     )
     export.add_argument("--out", type=Path, required=True, metavar="FILE")
 
+    report = add("report", "A run as one HTML file, to read anywhere and without a network.")
+    report.add_argument("run", type=Path)
+    report.add_argument("--out", type=Path, metavar="FILE.html", help="default: RUN/report.html")
+
     words = add("words", "What the built-in prior understands of a prompt, as JSON.")
     words.add_argument("prompt", nargs="?", help="without one: all known words by group")
     words.add_argument(
@@ -148,11 +152,19 @@ def add_core_commands(commands: Commands) -> None:
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
-    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help="prior, fit: which")
+    folders = "prior, fit, distillation"  # the benches that make something of each noun
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=f"{folders}: which")
     bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
-    bench.add_argument("--out", type=Path, metavar="FOLDER", help="prior, fit: where the runs go")
     bench.add_argument(
-        "--set", action="append", default=[], metavar="stage.field=value", help="of fit: over draft"
+        "--calls", type=int, default=60, help="of distillation: network calls of each view"
+    )
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
+    bench.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="stage.field=value",
+        help="of fit, distillation: over draft",
     )
 
 
@@ -321,7 +333,8 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
-    (other | {"words": _words, "verify": _verify})[args.command](args)
+    other |= {"words": _words, "verify": _verify, "report": _report}
+    other[args.command](args)
     return None
 
 
@@ -386,6 +399,12 @@ def _export(args: argparse.Namespace) -> None:
     export(args.asset, args.format, args.out)
 
 
+def _report(args: argparse.Namespace) -> None:
+    from core.report.page import write_report
+
+    print(write_report(args.run, args.out))
+
+
 def _words(args: argparse.Namespace) -> None:
     from core.guidance.builtin.groups import word_groups
     from core.guidance.builtin.vocabulary import understood, words_report
@@ -419,6 +438,10 @@ def _bench(args: argparse.Namespace) -> None:
             from core.benchmarks.bench_fit import bench_fit
 
             bench_fit(args.nouns, settings, args.out, args.json)
+        elif args.names == ["distillation"]:  # five trainings a noun, and a folder
+            from core.benchmarks.bench_distillation import bench_distillation
+
+            bench_distillation(args.nouns, settings, args.calls, args.out, args.json)
         else:
             bench(args.names, args.json)
     except ModuleNotFoundError as error:

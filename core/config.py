@@ -30,7 +30,9 @@ from core.ranges import (
 
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
-ShadingModel = Literal["lobes", "split_sum"]
+Distillation = Literal["sds", "csd", "sdi"]
+ShadingModel = Literal["lobes", "split_sum", "diffuse"]
+ShapePictures = Literal["normals", "shaded", "entangled"]
 Curve = Literal["linear", "srgb"]
 
 
@@ -44,6 +46,9 @@ class PhaseConfig:
     t_low: Fraction = 0.02  # fraction of the diffusion's T steps
     t_high: Fractions = (0.5, 0.5)  # at the phase's first and last step
     guidance_scale: Scale = 100.0  # 1 is no guidance
+    distillation: Distillation = "sds"  # see core/guidance/sds.py; sdi takes t_high itself for t
+    csd_negative: Fractions = (0.0, 0.5)  # weight of csd's negative prompt, first and last step
+    inversion_steps: Annotated[int, Range(1, 1000)] = 10  # of sdi: predictions for one noise
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,6 +88,8 @@ class GeometryConfig:
     learning_rate: Rate = 1e-3
     learning_rate_end: Fraction = 1.0  # fraction of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
+    # Learned from normals (§4.2), or (ablations) from pictures of clay, or of Γ, learned with it.
+    pictures: ShapePictures = "normals"
     gradient_cap: Weight = 0.0  # upper bound of the score's RMS; 0 is none
     gradient_clip: Weight = 0.0  # upper bound of the norm of Ψ's gradient; 0 is none
     # Fraction of all distilling steps, from the first on: the coarse ones among them also move the
@@ -116,7 +123,7 @@ class AppearanceConfig:
     learning_rate: Rate = 1e-2
     learning_rate_end: Fraction = 1.0  # fraction left at the end of distilling and of refining
     gradient_cap: Weight = 0.0
-    shading: ShadingModel = "lobes"  # as Cycles renders it, or the paper's split sum
+    shading: ShadingModel = "lobes"  # as in Cycles; the paper's split sum; or without a specular
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
     # know no such shadows.
     self_shadow: bool = False
@@ -138,9 +145,8 @@ class TextureConfig:
     """The unwrap and the bake (§4.3, "Texturing")."""
 
     size: Annotated[int, Range(64, 8192)] = 2048  # side of the maps, texels
-    max_faces: Annotated[int, Range(100, 100_000_000)] = (
-        20000  # the mesh is simplified to this before the unwrap
-    )
+    # The mesh is simplified to this before the unwrap.
+    max_faces: Annotated[int, Range(100, 100_000_000)] = 20000
     samples: Annotated[int, Range(1, 64)] = 4  # of one texel
 
 

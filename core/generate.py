@@ -31,6 +31,7 @@ from core.provenance import made_by, recorded
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
+from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.start_color import fit_start_color, start_picture
 from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
@@ -97,6 +98,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     ranges = within(config.appearance, guidance.ranges())
     net = MaterialNet(ranges, generator).to(device)
     training = Training("appearance", net, generator, run)
+    if config.geometry.pictures == "entangled":
+        take_material(net, run)
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
@@ -119,6 +122,8 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
         return kept_guide(guide, run, progress)
     config, generator = inputs.config.geometry, torch.Generator().manual_seed(run.job.seed)
     net = sdf_net(config, generator).to(inputs.device)
+    look = within(inputs.config.appearance, inputs.guidance.ranges())
+    lit = lit_shape(net, config, look, inputs.light.to(inputs.device), generator)
     training = Training("geometry", net, generator, run)
     if not run.has(training.name):
         if guide:
@@ -126,7 +131,7 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
         else:
             fit_start_shape(training, config, progress)
     setup = Setup(training, inputs.guidance, config)
-    verts, faces = learn_geometry(setup, progress)
+    verts, faces = learn_geometry(setup, progress, lit)
     return Mesh(verts.cpu(), faces.cpu())
 
 

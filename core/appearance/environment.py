@@ -47,13 +47,14 @@ class Environment:
     irradiance_map: Levels  # ∫ L cos / π of what is no lamp's
     specular: FittedLobes | SplitSum
     lamps: Lamps
+    diffuse_only: bool = False  # the ablation without a specular layer
 
     @classmethod
     def of(cls, image: Float[Tensor, "h w 3"], model: ShadingModel = "lobes") -> "Environment":
         """Prefilters a lat-long map of any size, on the map's device; 1 to 2 s on one core.
 
         ``model``: fitted lobes, which look as in Cycles, or the paper's split sum, which is faster
-        to shade.
+        to shade; or diffuse, whose split sum only :meth:`around` reads.
         """
         # The convolutions make their tensors on the CPU.
         device, image = image.device, image.detach().to("cpu", torch.float32)
@@ -66,7 +67,8 @@ class Environment:
         small = resample(rest, IRRADIANCE_ROWS, 2 * IRRADIANCE_ROWS)
         irradiance = convolve(small, lambda cos: cos.clamp(min=0))
         specular = FittedLobes.of(rest) if model == "lobes" else SplitSum.of(rest)
-        return cls(Levels.of([image]), Levels.of([irradiance]), specular, lamps).to(device)
+        maps = Levels.of([image]), Levels.of([irradiance])
+        return cls(*maps, specular, lamps, model == "diffuse").to(device)
 
     def to(self, device: "torch.device | str") -> "Environment":
         """The same on ``device``."""
@@ -75,6 +77,7 @@ class Environment:
             self.irradiance_map.to(device),
             self.specular.to(device),
             self.lamps.to(device),
+            self.diffuse_only,
         )
 
     def rotated(self, azimuth: float) -> "Environment":
@@ -87,6 +90,7 @@ class Environment:
             self.irradiance_map.rotated(azimuth),
             self.specular.rotated(azimuth),
             self.lamps.rotated(azimuth),
+            self.diffuse_only,
         )
 
     def radiance(self, direction: Float[Tensor, "p 3"]) -> Float[Tensor, "p 3"]:

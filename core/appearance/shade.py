@@ -65,6 +65,9 @@ def shade_chunk(
         arriving, lamp = arriving * change, lamp * open_
         own = (1 - open_) * kd * arriving  # the object, where the mirror shows it
         light = Incoming(light.diffuse, *(open_ * x + own for x in light[1:]))
+    # The paper's ablation: L_d alone, and nothing above it that takes light away.
+    if environment.diffuse_only:
+        return kd * arriving
     # Eq. 8 with Schlick's F = F0 + (1 - F0)(1 - cos)^5 and F0 = kd.
     base = (albedo.total - albedo.schlick) * light.base + lamp[0]
     metal = kd * base + albedo.schlick * light.schlick + lamp[1]

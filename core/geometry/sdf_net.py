@@ -112,6 +112,8 @@ class SdfNet(nn.Module):
         layers.append(_linear(widths[-1], 4, not hashed, generator))
         self.mlp = nn.Sequential(*layers)
         self.residual: Residual | None = None
+        # Γ, where one network is responsible for both (the paper's entangled ablation).
+        self.material: nn.Module | None = None
 
     def forward(
         self, points: Float[Tensor, "n 3"]

@@ -89,9 +89,10 @@ class PromptedGaussian(PromptedGuidance):
         views: Views,
         *,
         cond_only: bool = False,
+        apart: bool = False,
     ) -> Predictions:
         """The exact noise prediction at ``views.cameras``."""
-        del cond_only
+        del cond_only, apart
         mu = self.reference(views.cameras).to(z_t)
         return Predictions(mixture_eps(z_t, self.alpha_bar.to(z_t)[t], mu, self.std))
 

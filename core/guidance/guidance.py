@@ -71,6 +71,8 @@ class Predictions(NamedTuple):
     # Perp-Neg: the prompt from k other sides, and how strongly to steer each picture away from it.
     opposing: Float[Tensor, "k b 4 s s"] | None = None
     opposing_weight: Float[Tensor, "k b"] | None = None
+    # Only where asked for (``apart``): the negative prompt's; ``uncond`` is then that of no words.
+    negative: Float[Tensor, "b 4 s s"] | None = None
 
 
 class Guidance(ABC):
@@ -160,12 +162,15 @@ class PromptedGuidance(ABC):
         views: Views,
         *,
         cond_only: bool = False,
+        apart: bool = False,
     ) -> Predictions:
         """The noise predictions for the prompt and for what it is compared with; no gradient.
 
         Args:
             t: indices into ``alpha_bar``.
             cond_only: the caller needs ``cond`` alone, and the others may be left out.
+            apart: the negative prompt's prediction next to that of no words, not in its place;
+                ``negative`` is None where there is no negative prompt.
         """
 
 

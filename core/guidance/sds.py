@@ -1,21 +1,41 @@
-"""Score distillation sampling (SDS) on a batch of latents.
+"""Score distillation on a batch of latents: SDS, and two of its successors behind one function.
 
-Source: Fantasia3D Eqs. 1, 5 and 9, and "Implementation Details" for w(t).
+    sds  w(t) (ε̂_φ(z_t; y, t) - ε)         Fantasia3D Eqs. 1, 5 and 9
+    csd  w(t) s (ε(y) - ε(∅))              Yu et al. 2024, "Text-to-3D with classifier score
+                                           distillation"; the term of SDS that the scale s weighs
+    sdi  w(t) (ε̂_φ(z_t; y, t) - κ)         Lukoianov et al. 2024, "Score distillation via
+                                           reparametrized DDIM"; κ is found by inverting DDIM
+
+w(t) is that of Fantasia3D's "Implementation Details" in all three.
 Notation: sigma is the paper's variance-preserving noise level, ``sigma**2 = 1 - alpha_bar``.
 It is not the EDM / k-diffusion sigma, which is ``sqrt((1 - alpha_bar) / alpha_bar)``.
 """
+
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.config import Weighting
+from core.config import Distillation, Weighting
 from core.errors import UserError
 from core.guidance.guidance import Predictions, PromptedGuidance, Views
 
 
 class NotFiniteError(UserError):
     """NaN or infinity came out of the guidance, or went in."""
+
+
+class Method(NamedTuple):
+    """How a score becomes a gradient: one of the three at the file's head."""
+
+    name: Distillation = "sds"
+    negative: Float[Tensor, " b"] | None = None  # csd: weight of the negative prompt, by view
+    inversion_steps: int = 10  # sdi: predictions for one noise
+
+
+SDS = Method()
 
 
 def add_noise(
@@ -68,19 +88,43 @@ def guided(predictions: Predictions, scale: float) -> Float[Tensor, "b 4 h w"]:
     Perp-Neg steers away from each opposing prediction as far as that is perpendicular to the
     prompt's own direction (Armandpour et al. 2023, Eq. 8), with the same guidance scale.
     """
-    cond, uncond, opposing, weights = predictions
-    if uncond is None:
-        return cond
+    if predictions.uncond is None:
+        return predictions.cond
     # At scale 1 too: u + (c - u) differs from c in its last bits, and a run repeats to the bit.
-    eps_hat = guide(cond, uncond, scale)
-    if opposing is None or weights is None:
-        return eps_hat
+    eps_hat = guide(predictions.cond, predictions.uncond, scale)
+    for part in opposed(predictions):
+        eps_hat = eps_hat - scale * part
+    return eps_hat
+
+
+def opposed(predictions: Predictions) -> Iterator[Float[Tensor, "b 4 h w"]]:
+    """Perp-Neg's part of each opposing prediction, weighted by the view's weight."""
+    cond, uncond, opposing, weights, _ = predictions
+    if uncond is None or opposing is None or weights is None:
+        return
     for eps_view, view_weight in zip(opposing, weights, strict=True):
         # Only the perpendicular part: the prompt seen from another side is mostly the prompt
         # itself.
-        perpendicular = perp_neg(cond - uncond, eps_view - uncond)
-        eps_hat = eps_hat - scale * view_weight[:, None, None, None] * perpendicular
-    return eps_hat
+        yield view_weight[:, None, None, None] * perp_neg(cond - uncond, eps_view - uncond)
+
+
+def classifier_score(
+    predictions: Predictions, negative: Float[Tensor, " b"] | None = None
+) -> Float[Tensor, "b 4 h w"]:
+    """ε(y) - ε(∅) - ω (ε(neg) - ε(∅)): CSD's direction, with ``negative`` for ω.
+
+    At ω = ½ it is ε(y) - ½ ε(neg) - ½ ε(∅) (Yu et al. 2024, with ω1 = 1). Without an unconditional
+    prediction the words change nothing, and it is 0.
+    """
+    if predictions.uncond is None:
+        return torch.zeros_like(predictions.cond)
+    score = predictions.cond - predictions.uncond
+    if negative is not None and predictions.negative is not None:
+        away = predictions.negative - predictions.uncond
+        score = score - negative.to(score)[:, None, None, None] * away
+    for part in opposed(predictions):
+        score = score - part
+    return score
 
 
 def predict_eps(
@@ -92,6 +136,31 @@ def predict_eps(
 ) -> Float[Tensor, "b 4 s s"]:
     """ε̂_φ(z_t; y, t) with classifier-free guidance; ``scale`` 1 is none. Without gradient."""
     return guided(guidance.predict(z_t, t, views, cond_only=scale == 1), scale)
+
+
+@torch.no_grad()
+def inverted_noise(
+    guidance: PromptedGuidance,
+    z: Float[Tensor, "b 4 s s"],
+    t: Int[Tensor, " b"],
+    views: Views,
+    scale: float,
+    steps: int,
+) -> Float[Tensor, "b 4 s s"]:
+    """κ, the noise at which DDIM would arrive when run backwards from the clean ``z`` to t.
+
+    Lukoianov et al. 2024, §5: SDS then follows one trajectory of DDIM instead of the mean over all
+    noises. ``scale`` is that of the inversion: the authors found minus the guidance's.
+    """
+    alpha_bar, z_t = guidance.alpha_bar.to(z), z
+    a, b = torch.ones_like(z[:, :1, :1, :1]), torch.ones_like(z[:, :1, :1, :1])
+    for step in range(steps):
+        eps = predict_eps(guidance, z_t, t * step // steps, views, scale)
+        b = alpha_bar[t * (step + 1) // steps][:, None, None, None]
+        # DDIM without new noise (Song et al. 2021, Eq. 12), towards the noisier side.
+        clean = (z_t - (1 - a).sqrt() * eps) / a.sqrt()
+        z_t, a = b.sqrt() * clean + (1 - b).sqrt() * eps, b
+    return (z_t - b.sqrt() * z) / (1 - b).sqrt()
 
 
 def weight(alpha_bar: Float[Tensor, " b"], kind: Weighting) -> Float[Tensor, " b"]:
@@ -154,14 +223,16 @@ def sds_grad(
     guidance_scale: float,
     *,
     cap: float | None = None,
+    method: Method = SDS,
 ) -> Float[Tensor, "b 4 s s"]:
     """w(t) (ε̂_φ(z_t; y, t) - ε), the SDS gradient in the latent (Eqs. 1, 5, 9).
 
     Args:
         z: clean latents; only their values are used.
         t: indices into ``guidance.alpha_bar``.
-        eps: standard normal noise, drawn by the caller.
+        eps: standard normal noise, drawn by the caller; sdi finds its own.
         cap: the largest root mean square of a view's gradient (``cap_rms``). None: as it is.
+        method: SDS, or one of the others at the file's head in its place.
 
     Raises:
         NotFiniteError: the latents or the guidance's answer hold NaN or infinity.
@@ -171,12 +242,19 @@ def sds_grad(
     # Checked on both sides of the network, so that the message names where the fault lies.
     _require_finite(z, t, "The picture that goes to the guidance")
     alpha_bar = guidance.alpha_bar.to(z)[t.to(z.device)]
+    if method.name == "sdi":
+        eps = inverted_noise(guidance, z, t, views, -guidance_scale, method.inversion_steps)
     with torch.no_grad():
         z_t = add_noise(z, eps, alpha_bar)
-        eps_hat = predict_eps(guidance, z_t, t, views, guidance_scale)
-    _require_finite(eps_hat, t, "The guidance's noise prediction")
+        if method.name == "csd":
+            apart = method.negative is not None and bool((method.negative > 0).any())
+            predictions = guidance.predict(z_t, t, views, apart=apart)
+            score = guidance_scale * classifier_score(predictions, method.negative)
+        else:
+            score = predict_eps(guidance, z_t, t, views, guidance_scale) - eps
+    _require_finite(score, t, "The guidance's noise prediction")
     # Capped after the weighting: the bound is on what reaches the latent.
-    grad = weight(alpha_bar, weighting)[:, None, None, None] * (eps_hat - eps)
+    grad = weight(alpha_bar, weighting)[:, None, None, None] * score
     return grad if cap is None else cap_rms(grad, cap)
 
 

@@ -26,6 +26,7 @@ class Step:
     at: int  # within the stage
     last: bool  # of the stage
     loss: float | None = None
+    coverage: float | None = None  # of the pictures by the surface, where that is being learned
 
 
 class Progress:
@@ -68,7 +69,8 @@ class Progress:
                 clock.add(phase, now - before)
                 before = now
                 seconds_left = clock.after(phase, index)
-                self._report(stage, at + 1, total, loss=step.loss, seconds_left=seconds_left)
+                numbers = {"loss": step.loss, "coverage": step.coverage}
+                self._report(stage, at + 1, total, **numbers, seconds_left=seconds_left)
                 bar.update(at + 1, seconds_left)
 
     def advance(self, stage: str, step: int, steps: int) -> None:
@@ -101,7 +103,7 @@ class Progress:
             return
         self._reported = now
         fields: dict[str, Any] = {
-            name: round(value, 5 if name == "loss" else 1)
+            name: round(value, 1 if name == "seconds_left" else 5)
             for name, value in numbers.items()
             if value is not None and math.isfinite(value)  # JSON has neither NaN nor infinity
         }

@@ -10,7 +10,7 @@ from torch import Tensor
 from core.camera import Cameras, sample_cameras
 from core.config import PhaseConfig
 from core.guidance.guidance import Views
-from core.guidance.sds import anneal, sample_t, sds_grad, sds_loss
+from core.guidance.sds import Method, anneal, sample_t, sds_grad, sds_loss
 from core.stages.scene import portions
 from core.stages.training import Setup
 
@@ -29,6 +29,8 @@ class Draw:
     # Of the coarse geometry only: turns of the normals, and where the samples of the rays are.
     rotations: Float[Tensor, "b 3 3"] | None = None
     ray_shift: Float[Tensor, "b r r"] | None = None
+    # Of csd only, not random: the annealed weight of the negative prompt.
+    negative: Float[Tensor, " b"] | None = None
 
     @classmethod
     def of(cls, setup: Setup, phase: PhaseConfig, progress: float) -> "Draw":
@@ -36,11 +38,15 @@ class Draw:
         config, guidance = setup.config, setup.guidance
         views, size, generator = config.views, guidance.latent_size, setup.training.generator
         high = anneal(*phase.t_high, progress)
+        # sdi follows one trajectory of DDIM from noise to picture: its t falls, and is not drawn.
+        low = high if phase.distillation == "sdi" else phase.t_low
+        negative = torch.full((views,), anneal(*phase.csd_negative, progress))
         # The order is part of every result: a seed stands for this stream of numbers.
         return cls(
             sample_cameras(views, config.cameras, generator),
-            sample_t(views, phase.t_low, high, len(guidance.alpha_bar), generator),
+            sample_t(views, low, high, len(guidance.alpha_bar), generator),
             torch.randn(views, 4, size, size, generator=generator),
+            negative=negative if phase.distillation == "csd" else None,
         )
 
     def split(self, views_at_once: int, device: torch.device) -> "Iterator[Draw]":
@@ -58,7 +64,7 @@ def distill(
     z: Float[Tensor, "b 4 s s"],
     views: Views,
 ) -> tuple[Float[Tensor, ""], Float[Tensor, "b 4 s s"]]:
-    """One SDS step (Eqs. 1, 5, 9): a loss per pixel of ``z``, and its gradient there."""
+    """One step of the phase's distillation: a loss per pixel of ``z``, and its gradient there."""
     grad = sds_grad(
         setup.guidance,
         z,
@@ -68,6 +74,7 @@ def distill(
         weighting=phase.weighting,
         guidance_scale=phase.guidance_scale,
         cap=setup.config.gradient_cap or None,
+        method=Method(phase.distillation, draw.negative, phase.inversion_steps),
     )
     # Per pixel, so that a learning rate or a weight means the same at every size of the latent.
     grad = grad / (z.shape[-1] * z.shape[-2])

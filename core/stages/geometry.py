@@ -19,6 +19,7 @@ from core.guidance.guidance import Views, coarse_latent
 from core.guidance.sds import anneal
 from core.io.progress import Progress
 from core.stages.distill import Draw, distill
+from core.stages.lit_shape import LitShape
 from core.stages.refine import Targets, fit_loss, round_targets
 from core.stages.regularisers import bending, eikonal, strays
 from core.stages.shape_scene import ShapeScene, use_lattice
@@ -35,38 +36,52 @@ ShapeSetup = Setup[SdfNet, GeometryConfig]
 
 
 def learn_geometry(
-    setup: ShapeSetup, progress: Progress
+    setup: ShapeSetup, progress: Progress, lit: LitShape | None = None
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-    """Train Ψ by score distillation; the mesh that its surface has in the end."""
+    """Train Ψ by score distillation; the mesh that its surface has in the end.
+
+    ``lit``: from shaded pictures, an ablation; None: from normals, the paper's way.
+    """
     training, config = setup.training, setup.config
     training.resume()
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
-    train(training, geometry_phases(setup, coarse, fine), progress, config.gradient_clip)
+    train(training, geometry_phases(setup, coarse, fine, lit), progress, config.gradient_clip)
     return final_mesh(training.module, fine, config)
 
 
-def geometry_phases(setup: ShapeSetup, coarse: TetGrid, fine: TetGrid) -> list[Phase]:
+def geometry_phases(
+    setup: ShapeSetup, coarse: TetGrid, fine: TetGrid, lit: LitShape | None = None
+) -> list[Phase]:
     """The geometry's phases in their order, on the coarse and on the fine lattice."""
     config = setup.config
     return [
         # [n, o] itself is the latent: no encoder, so the rough shape comes quickly (§4.2).
-        Distillation(setup, coarse, "coarse", before=0),
+        Distillation(setup, coarse, "coarse", before=0, lit=lit),
         # Beyond the paper: grows what distilling leaves out, such as legs, and opens holes.
-        Fitting(setup, coarse, "grow"),
+        Fitting(setup, coarse, "grow", lit),
         # The normals are encoded as pictures are: the details (§4.2).
-        Distillation(setup, fine, "fine", before=config.coarse.steps),
+        Distillation(setup, fine, "fine", before=config.coarse.steps, lit=lit),
         # Beyond the paper: takes the dents out of planes; the shape moves little.
-        Fitting(setup, fine, "refine"),
+        Fitting(setup, fine, "refine", lit),
     ]
 
 
 class Distillation(Phase):
     """Score distillation from normals (Eq. 5): the phases ``coarse`` and ``fine``."""
 
-    def __init__(self, setup: ShapeSetup, grid: TetGrid, name: str, before: int) -> None:
+    def __init__(
+        self,
+        setup: ShapeSetup,
+        grid: TetGrid,
+        name: str,
+        before: int,
+        lit: LitShape | None = None,
+    ) -> None:
         """``before``: steps of distillation in earlier phases; rate and rays follow them all."""
         self.setup, self.grid, self.name, self.before = setup, grid, name, before
-        self.coarse = name == "coarse"
+        self.lit = lit
+        # A shaded picture is no [n, o]: it is encoded in the coarse phase too, and has no rays.
+        self.coarse = name == "coarse" and lit is None
         self.phase: PhaseConfig = getattr(setup.config, name)
         self.steps = self.phase.steps
 
@@ -88,7 +103,9 @@ class Distillation(Phase):
         # Rays and the eikonal term read the SDF off the surface; without them only nodes at it are
         # needed.
         lattice = self.sharpness(index) > 0 or setup.config.eikonal > 0
-        scene = ShapeScene(setup.training.module, self.grid, setup.guidance, lattice=lattice)
+        lit = self.lit and self.lit.turned(setup.training.generator)
+        net, guidance = setup.training.module, setup.guidance
+        scene = ShapeScene(net, self.grid, guidance, lattice=lattice, lit=lit)
         return scene, self._losses(scene, index)
 
     def draw(self, index: int) -> Draw:
@@ -141,8 +158,10 @@ class Distillation(Phase):
 class Fitting(Phase):
     """Rounds of fitting to denoised pictures: the phases ``grow`` and ``refine``."""
 
-    def __init__(self, setup: ShapeSetup, grid: TetGrid, name: str) -> None:
-        self.setup, self.grid, self.name = setup, grid, name
+    def __init__(
+        self, setup: ShapeSetup, grid: TetGrid, name: str, lit: LitShape | None = None
+    ) -> None:
+        self.setup, self.grid, self.name, self.lit = setup, grid, name, lit
         self.rounds: RefineConfig = getattr(setup.config, name)
         self.steps = self.rounds.rounds * self.rounds.steps
 
@@ -159,7 +178,8 @@ class Fitting(Phase):
         # surface that its round started from, and evaluates nothing else: the target is near.
         rays = self.rounds.ray_mask > 0
         band = None if rays else self._band(label)
-        scene = ShapeScene(net, self.grid, guidance, lattice=rays, band=band)
+        lit = self.lit and self.lit.turned(self.setup.training.generator)
+        scene = ShapeScene(net, self.grid, guidance, lattice=rays, band=band, lit=lit)
         return scene, self._losses(scene, label)
 
     def _band(self, label: str) -> Band:

@@ -1,6 +1,7 @@
 """Small pictures and a light mesh of what a training has so far, for those who watch the run."""
 
 import io
+import time
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from core.io.run_folder import RunFolder
 from core.render.normals import render_normals
 
 SIZE = 256  # pixels
+FRAMES = 12  # of a film, in its first while
 MAX_FACES = 20_000  # of the light mesh: Blender reads it within a frame
 VIEW = {"azimuth_deg": [30.0], "elevation_deg": [20.0]}
 
@@ -25,7 +27,9 @@ def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "
     """The geometry training's shape as normals, and as a light mesh in training units."""
     cameras = Cameras.orbit(**VIEW).to(verts.device)
     n, o = render_normals(verts, faces, cameras, SIZE, "camera")
-    write_png(run.preview_path("normals.png"), over_grey((n[0] + o[0]) / 2, o[0]))
+    picture = over_grey((n[0] + o[0]) / 2, o[0])
+    write_png(run.preview_path("normals.png"), picture)
+    keep_frame(run, "geometry", picture)
     write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run.job))
     run.report("preview", stage="geometry", path="preview/normals.png")
     run.report("preview", stage="geometry", path="preview/shape.npz")
@@ -34,7 +38,23 @@ def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "
 def show_color(run: RunFolder, picture: UInt8[np.ndarray, "h w 3"]) -> None:
     """The appearance training's asset as it is lit."""
     write_png(run.preview_path("color.png"), picture)
+    keep_frame(run, "appearance", picture)
     run.report("preview", stage="appearance", path="preview/color.png")
+
+
+def keep_frame(run: RunFolder, stage: str, picture: UInt8[np.ndarray, "h w 3"]) -> None:
+    """Add to the stage's film, small, where the last frame is an old one.
+
+    The names count milliseconds. The distance grows with the film's own length, so a run of hours
+    has a hundred frames and its first minute most of what changes fast.
+    """
+    folder = run.preview_path("film")
+    folder.mkdir(exist_ok=True)
+    now = round(time.time() * 1000)
+    times = sorted(int(path.stem.split("-")[1]) for path in folder.glob(f"{stage}-*.png"))
+    if times and now - times[-1] < (now - times[0]) / FRAMES:
+        return
+    write_png(folder / f"{stage}-{now:013d}.png", np.ascontiguousarray(picture[::2, ::2]))
 
 
 def over_grey(

@@ -19,6 +19,7 @@ class Scene(ABC):
     """
 
     device: torch.device
+    coverage: float | None = None  # fraction of the picture; None where the shape is final
 
     @abstractmethod
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:

@@ -1,4 +1,4 @@
-"""Ψ's surface as the cameras of one step see it: normals and a mask (Eq. 4)."""
+"""Ψ's surface as the cameras of one step see it: normals and a mask (Eq. 4), or lit."""
 
 from collections.abc import Iterator
 
@@ -16,6 +16,8 @@ from core.io.run_folder import RunFolder
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.stages.guard import MIN_COVERAGE
+from core.stages.lit_scene import surface_picture
+from core.stages.lit_shape import LitShape
 from core.stages.preview import show_shape
 from core.stages.scene import Scene, gather
 
@@ -44,14 +46,17 @@ class ShapeScene(Scene):
         *,
         lattice: bool = False,
         band: Band | None = None,
+        lit: LitShape | None = None,
     ) -> None:
         """
         Args:
             lattice: the gradient reaches the SDF of all nodes, as rays and ``eikonal`` need it;
                 otherwise that of the nodes at the surface, at a fraction of the time.
             band: of the lattice, to keep to.
+            lit: the pictures are shaded; None: they are normals.
         """
         self.net, self.grid, self.guidance, self.band = net, grid, guidance, band
+        self.lit = lit
         self.device = grid.tet_verts.device
         use_lattice(net, grid)
         if lattice:
@@ -65,7 +70,7 @@ class ShapeScene(Scene):
         # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
-        self.coverage = 0.0  # the largest of any part of the views
+        self.coverage: float = 0.0  # the largest of any part of the views
 
     def render(
         self, cameras: Cameras, size: int
@@ -77,8 +82,13 @@ class ShapeScene(Scene):
         return n, o
 
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
-        """The normals, encoded."""
-        return self.guidance.encode_normals(*self.render(cameras, size)), Views(cameras)
+        """The normals, encoded; or the shaded picture, and the surface that it is painted on."""
+        if self.lit is None:
+            return self.guidance.encode_normals(*self.render(cameras, size)), Views(cameras)
+        seen = self.lit.render(self.verts, self.faces, cameras, size, self.edges)
+        self.coverage = max(self.coverage, float(seen.o.detach().mean()))
+        surface = surface_picture(seen, self.guidance.latent_size).detach()
+        return self.guidance.encode_color(seen.srgb, seen.o), Views(cameras, surface)
 
     def backward(self, losses: Iterator[Tensor]) -> float:
         """Gather the gradient at the surface, then carry it into Ψ."""

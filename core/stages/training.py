@@ -72,6 +72,7 @@ def train(
         failure = ""
         try:
             step.loss = scene.backward(losses)
+            step.coverage = scene.coverage
         except (NotFiniteError, NoSurfaceError) as error:
             failure = error.text
         # A finite loss may have an infinite slope; one step with it would spoil every parameter.

@@ -97,7 +97,7 @@ def test_shading_model_is_a_setting() -> None:
     assert draft.appearance.shading == "lobes"
     with pytest.raises(UserError, match="appearance.shading is 'phong'") as caught:
         with_settings(draft, {"appearance.shading": "phong"})
-    assert caught.value.fix == "It takes lobes or split_sum."
+    assert caught.value.fix == "It takes lobes or split_sum or diffuse."
 
 
 def numbers(config, prefix=""):
@@ -153,7 +153,10 @@ def test_the_builtin_prior_brings_its_own_scales_and_caps(name) -> None:
     assert config.geometry.gradient_cap == draft.geometry.gradient_cap
     assert config.appearance.late.guidance_scale == draft.appearance.late.guidance_scale
     assert config.geometry.views == own.geometry.views
-    assert config.geometry.net == own.geometry.net
+    hashed = own.geometry.net.encoding == "hash"
+    finest = own.geometry.resolution[1] if hashed else own.geometry.net.finest
+    assert config.geometry.net == replace(own.geometry.net, finest=finest)
+    assert config.geometry.learning_rate == own.geometry.learning_rate
     assert config_of(Job(prompt="a mug", preset=name, guidance="/a/model")) == own
     settings = {"geometry.coarse.guidance_scale": 7}
     set_by_user = config_of(Job(prompt="a mug", preset=name, settings=settings))

@@ -305,7 +305,7 @@ class Recorded(PromptedGuidance):
     def restore(self, pictures, views):
         return None if self.constant is None else torch.full_like(pictures, self.constant)
 
-    def predict(self, z_t, t, views, *, cond_only=False):
+    def predict(self, z_t, t, views, *, cond_only=False, apart=False):
         self.denoised += 1
         return Predictions(z_t, z_t)
 

@@ -31,7 +31,7 @@ class Normal(Guidance):
 
 
 class PromptedNormal(PromptedGuidance):
-    def predict(self, z_t, t, views, *, cond_only=False):
+    def predict(self, z_t, t, views, *, cond_only=False, apart=False):
         normal = self._guidance
         ab = self.alpha_bar[t][:, None, None, None]
         sigma = (1 - ab).sqrt()

@@ -193,6 +193,29 @@ def test_the_prompt_is_used(guidance):
     assert difference(first, predict_eps(red, z_t, t, cameras, 1.0)) > 1e-3
 
 
+@pytest.mark.parametrize("perp_neg", [0.0, 1.0])
+def test_the_negative_prompt_s_noise_comes_apart_from_that_of_no_words(checkpoints, perp_neg):
+    """As csd's negative prompt needs it; Perp-Neg's other views stay."""
+    config = GuidanceConfig(perp_neg=perp_neg, default_negative=False)
+    guidance = StableDiffusion.load(str(checkpoints["1.x"]), "cpu", config=config)
+    z_t, t, cameras = noise(2), torch.tensor([300, 800]), views([0.0, 60.0])
+    given = guidance.prompted("a chair", "a cup")
+    wordless = guidance.prompted("a chair", "").predict(z_t, t, cameras).uncond
+    plain, apart = given.predict(z_t, t, cameras), given.predict(z_t, t, cameras, apart=True)
+    for found, expected in (
+        (apart.cond, plain.cond),
+        (apart.uncond, wordless),
+        (apart.negative, plain.uncond),
+    ):
+        torch.testing.assert_close(found, expected, rtol=1e-4, atol=1e-5)
+    assert plain.negative is None
+    assert difference(apart.negative, apart.uncond) > 1e-3
+    assert (apart.opposing is None) == (perp_neg == 0)
+    if perp_neg:
+        torch.testing.assert_close(apart.opposing, plain.opposing, rtol=1e-4, atol=1e-5)
+        torch.testing.assert_close(apart.opposing_weight, plain.opposing_weight)
+
+
 def test_perp_neg_steers_away_from_other_views_but_not_from_the_prompt(checkpoints):
     plain, perp = (
         StableDiffusion.load(

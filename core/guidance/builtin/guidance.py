@@ -142,6 +142,7 @@ class PromptedBuiltin(PromptedGuidance):
         views: Views,
         *,
         cond_only: bool = False,
+        apart: bool = False,
     ) -> Predictions:
         """Both branches in one batch, always: the size of a batch changes the last bits of its
         rows, and a run repeats to the bit. With ``views.surface`` the appearance network predicts.
@@ -149,24 +150,35 @@ class PromptedBuiltin(PromptedGuidance):
         del cond_only
         paints = views.surface is not None
         net = self.builtin.appearance if paints else self.builtin.geometry
-        words = self._indices(APPEARANCE_SLOTS if paints else GEOMETRY_SLOTS)
+        words = self._indices(APPEARANCE_SLOTS if paints else GEOMETRY_SLOTS, apart)
+        branches = len(words)
         words = words.repeat_interleave(len(z_t), 0)
         given = None  # the hint, of the appearance network alone
         if views.surface is not None:
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
-            given = hint(surface.repeat(2, 1, 1, 1), words)
-        # Both branches get the camera and the surface; they differ in words alone.
-        camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK).repeat(2, 1, 1, 1)
-        pair = z_t.repeat(2, 1, 1, 1)
+            given = hint(surface.repeat(branches, 1, 1, 1), words)
+        # All branches get the camera and the surface; they differ in words alone.
+        camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
+        camera, all_z, t = (
+            camera.repeat(branches, 1, 1, 1),
+            z_t.repeat(branches, 1, 1, 1),
+            t.repeat(branches),
+        )
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             # Back to 32 bit at once: the gradient is a small difference of predictions.
-            v = net(pair, t.repeat(2), words, camera, given).float()
-        cond, uncond = eps_from_v(v, pair, self.alpha_bar[t].repeat(2)).chunk(2)
-        return Predictions(cond, uncond)
+            v = net(all_z, t, words, camera, given).float()
+        cond, uncond, *negative = eps_from_v(v, all_z, self.alpha_bar[t]).chunk(branches)
+        return Predictions(cond, uncond, negative=negative[0] if negative else None)
 
-    def _indices(self, slots: tuple[str, ...]) -> Int[Tensor, "2 n"]:
-        """The rows of the prompt's words and of the negative prompt's, by slot."""
+    def _indices(self, slots: tuple[str, ...], apart: bool = False) -> Int[Tensor, "_k n"]:
+        """The rows of the prompt's words and of the negative prompt's, by slot.
+
+        ``apart``: a row of no words between the two; without a negative prompt it is the last.
+        """
         rows = [self.words.indices(slots), self.negative.indices(slots)]
+        none = [0] * len(slots)
+        if apart and rows[1] != none:
+            rows.insert(1, none)
         return torch.tensor(rows, device=self.builtin.device)
 
 

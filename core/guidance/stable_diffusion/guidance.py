@@ -165,7 +165,8 @@ class StableDiffusion(Guidance):
             warn_cut(negative_cut, "negative prompt")
         # Once for all steps: the prompt does not change during a training.
         states = self._encode_text([*tokens, negative_tokens])
-        return PromptedStableDiffusion(self, states[:-1], states[-1])
+        empty = self._encode_text([self._tokens("", "")[0]])[0]
+        return PromptedStableDiffusion(self, states[:-1], states[-1], empty)
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -229,14 +230,15 @@ class PromptedStableDiffusion(PromptedGuidance):
         guidance: StableDiffusion,
         views: Float[Tensor, "5 l d"],
         negative: Float[Tensor, "l d"],
+        empty: Float[Tensor, "l d"],
     ) -> None:
         """
         Args:
             views: CLIP's last hidden states of the prompt, for each of ``VIEWS``.
-            negative: those of the negative prompt.
+            negative, empty: those of the negative prompt, and of no words.
         """
         super().__init__(guidance)
-        self.diffusion, self.views, self.negative = guidance, views, negative
+        self.diffusion, self.views, self.negative, self.empty = guidance, views, negative, empty
         self._soft_views = guidance.config.soft_views
         self._perp_neg = guidance.config.perp_neg
 
@@ -248,38 +250,41 @@ class PromptedStableDiffusion(PromptedGuidance):
         views: Views,
         *,
         cond_only: bool = False,
+        apart: bool = False,
     ) -> Predictions:
         """The U-Net's predictions, ``chunk`` pictures at a time."""
         weights = view_weights(views.cameras, soft=self._soft_views).to(z_t.device)
         chunks = (x.split(self.diffusion.chunk) for x in (z_t, t.to(z_t.device), weights))
+        others = self._others(cond_only, apart)
         with _out_of_memory("the U-Net"):
-            parts = [self._predict(*chunk, cond_only) for chunk in zip(*chunks, strict=True)]
-        cond, uncond, opposing = zip(*parts, strict=True)
-        if uncond[0] is None:
-            return Predictions(torch.cat(cond))
-        if opposing[0] is None:
-            return Predictions(torch.cat(cond), torch.cat(uncond))
+            parts = [self._predict(*chunk, others) for chunk in zip(*chunks, strict=True)]
+        cond, *rest = (torch.cat(part) for part in zip(*parts, strict=True))
+        if not rest:
+            return Predictions(cond)
+        negative = rest.pop(1) if apart else None
+        if not self._perp_neg:
+            return Predictions(cond, rest[0], negative=negative)
         # Only the sides around the vertical have predictions.
         opposing_weight = self._perp_neg * opposing_weights(weights)[:, :AROUND].T
-        return Predictions(
-            torch.cat(cond), torch.cat(uncond), torch.cat(opposing, 1), opposing_weight
-        )
+        return Predictions(cond, rest[0], torch.stack(rest[1:]), opposing_weight, negative)
+
+    def _others(self, cond_only: bool, apart: bool) -> list[Tensor]:
+        """The texts next to the prompt's: what it is compared with, then Perp-Neg's sides."""
+        # One text is half of the work. Perp-Neg acts at guidance scale 1 too, and needs the others.
+        if cond_only and not self._perp_neg:
+            return []
+        compared = [self.empty, self.negative] if apart else [self.negative]
+        return compared + (list(self.views[:AROUND]) if self._perp_neg else [])
 
     def _predict(
-        self, z_t: Tensor, t: Tensor, weights: Tensor, cond_only: bool
-    ) -> tuple[Tensor, Tensor | None, Tensor | None]:
-        """For the prompt, for the negative prompt, and for Perp-Neg's other sides (K, B, ...)."""
+        self, z_t: Tensor, t: Tensor, weights: Tensor, others: list[Tensor]
+    ) -> tuple[Tensor, ...]:
+        """For the prompt, then for each of the ``others``."""
         texts = [torch.einsum("bv,vld->bld", weights.to(self.views), self.views)]
-        # One text is half of the work. Perp-Neg acts at guidance scale 1 too, and needs the others.
-        if not cond_only or self._perp_neg:
-            texts.append(self.negative.expand_as(texts[0]))
-        if self._perp_neg:
-            texts.extend(view.expand_as(texts[0]) for view in self.views[:AROUND])
+        texts += [text.expand_as(texts[0]) for text in others]
         # All texts of a picture in one batch: the U-Net's weights are read once.
         n = len(texts)
-        eps = self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
-        opposing = torch.stack(eps[2:]) if n > 2 else None
-        return eps[0], eps[1] if n > 1 else None, opposing
+        return self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
 
 
 def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype, texts: int = 2) -> int:
