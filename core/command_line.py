@@ -441,7 +441,7 @@ def _bench(args: argparse.Namespace) -> None:
         elif args.names == ["distillation"]:  # five trainings a noun, and a folder
             from core.benchmarks.bench_distillation import bench_distillation
 
-            bench_distillation(args.nouns, settings, args.calls, args.out, args.json)
+            bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
         else:
             bench(args.names, args.json)
     except ModuleNotFoundError as error:

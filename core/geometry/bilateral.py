@@ -22,6 +22,8 @@ from torch import Tensor
 
 NORMAL_ROUNDS = 10  # of the normals, in one round of the filter
 VERTEX_ROUNDS = 15  # of the vertices after them
+FOLLOWING_NORMAL_ROUNDS = 5  # of normals that come from elsewhere: less noisy than a mesh's own
+FOLLOWING_VERTEX_ROUNDS = 20
 REACH = 2.0  # σ_c, of the mean distance between the centres of faces that touch
 UNDO_ROUNDS = 4  # enough: what is put back lies in small groups of vertices
 LEAST_AREA = 1e-3  # of the mean face's; a smaller one that was larger before is put back
@@ -49,6 +51,37 @@ def flattened(
         for _ in range(VERTEX_ROUNDS):
             moved = _towards(moved, normals, around)
     return torch.from_numpy(_sound(v, moved, f)).to(verts)
+
+
+def following(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    normals: Float[Tensor, "f 3"],
+    trust: Float[Tensor, " f"],
+    sigma: float,
+) -> Float[Tensor, "v 3"]:
+    """Vertices moved until their faces have the unit ``normals``, filtered as in ``flattened``.
+
+    ``trust``: in [0, 1], of each face's normal; where it is 0 the face's own counts.
+    """
+    v, f = verts.detach().cpu().double().numpy(), faces.cpu().numpy()
+    around = Around.of(f, len(v))
+    share, wanted = trust.cpu().double().numpy()[:, None], normals.cpu().double().numpy()
+    mixed = share * wanted + (1 - share) * _normals(v, f)[0]
+    mixed /= np.maximum(np.linalg.norm(mixed, axis=1, keepdims=True), 1e-20)
+    target = _filtered(v, around, sigma, mixed, FOLLOWING_NORMAL_ROUNDS)
+    moved = v
+    for _ in range(FOLLOWING_VERTEX_ROUNDS):
+        moved = _towards(moved, target, around)
+    return torch.from_numpy(_sound(v, moved, f)).to(verts)
+
+
+def without_folds(
+    before: Float[Tensor, "v 3"], after: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]
+) -> Float[Tensor, "v 3"]:
+    """``after``, but around faces that have turned over or lost their area as it was before."""
+    parts = (before.detach().cpu().double().numpy(), after.detach().cpu().double().numpy())
+    return torch.from_numpy(_sound(*parts, faces.cpu().numpy())).to(before)
 
 
 @dataclass(frozen=True)
@@ -87,14 +120,21 @@ class Around:
         return csr_array((weights, self.other, self.start), shape) @ values
 
 
-def _filtered(verts: Verts, around: Around, sigma: float) -> Normals:
-    """The faces' normals after ``NORMAL_ROUNDS`` (Zheng et al., Eq. 4)."""
-    normals, areas = _normals(verts, around.faces)
+def _filtered(
+    verts: Verts,
+    around: Around,
+    sigma: float,
+    start: Normals | None = None,
+    rounds: int = NORMAL_ROUNDS,
+) -> Normals:
+    """The faces' normals, or those of ``start``, after ``rounds`` (Zheng et al., Eq. 4)."""
+    own, areas = _normals(verts, around.faces)
+    normals = own if start is None else start
     centres = verts[around.faces].mean(1)
     apart = np.linalg.norm(centres[around.one] - centres[around.other], axis=1)
     # The vertices rest while the normals change, so W_c is computed once.
     near = areas[around.other] * _gauss(apart, REACH * apart.mean())
-    for _ in range(NORMAL_ROUNDS):
+    for _ in range(rounds):
         unlike = np.linalg.norm(normals[around.one] - normals[around.other], axis=1)
         # The last term is the face itself (j = i): at distance 0 from itself both weights are 1.
         mean = around.mean(near * _gauss(unlike, sigma), normals) + areas[:, None] * normals

@@ -39,19 +39,21 @@ class Softness:
     """One draw of what a fit does to a solid; lengths in training units."""
 
     blur: float  # standard deviation; a plate thinner than 1.6 of it vanishes
-    shift: float  # the surface moved inwards (above 0) or outwards
+    shift: float  # the surface moved inwards (above 0) or outwards (below)
     dents: tuple[tuple[int, float], ...]  # nodes along an edge, slope in radians
     warp: float  # standard deviation of the low-frequency displacement
 
 
 def draw_softness(draw: Draw) -> Softness:
-    """From nearly exact to what a draft's growing leaves: mean normal error 2 to 20 degrees."""
-    strength = draw(0, 1) ** 1.5  # mild ones are what the last rounds see
+    """From nearly exact to what a draft's growing leaves: mean normal error 2 to 30 degrees."""
+    strength = draw(0, 1) ** 1.2  # mild ones are what the last rounds see
+    blur = 0.006 + 0.11 * strength * draw(0.3, 1)
     return Softness(
-        blur=0.006 + 0.05 * strength * draw(0.4, 1),
-        shift=draw(-0.008, 0.012) * (0.3 + strength),
-        dents=tuple((nodes, strength * draw(0, 0.15)) for nodes in (6, 11, 20)),
-        warp=0.016 * strength * draw(0, 1),
+        blur=blur,
+        # Mostly outwards, as a growing fattens: blurred alone, legs and plates would vanish
+        shift=draw(-0.75, 0.15) * blur + draw(-0.006, 0.006),
+        dents=tuple((nodes, strength * draw(0, 0.2)) for nodes in (6, 11, 20)),
+        warp=0.025 * strength * draw(0, 1),
     )
 
 
@@ -127,7 +129,7 @@ def soft_pictures(
     pictures: Float[Tensor, "b 4 s s"], strength: Float[Tensor, " b"], generator: torch.Generator
 ) -> Float[Tensor, "b 4 s s"]:
     """Pictures [n * o, 2o - 1] as drawn of a softer object; ``strength`` 0 changes nothing, 1 is
-    up to 3 pixels of blur, 1.6 pixels of warp and dents of 14 degrees."""
+    up to 3.5 pixels of blur, 1.6 pixels of warp, dents of 14 degrees and fatter silhouettes."""
     count, _, size, _ = pictures.shape
 
     def uniform(low: float, high: float) -> Tensor:
@@ -149,11 +151,12 @@ def soft_pictures(
     both = torch.cat([pictures[:, :3], (pictures[:, 3:] + 1) / 2], 1)
     both = grid_sample(both, grid + away.permute(0, 2, 3, 1), align_corners=False)
     # BLUR: of normals weighted by coverage, so that the background adds nothing to their direction
-    both = blur2(both, strength * uniform(0.4, 3.0))
+    both = blur2(both, strength * uniform(0.4, 3.5))
 
     # The silhouette of a blurred solid is rounded and sharp again.
     steep = uniform(8, 16)[:, None, None, None]
-    edge = torch.sigmoid((both[:, 3:] - 0.5) * steep)
+    level = (0.5 - strength * uniform(-0.05, 0.3))[:, None, None, None]  # lower is fatter
+    edge = torch.sigmoid((both[:, 3:] - level) * steep)
     coverage = torch.lerp(both[:, 3:], edge, amount.clamp(max=1))
     # DENTS: normals turned at random; the mean of blurred normals is short and is made unit first
     dents = noise(3, size // 8)

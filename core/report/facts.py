@@ -13,7 +13,7 @@ from core.io.run_folder import RunFolder
 from core.job_config import config_of
 
 REMAKE = "Make the asset again, or report on another run."
-STAGES = ("fit", "geometry", "start", "unwrap", "appearance", "bake")
+STAGES = ("fit", "geometry", "sharpen", "start", "unwrap", "appearance", "bake")
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from core.stages.lit_shape import LitShape
 from core.stages.refine import Targets, fit_loss, round_targets
 from core.stages.regularisers import bending, eikonal, strays
 from core.stages.shape_scene import ShapeScene, use_lattice
+from core.stages.sharpen import sharpened
 from core.stages.training import Phase, Setup, decayed, fraction, train
 
 RAY_PICTURE = 32  # side of the picture whose rays distilling follows through the lattice
@@ -46,7 +47,9 @@ def learn_geometry(
     training.resume()
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
     train(training, geometry_phases(setup, coarse, fine, lit), progress, config.gradient_clip)
-    return final_mesh(training.module, fine, config)
+    verts, faces = final_mesh(training.module, fine, config)
+    with progress.timed("sharpen"):
+        return sharpened(setup, verts, faces, progress), faces
 
 
 def geometry_phases(
