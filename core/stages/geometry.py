@@ -49,7 +49,7 @@ def learn_geometry(
     train(training, geometry_phases(setup, coarse, fine, lit), progress, config.gradient_clip)
     verts, faces = final_mesh(training.module, fine, config)
     with progress.timed("sharpen"):
-        return sharpened(setup, verts, faces, progress), faces
+        return sharpened(config, setup.guidance, verts, faces, progress), faces
 
 
 def geometry_phases(

@@ -19,7 +19,6 @@ from core.camera import Cameras, sample_cameras
 from core.config import GeometryConfig, SharpenConfig
 from core.geometry.bilateral import following, without_folds
 from core.geometry.large_steps import SmoothVertices
-from core.geometry.sdf_net import SdfNet
 from core.guidance.guidance import PromptedGuidance, Views
 from core.io.progress import Progress
 from core.render.antialias import edge_table
@@ -27,7 +26,6 @@ from core.render.normals import render_normals
 from core.render.rasterizer import rasterize
 from core.stages.refine import fit_loss
 from core.stages.scene import portions
-from core.stages.training import Setup
 
 SEED = 0  # of the cameras and of their order
 RATE_END = 0.2  # fraction of the rate at a round's last step
@@ -36,8 +34,6 @@ MEDIAN_ROUNDS = 3  # of reweighting: from the mean towards the median of a face'
 MEDIAN_FLOOR = 0.1  # difference of unit normals below which all count alike
 COVERED = 0.9  # coverage from which a pixel's normal is a surface's
 ENOUGH = 4.0  # weight, in pixels seen frontally, from which a face's normal is trusted
-
-ShapeSetup = Setup[SdfNet, GeometryConfig]
 
 
 class Crisp(NamedTuple):
@@ -48,13 +44,13 @@ class Crisp(NamedTuple):
 
 
 def sharpened(
-    setup: ShapeSetup,
+    config: GeometryConfig,
+    guidance: PromptedGuidance,
     verts: Float[Tensor, "v 3"],
     faces: Int[Tensor, "f 3"],
     progress: Progress,
 ) -> Float[Tensor, "v 3"]:
     """The mesh's vertices after ``config.sharpen``; as they are where the guidance cannot."""
-    config, guidance = setup.config, setup.guidance
     generator = torch.Generator().manual_seed(SEED)
     verts = verts.detach()
     for _ in range(config.sharpen.rounds):
