@@ -12,10 +12,11 @@ Commands:
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
-    export ASSET --format blend|glb|usd|fbx|obj --out FILE
+    export ASSET --format blend|glb|usd|fbx|obj|stl|3mf --out FILE
     relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE
+    report RUN --out FILE      a run as one HTML file that needs no network
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to fix it; --report FILE

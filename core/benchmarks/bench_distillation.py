@@ -166,7 +166,7 @@ def learned_kd(run: RunFolder, guidance: PromptedGuidance, config: Config, noun:
     solid = build(noun, "", Draw(torch.Generator().manual_seed(7)), jitter=0.0)
     grid, progress = tet_grid(SOLID), Progress(run)
     verts, faces = marching_tets(grid.tet_verts, solid.sdf(grid.tet_verts), grid)
-    mesh = unwrap_shape(Mesh(verts, faces), config.texture, progress)
+    mesh = unwrap_shape(Mesh(verts, faces), config.texture, progress).mesh
     look, generator = within(config.appearance, guidance.ranges()), _seeded()
     net = MaterialNet(look, generator)
     training = Training("appearance", net, generator, run)

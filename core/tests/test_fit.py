@@ -24,6 +24,7 @@ from core.stages.start_shape import sdf_net
 
 SHORT = replace(
     DRAFT.geometry,
+    net=FOURIER,
     resolution=(16, 32),
     fit_steps=60,
     coarse=replace(DRAFT.geometry.coarse, steps=0),

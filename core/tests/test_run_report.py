@@ -140,7 +140,7 @@ def test_a_report_is_replaced_by_a_newer_one_and_is_whole(tmp_path):
 @pytest.mark.parametrize(
     ("broken", "words"),
     [
-        ("events.jsonl", "no event"),
+        ("events.jsonl", "no JSON"),
         ("asset/asset.glb", "no GLB"),
         ("asset/asset.json", "no JSON"),
         ("asset/orm.png", "no picture"),
