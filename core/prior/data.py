@@ -17,10 +17,11 @@ from safetensors.torch import load_file, save_file
 from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
+from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.words import OPTIONS, PARTS
 from core.io.atomic import atomic_file
 from core.prior.draw import Draw
-from core.prior.families import FAMILIES, STRETCH, build
+from core.prior.families import STRETCH, build
 from core.prior.tracer import Pictures, render
 
 SHARDS = "shard_*.safetensors"
@@ -30,7 +31,7 @@ VIEWS = 4  # of one object
 OBJECTS = 256  # of one shard
 CAMERAS = CameraConfig(distance=(2.9, 3.1), elevation_deg=(-60.0, 78.0))  # bottoms too
 
-NOUNS = list(FAMILIES)
+NOUNS = list(ORDER)
 ADJECTIVES = ["", *STRETCH]
 PART_STATES = ["", *PARTS]
 # The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.

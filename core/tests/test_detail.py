@@ -15,12 +15,12 @@ from core.appearance.shaded import UvMesh
 from core.config import DRAFT, with_settings
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import FINISHES
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.vocabulary import Words, parse
-from core.guidance.builtin.words import MATERIALS, NOUNS
+from core.guidance.builtin.words import MATERIALS
 from core.guidance.guidance import PromptedGuidance, Surface
 from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion
 from core.ops import lab, srgb_to_linear
@@ -270,7 +270,7 @@ def test_a_variants_own_colour_is_for_prompts_without_one():
 
 
 def test_every_noun_has_surfaces_without_words():
-    for noun in LOOKS:
+    for noun in NOUNS:
         assert surfaces_of(Words(noun=noun))
 
 

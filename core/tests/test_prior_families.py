@@ -8,7 +8,7 @@ import torch
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
-from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.words import OPTIONS
 from core.prior.draw import Draw
 from core.prior.families import FAMILIES, STRETCH, build, surface_points
@@ -126,7 +126,7 @@ def test_the_parts_are_those_that_have_a_look_in_their_order(noun):
     for stated in ("", *OPTIONS.get(noun, ())):
         for seed in range(4):
             names = list(FAMILIES[noun](_draw(seed, stated)))
-            assert names == list(LOOKS[noun])[: len(names)]
+            assert names == list(NOUNS[noun].looks)[: len(names)]
 
 
 @pytest.mark.parametrize("noun", [n for n, o in OPTIONS.items() if f"no {o[0]}" in o])

@@ -4,18 +4,20 @@ import pytest
 
 from core.command_line import job_of, parse
 from core.errors import UserError
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.physical import usual_of
-from core.guidance.builtin.sizes import DENSITIES, THINGS, UNKNOWN, USUAL, usual
-from core.guidance.builtin.words import MATERIALS, NOUNS
+from core.guidance.builtin.sizes import DENSITIES, UNKNOWN, usual
+from core.guidance.builtin.words import MATERIALS
 from core.io.job import Job
 from core.stages.preview import size_of
 
 
 def test_every_noun_has_one_group_and_every_material_its_density():
-    nouns = [noun for group in THINGS.values() for noun in group]
+    nouns = [noun for group in GROUPS.values() for noun in group]
     assert sorted(nouns) == sorted(NOUNS)
+    usuals = [noun.usual for noun in NOUNS.values()]
     assert set(DENSITIES) == set(MATERIALS)
-    assert all(0 < u.filled <= 1 and 0.05 <= u.size_m <= 30 for u in USUAL.values())
+    assert all(0 < u.filled <= 1 and 0.05 <= u.size_m <= 30 for u in usuals)
     assert all(100 < density < 20000 for density in DENSITIES.values())
 
 

@@ -1,7 +1,7 @@
 """The known words by group, as a menu shows them. Standard library only."""
 
+from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.sizes import THINGS
 from core.guidance.builtin.words import OPTIONS
 
 ADJECTIVES = {"Shapes": "shape", "Colours": "color", "Materials": "material", "Patterns": "pattern"}
@@ -15,7 +15,7 @@ def word_groups() -> list[dict[str, object]]:
     known = offered_words()
     groups: list[dict[str, object]] = [
         {"name": name, "kind": "thing", "words": [noun for noun in things if noun in known["noun"]]}
-        for name, things in THINGS.items()
+        for name, things in GROUPS.items()
     ]
     for name, slot in ADJECTIVES.items():
         groups.append({"name": name, "kind": slot, "words": list(known[slot])})

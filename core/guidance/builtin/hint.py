@@ -5,9 +5,9 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import SWATCHES, has_accents, swatches
 from core.guidance.builtin.patterns import PATTERNS, Place
-from core.guidance.builtin.words import NOUNS
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES

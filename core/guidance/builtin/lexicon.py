@@ -7,12 +7,11 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from core.guidance.builtin.looks import LOOKS
 from core.guidance.builtin.nearest import NEAREST, REAL
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.words import (
     COLORS,
     MATERIALS,
-    NOUNS,
     PART_SYNONYMS,
     PART_WORDS,
     PARTS,
@@ -56,7 +55,8 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
     lexicon: dict[str, tuple[str, str]] = {}
     narrower = []
     # The first table that has a form keeps it: "hat" is a thing, and a part only after a noun.
-    tables = {"noun": NOUNS, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
+    names = {word: noun.names for word, noun in NOUNS.items()}
+    tables = {"noun": names, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
     tables |= {"pattern": PATTERNS, "part": PART_WORDS}
     for slot, table in tables.items():
         for word, text in table.items():
@@ -79,7 +79,7 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
         if slot == "part" or word in known.get(slot, ()):
             return Entry(slot, word, form)
     for form in forms:
-        if form in PART_FORMS or any(form in parts for parts in LOOKS.values()):
+        if form in PART_FORMS or any(form in noun.looks for noun in NOUNS.values()):
             return Entry("part", PART_FORMS.get(form, form), form)
     return None
 

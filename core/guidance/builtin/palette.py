@@ -12,7 +12,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.nouns import NOUNS
 
 Color = tuple[float, float, float]
 
@@ -109,13 +109,13 @@ class Look(NamedTuple):
     color: Color
     pattern: str
     finish: Finish
-    material: str = ""  # the finish's name in LOOKS
+    material: str = ""  # the finish's name in the noun's looks
 
 
 @cache
 def looks(noun: str) -> dict[str, Look]:
     """The noun's parts by nature, in the order of the pictures' part index."""
-    return {part: _look(text) for part, text in LOOKS[noun].items()}
+    return {part: _look(text) for part, text in NOUNS[noun].looks.items()}
 
 
 def _look(text: str) -> Look:

@@ -25,7 +25,7 @@ from core.guidance.builtin.lexicon import (
     look_up,
     nearest_words,
 )
-from core.guidance.builtin.looks import LOOKS
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.prompt_errors import PromptError, UnknownWordsError
 from core.guidance.builtin.sizes import usual
@@ -338,13 +338,17 @@ def _with_hint(token: str, near: list[str]) -> str:
     return f"{token!r} (did you mean {' or '.join(near)}?)" if near else repr(token)
 
 
+def _looks(noun: str) -> dict[str, str]:
+    return NOUNS[noun].looks if noun in NOUNS else {}
+
+
 def _is_part(word: str, noun: str) -> bool:
-    return word in LOOKS.get(noun, ()) or any(word in state for state in OPTIONS.get(noun, ()))
+    return word in _looks(noun) or any(word in state for state in OPTIONS.get(noun, ()))
 
 
 def _role(noun: str, part: str) -> str:
-    """The role of a noun's part, see ``looks``; "" where it has none of that name."""
-    looks = LOOKS.get(noun, {})
+    """The role of a noun's part, see ``Noun``; "" where it has none of that name."""
+    looks = _looks(noun)
     name = next((name for name in _names(part) if name in looks), "")
     return looks[name][0] if name else ""
 
@@ -356,7 +360,7 @@ def _always_has(noun: str, part: str) -> bool:
     # These nouns have four legs in any case, so that stating it changes nothing.
     if part in LEGS:
         return part == "four legs" and noun in legs
-    return any(name in LOOKS[noun] for name in _names(part))
+    return any(name in _looks(noun) for name in _names(part))
 
 
 def _names(part: str) -> list[str]:

@@ -1,0 +1,30 @@
+"""The things that the built-in prior knows, as data: one file a group, one row a thing.
+
+The solids that they are made of are in ``core/prior/things``, for training alone.
+"""
+
+from core.guidance.builtin.nouns.buildings import BUILDINGS
+from core.guidance.builtin.nouns.furniture import FURNITURE
+from core.guidance.builtin.nouns.household import HOUSEHOLD
+from core.guidance.builtin.nouns.noun import Noun
+from core.guidance.builtin.nouns.old_animals import ANIMALS
+from core.guidance.builtin.nouns.old_food import FOOD
+from core.guidance.builtin.nouns.old_plants import PLANTS
+from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.solids import SOLIDS
+from core.guidance.builtin.nouns.tools import TOOLS_AND_TOYS
+from core.guidance.builtin.nouns.vehicles import VEHICLES
+
+GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
+    "Solids": SOLIDS,
+    "Furniture": FURNITURE,
+    "Household": HOUSEHOLD,
+    "Food": FOOD,
+    "Plants": PLANTS,
+    "Animals": ANIMALS,
+    "Vehicles": VEHICLES,
+    "Buildings": BUILDINGS,
+    "Tools and Toys": TOOLS_AND_TOYS,
+}
+_ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
+NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}
