@@ -38,7 +38,7 @@ def steps(screen: Screen) -> Iterator[float]:
 def words(settings) -> Iterator[float]:
     """An unknown word, its nearest meaning, and what is understood."""
     settings.prompt = "a red chest"
-    while submit.report_of(settings) is None or not session.words.groups():
+    while submit.report_of(settings) is None or not session.word_groups():
         yield 0.1
     report["unknown"] = submit.reason_against_generate(bpy.context)
     yield 0.6

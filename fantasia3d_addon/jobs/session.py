@@ -7,7 +7,7 @@ window (timers never fire in the background) or by a loop in a script; it never 
 from __future__ import annotations
 
 import shutil
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +28,7 @@ from .place import requested
 from .process import Run
 from .progress import FollowedRun
 from .target import Target
-from .words import Words
+from .words import Report, Words
 
 TICK_SECONDS = 0.25
 ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
@@ -240,6 +240,25 @@ class Session:
         self.task = task
         self.start_timer()
         return task
+
+    # What the built-in model understands: asked in the background, since drawing must not wait
+
+    def report(self, prompt: str, ignore_unknown: bool) -> Report | None:
+        """See :meth:`Words.report`."""
+        report = self.words.report(prompt, ignore_unknown)
+        self._follow_words()
+        return report
+
+    def word_groups(self) -> Sequence[Report]:
+        """See :meth:`Words.groups`."""
+        groups = self.words.groups()
+        self._follow_words()
+        return groups
+
+    def _follow_words(self) -> None:
+        # A script has no timers, and nobody looks at the answer.
+        if self.words.pending and not bpy.app.background:
+            self.start_timer()
 
     # From register to unregister
 

@@ -99,7 +99,7 @@ def report_of(settings: bpy.types.PropertyGroup) -> Report | None:
     """What the built-in model understands of the prompt; None: not known, or another model."""
     if settings.guidance != "builtin":
         return None
-    return session.words.report(settings.prompt, settings.ignore_unknown)
+    return session.report(settings.prompt, settings.ignore_unknown)
 
 
 def reason_against_generate(context: bpy.types.Context) -> str:

@@ -55,7 +55,7 @@ class FANTASIA3D_MT_words(bpy.types.Menu):
     bl_label = "Words"
 
     def draw(self, context: bpy.types.Context) -> None:
-        groups = _groups()
+        groups = session.word_groups()
         if not groups:
             self.layout.label(text="Loading the words…")
         for number, group in enumerate(groups[:MAX_GROUPS]):
@@ -64,7 +64,7 @@ class FANTASIA3D_MT_words(bpy.types.Menu):
 
 def _draw_group(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     number = int(self.bl_idname.rpartition("_")[2])
-    for group in _groups()[number : number + 1]:
+    for group in session.word_groups()[number : number + 1]:
         for word in group["words"]:
             button = self.layout.operator("fantasia3d.add_word", text=word, translate=False)
             button.word, button.kind = word, group["kind"]
@@ -86,9 +86,8 @@ def draw_understood(layout: bpy.types.UILayout, context: bpy.types.Context) -> N
     if settings.guidance != "builtin":
         return
     layout.menu("FANTASIA3D_MT_words", icon="OUTLINER_OB_FONT")
-    _groups()  # known before the menu is opened
+    session.word_groups()  # known before the menu is opened
     report = submit.report_of(settings)
-    _follow()
     if not report:
         return
     column = layout.column(align=True)
@@ -122,18 +121,6 @@ def _draw_unknown(layout: bpy.types.UILayout, unknown: object) -> None:
             button.old, button.new = word, near
         button = row.operator("fantasia3d.replace_word", text="", icon="X")
         button.old, button.new = word, ""
-
-
-def _groups() -> list[words.Report]:
-    groups = list(session.words.groups())
-    _follow()
-    return groups
-
-
-def _follow() -> None:
-    """Have the question asked: drawing must not wait for the core."""
-    if session.words.pending and not bpy.app.background:
-        session.start_timer()
 
 
 CLASSES = (FANTASIA3D_OT_add_word, FANTASIA3D_OT_replace_word, FANTASIA3D_MT_words, *GROUP_MENUS)
