@@ -153,7 +153,7 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
     """
     samples = fresh(views, generator, noun)
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
-    captions = Painter().words(len(index), generator)
+    captions = Painter().words(samples.noun[index], generator)
     captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
     captions[:, 2:] = 0  # no pattern
     true, guess = guessed(net, samples, index, captions, generator)
@@ -173,7 +173,7 @@ def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generato
     samples = fresh(views, generator)
     index = torch.arange(0, len(samples), VIEWS)
     row = lambda slot, word: 1 + list(WORDS[slot]).index(word)  # noqa: E731
-    words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"))
+    words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"), 0)
     captions = torch.tensor([words]).expand(len(index), -1)
     true, guess = guessed(net, samples, index, captions, generator)
     fractions = []

@@ -172,7 +172,7 @@ class Appearance(Source):
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and surfaces."""
         index, shape, camera = self.draw(count, generator)
-        captions = self.painter.words(count, generator)
+        captions = self.painter.words(self.samples.noun[index], generator)
         # The same dented normals are lit and given: a dent explains its own shading.
         normals = lumpy(shape[:, :3], generator)
         surface = torch.cat([normals, shape[:, 3:], self.samples.points(index)], 1)

@@ -43,7 +43,7 @@ from core.guidance.sds import eps_from_v
 SIZE = 64
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
-APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")
+APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second", "target")
 
 
 class BuiltinGuidance(Guidance):

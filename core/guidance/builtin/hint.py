@@ -15,7 +15,7 @@ ACCENTED = torch.tensor([False, *map(has_accents, NOUNS)])  # by the noun's row
 TWO_TONE = 1 + list(SLOTS["pattern"]).index("two-tone")
 
 
-def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[Tensor, "b c s s"]:
+def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b n"]) -> Float[Tensor, "b c s s"]:
     """``surface`` ([n, 2o - 1, p], weighted by coverage), then the words' two swatches: the first
     laid over all of the surface as the stated pattern has it, the second even.
 
@@ -23,7 +23,7 @@ def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[
     points, or their Fourier features too, it painted the pattern's mean colour.
 
     Args:
-        words: rows of noun, color, material, pattern, second; 0 is not stated.
+        words: rows of noun, color, material, pattern, second and more; 0 is not stated.
     """
     first, second = swatches(words)[:, :, None, None].split(SWATCHES // 2, 1)
     laid = torch.where(stencil(surface, words), second, first)
@@ -31,7 +31,7 @@ def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[
 
 
 def stencil(
-    surface: Float[Tensor, "b 7 h w"], words: Int[Tensor, "b 5"]
+    surface: Float[Tensor, "b 7 h w"], words: Int[Tensor, "b n"]
 ) -> Bool[Tensor, "b 1 h w"]:
     """Where the stated pattern puts the second colour, whatever part is there; nowhere, where no
     pattern or no second colour is stated or implied, or where it is for accent parts alone."""

@@ -22,6 +22,7 @@ from core.guidance.builtin.lexicon import (
     Entry,
     Vocabulary,
     corrected,
+    forms_of,
     look_up,
     nearest_words,
 )
@@ -34,6 +35,8 @@ from core.guidance.builtin.words import (
     IGNORED_ADJECTIVES,
     LEGS,
     OPTIONS,
+    PART_SYNONYMS,
+    PART_WORDS,
     PHRASE_ENDS,
     TONES,
     WITHOUT,
@@ -57,7 +60,8 @@ class Words:
     color: str = ""
     material: str = ""
     pattern: str = ""
-    second: str = ""  # colour, of what the pattern or the accent parts are painted with
+    second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
+    target: str = ""  # the part that the second colour is for
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -274,20 +278,22 @@ class _Reading:
         noun = self.found["noun"][0].word if self.found["noun"] else ""
         # In the order of the prompt: the first is the thing's, the next the pattern's.
         color, second = (*colors, "", "")[:2]
+        target = ""
         for part, _, painted in self.parts:
-            if painted and _role(noun, part) == "*":  # painted as the rest is
-                if color and color != painted:
-                    raise _two_error("color", [color, painted])
-                color = painted
-            elif painted and second and second != painted:
+            if not painted:
+                continue
+            if second and (second, target) != (painted, _own_name(noun, part)):
                 raise _two_error("second", [second, painted])
-            elif painted:
-                second = painted
+            second, target = painted, _own_name(noun, part)
         if len(colors) > 2:
             raise _two_error("color", colors)
         # A second colour needs a place: without a pattern it goes to the accent parts.
-        pattern = self.only("pattern") or ("two-tone" if second else "")
-        return {"color": color, "second": second, "pattern": pattern}
+        pattern = self.only("pattern") or ("two-tone" if second and not target else "")
+        if target and pattern:
+            text = f"With a pattern no part can have its own colour: {target}, {second}: left out."
+            self.notes.append(text)
+            second = target = ""
+        return {"color": color, "second": second, "pattern": pattern, "target": target}
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""
@@ -346,11 +352,9 @@ def _is_part(word: str, noun: str) -> bool:
     return word in _looks(noun) or any(word in state for state in OPTIONS.get(noun, ()))
 
 
-def _role(noun: str, part: str) -> str:
-    """The role of a noun's part, see ``Noun``; "" where it has none of that name."""
-    looks = _looks(noun)
-    name = next((name for name in _names(part) if name in looks), "")
-    return looks[name][0] if name else ""
+def _own_name(noun: str, part: str) -> str:
+    """What the noun itself calls the part; "" where it has none of that name."""
+    return next((name for name in _names(part) if name in _looks(noun)), "")
 
 
 def _always_has(noun: str, part: str) -> bool:
@@ -366,7 +370,9 @@ def _always_has(noun: str, part: str) -> bool:
 def _names(part: str) -> list[str]:
     """What a noun may call the part."""
     own = {"backrest": "back", "armrests": "arms", "cap": "lid"}.get(part, part)
-    return [part, f"{part}s", PART_FORMS.get(part, part), own]
+    forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
+    names = [part, PART_FORMS.get(part, part), own, *forms]
+    return [form for name in names for form in (name, f"{name}s")]
 
 
 def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
