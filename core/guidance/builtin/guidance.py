@@ -129,7 +129,10 @@ class PromptedBuiltin(PromptedGuidance):
         if net is None or views.surface is not None:
             return None
         # The prompt's row alone: restoring has no unconditional branch.
-        words = self._indices(GEOMETRY_SLOTS)[:1].expand(len(pictures), -1)
+        words = self._indices(GEOMETRY_SLOTS)[:1]
+        # A word that came after its training is not stated: it has seen one object in ten so.
+        words = words * (words <= words.new_tensor(net.config.words))
+        words = words.expand(len(pictures), -1)
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             return as_render(restored(net, pictures, words, camera))

@@ -4,12 +4,14 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 """
 
 from core.guidance.builtin.nouns.buildings import BUILDINGS
+from core.guidance.builtin.nouns.clothes import CLOTHES
+from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.noun import Noun
-from core.guidance.builtin.nouns.old_animals import ANIMALS
-from core.guidance.builtin.nouns.old_food import FOOD
-from core.guidance.builtin.nouns.old_plants import PLANTS
+from core.guidance.builtin.nouns.old_animals import ANIMALS as OLD_ANIMALS
+from core.guidance.builtin.nouns.old_food import FOOD as OLD_FOOD
+from core.guidance.builtin.nouns.old_plants import PLANTS as OLD_PLANTS
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.tools import TOOLS_AND_TOYS
@@ -19,11 +21,13 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
     "Household": HOUSEHOLD,
-    "Food": FOOD,
-    "Plants": PLANTS,
-    "Animals": ANIMALS,
+    "Food": OLD_FOOD,
+    "Plants": OLD_PLANTS,
+    "Animals": OLD_ANIMALS,
     "Vehicles": VEHICLES,
     "Buildings": BUILDINGS,
+    "Electronics": DEVICES,
+    "Clothes": CLOTHES,
     "Tools and Toys": TOOLS_AND_TOYS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}

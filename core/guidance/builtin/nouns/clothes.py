@@ -1,0 +1,182 @@
+"""Things that are worn or carried."""
+
+from core.guidance.builtin.nouns.noun import (
+    FABRIC,
+    GOLD,
+    LEATHER,
+    PLASTIC,
+    RUBBER,
+    STEEL,
+    Noun,
+    Usual,
+)
+
+CLOTHES = {
+    "watch": Noun(
+        "wristwatch, wrist watch; smartwatch",
+        {
+            "strap": "*5a3520",
+            "case": "+d8b04a . golden",
+            "face": "-f2efe6",
+            "hands": "-1c1c20",
+        },
+        Usual(0.08, STEEL, 0.1),
+    ),
+    "sneaker": Noun(
+        "shoe, trainer, running shoe, sneakers, shoes, gym shoe; sandal, loafer",
+        {
+            "body": "*c9302a . fabric",
+            "sole": "+f0eee8 . rubber",
+            "laces": "-f7f5f0",
+            "stripes": "-f7f5f0",
+            "toe": "&f0eee8 . rubber",
+        },
+        Usual(0.3, RUBBER, 0.25),
+    ),
+    "boot": Noun(
+        "boots, leather boot; rain boot, wellington, cowboy boot",
+        {
+            "body": "*6b4226",
+            "sole": "-2a211b . rubber",
+            "cuff": "+8a5a34",
+            "strap": "-3a2617",
+        },
+        Usual(0.32, LEATHER, 0.25),
+    ),
+    "high heel": Noun(
+        "high heels, high heeled shoe, stiletto, pump, lady's shoe",
+        {
+            "body": "*c2182c . paint",
+            "heel": "&8f1020 . paint",
+            "sole": "-2a1c1a",
+            "bow": "+d8b04a . golden",
+        },
+        Usual(0.24, LEATHER, 0.3),
+    ),
+    "helmet": Noun(
+        "motorcycle helmet, knight helmet, knight's helmet; hard hat, viking helmet, bike helmet",
+        {
+            "shell": "*9aa1a9 . metal",
+            "visor": "-17191d . glass",
+            "crest": "+b8231f",
+            "rim": "&6e747b . metal",
+        },
+        Usual(0.33, PLASTIC, 0.2),
+    ),
+    "baseball cap": Noun(
+        "cap, ball cap; visor",
+        {
+            "cap": "*2a56a8 . fabric",
+            "brim": "+c9302a . fabric",
+            "button": "-c9302a",
+            "badge": "-f4f2ec",
+        },
+        Usual(0.28, FABRIC, 0.3),
+    ),
+    "glove": Noun(
+        "gloves, mitten, mittens; boxing glove, gauntlet",
+        {"body": "*b5342c . fabric", "cuff": "+ece6da . fabric", "band": "-7a211c"},
+        Usual(0.25, FABRIC, 0.5),
+    ),
+    "backpack": Noun(
+        "rucksack, school bag, schoolbag, knapsack, back pack",
+        {
+            "body": "*2f6f9e . fabric",
+            "pocket": "&265a82 . fabric",
+            "flap": "+e0a52e . fabric",
+            "straps": "-33363c . fabric",
+            "handle": "-33363c . fabric",
+            "buckles": "-c7cacf . metal",
+        },
+        Usual(0.5, FABRIC, 0.3),
+    ),
+    "handbag": Noun(
+        "purse, hand bag, bag; briefcase, tote bag",
+        {
+            "body": "*a8452e",
+            "flap": "&8c3725",
+            "handle": "+5a2a1c",
+            "clasp": "-e0b84a . golden",
+        },
+        Usual(0.32, LEATHER, 0.2),
+    ),
+    "suitcase": Noun(
+        "travel case, luggage, trolley case",
+        {
+            "body": "*8a5630",
+            "bands": "+4a2c18",
+            "handle": "-2c2420",
+            "feet": "-26221f",
+            "locks": "-d8b04a . golden",
+        },
+        Usual(0.7, LEATHER, 0.15),
+    ),
+    "shirt": Noun(
+        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, jacket, hoodie, blouse",
+        {
+            "body": "*3f7fc0 . fabric",
+            "cuffs": "&336ba5 . fabric",
+            "collar": "+f0eee8 . fabric",
+            "buttons": "-f7f5f0",
+        },
+        Usual(0.75, FABRIC, 0.1),
+    ),
+    "trousers": Noun(
+        "pants, jeans, pair of trousers, pair of pants; shorts, leggings",
+        {
+            "body": "*35588c . fabric",
+            "belt": "+5a3a20",
+            "buckle": "-d8b04a . golden",
+            "cuffs": "&4a70a8 . fabric",
+            "pockets": "-2b4872 . fabric",
+        },
+        Usual(1.0, FABRIC, 0.1),
+    ),
+    "dress": Noun(
+        "gown, frock; skirt",
+        {
+            "skirt": "*c23a78 . fabric",
+            "body": "*c23a78 . fabric",
+            "belt": "+f0d9e4",
+            "hem": "&e58fb4 . fabric",
+            "bow": "-f0d9e4",
+        },
+        Usual(1.2, FABRIC, 0.05),
+    ),
+    "wizard hat": Noun(
+        "witch hat, wizard's hat, witch's hat, magic hat; party hat",
+        {
+            "body": "*3a2f86 . fabric",
+            "ribbon": "+1f1a4a",
+            "stars": "-f4cf3a",
+            "buckle": "-e0b84a . golden",
+        },
+        Usual(0.45, FABRIC, 0.15),
+    ),
+    "cowboy hat": Noun(
+        "stetson; sombrero, fedora, straw hat, sun hat",
+        {"body": "*9a6a3c . fabric", "band": "+4a2a16", "buckle": "-d5d8dc . metal"},
+        Usual(0.4, FABRIC, 0.2),
+    ),
+    "bow tie": Noun(
+        "bowtie; ribbon bow",
+        {"body": "*b01f2c . fabric", "knot": "&8a1620 . fabric", "folds": "-6e1019"},
+        Usual(0.12, FABRIC, 0.6),
+    ),
+    "medal": Noun(
+        "gold medal, medallion; badge",
+        {
+            "medal": "*e8b93c . golden",
+            "ribbon": "+2450a0 . fabric",
+            "stripe": "-f2f0ea . fabric",
+            "star": "&c8922a . golden",
+            "rim": "&c8922a . golden",
+        },
+        Usual(0.14, GOLD, 0.1),
+    ),
+    "sunglasses": Noun(
+        "glasses, spectacles, eyeglasses, shades; goggles",
+        {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
+        Usual(0.16, PLASTIC, 0.5),
+    ),
+}

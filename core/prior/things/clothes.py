@@ -1,0 +1,476 @@
+"""Things that are worn or carried."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tube,
+    turned,
+)
+
+
+def _sole(long: float, wide: float, high: float, heel: float = 0.0) -> Solid:
+    """The outline of a foot, its toes to the front, extruded upwards from the floor."""
+    right = [(wide * 0.62, long), (wide * 0.8, long * 0.6), (wide * 0.6, 0.1)]
+    right += [(wide * 0.95, -long * 0.45), (wide * 0.85, -long * 0.8), (wide * 0.4, -long)]
+    outline = smooth_curve([*right, *((-u, v) for u, v in reversed(right))], 3)
+    return prism(outline, 2, high / 2, heel + high / 2)
+
+
+def watch(draw: Draw) -> Parts:
+    """A wristwatch: its dial to the front, the strap closed to a loop behind it."""
+    loop, half, wide = draw(0.68, 0.8), draw(0.22, 0.28), draw(0.46, 0.56)
+    z, front = loop + 0.1, -loop - 0.04
+    strap = cut(
+        tube((-half, 0, z), (half, 0, z), loop + 0.09, 0.03),
+        tube((-2, 0, z), (2, 0, z), loop - 0.09),
+    )
+    hour = (draw(0.1, 0.26), z + draw(0.0, 0.16))
+    hands = join(
+        capsule((0, front - 0.18, z), (0, front - 0.18, z + wide * 0.6), 0.06),
+        capsule((0, front - 0.18, z), (hour[0], front - 0.18, hour[1]), 0.06),
+    )
+    return {
+        "strap": join(strap, box((0, loop, z), (half + 0.06, 0.13, 0.16), 0.03)),
+        "case": join(
+            tube((0, front - 0.14, z), (0, front + 0.16, z), wide, 0.05),
+            tube((0, front, z), (wide + 0.13, front, z), 0.1, 0.03),
+        ),
+        "face": tube((0, front - 0.18, z), (0, front, z), wide - 0.1, 0.01),
+        "hands": hands,
+    }
+
+
+def sneaker(draw: Draw) -> Parts:
+    """A sports shoe, its toe to the front."""
+    long, wide, high = draw(1.0, 1.15), draw(0.4, 0.47), draw(0.72, 1.0)
+    upper = blend(
+        0.2,
+        egg((0, -long * 0.42, 0.28), (wide * 0.92, long * 0.55, 0.34)),
+        taper((0, long * 0.5, 0.35), (0, long * 0.5, high - 0.1), wide * 0.85, wide * 0.72),
+        taper((0, -long * 0.3, 0.42), (0, long * 0.4, high - 0.12), 0.22, 0.3),
+    )
+    mouth = egg((0, long * 0.56, high + 0.16), (wide * 0.55, wide * 0.62, 0.42))
+    slope = (high - 0.42) / (0.75 * long)
+    laces = (
+        capsule((-0.22, y, z), (0.22, y, z), 0.085)
+        for y, z in ((long * u, 0.68 + (u + 0.3) * long * slope) for u in (-0.3, -0.08, 0.14))
+    )
+    stripe = both(box((wide * 0.84, long * 0.12, 0.42), (0.1, 0.09, 0.2), 0.03))
+    return {
+        "body": cut(
+            upper, mouth, box((0, 0, -1), (2, 2, 1.1)), box((0, 0, high + 1.08), (2, 2, 1))
+        ),
+        "sole": _sole(long, wide, draw(0.18, 0.24)),
+        "laces": join(*laces),
+        "stripes": stripe,
+        "toe": cut(
+            egg((0, -long * 0.62, 0.2), (wide * 0.86, long * 0.4, 0.28)),
+            box((0, 0.55, 0), (2, 1, 2)),
+        ),
+    }
+
+
+def boot(draw: Draw) -> Parts:
+    """A high boot with a heel."""
+    long, wide, high, leg = draw(0.78, 0.9), draw(0.34, 0.4), draw(1.5, 1.8), draw(0.34, 0.4)
+    back = long - leg - 0.02
+    body = blend(
+        0.18,
+        egg((0, -long * 0.35, 0.36), (wide * 0.9, long * 0.62, 0.36)),
+        lathe([(leg * 0.92, 0.15), (leg * 0.88, 0.7), (leg * 1.08, high)], 0.01, (0, back)),
+    )
+    hole = tube((0, back, high - 0.3), (0, back, high + 1), leg * 0.78)
+    return {
+        "body": cut(body, hole, box((0, 0, -0.88), (2, 2, 1))),
+        "sole": join(
+            _sole(long, wide, 0.16, 0.08),
+            box((0, long * 0.66, 0.12), (wide * 0.78, 0.26, 0.12), 0.02),
+        ),
+        "cuff": cut(
+            tube((0, back, high - 0.2), (0, back, high + 0.04), leg * 1.08 + 0.07, 0.04), hole
+        ),
+        "strap": join(
+            tube((0, back, 0.62), (0, back, 0.78), leg + 0.07, 0.03),
+            box((leg + 0.05, back, 0.7), (0.07, 0.13, 0.12), 0.02),
+        ),
+    }
+
+
+def high_heel(draw: Draw) -> Parts:
+    """A lady's shoe on a high heel, its toe to the front."""
+    long, wide, high = draw(0.95, 1.1), draw(0.3, 0.36), draw(0.65, 0.95)
+    y = long * 0.68
+    bed = [
+        (-long, 0.02),
+        (-long * 0.3, 0.02),
+        (long * 0.55, high - 0.1),
+        (long * 0.98, high - 0.06),
+    ]
+    roof = [(long, high + 0.12), (long * 0.5, high + 0.08), (-long * 0.28, 0.19), (-long, 0.17)]
+    toe = taper((0, -long * 0.42, 0.24), (0, -long * 0.92, 0.12), wide * 0.85, 0.13)
+    back = egg((0, y, high + 0.1), (wide * 0.9, long * 0.36, 0.4))
+    room = egg((0, y - 0.1, high + 0.42), (wide * 0.66, long * 0.34, 0.44))
+    mouth = egg((0, -long * 0.02, 0.62), (wide * 0.7, long * 0.5, 0.38))
+    upper = join(
+        cut(toe, box((0, 0, -0.98), (2, 2, 1)), mouth),
+        cut(back, room, box((0, 0, high - 1.1), (2, 2, 1))),
+    )
+    return {
+        "body": upper,
+        "heel": taper((0, y + 0.14, high), (0, y + 0.2, 0.09), 0.19, draw(0.09, 0.12)),
+        "sole": prism([*bed, *roof], 0, wide * 0.7),
+        "bow": join(
+            ball((0, -long * 0.62, 0.42), 0.1),
+            both(egg((0.16, -long * 0.62, 0.44), (0.16, 0.1, 0.12))),
+        ),
+    }
+
+
+def helmet(draw: Draw) -> Parts:
+    """A motorcyclist's helmet with a visor, or a knight's with a plume."""
+    wide, high, knight = draw(0.76, 0.86), draw(0.85, 0.98), draw.chance(0.4)
+    skull = egg((0, 0, high), (wide, wide * 1.12, high))
+    shell = join(skull, tube((0, 0, 0.12), (0, 0, high), wide * 0.93, 0.06))
+    hollow = egg((0, 0, 0.15), (wide * 0.74, wide * 0.8, 0.4))
+    window = box((0, -wide, high * 1.02), (wide * 0.82, wide * 0.75, high * 0.24), 0.1)
+    band = cut(egg((0, 0, high), (wide * 0.9, wide * 1.02, high * 0.9)), box((0, 1, 0), (3, 1, 3)))
+    slots = (box((0, -wide, high * v), (0.09, 0.5, 0.11), 0.02) for v in (0.4, 0.68))
+    if knight:
+        window = box((0, -wide, high * 1.02), (wide * 0.72, wide * 0.62, 0.09), 0.02)
+        crest = cut(
+            egg((0, 0.2, high + 0.25), (0.13, wide * 0.95, high * 1.05)),
+            box((0, 0, 0), (2, 2, high)),
+        )
+        crest = join(
+            crest, cut(ring((0, 0, high), wide * 1.05, 0.11, 0), box((0, -1, 0), (2, 1, 3)))
+        )
+    else:
+        crest = both(box((wide * 0.4, 0.06, 2 * high - 0.2), (0.1, wide * 0.7, 0.16), 0.08))
+    return {
+        "shell": cut(shell, hollow, window, *(slots if knight else ())),
+        "visor": band,
+        "crest": crest,
+        "rim": cut(
+            tube((0, 0, 0), (0, 0, 0.18), wide * 0.96, 0.05),
+            tube((0, 0, -1), (0, 0, 0.3), wide * 0.74),
+        ),
+    }
+
+
+def baseball_cap(draw: Draw) -> Parts:
+    """A cap with its brim to the front."""
+    wide, high, reach = draw(0.72, 0.82), draw(0.72, 0.9), draw(0.6, 0.8)
+    dome = cut(
+        egg((0, 0, 0.06), (wide, wide * 1.08, high)),
+        egg((0, 0, 0.0), (wide - 0.13, wide * 1.08 - 0.13, high - 0.15)),
+        box((0, 0, -1), (2, 2, 1)),
+    )
+    flat = egg((0, -wide * 0.6, 0.1), (wide * 0.92, reach + 0.4, 1.0))
+    brim = cut(
+        flat, box((0, 0, 1.17), (3, 3, 1)), box((0, 0, -1), (3, 3, 1)), box((0, 1, 0), (3, 1.2, 3))
+    )
+    brim = cut(brim, egg((0, 0, 0), (wide - 0.14, wide * 1.08 - 0.14, high - 0.15)))
+    return {
+        "cap": dome,
+        "brim": turned(brim, 0, draw(0, 8)),
+        "button": egg((0, 0, high + 0.06), (0.13, 0.13, 0.09)),
+        "badge": tube((0, -wide * 1.02, high * 0.5), (0, 0, high * 0.5), draw(0.2, 0.28), 0.02),
+    }
+
+
+def glove(draw: Draw) -> Parts:
+    """A glove, its fingers up and its thumb to the right; some are mittens."""
+    wide, palm, thick = draw(0.42, 0.5), draw(0.62, 0.75), draw(0.17, 0.21)
+    low, finger = 0.5, draw(0.52, 0.7)
+    top = low + palm
+    if draw.chance(0.25):
+        fingers = [egg((0, 0, top), (wide, thick + 0.05, finger * 1.15))]
+    else:
+        reach = (0.82, 1.0, 0.94, 0.68)
+        fingers = [
+            capsule(
+                (wide * (0.75 - 0.5 * k), 0, top - 0.1),
+                (wide * (0.9 - 0.6 * k), 0, top + finger * reach[k]),
+                wide * 0.25,
+            )
+            for k in range(4)
+        ]
+    thumb = taper(
+        (wide * 0.6, -0.04, low + 0.25), (wide + 0.36, -0.08, low + palm * 0.95), 0.19, 0.14
+    )
+    hand = egg((0, 0, low + palm * 0.5), (wide * 1.08, thick + 0.06, palm * 0.72))
+    flare = draw(0.9, 1.15)
+    cuff = [
+        (-wide * flare, 0),
+        (wide * flare, 0),
+        (wide * 0.8, low + 0.1),
+        (-wide * 0.8, low + 0.1),
+    ]
+    return {
+        "body": blend(0.06, hand, thumb, *fingers),
+        "cuff": prism(cuff, 1, thick),
+        "band": box((0, 0, low + 0.06), (wide * 0.9, thick + 0.06, 0.09), 0.04),
+    }
+
+
+def backpack(draw: Draw) -> Parts:
+    """A school bag: a pocket in front, straps at the back."""
+    x, y, high, soft = draw(0.6, 0.7), draw(0.32, 0.4), draw(1.5, 1.75), draw(0.18, 0.28)
+    pocket = draw(0.55, 0.7)
+    strap = cut(
+        ring((x * 0.5, y * 0.35, high * 0.5), high * 0.36, 0.1, axis=0),
+        box((0, -1 + y * 0.4, 0), (2, 1, 3)),
+    )
+    clasp = box((x * 0.4, -y - 0.24, pocket * 0.75), (0.08, 0.08, 0.16), 0.02)
+    return {
+        "body": box((0, 0, high / 2), (x, y, high / 2), soft),
+        "pocket": box((0, -y - 0.02, pocket * 0.55), (x * 0.8, 0.24, pocket * 0.5), 0.12),
+        "flap": box((0, -0.08, high * 0.82), (x + 0.05, y + 0.04, high * 0.2), 0.14),
+        "straps": both(strap),
+        "handle": cut(ring((0, 0, high - 0.02), 0.22, 0.09, axis=1), box((0, 0, 0), (2, 2, 1))),
+        "buckles": join(both(clasp), box((0, -y - 0.1, high * 0.64), (0.1, 0.08, 0.14), 0.02)),
+    }
+
+
+def handbag(draw: Draw) -> Parts:
+    """A lady's bag with a round handle."""
+    low, top, high, y = draw(0.8, 0.95), draw(0.55, 0.75), draw(0.85, 1.05), draw(0.26, 0.34)
+    shape = [(-low, 0), (low, 0), (top, high), (-top, high)]
+    flap = [(-top - 0.02, high + 0.04), (-top - 0.1, high * 0.52), (0, high * draw(0.3, 0.42))]
+    flap += [(top + 0.1, high * 0.52), (top + 0.02, high + 0.04)]
+    bow = ring((0, 0, high), top * draw(0.62, 0.8), 0.095, axis=1)
+    return {
+        "body": prism(shape, 1, y),
+        "flap": prism(flap, 1, y * 0.5 + 0.06, -y * 0.5),
+        "handle": cut(bow, box((0, 0, high - 1.05), (2, 2, 1))),
+        "clasp": box((0, -y - 0.06, high * 0.42), (0.12, 0.08, 0.12), 0.03),
+    }
+
+
+def suitcase(draw: Draw) -> Parts:
+    """A travel case with a handle, two bands and corners; some roll."""
+    rolls = draw.chance(0.4)
+    x, z, y = draw(0.9, 1.1), draw(0.62, 0.75), draw(0.28, 0.38)
+    if rolls:
+        x, z = z * 0.95, x
+    low = 0.16
+    mid, top = low + z, low + 2 * z
+    band = box((x * 0.55, 0, mid), (0.09, y + 0.04, z + 0.04), 0.02)
+    feet = both(tube((x * 0.75, -0.8 * y, 0.12), (x * 0.75, 0.8 * y, 0.12), 0.14, 0.03))
+    blocks = both(box((x * 0.75, 0, 0.12), (0.13, y * 0.8, 0.12), 0.02))
+    rise = draw(0.4, 0.7) if rolls else 0.24
+    posts = both(box((0.26, 0, top + rise / 2), (0.085, 0.09, rise / 2 + 0.06), 0.02))
+    return {
+        "body": box((0, 0, mid), (x, y, z), draw(0.05, 0.14)),
+        "bands": both(band),
+        "handle": join(posts, box((0, 0, top + rise), (0.35, 0.1, 0.09), 0.05)),
+        "feet": feet if rolls else blocks,
+        "locks": both(box((x * 0.3, -y, top - 0.14), (0.1, 0.07, 0.1), 0.02)),
+    }
+
+
+def shirt(draw: Draw) -> Parts:
+    """A T-shirt or a shirt with long sleeves, as if worn by someone unseen."""
+    wide, high, y, long = draw(0.52, 0.62), draw(1.3, 1.5), draw(0.28, 0.34), draw.chance(0.4)
+    sleeve = draw(0.8, 0.95) if long else draw(0.35, 0.48)
+    drop = sleeve * draw(0.75, 1.1)
+    trunk = [(-wide * 1.03, 0), (wide * 1.03, 0), (wide, high - 0.16), (0.26, high), (-0.26, high)]
+    shoulder, wrist = (wide - 0.16, 0, high - 0.3), (wide + sleeve, 0, high - 0.28 - drop)
+    neck = egg((0, -0.06, high + 0.08), (0.26, 0.24, 0.3))
+    hem = box((0, 0, 0.05), (wide * 1.03 + 0.03, y + 0.03, 0.09), 0.03)
+    spots = (ball((0, -y - 0.01, high * v), 0.075) for v in (0.25, 0.45, 0.65))
+    body = join(
+        prism([*trunk, (-wide, high - 0.16)], 1, y), both(tube(shoulder, wrist, 0.23, 0.04))
+    )
+    length = (sleeve**2 + drop**2) ** 0.5
+    ux, uz = sleeve / length, drop / length
+    inner = (wrist[0] - 0.16 * ux, 0, wrist[2] + 0.16 * uz)
+    outer = (wrist[0] + 0.03 * ux, 0, wrist[2] - 0.03 * uz)
+    return {
+        "body": cut(body, neck),
+        "cuffs": join(both(tube(inner, outer, 0.26, 0.04)), hem),
+        "collar": ring((0, -0.05, high), 0.27, 0.1),
+        "buttons": join(*spots),
+    }
+
+
+def trousers(draw: Draw) -> Parts:
+    """A pair of trousers, or of shorts."""
+    long = draw(0.5, 0.7) if draw.chance(0.25) else draw(1.25, 1.5)
+    hip, leg, apart = draw(0.52, 0.6), draw(0.18, 0.23), draw(0.34, 0.4)
+    top, y = long + 0.62, draw(0.26, 0.31)
+    hose = [(apart - leg * 0.95, 0), (apart + leg * 1.05, 0), (hip, long + 0.1), (0, long + 0.1)]
+    seat = [(-hip, long), (hip, long), (hip * 0.92, top), (-hip * 0.92, top)]
+    hole = egg((0, 0, top + 0.1), (hip * 0.76, y * 0.72, 0.3))
+    body = join(both(prism(hose, 1, y * 0.86)), prism(seat, 1, y))
+    belt = box((0, 0, top - 0.1), (hip * 0.93 + 0.05, y + 0.05, 0.11), 0.03)
+    pocket = box((hip * 0.55, y, long + 0.28), (0.15, 0.06, 0.15), 0.02)
+    return {
+        "body": cut(body, hole),
+        "belt": cut(belt, hole),
+        "buckle": box((0, -y - 0.06, top - 0.1), (0.12, 0.06, 0.11), 0.02),
+        "cuffs": both(box((apart + leg * 0.05, 0, 0.05), (leg + 0.03, y * 0.86 + 0.04, 0.1), 0.03)),
+        "pockets": both(pocket),
+    }
+
+
+def dress(draw: Draw) -> Parts:
+    """A dress with a wide skirt."""
+    waist, low, skirt, high = draw(0.24, 0.29), draw(0.8, 1.0), draw(0.9, 1.4), draw(0.6, 0.7)
+    top = skirt + high
+    flare = smooth_curve([(low, 0), (low * draw(0.55, 0.75), skirt * 0.5), (waist, skirt)], 4)
+    bust = [(waist, skirt - 0.05), (waist + 0.14, top - 0.22), (waist + 0.05, top)]
+    strap = capsule((0.2, 0, top - 0.08), (0.17, 0, top + 0.2), 0.1)
+    puff = ball((waist + 0.1, 0, top - 0.1), 0.19)
+    hollow = join(egg((0, 0, 0), (low * 0.85, low * 0.85, skirt * 0.35)))
+    neck = egg((0, 0, top + 0.06), (0.2, 0.2, 0.22))
+    return {
+        "skirt": cut(lathe(flare, 0.02), hollow),
+        "body": cut(join(lathe(bust, 0.02), both(puff if draw.chance(0.5) else strap)), neck),
+        "belt": tube((0, 0, skirt - 0.1), (0, 0, skirt + 0.09), waist + 0.07, 0.04),
+        "hem": cut(tube((0, 0, -0.02), (0, 0, 0.15), low + 0.05, 0.05), hollow),
+        "bow": join(
+            ball((0, waist + 0.1, skirt), 0.11),
+            both(egg((0.2, waist + 0.12, skirt + 0.04), (0.2, 0.1, 0.14))),
+        ),
+    }
+
+
+def wizard_hat(draw: Draw) -> Parts:
+    """A tall pointed hat with a wide brim, its tip bent."""
+    wide, high, brim, bend = draw(0.5, 0.6), draw(1.3, 1.8), draw(0.95, 1.1), draw(-0.6, 0.6)
+    knee = (bend * 0.25, 0, high * 0.6)
+    cone = blend(
+        0.1,
+        taper((0, 0, 0.1), knee, wide, wide * 0.5),
+        taper(knee, (bend, 0, high), wide * 0.5, 0.1),
+    )
+    star = around(5, prism([(0, -0.1), (0.24, 0), (0, 0.1)], 2, 0.08), 90)
+    stand = turned(star, 0, 82)
+    return {
+        "body": join(
+            cut(cone, box((0, 0, -0.95), (2, 2, 1))), tube((0, 0, 0), (0, 0, 0.17), brim, 0.07)
+        ),
+        "ribbon": tube((0, 0, 0.12), (0, 0, 0.34), wide + 0.06, 0.03),
+        "stars": moved(stand, (0, -wide * 0.86, high * 0.4)),
+        "buckle": box((0, -wide - 0.04, 0.24), (0.15, 0.08, 0.14), 0.02),
+    }
+
+
+def cowboy_hat(draw: Draw) -> Parts:
+    """A hat with a creased crown; its brim curls up at the sides."""
+    wide, high, brim, curl = draw(0.48, 0.55), draw(0.65, 0.8), draw(1.0, 1.15), draw(0.25, 0.45)
+    curve = [
+        (-brim, curl + 0.05),
+        (-brim * 0.6, 0.05),
+        (0, 0),
+        (brim * 0.6, 0.05),
+        (brim, curl + 0.05),
+    ]
+    lower = smooth_curve(curve, 4)
+    sheet = prism([*lower, *((u, v + 0.17) for u, v in reversed(lower))], 1, 2)
+    plate = cut(sheet, cut(box((0, 0, 0), (3, 3, 3)), egg((0, 0, 0.3), (brim, brim * 1.12, 3.0))))
+    crown = join(
+        egg((0, 0, high * 0.72), (wide * 0.94, wide * 1.18, high * 0.5)),
+        lathe([(wide, 0.05), (wide * 0.95, high * 0.7)], 0.03),
+    )
+    crease = capsule((0, -wide * 1.2, high * 1.2), (0, wide * 1.2, high * 1.38), 0.2)
+    return {
+        "body": join(plate, cut(crown, crease, both(ball((wide * 1.1, -wide * 0.75, high), 0.25)))),
+        "band": egg((0, 0, 0.27), (wide + 0.1, wide * 1.18 + 0.08, 0.2)),
+        "buckle": box((wide + 0.09, 0, 0.23), (0.07, 0.13, 0.13), 0.02),
+    }
+
+
+def bow_tie(draw: Draw) -> Parts:
+    """A bow tie, upright."""
+    x, high, pinch, y = draw(0.95, 1.1), draw(0.45, 0.6), draw(0.16, 0.22), draw(0.15, 0.2)
+    wing = [(0, -pinch), (x * 0.8, -high), (x, -high * 0.85), (x * 0.92, 0), (x, high * 0.85)]
+    solid = prism([*wing, (x * 0.8, high), (0, pinch)], 1, y)
+    knot = draw(0.2, 0.26)
+    fold = both(prism([(0.1, -0.06), (x * 0.6, -0.11), (x * 0.6, 0.11), (0.1, 0.06)], 1, y + 0.05))
+    parts = {
+        "body": both(solid),
+        "knot": box((0, 0, 0), (knot, y + 0.12, knot * 1.2), 0.1),
+        "folds": fold,
+    }
+    return {name: moved(part, (0, 0, high)) for name, part in parts.items()}
+
+
+def medal(draw: Draw) -> Parts:
+    """A round medal that hangs from a ribbon."""
+    wide, high, y = draw(0.58, 0.72), draw(0.9, 1.15), draw(0.12, 0.15)
+    drop, half = wide * 2 + 0.1, draw(0.42, 0.52)
+    band = [(-half, drop + high), (-half, drop + 0.3), (-0.16, drop - 0.08), (0.16, drop - 0.08)]
+    band += [(half, drop + 0.3), (half, drop + high)]
+    stripe = [(-0.15, drop + high), (-0.15, drop), (0.15, drop), (0.15, drop + high)]
+    star = around(5, prism([(0, -0.12), (wide * 0.6, 0), (0, 0.12)], 2, y + 0.06), 90)
+    return {
+        "medal": tube((0, -y, wide), (0, y, wide), wide, 0.03),
+        "ribbon": prism(band, 1, 0.1),
+        "stripe": prism(stripe, 1, 0.13),
+        "star": moved(turned(star, 0, 90), (0, 0, wide)),
+        "rim": ring((0, 0, wide), wide - 0.02, y + 0.03, axis=1),
+    }
+
+
+def sunglasses(draw: Draw) -> Parts:
+    """Two dark glasses in a thick frame, its arms to the back."""
+    x, half, high, long = draw(0.5, 0.56), draw(0.38, 0.44), draw(0.3, 0.4), draw(0.8, 1.0)
+    soft, z, round_ = draw(0.1, 0.2), 0.5, draw.chance(0.4)
+    y = -long / 2
+    if round_:
+        rims = tube((x, y - 0.1, z), (x, y + 0.1, z), half, 0.04)
+        panes = tube((x, y - 0.14, z), (x, y + 0.14, z), half - 0.1)
+    else:
+        rims = box((x, y, z), (half + 0.05, 0.1, high + 0.02), min(soft, 0.09))
+        panes = box((x, y, z - 0.01), (half - 0.06, 0.14, high - 0.1), 0.05)
+    arm = join(
+        box((x + half - 0.02, 0, z + high * 0.5), (0.1, long / 2 + 0.02, 0.1), 0.03),
+        capsule(
+            (x + half - 0.02, long / 2, z + 0.12), (x + half - 0.02, long / 2 + 0.2, z - 0.14), 0.1
+        ),
+    )
+    return {
+        "frame": join(both(rims), box((0, y, z + high * 0.4), (0.2, 0.09, 0.1), 0.04)),
+        "glasses": both(panes),
+        "arms": both(arm),
+    }
+
+
+CLOTHES = {
+    "watch": watch,
+    "sneaker": sneaker,
+    "boot": boot,
+    "high heel": high_heel,
+    "helmet": helmet,
+    "baseball cap": baseball_cap,
+    "glove": glove,
+    "backpack": backpack,
+    "handbag": handbag,
+    "suitcase": suitcase,
+    "shirt": shirt,
+    "trousers": trousers,
+    "dress": dress,
+    "wizard hat": wizard_hat,
+    "cowboy hat": cowboy_hat,
+    "bow tie": bow_tie,
+    "medal": medal,
+    "sunglasses": sunglasses,
+}

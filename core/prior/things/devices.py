@@ -1,0 +1,321 @@
+"""Electronic devices."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    Vector,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tube,
+    turned,
+)
+
+
+def _tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
+    """``solid`` about the origin with its top tipped to the back, carried to ``at``."""
+    return moved(turned(solid, 0, -degrees), at)
+
+
+def laptop(draw: Draw) -> Parts:
+    """Open, its screen leaning back."""
+    x, y, high, lean = draw(0.95, 1.1), draw(0.62, 0.74), draw(0.6, 0.72), draw(8, 25)
+    hinge = (0, y - 0.06, 0.14)
+    lid = _tilted(box((0, 0, high), (x, 0.09, high), 0.05), lean, hinge)
+    keys = (
+        box((x * u, y * v, 0.2), (x * 0.085, y * 0.11, 0.05), 0.02)
+        for u in (-0.8, -0.57, -0.34, -0.11, 0.11, 0.34, 0.57, 0.8)
+        for v in (-0.02, 0.28, 0.58)
+    )
+    return {
+        "body": join(box((0, 0, 0.1), (x, y, 0.1), 0.06), lid),
+        "screen": _tilted(box((0, -0.08, high), (x - 0.1, 0.03, high - 0.11)), lean, hinge),
+        "keys": join(*keys),
+        "touchpad": box((0, -y * 0.58, 0.19), (x * 0.3, y * 0.24, 0.03), 0.01),
+    }
+
+
+def phone(draw: Draw) -> Parts:
+    """A smartphone standing upright, its cameras on the back."""
+    x, thick, high, soft = draw(0.46, 0.56), draw(0.09, 0.12), draw(0.95, 1.1), draw(0.07, 0.09)
+    edge = draw(0.06, 0.16)
+    lenses = (
+        tube((x * 0.5, thick, high * v), (x * 0.5, thick + 0.11, high * v), 0.1, 0.02)
+        for v in (1.75, 1.5)
+    )
+    home = tube((0, -thick - 0.03, edge * 0.8), (0, 0, edge * 0.8), min(edge * 0.5, 0.08))
+    return {
+        "body": box((0, 0, high), (x, thick, high), soft),
+        "screen": box((0, -thick, high), (x - 0.06, 0.03, high - edge), 0.02),
+        "camera": join(*lenses),
+        "buttons": join(home, box((x, 0, high * 1.4), (0.05, 0.05, 0.18), 0.02)),
+    }
+
+
+def monitor(draw: Draw) -> Parts:
+    """A flat computer screen on a foot."""
+    x, half, low = draw(0.98, 1.2), draw(0.56, 0.7), draw(0.4, 0.55)
+    z, rim = low + half, draw(0.08, 0.12)
+    round_foot = tube((0, 0.1, 0), (0, 0.1, 0.15), 0.5, 0.04)
+    square_foot = box((0, 0.1, 0.08), (0.55, 0.36, 0.08), 0.03)
+    return {
+        "body": box((0, 0, z), (x, 0.11, half), 0.04),
+        "screen": box((0, -0.1, z + 0.03), (x - rim, 0.04, half - rim - 0.03)),
+        "stand": join(
+            box((0, 0.14, low * 0.6 + 0.1), (draw(0.11, 0.18), 0.09, low * 0.6 + 0.1), 0.03),
+            round_foot if draw.chance(0.5) else square_foot,
+        ),
+        "button": ball((x * 0.82, -0.11, low + 0.07), 0.05),
+    }
+
+
+def keyboard(draw: Draw) -> Parts:
+    """It lies, its keys in four rows."""
+    columns, pitch, key = 7 + int(draw(0, 3)), 0.29, draw(0.105, 0.12)
+    x, y, back = columns * pitch / 2 + 0.1, 0.68, draw(0.0, 0.12)
+    keys = [
+        box(((k + 0.5 - columns / 2) * pitch, (row - 1.5) * pitch, 0.26), (key, key, 0.1), 0.04)
+        for k in range(columns)
+        for row in range(1, 4)
+    ]
+    space = box((0, -1.5 * pitch, 0.26), (x * 0.5, key, 0.1), 0.04)
+    sides = both(box((x * 0.75, -1.5 * pitch, 0.26), (x * 0.16, key, 0.1), 0.04))
+    corner = box(((0.5 - columns / 2) * pitch, 1.5 * pitch, 0.27), (key, key, 0.11), 0.04)
+    enter = box((x - 0.1 - pitch / 2, 0.0, 0.27), (key, pitch / 2 + key, 0.11), 0.04)
+    deck = prism([(-y, 0), (y, 0), (y, 0.2 + back), (-y, 0.2)], 0, x)
+    lift = turned(join(*keys, space, sides), 0, back * 42)
+    return {
+        "body": deck,
+        "keys": moved(lift, (0, 0, back * 0.5)),
+        "accents": moved(turned(join(corner, enter), 0, back * 42), (0, 0, back * 0.5)),
+    }
+
+
+def camera(draw: Draw) -> Parts:
+    """A photo camera, its lens to the front."""
+    x, y, z = draw(0.8, 0.95), draw(0.26, 0.34), draw(0.46, 0.56)
+    wide, reach = draw(0.34, 0.42), draw(0.3, 0.6)
+    hump = [(-0.34, 2 * z - 0.05), (0.34, 2 * z - 0.05), (0.22, 2 * z + 0.2), (-0.22, 2 * z + 0.2)]
+    front = -y - reach
+    return {
+        "body": join(box((0, 0, z), (x, y, z), 0.08), prism(hump, 1, y * 0.8)),
+        "grip": box((0, 0, z * 0.9), (x + 0.03, y + 0.03, z * 0.55), 0.07),
+        "lens": join(
+            tube((0, 0, z), (0, front, z), wide, 0.03),
+            tube((0, front, z), (0, front + 0.2, z), wide + 0.05, 0.03),
+        ),
+        "glass": egg((0, front, z), (wide * 0.72, 0.08, wide * 0.72)),
+        "button": tube((-x * 0.68, 0, z), (-x * 0.68, 0, 2 * z + 0.12), 0.13, 0.03),
+        "flash": box((x * 0.7, -y, 2 * z - 0.14), (0.13, 0.07, 0.08), 0.02),
+    }
+
+
+def speaker(draw: Draw) -> Parts:
+    """A loudspeaker box with a large and a small cone."""
+    x, y, z = draw(0.52, 0.66), draw(0.42, 0.55), draw(0.9, 1.1)
+    big, small = x * draw(0.66, 0.76), x * draw(0.3, 0.42)
+    cones = ((big, 0.12 + big), (small, 2 * z - 0.14 - small))
+    dome = (egg((0, -y + 0.02, v), (r * 0.45, 0.12, r * 0.45)) for r, v in cones)
+    dish = (tube((0, -y - 0.02, v), (0, 0, v), r, 0.01) for r, v in cones)
+    rims = (ring((0, -y, v), r, 0.075, axis=1) for r, v in cones)
+    return {
+        "body": box((0, 0, z), (x, y, z), draw(0.03, 0.1)),
+        "cones": join(*dish),
+        "rims": join(*rims, *dome),
+    }
+
+
+def microphone(draw: Draw) -> Parts:
+    """Held upright; some have a foot."""
+    high, head, low = draw(1.25, 1.5), draw(0.36, 0.44), draw(0.14, 0.17)
+    grip = lathe([(low, 0.05), (low + 0.03, 0.4), (head * 0.72, high)], 0.02)
+    parts = {
+        "head": egg((0, 0, high + head * 0.75), (head, head, head * draw(1.0, 1.2))),
+        "handle": grip,
+        "ring": tube((0, 0, high - 0.08), (0, 0, high + 0.12), head * 0.95, 0.04),
+        "switch": box((0, -low - 0.1, high * 0.62), (0.07, 0.12, 0.14), 0.03),
+    }
+    if draw.has("stand", 0.4):
+        parts |= {"stand": lathe([(0.58, -0.12), (0.56, 0.06), (0.22, 0.16)], 0.02)}
+    return parts
+
+
+def radio(draw: Draw) -> Parts:
+    """A portable radio with a handle and an aerial."""
+    x, y, z = draw(0.88, 1.05), draw(0.28, 0.36), draw(0.48, 0.6)
+    wide, left = z * draw(0.62, 0.74), x * 0.45
+    bow = both(box((x * 0.6, 0, 2 * z + 0.12), (0.1, 0.1, 0.2), 0.03))
+    knobs = (
+        tube((x * u, -y - 0.12, z * 0.55), (x * u, 0, z * 0.55), 0.14, 0.03) for u in (0.28, 0.7)
+    )
+    tip = (x * draw(0.3, 0.9), y * 0.5, 2 * z + draw(0.6, 0.9))
+    return {
+        "body": box((0, 0, z), (x, y, z), draw(0.06, 0.16)),
+        "speaker": tube((-left, -y - 0.05, z), (-left, 0, z), wide, 0.04),
+        "dial": box((x * 0.48, -y, z * 1.42), (x * 0.38, 0.05, z * 0.28), 0.03),
+        "knobs": join(*knobs),
+        "handle": join(bow, box((0, 0, 2 * z + 0.28), (x * 0.6 + 0.1, 0.1, 0.09), 0.05)),
+        "aerial": join(capsule((x * 0.85, y * 0.5, 2 * z - 0.1), tip, 0.085), ball(tip, 0.11)),
+    }
+
+
+def game_controller(draw: Draw) -> Parts:
+    """A gamepad with two grips, its face to the front and up."""
+    x, lean, up = draw(0.68, 0.8), draw(35, 60), (0, 0, 0.75)
+    shell = blend(
+        0.16,
+        box((0, 0.08, 0), (x, 0.42, 0.2), 0.16),
+        both(taper((x, 0.05, 0), (x + draw(0.1, 0.25), -0.72, -0.14), 0.42, 0.21)),
+    )
+    flat = cut(shell, box((0, 0, 1.22), (2, 2, 1)))
+    pad = join(box((-x, 0.1, 0.22), (0.26, 0.09, 0.1)), box((-x, 0.1, 0.22), (0.09, 0.26, 0.1)))
+    dots = (ball((x + u * 0.2, 0.1 + v * 0.2, 0.24), 0.1) for u, v in ((0, 1), (1, 0), (0, -1)))
+    stick = join(
+        tube((0.32, -0.28, 0), (0.32, -0.28, 0.4), 0.11),
+        tube((0.32, -0.28, 0.34), (0.32, -0.28, 0.46), 0.19, 0.05),
+    )
+    parts = {
+        "body": flat,
+        "pad": pad,
+        "buttons": join(*dots, ball((x - 0.2, 0.1, 0.24), 0.1)),
+        "sticks": both(stick),
+        "triggers": both(box((x, 0.5, 0.02), (0.26, 0.14, 0.12), 0.08)),
+    }
+    return {name: _tilted(solid, -lean, up) for name, solid in parts.items()}
+
+
+def light_bulb(draw: Draw) -> Parts:
+    """A bulb on its screw cap."""
+    neck, wide, high = draw(0.28, 0.33), draw(0.6, 0.72), draw(1.75, 2.05)
+    shape = [(neck, 0.6), (neck + 0.05, 0.8), (wide * 0.92, high * 0.6), (wide, high * 0.74)]
+    shape += [(wide * 0.7, high * 0.94), (0.05, high)]
+    rings = (ring((0, 0, v), neck - 0.01, 0.08) for v in (0.24, 0.42, 0.6))
+    return {
+        "bulb": lathe(smooth_curve(shape, 4), 0.02),
+        "cap": join(tube((0, 0, 0.14), (0, 0, 0.72), neck), *rings),
+        "tip": lathe([(0.12, 0.0), (neck - 0.03, 0.17)], 0.02),
+    }
+
+
+def telephone(draw: Draw) -> Parts:
+    """An old telephone: a dial, and a receiver across its top."""
+    x, y, z = draw(0.62, 0.74), draw(0.62, 0.72), draw(0.68, 0.8)
+    back, reach = draw(0.1, 0.25), draw(0.8, 0.92)
+    side = [(-y, 0), (y, 0), (y - 0.12, z), (back - 0.15, z), (-y, 0.2)]
+    dial = (0, (back - 0.15 - y) / 2, (z + 0.2) / 2)
+    rise = z + 0.34
+    face = (lathe([(r, -0.1), (r, top)], 0.02) for r, top in ((0.4, 0.08), (0.17, 0.15)))
+    disc, hub = (_tilted(part, -36, dial) for part in face)
+    grip = capsule((-reach, back + 0.15, rise), (reach, back + 0.15, rise), 0.14)
+    cup = tube((reach, back + 0.15, rise - 0.26), (reach, back + 0.15, rise + 0.1), 0.26, 0.07)
+    return {
+        "body": join(
+            prism(side, 0, x), both(box((x * 0.5, back + 0.15, z + 0.1), (0.12, 0.2, 0.17), 0.04))
+        ),
+        "dial": disc,
+        "hub": hub,
+        "receiver": join(grip, both(cup)),
+    }
+
+
+def headphones(draw: Draw) -> Parts:
+    """A band over two ear cups."""
+    x, z, wide = draw(0.78, 0.9), draw(0.65, 0.9), draw(0.38, 0.48)
+    band = cut(ring((0, 0, z), x, draw(0.1, 0.13), axis=1), box((0, 0, z - 1), (2, 2, 1)))
+    sides = both(capsule((x, 0, z), (x, 0, 0.5), 0.11))
+    return {
+        "band": join(band, sides),
+        "cups": both(tube((x - 0.06, 0, 0.45), (x + 0.2, 0, 0.45), wide, 0.08)),
+        "cushions": both(tube((x - 0.3, 0, 0.45), (x, 0, 0.45), wide * 0.92, 0.1)),
+    }
+
+
+def drone(draw: Draw) -> Parts:
+    """A quadcopter, its camera to the front."""
+    x, y, reach, r = draw(0.32, 0.42), draw(0.42, 0.55), draw(0.9, 1.0), draw(0.42, 0.48)
+    rotor = box((reach, 0, 0.62), (0.1, r, 0.09), 0.04)
+    if draw.chance(0.5):
+        rotor = join(rotor, ring((reach, 0, 0.6), r, 0.1))
+    motor = tube((reach, 0, 0.34), (reach, 0, 0.74), 0.15, 0.03)
+    leg = join(
+        capsule((x * 0.8, 0, 0.35), (x + 0.16, 0, 0.0), 0.1),
+        capsule((x + 0.16, -y * 0.8, 0.0), (x + 0.16, y * 0.8, 0.0), 0.1),
+    )
+    return {
+        "body": box((0, 0, 0.5), (x, y, 0.22), 0.16),
+        "arms": join(around(4, join(capsule((0, 0, 0.46), (reach, 0, 0.46), 0.11), motor), 45)),
+        "rotors": around(4, rotor, 45),
+        "camera": join(ball((0, -y * 0.8, 0.25), 0.2)),
+        "legs": both(leg),
+    }
+
+
+def printer(draw: Draw) -> Parts:
+    """Paper stands at the back and lies on the tray in front."""
+    x, y, z, lean = draw(0.85, 1.0), draw(0.55, 0.7), draw(0.36, 0.46), draw(10, 25)
+    sheet, at = draw(0.3, 0.45), (0, y * 0.6, 2 * z - 0.1)
+    slot = box((0, -y, z * 0.8), (x * 0.72, 0.3, z * 0.36))
+    return {
+        "body": join(
+            cut(box((0, 0, z), (x, y, z), 0.07), slot),
+            _tilted(box((0, 0.12, 0.2), (x * 0.72, 0.09, 0.28), 0.03), lean, at),
+        ),
+        "paper": join(
+            _tilted(box((0, 0, sheet), (x * 0.6, 0.09, sheet + 0.1)), lean, at),
+            box((0, -y - 0.05, z * 0.62), (x * 0.58, 0.36, 0.08)),
+        ),
+        "tray": box((0, -y - 0.1, z * 0.42), (x * 0.72, 0.4, 0.09), 0.02),
+        "panel": box((x * 0.6, -y * 0.5, 2 * z), (x * 0.26, y * 0.3, 0.05), 0.02),
+        "buttons": join(*(ball((-x * u, -y * 0.5, 2 * z), 0.1) for u in (0.75, 0.5))),
+    }
+
+
+def arcade_machine(draw: Draw) -> Parts:
+    """An upright cabinet with a screen, a joystick and buttons."""
+    x, y, desk, top = draw(0.5, 0.6), draw(0.45, 0.55), draw(0.85, 0.98), draw(2.2, 2.45)
+    lip, sill = desk + 0.24, top - 0.42
+    side = [(-y, 0), (y, 0), (y, top), (-y * 0.8, top), (-y * 0.8, sill), (0.1, sill - 0.05)]
+    side += [(-y * 0.5, lip), (-y - 0.25, desk), (-y - 0.25, desk - 0.14), (-y, desk - 0.3)]
+    glass = [(0.1, sill - 0.08), (-y * 0.44, lip + 0.08), (-y * 0.44 - 0.06, lip + 0.14)]
+    knob = (-x * 0.45, -y - 0.02, desk + 0.42)
+    dots = (ball((x * u, -y - 0.03, desk + 0.13), 0.1) for u in (0.1, 0.58))
+    return {
+        "body": prism(side, 0, x),
+        "screen": prism([*glass, (0.02, sill - 0.02)], 0, x * 0.82),
+        "marquee": box((0, -y * 0.8, (top + sill) / 2), (x * 0.9, 0.05, 0.15), 0.02),
+        "joystick": join(capsule((knob[0], knob[1], desk), knob, 0.085), ball(knob, 0.14)),
+        "buttons": join(*dots),
+        "door": box((0, -y, desk * 0.34), (x * 0.5, 0.05, desk * 0.22), 0.02),
+    }
+
+
+DEVICES = {
+    "laptop": laptop,
+    "phone": phone,
+    "monitor": monitor,
+    "keyboard": keyboard,
+    "camera": camera,
+    "speaker": speaker,
+    "microphone": microphone,
+    "radio": radio,
+    "game controller": game_controller,
+    "light bulb": light_bulb,
+    "telephone": telephone,
+    "headphones": headphones,
+    "drone": drone,
+    "printer": printer,
+    "arcade machine": arcade_machine,
+}
