@@ -13,6 +13,7 @@ from core.prior.solids import Parts
 from core.prior.things.basics import BASICS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.devices import DEVICES
+from core.prior.things.gear import GEAR
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
 from core.prior.things.tools import TOOLS
@@ -51,7 +52,7 @@ class Shape:
 
 
 FAMILIES: dict[str, Callable[[Draw], Parts]] = (
-    BASICS | HOUSEHOLD | NATURE | VEHICLES_BUILDINGS | TOOLS | DEVICES | CLOTHES
+    BASICS | HOUSEHOLD | NATURE | VEHICLES_BUILDINGS | TOOLS | DEVICES | CLOTHES | GEAR
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

@@ -287,8 +287,8 @@ def suitcase(draw: Draw) -> Parts:
 
 def shirt(draw: Draw) -> Parts:
     """A T-shirt or a shirt with long sleeves, as if worn by someone unseen."""
-    wide, high, y, long = draw(0.52, 0.62), draw(1.3, 1.5), draw(0.28, 0.34), draw.chance(0.4)
-    sleeve = draw(0.8, 0.95) if long else draw(0.35, 0.48)
+    wide, high, y, long = draw(0.5, 0.58), draw(1.3, 1.5), draw(0.28, 0.34), draw.chance(0.4)
+    sleeve = draw(0.62, 0.74) if long else draw(0.35, 0.48)
     drop = sleeve * draw(0.75, 1.1)
     trunk = [(-wide * 1.03, 0), (wide * 1.03, 0), (wide, high - 0.16), (0.26, high), (-0.26, high)]
     shoulder, wrist = (wide - 0.16, 0, high - 0.3), (wide + sleeve, 0, high - 0.28 - drop)
@@ -393,7 +393,7 @@ def cowboy_hat(draw: Draw) -> Parts:
     crease = capsule((0, -wide * 1.2, high * 1.2), (0, wide * 1.2, high * 1.38), 0.2)
     return {
         "body": join(plate, cut(crown, crease, both(ball((wide * 1.1, -wide * 0.75, high), 0.25)))),
-        "band": egg((0, 0, 0.27), (wide + 0.1, wide * 1.18 + 0.08, 0.2)),
+        "band": egg((0, 0, 0.32), (wide + 0.13, wide * 1.18 + 0.12, 0.24)),
         "buckle": box((wide + 0.09, 0, 0.23), (0.07, 0.13, 0.13), 0.02),
     }
 

@@ -7,6 +7,7 @@ from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.furniture import FURNITURE
+from core.guidance.builtin.nouns.gear import GEAR
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.old_animals import ANIMALS as OLD_ANIMALS
@@ -28,7 +29,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
-    "Tools and Toys": TOOLS_AND_TOYS,
+    "Tools and Toys": TOOLS_AND_TOYS | GEAR,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

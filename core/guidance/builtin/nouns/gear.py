@@ -1,0 +1,275 @@
+"""Hand tools, kitchen tools, instruments and toys."""
+
+from core.guidance.builtin.nouns.noun import COPPER, PLASTIC, STEEL, WOOD, Noun, Usual
+
+GEAR = {
+    "screwdriver": Noun(
+        "screw driver",
+        {"handle": "*d8322a", "shaft": "+b4b9bf . metal", "collar": "-2a2a2c"},
+        Usual(0.22, 2500.0),
+    ),
+    "wrench": Noun(
+        "spanner; adjustable wrench, monkey wrench, pliers",
+        {"head": "*a3a9b0 . metal", "handle": "&8f959c . metal"},
+        Usual(0.25, STEEL),
+    ),
+    "shovel": Noun(
+        "spade; trowel",
+        {"blade": "*8c9299 . metal", "handle": "+a8713c grain", "grip": "-7a4d26 grain"},
+        Usual(1.1, 1500.0),
+    ),
+    "pickaxe": Noun(
+        "pick axe, pick; mattock",
+        {"head": "*868c93 . metal", "handle": "+9a6534 grain", "grip": "-4a2f1a"},
+        Usual(0.9, 1800.0),
+    ),
+    "saw": Noun(
+        "handsaw, hand saw; hacksaw",
+        {"blade": "*b9bec4 . metal", "handle": "+a3622e grain", "rivets": "-d8b04a . golden"},
+        Usual(0.55, 2500.0),
+    ),
+    "paintbrush": Noun(
+        "paint brush, brush, artist's brush",
+        {
+            "bristles": "-c9a878",
+            "ferrule": "-b9bec4 . metal",
+            "handle": "*b5672e grain",
+            "paint": "+2f6fc4 . paint",
+        },
+        Usual(0.25, WOOD),
+    ),
+    "pencil": Noun(
+        "; crayon, colored pencil, coloured pencil, pen, marker",
+        {
+            "body": "*f2b61c",
+            "wood": "-e3bd88",
+            "lead": "-2a2a2e",
+            "eraser": "+e88a92",
+            "ferrule": "-b9bec4 . metal",
+        },
+        Usual(0.19, WOOD),
+    ),
+    "scissors": Noun(
+        "pair of scissors; shears",
+        {"blades": "+b9bec4 . metal", "handles": "*d2322a", "screw": "-70757b . metal"},
+        Usual(0.2, 3500.0),
+    ),
+    "broom": Noun(
+        "broomstick, besom; mop",
+        {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
+        Usual(1.4, 300.0),
+    ),
+    "toolbox": Noun(
+        "tool box, tool chest; lunch box, lunchbox",
+        {
+            "body": "*c32a22 . paint",
+            "lid": "&a8221c . paint",
+            "handle": "+2c2d30",
+            "latches": "-c3c7cc . metal",
+        },
+        Usual(0.45, STEEL, 0.1),
+    ),
+    "fire extinguisher": Noun(
+        "extinguisher",
+        {
+            "body": "*cc1f1a . paint",
+            "hose": "-222326 . rubber",
+            "nozzle": "-222326",
+            "lever": "+8c9299 . metal",
+            "label": "-f2f0ea",
+            "base": "-2c2d30 . rubber",
+        },
+        Usual(0.5, STEEL, 0.2),
+    ),
+    "knife": Noun(
+        "kitchen knife, chef's knife; cleaver, butter knife",
+        {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
+        Usual(0.32, 3500.0),
+    ),
+    "fork": Noun(
+        "table fork; pitchfork, trident",
+        {"head": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
+        Usual(0.2, STEEL),
+    ),
+    "spoon": Noun(
+        "teaspoon, tablespoon; wooden spoon, ladle, spatula",
+        {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
+        Usual(0.18, STEEL),
+    ),
+    "watering can": Noun(
+        "garden can",
+        {
+            "body": "*3f9a6a . paint",
+            "spout": "*3f9a6a . paint",
+            "handle": "&2f7a52 . paint",
+            "rose": "+d8b04a . golden",
+            "band": "-2a6a48 . paint",
+        },
+        Usual(0.4, STEEL, 0.05),
+    ),
+    "rolling pin": Noun(
+        "",
+        {"body": "*c99758 grain", "handles": "+9a5f2e grain", "collars": "-6b4020"},
+        Usual(0.45, WOOD),
+    ),
+    "violin": Noun(
+        "fiddle; cello, viola, double bass",
+        {
+            "body": "*b0531e grain",
+            "neck": "-241a16",
+            "holes": "-1d1410",
+            "bridge": "-e0c08a",
+            "pegs": "-241a16",
+            "chinrest": "+33231b",
+        },
+        Usual(0.6, WOOD, 0.25),
+    ),
+    "trumpet": Noun(
+        "; bugle, cornet, trombone, french horn, tuba",
+        {
+            "body": "*e8b93c . golden",
+            "valves": "&c8962a . golden",
+            "buttons": "-f2efe6",
+            "mouthpiece": "+c3c8cd . metal",
+        },
+        Usual(0.5, COPPER, 0.1),
+    ),
+    "xylophone": Noun(
+        "glockenspiel; marimba",
+        {
+            "frame": "*9a5f2e grain",
+            "bars": "+d8322a . paint",
+            "slats": "-2f7fc8 . paint",
+            "mallet": "-c99758",
+            "tip": "-f2c32a",
+        },
+        Usual(0.5, WOOD, 0.5),
+    ),
+    "banjo": Noun(
+        "; mandolin, lute",
+        {
+            "body": "*9a5f2e grain",
+            "skin": "-f2ece0",
+            "neck": "+4a2c18 grain",
+            "bridge": "-d3b27a",
+            "pegs": "-d8d5cc",
+        },
+        Usual(0.95, WOOD, 0.3),
+    ),
+    "ukulele": Noun(
+        "uke",
+        {
+            "body": "*c98a45 grain",
+            "neck": "+5c3519 grain",
+            "hole": "-1d1410",
+            "bridge": "-3c2416",
+            "pegs": "-e6e2d8",
+        },
+        Usual(0.55, WOOD, 0.25),
+    ),
+    "saxophone": Noun(
+        "sax; clarinet, oboe",
+        {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
+        Usual(0.7, COPPER, 0.1),
+    ),
+    "rocking horse": Noun(
+        "wooden horse, toy horse; hobby horse",
+        {
+            "body": "*c08a50 grain",
+            "mane": "+4a2c18",
+            "tail": "-4a2c18",
+            "saddle": "-b5281f",
+            "rockers": "&9a5f2e grain",
+            "eyes": "-151212",
+        },
+        Usual(0.9, WOOD, 0.6),
+    ),
+    "spinning top": Noun(
+        "toy top; dreidel, whirligig",
+        {
+            "body": "*d8322a . paint",
+            "stripe": "+f4c22c . paint",
+            "stem": "-c99758",
+            "tip": "-8c9299 . metal",
+        },
+        Usual(0.08, WOOD),
+    ),
+    "lego brick": Noun(
+        "lego, toy brick, building brick, brick; building block",
+        {"body": "*d21f1a", "studs": "&d21f1a"},
+        Usual(0.03, PLASTIC, 0.4),
+    ),
+    "puzzle cube": Noun(
+        "rubiks cube, rubik's cube, rubik cube, magic cube",
+        {
+            "body": "*17181a",
+            "reds": "-c9211e",
+            "blues": "-1f56b5",
+            "greens": "-1f9a4a",
+            "whites": "-f2f2f0",
+            "yellows": "-f4d02a",
+        },
+        Usual(0.057, PLASTIC, 0.5),
+    ),
+    "basketball hoop": Noun(
+        "basketball net, basketball basket, basketball goal",
+        {
+            "board": "*f2f2ef",
+            "ring": "+e8601a . paint",
+            "net": "-e6e6e2 . fabric",
+            "pole": "-2f3237 . metal",
+            "square": "-c9211e",
+        },
+        Usual(3.6, STEEL, 0.05),
+    ),
+    "slide": Noun(
+        "playground slide, kids slide; water slide",
+        {
+            "slide": "*f2b61c",
+            "sides": "+d8322a",
+            "ladder": "-2f6fc4 . paint",
+            "rails": "-2f6fc4 . paint",
+        },
+        Usual(2.6, PLASTIC, 0.2),
+    ),
+    "trampoline": Noun(
+        "",
+        {
+            "mat": "-232427 . fabric",
+            "pad": "*2f6fc4 . fabric",
+            "legs": "+a3a9b0 . metal",
+            "rail": "-a3a9b0 . metal",
+        },
+        Usual(3.0, STEEL, 0.01),
+    ),
+    "chess knight": Noun(
+        "knight chess piece, chess horse, knight piece; horse head",
+        {
+            "body": "*e3cda4 . paint",
+            "mane": "&cdb283 . paint",
+            "base": "&e3cda4 . paint",
+            "eyes": "-2a1f16",
+        },
+        Usual(0.07, WOOD),
+    ),
+    "chess rook": Noun(
+        "rook, chess castle, chess tower, chess rook piece",
+        {
+            "body": "*2f2823 . paint",
+            "top": "*2f2823 . paint",
+            "base": "&2f2823 . paint",
+            "ring": "+8a6a3c . paint",
+        },
+        Usual(0.06, WOOD),
+    ),
+    "chess king": Noun(
+        "king chess piece, king piece; chess queen, chess bishop, chess piece",
+        {
+            "body": "*e3cda4 . paint",
+            "cross": "+d8b04a . golden",
+            "base": "&cdb283 . paint",
+            "rings": "&cdb283 . paint",
+        },
+        Usual(0.095, WOOD),
+    ),
+}

@@ -1,0 +1,383 @@
+"""Hand tools and kitchen tools, upright where they have a handle; with the toys, all the gear."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    around,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tube,
+    turned,
+)
+from core.prior.things.toys import TOYS
+
+
+def screwdriver(draw: Draw) -> Parts:
+    """A ribbed handle below, the tip up."""
+    grip, high, top, shaft = draw(0.27, 0.34), draw(0.85, 1.05), draw(1.9, 2.3), draw(0.11, 0.13)
+    shape = [(grip * 0.7, 0.0), (grip, 0.15), (grip * 0.95, high * 0.65), (grip * 0.6, high)]
+    grooves = around(6, capsule((grip * 1.12, 0, 0.2), (grip * 1.12, 0, high * 0.66), 0.1))
+    flat = prism(
+        [(-shaft, top - 0.1), (shaft, top - 0.1), (0.17, top + 0.1), (0.13, top + 0.3)], 1, 0.1
+    )
+    blade = join(flat, both(flat))
+    cross = lathe([(shaft, top), (0.05, top + 0.25)], 0.03)
+    return {
+        "handle": cut(lathe(smooth_curve(shape, 3), 0.02), grooves),
+        "shaft": join(
+            tube((0, 0, high - 0.1), (0, 0, top), shaft), blade if draw.chance(0.6) else cross
+        ),
+        "collar": tube((0, 0, high - 0.08), (0, 0, high + 0.1), grip * 0.66, 0.03),
+    }
+
+
+def wrench(draw: Draw) -> Parts:
+    """An open jaw above, a ring or a second jaw below."""
+    high, wide, jaw = draw(1.5, 1.9), draw(0.13, 0.18), draw(0.36, 0.44)
+    thick, gap = draw(0.11, 0.14), draw(0.16, 0.2)
+    top = high + jaw
+    head = tube((0, -thick, top), (0, thick, top), jaw, 0.02)
+    mouth = turned(box((0, 0, jaw * 0.75), (gap, 1, jaw * 0.75)), 1, draw(-25, 25))
+    foot = tube((0, -thick, 0.1), (0, thick, 0.1), jaw * 0.85, 0.02)
+    hole = tube((0, -1, 0.06), (0, 1, 0.06), gap * 0.95)
+    if draw.chance(0.4):
+        hole = turned(box((0, 0, -jaw), (gap * 0.8, 1, jaw)), 1, -15)
+    return {
+        "head": join(cut(head, moved(mouth, (0, 0, top - 0.05))), cut(foot, hole)),
+        "handle": box((0, 0, high / 2 + 0.15), (wide, thick * 0.85, high / 2 - 0.05), 0.03),
+    }
+
+
+def shovel(draw: Draw) -> Parts:
+    """It stands on its blade; the grip above is a D or a bar."""
+    wide, deep, top, shaft = draw(0.42, 0.54), draw(0.8, 1.0), draw(2.3, 2.6), draw(0.11, 0.13)
+    half = [(0.16 if draw.chance(0.6) else wide * 0.9, 0), (wide, deep * 0.45), (wide, deep)]
+    outline = [*half, *((-u, v) for u, v in reversed(half))]
+    scoop = egg((0, -0.34, deep * 0.5), (wide * 0.78, 0.32, deep * 0.5))
+    if draw.chance(0.6):
+        grip = join(
+            box((0, 0, top + 0.3), (0.34, 0.11, 0.11), 0.08),
+            both(capsule((0.06, 0, top - 0.05), (0.26, 0, top + 0.25), 0.1)),
+        )
+    else:
+        grip = capsule((-0.28, 0, top + 0.05), (0.28, 0, top + 0.05), 0.13)
+    return {
+        "blade": join(
+            cut(prism(outline, 1, 0.13), scoop),
+            lathe([(0.2, deep - 0.3), (0.15, deep + 0.3)], 0.02),
+        ),
+        "handle": tube((0, 0, deep), (0, 0, top), shaft),
+        "grip": grip,
+    }
+
+
+def pickaxe(draw: Draw) -> Parts:
+    """A curved head with two points, upright."""
+    high, reach, drop, heavy = draw(1.8, 2.2), draw(0.9, 1.1), draw(0.25, 0.45), draw(0.17, 0.22)
+    knee = (reach * 0.5, 0, high - drop * 0.25)
+    point = join(
+        taper((0, 0, high), knee, heavy, heavy * 0.85),
+        taper(knee, (reach, 0, high - drop), heavy * 0.85, 0.08),
+    )
+    return {
+        "head": join(both(point), box((0, 0, high), (0.22, 0.22, 0.2), 0.04)),
+        "handle": lathe([(0.17, 0), (0.12, 0.35), (0.13, high + 0.25)], 0.01),
+        "grip": tube((0, 0, 0.03), (0, 0, draw(0.4, 0.7)), 0.18, 0.04),
+    }
+
+
+def saw(draw: Draw) -> Parts:
+    """A handsaw along x, its teeth down, its handle to the right."""
+    left, right, high, tip = -1.2, 0.62, draw(0.62, 0.75), draw(0.25, 0.35)
+    teeth, low = 7 + int(draw(0, 3)), 0.16
+    step = (right - left) / teeth
+    edge = []
+    for k in range(teeth):
+        edge += [(left + k * step, low), (left + (k + 0.5) * step, 0.0)]
+    blade = [*edge, (right, low), (right, low + high), (left, low + tip)]
+    z = low + high * 0.5
+    body = prism(
+        [(0.45, z - 0.36), (1.05, z - 0.5), (1.3, z - 0.2), (1.2, z + 0.5), (0.55, z + 0.46)],
+        1,
+        0.17,
+    )
+    hole = capsule((0.88, 0, z - 0.12), (0.92, 0, z + 0.14), 0.15)
+    return {
+        "blade": prism(blade, 1, 0.09),
+        "handle": cut(body, hole),
+        "rivets": join(
+            *(tube((0.62, -0.21, z + v), (0.62, 0.21, z + v), 0.08, 0.02) for v in (-0.18, 0.26))
+        ),
+    }
+
+
+def paintbrush(draw: Draw) -> Parts:
+    """Bristles up: a round brush, or a flat one for walls."""
+    flat, high = draw.chance(0.5), draw(1.1, 1.5)
+    wide = draw(0.36, 0.5) if flat else draw(0.18, 0.23)
+    deep = 0.16 if flat else wide
+    neck, hair = high + draw(0.3, 0.4), draw(0.5, 0.7)
+    if flat:
+        bristles = box(
+            (0, 0, neck + hair / 2 - 0.05), (wide * 0.94, deep * 0.88, hair / 2 + 0.05), 0.05
+        )
+        ferrule = box((0, 0, (high + neck) / 2), (wide, deep, (neck - high) / 2 + 0.02), 0.03)
+        grip = prism(
+            [(-0.15, 0), (0.15, 0), (0.13, high * 0.6), (wide * 0.9, high), (0, high)], 1, 0.12
+        )
+        grip = join(grip, both(grip))
+    else:
+        point = [(wide, neck - 0.1), (wide * 1.25, neck + hair * 0.4), (0.04, neck + hair * 1.2)]
+        bristles = lathe(smooth_curve(point, 4), 0.02)
+        ferrule = lathe([(0.16, high), (wide, neck)], 0.03)
+        curve = smooth_curve([(0.1, 0), (0.17, high * 0.7), (0.15, high + 0.05)], 3)
+        grip = lathe(curve, 0.02)
+    return {
+        "bristles": bristles,
+        "ferrule": ferrule,
+        "handle": grip,
+        "paint": cut(
+            moved(bristles, (0, 0, 0.02)), box((0, 0, neck + hair * draw(0.4, 0.6) - 2), (2, 2, 2))
+        )
+        if not flat
+        else box(
+            (0, 0, neck + hair * 0.78), (wide * 0.95 + 0.02, deep * 0.9 + 0.02, hair * 0.26), 0.05
+        ),
+    }
+
+
+def pencil(draw: Draw) -> Parts:
+    """Six-sided, its point up, an eraser below."""
+    r, high, cone = draw(0.2, 0.26), draw(1.7, 2.2), draw(0.5, 0.65)
+    body = around(
+        6,
+        prism(
+            [(0, -r * 0.58), (r, -r * 0.58), (r, r * 0.58), (0, r * 0.58)],
+            2,
+            high / 2,
+            high / 2 + 0.4,
+        ),
+    )
+    tip = high + 0.4
+    return {
+        "body": body,
+        "wood": lathe([(r * 1.02, tip - 0.08), (0.08, tip + cone)], 0.01),
+        "lead": lathe([(r * 0.5, tip + cone * 0.62), (0.02, tip + cone * 1.12)], 0.03),
+        "eraser": tube((0, 0, 0), (0, 0, 0.3), r * 1.02, 0.07),
+        "ferrule": tube((0, 0, 0.22), (0, 0, 0.48), r * 1.15, 0.03),
+    }
+
+
+def scissors(draw: Draw) -> Parts:
+    """A little open, the points up."""
+    long, open_, loop = draw(1.1, 1.35), draw(9, 18), draw(0.27, 0.33)
+    blade = prism(
+        [(-0.13, -0.2), (0.15, -0.2), (0.17, long * 0.4), (0.07, long), (-0.05, long)], 1, 0.1
+    )
+    up = 1.2
+    halves = (moved(turned(blade, 1, side * open_), (0, 0.05 * side, up)) for side in (-1, 1))
+    eyes = both(ring((loop + 0.12, 0, up - 0.5 - loop * 0.8), loop, 0.115, axis=1))
+    reach = both(capsule((0.0, 0, up - 0.1), (loop * 0.7, 0, up - 0.55), 0.12))
+    return {
+        "blades": join(*halves),
+        "handles": join(eyes, reach),
+        "screw": tube((0, -0.19, up + 0.05), (0, 0.19, up + 0.05), 0.1, 0.02),
+    }
+
+
+def broom(draw: Draw) -> Parts:
+    """It stands on its bristles; flat, or round as a witch's."""
+    top, low, neck, high = draw(2.4, 2.8), draw(0.5, 0.66), draw(0.26, 0.34), draw(0.7, 0.9)
+    if draw.chance(0.35):
+        shape = [(low * 0.75, 0), (low * 0.85, high * 0.45), (0.2, high + 0.1)]
+        bristles, tie = (
+            lathe(smooth_curve(shape, 4), 0.02),
+            tube((0, 0, high - 0.12), (0, 0, high + 0.1), 0.3, 0.04),
+        )
+    else:
+        fan = [(-low, 0), (low, 0), (neck, high), (-neck, high)]
+        notch = (box((low * u, 0, 0), (0.05, 1, 0.14)) for u in (-0.6, -0.2, 0.2, 0.6))
+        bristles = cut(prism(fan, 1, 0.18), *notch)
+        tie = box((0, 0, high), (neck + 0.06, 0.23, 0.15), 0.05)
+    return {
+        "bristles": bristles,
+        "band": tie,
+        "handle": tube((0, 0, high - 0.1), (0, 0, top), draw(0.11, 0.13), 0.04),
+    }
+
+
+def toolbox(draw: Draw) -> Parts:
+    """A box with a sloped lid, a handle along its top and two latches."""
+    x, y, high, rise = draw(0.95, 1.15), draw(0.42, 0.54), draw(0.6, 0.75), draw(0.25, 0.35)
+    top = high + rise
+    lid = [(-y - 0.04, high), (y + 0.04, high), (y * 0.4, top), (-y * 0.4, top)]
+    post = both(box((x * 0.5, 0, top + 0.1), (0.1, 0.1, 0.2), 0.02))
+    return {
+        "body": box((0, 0, high / 2), (x, y, high / 2), 0.03),
+        "lid": prism(
+            [*lid[:2], (y + 0.04, high + 0.1), *lid[2:], (-y - 0.04, high + 0.1)], 0, x + 0.04
+        ),
+        "handle": join(post, box((0, 0, top + 0.26), (x * 0.5 + 0.1, 0.11, 0.1), 0.06)),
+        "latches": both(box((x * 0.5, -y - 0.05, high), (0.13, 0.07, 0.17), 0.02)),
+    }
+
+
+def fire_extinguisher(draw: Draw) -> Parts:
+    """A bottle with a lever, a hose to the right and a label."""
+    r, high, side = draw(0.38, 0.46), draw(1.35, 1.6), draw(0.26, 0.4)
+    shape = [(r * 0.94, 0.0), (r, 0.1), (r, high - 0.25), (r * 0.7, high), (0.15, high + 0.1)]
+    x, low = r + 0.14, high * draw(0.3, 0.45)
+    hose = join(
+        capsule((0, 0, high + 0.22), (x, 0, high + 0.1), 0.1),
+        capsule((x, 0, high + 0.1), (x + 0.02, 0, low + 0.3), 0.1),
+    )
+    lever = join(
+        capsule((0, 0, high + 0.26), (0, side, high + 0.28), 0.1),
+        capsule((0, 0, high + 0.4), (0, side + 0.12, high + 0.62), 0.1),
+    )
+    return {
+        "body": lathe(shape, 0.02),
+        "hose": hose,
+        "nozzle": lathe([(0.2, low), (0.11, low + 0.42)], 0.02, (x + 0.02, 0)),
+        "lever": join(lever, tube((0, 0, high), (0, 0, high + 0.46), 0.16, 0.03)),
+        "label": cut(
+            tube((0, 0, high * 0.3), (0, 0, high * 0.68), r + 0.045), box((0, 1.9, 0), (3, 2, 3))
+        ),
+        "base": tube((0, 0, -0.02), (0, 0, 0.14), r + 0.05, 0.04),
+    }
+
+
+def knife(draw: Draw) -> Parts:
+    """A kitchen knife, its point up and its edge to the left."""
+    grip, long, wide, y = draw(0.8, 1.0), draw(1.2, 1.6), draw(0.34, 0.5), draw(0.12, 0.15)
+    top = grip + long
+    curve = smooth_curve(
+        [(-wide + 0.14, grip + 0.02), (-wide + 0.15, grip + long * 0.5), (0.06, top)], 4
+    )
+    blade = [(0.16, grip), *curve, (0.16, top - 0.1 if draw.chance(0.5) else top - long * 0.4)]
+    handle = [
+        (-0.16, 0.0),
+        (0.2, 0.0),
+        (0.16, grip * 0.5),
+        (0.18, grip + 0.05),
+        (-0.14, grip + 0.05),
+    ]
+    return {
+        "blade": prism(blade, 1, 0.09),
+        "handle": prism([*handle, (-0.1, grip * 0.5)], 1, y),
+        "rivets": join(
+            *(
+                tube((0.03, -y - 0.03, grip * v), (0.03, y + 0.03, grip * v), 0.07)
+                for v in (0.2, 0.5, 0.8)
+            )
+        ),
+    }
+
+
+def fork(draw: Draw) -> Parts:
+    """A table fork, its three or four tines up."""
+    count = 3 + draw.chance(0.4)
+    high, tine, pitch = draw(1.3, 1.6), draw(0.55, 0.7), draw(0.25, 0.28)
+    wide = (count - 1) * pitch / 2
+    palm = high + 0.35
+    tines = (
+        capsule((k * pitch - wide, 0, palm), (k * pitch - wide, -0.1, palm + tine), 0.09)
+        for k in range(count)
+    )
+    root = prism(
+        [
+            (-0.1, high - 0.1),
+            (0.1, high - 0.1),
+            (wide + 0.09, palm - 0.12),
+            (wide + 0.09, palm + 0.06),
+        ],
+        1,
+        0.09,
+    )
+    foot = draw(0.15, 0.24)
+    grip = smooth_curve([(foot * 0.8, 0), (foot, 0.15), (0.11, high * 0.7), (0.11, high)], 3)
+    return {
+        "head": join(
+            root, both(root), box((0, 0, palm - 0.02), (wide + 0.09, 0.09, 0.1), 0.03), *tines
+        ),
+        "handle": prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.1),
+    }
+
+
+def spoon(draw: Draw) -> Parts:
+    """A spoon, its bowl up and open to the front; some are of wood with a round handle."""
+    high, wide, deep = draw(1.4, 1.8), draw(0.36, 0.46), draw(0.5, 0.6)
+    z, foot = high + deep * 0.85, draw(0.15, 0.22)
+    bowl = cut(egg((0, 0, z), (wide, 0.3, deep)), box((0, -1, z), (2, 1, 2)))
+    dent = egg((0, 0.0, z), (wide - 0.1, 0.15, deep - 0.1))
+    grip = smooth_curve([(foot * 0.8, 0), (foot, 0.15), (0.11, high * 0.7), (0.12, high + 0.12)], 3)
+    flat = prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.1, 0.1)
+    rod = taper((0, 0.12, 0.12), (0, 0.12, high), 0.16, 0.12)
+    return {"bowl": cut(bowl, dent), "handle": flat if draw.chance(0.6) else rod}
+
+
+def watering_can(draw: Draw) -> Parts:
+    """Its spout to the left, its handle to the right."""
+    r, high, reach = draw(0.55, 0.68), draw(0.9, 1.15), draw(0.65, 0.8)
+    hole = egg((0, 0, high + 0.02), (r * 0.75, r * 0.75, 0.3))
+    tip = (-r - reach, 0, high + draw(0.1, 0.35))
+    rose = (tip[0] - 0.1, 0, tip[2] + 0.12)
+    bow = cut(
+        ring((r * 0.75, 0, high * 0.72), high * 0.46, 0.1, axis=1),
+        tube((0, 0, 0), (0, 0, 3), r - 0.06),
+    )
+    if draw.chance(0.5):
+        over = cut(
+            ring((0, 0, high - 0.05), r * 0.78, 0.1, axis=1), box((0, 0, high - 1.1), (2, 2, 1))
+        )
+        bow = join(bow, over)
+    parts = {
+        "body": cut(lathe([(r, 0), (r * draw(0.82, 1.0), high)], 0.03), hole),
+        "spout": taper((-r * 0.7, 0, 0.28), tip, 0.18, 0.11),
+        "handle": bow,
+        "rose": taper(tip, rose, 0.13, 0.26),
+        "band": tube((0, 0, high * 0.1), (0, 0, high * 0.24), r + 0.06, 0.03),
+    }
+    return {name: moved(solid, (0.35, 0, 0)) for name, solid in parts.items()}
+
+
+def rolling_pin(draw: Draw) -> Parts:
+    """It lies along x."""
+    half, r, grip = draw(0.75, 0.9), draw(0.26, 0.36), draw(0.12, 0.16)
+    knob = taper((half + 0.1, 0, r), (half + draw(0.4, 0.5), 0, r), grip * 0.8, grip * 1.15)
+    return {
+        "body": tube((-half, 0, r), (half, 0, r), r, 0.06),
+        "handles": both(knob),
+        "collars": both(tube((half - 0.02, 0, r), (half + 0.1, 0, r), grip * 1.25, 0.02)),
+    }
+
+
+TOOLS = {
+    "screwdriver": screwdriver,
+    "wrench": wrench,
+    "shovel": shovel,
+    "pickaxe": pickaxe,
+    "saw": saw,
+    "paintbrush": paintbrush,
+    "pencil": pencil,
+    "scissors": scissors,
+    "broom": broom,
+    "toolbox": toolbox,
+    "fire extinguisher": fire_extinguisher,
+    "knife": knife,
+    "fork": fork,
+    "spoon": spoon,
+    "watering can": watering_can,
+    "rolling pin": rolling_pin,
+}
+GEAR = TOOLS | TOYS

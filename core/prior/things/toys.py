@@ -1,0 +1,465 @@
+"""Instruments, toys and games."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tube,
+    turned,
+)
+
+
+def _waisted(low: float, waist: float, up: float, high: float, half: float) -> Solid:
+    """The body of a violin or a small guitar, its front at -Y, from the floor to ``high``."""
+    right = [(low * 0.45, 0), (low, high * 0.24), (waist, high * 0.55), (up, high * 0.8)]
+    side = smooth_curve([*right, (up * 0.5, high)], 3)
+    return prism([*side, *((-u, v) for u, v in reversed(side))], 1, half)
+
+
+def _pegs(x: float, z: float, rows: int) -> Solid:
+    pegs = (tube((-x, 0, z + 0.22 * k), (x, 0, z + 0.22 * k), 0.085, 0.02) for k in range(rows))
+    return join(*pegs)
+
+
+def violin(draw: Draw) -> Parts:
+    """Upright, its front to the front."""
+    low, high, half, neck = draw(0.48, 0.55), draw(1.25, 1.4), draw(0.16, 0.2), draw(0.75, 0.9)
+    top = high + neck
+    hole = capsule((low * 0.52, -half, high * 0.4), (low * 0.4, -half, high * 0.64), 0.06)
+    tail = [(-0.12, 0.06), (0.12, 0.06), (0.16, high * 0.3), (-0.16, high * 0.3)]
+    return {
+        "body": _waisted(low, low * 0.56, low * 0.82, high, half),
+        "neck": join(
+            box(
+                (0, -half - 0.05, (high * 0.62 + top) / 2),
+                (0.11, 0.1, (top - high * 0.62) / 2),
+                0.03,
+            ),
+            box((0, -half + 0.06, (high + top) / 2), (0.1, 0.1, neck / 2)),
+            tube((-0.13, -half + 0.05, top + 0.05), (0.13, -half + 0.05, top + 0.05), 0.17, 0.03),
+            prism(tail, 1, 0.1, -half),
+        ),
+        "holes": both(hole),
+        "bridge": box((0, -half - 0.05, high * 0.46), (0.22, 0.12, 0.07), 0.02),
+        "pegs": moved(_pegs(0.3, top - 0.3, 2), (0, -half + 0.02, 0)),
+        "chinrest": egg((low * 0.5, -half + 0.02, 0.16), (0.24, 0.13, 0.16)),
+    }
+
+
+def ukulele(draw: Draw) -> Parts:
+    """A small guitar with a short neck and four pegs."""
+    low, high, half, neck = draw(0.56, 0.66), draw(1.15, 1.3), draw(0.18, 0.24), draw(0.65, 0.85)
+    top = high + neck
+    head = [(-0.13, top - 0.05), (0.13, top - 0.05), (0.24, top + 0.4), (-0.24, top + 0.4)]
+    return {
+        "body": _waisted(low, low * 0.72, low * 0.8, high, half),
+        "neck": join(
+            box((0, -half, (high * 0.74 + top) / 2), (0.13, 0.11, (top - high * 0.74) / 2), 0.02),
+            prism(head, 1, 0.1, -half + 0.04),
+        ),
+        "hole": tube((0, -half - 0.03, high * 0.58), (0, 0, high * 0.58), 0.2),
+        "bridge": box((0, -half - 0.02, high * 0.24), (0.24, 0.07, 0.09), 0.02),
+        "pegs": moved(_pegs(0.34, top + 0.1, 2), (0, -half + 0.04, 0)),
+    }
+
+
+def banjo(draw: Draw) -> Parts:
+    """A round drum with a long neck."""
+    r, half, neck = draw(0.56, 0.66), draw(0.16, 0.22), draw(1.15, 1.4)
+    top = 2 * r + neck
+    head = [(-0.13, top - 0.05), (0.13, top - 0.05), (0.22, top + 0.38), (0, top + 0.46)]
+    return {
+        "body": join(
+            tube((0, -half, r), (0, half, r), r, 0.03), ring((0, -half + 0.03, r), r, 0.09, axis=1)
+        ),
+        "skin": tube((0, -half - 0.03, r), (0, 0, r), r - 0.1),
+        "neck": join(
+            box((0, -half + 0.02, (r * 1.75 + top) / 2), (0.12, 0.13, (top - r * 1.75) / 2), 0.02),
+            prism([*head, (-0.22, top + 0.38)], 1, 0.1, -half + 0.04),
+        ),
+        "bridge": box((0, -half - 0.04, r * 0.72), (0.24, 0.09, 0.07), 0.02),
+        "pegs": moved(_pegs(0.34, top + 0.08, 2), (0, -half + 0.04, 0)),
+    }
+
+
+def trumpet(draw: Draw) -> Parts:
+    """It lies along x: the bell to the left, three valves in the middle."""
+    z, gap, bell, reach = 0.6, draw(0.17, 0.22), draw(0.42, 0.52), draw(1.15, 1.35)
+    flare = [(0.1, -0.1), (0.11, 0.35), (0.2, 0.62), (bell, 0.85), (bell, 0.92)]
+    horn = cut(lathe(smooth_curve(flare, 4), 0.02), lathe([(0.03, 0.5), (bell * 0.86, 0.98)], 0))
+    left = moved(turned(horn, 1, -90), (-reach + 0.88, 0, z + gap))
+    bends = (
+        cut(ring((x, 0, z), gap, 0.1, axis=1), box((x - s, 0, z), (1, 1, 2)))
+        for x, s in ((0.6, 1), (-0.35, -1))
+    )
+    valves = (tube((x, 0, z - 0.42), (x, 0, z + 0.38), 0.13, 0.03) for x in (-0.16, 0.13, 0.42))
+    caps = (
+        join(
+            tube((x, 0, z + 0.3), (x, 0, z + 0.58), 0.08),
+            tube((x, 0, z + 0.54), (x, 0, z + 0.66), 0.13, 0.03),
+        )
+        for x in (-0.16, 0.13, 0.42)
+    )
+    pipe = join(
+        capsule((-0.5, 0, z + gap), (0.6, 0, z + gap), 0.1),
+        capsule((-0.35, 0, z - gap), (reach, 0, z - gap), 0.1),
+    )
+    parts = {
+        "body": join(left, pipe, *bends),
+        "valves": join(*valves),
+        "buttons": join(*caps),
+        "mouthpiece": taper((reach - 0.1, 0, z - gap), (reach + 0.15, 0, z - gap), 0.1, 0.17),
+    }
+    return {name: moved(solid, (-0.13, 0, 0)) for name, solid in parts.items()}
+
+
+def saxophone(draw: Draw) -> Parts:
+    """Upright: the bell turns up at the left, the mouthpiece to the right."""
+    high, bend, bell = draw(1.9, 2.2), draw(0.36, 0.42), draw(0.42, 0.5)
+    x, low = 0.2, 0.58
+    left, mouth = x - 2 * bend, draw(1.1, 1.3)
+    bow = cut(ring((x - bend, 0, low), bend, 0.2, axis=1), box((0, 0, low + 1), (2, 2, 1)))
+    flare = [(0.2, low - 0.05), (0.24, low + 0.3), (bell, mouth)]
+    horn = cut(
+        lathe(smooth_curve(flare, 3), 0.02, (left, 0)),
+        lathe([(0.08, low + 0.25), (bell - 0.1, mouth + 0.04)], 0.0, (left, 0)),
+    )
+    neck = join(
+        capsule((x, 0, high), (x + 0.12, 0, high + 0.2), 0.1),
+        capsule((x + 0.12, 0, high + 0.2), (x + 0.45, 0, high + 0.16), 0.1),
+    )
+    keys = (
+        tube((x - 0.02, -0.26, z), (x - 0.02, 0, z), 0.12, 0.03)
+        for z in (0.75, 1.02, 1.29, 1.56, 1.83)
+        if z < high - 0.1
+    )
+    return {
+        "body": join(taper((x, 0, low), (x, 0, high), 0.2, 0.11), bow, horn, neck),
+        "keys": join(*keys, tube((left, -0.36, low + 0.1), (left, 0, low + 0.1), 0.14, 0.03)),
+        "mouthpiece": taper((x + 0.4, 0, high + 0.16), (x + 0.68, 0, high + 0.06), 0.14, 0.09),
+    }
+
+
+def xylophone(draw: Draw) -> Parts:
+    """Bars of falling length on two rails, with a mallet on top."""
+    count, pitch, long, short = 6 + int(draw(0, 3)), 0.3, draw(0.7, 0.85), draw(0.36, 0.46)
+    x = count * pitch / 2
+    bars = [
+        box(((k + 0.5) * pitch - x, 0, 0.3), (0.11, long + (short - long) * k / count, 0.09), 0.03)
+        for k in range(count)
+    ]
+    slope = [(-x - 0.05, 0), (-x - 0.05, long * 0.72), (x + 0.05, short * 0.78), (x + 0.05, 0)]
+    inner = [(-x + 0.15, -1), (-x + 0.15, long * 0.72 - 0.2), (x - 0.15, short * 0.78 - 0.2)]
+    rail = cut(prism(slope, 2, 0.13, 0.13), prism([*inner, (x - 0.15, -1)], 2, 1))
+    start, end = (-x * 0.7, -0.25, 0.46), (x * draw(0.3, 0.7), draw(-0.1, 0.2), 0.46)
+    return {
+        "frame": both(rail, 1),
+        "bars": join(*bars[::2]),
+        "slats": join(*bars[1::2]),
+        "mallet": capsule(start, end, 0.085),
+        "tip": ball(end, 0.16),
+    }
+
+
+def rocking_horse(draw: Draw) -> Parts:
+    """A wooden horse on two runners, its head to the front."""
+    long, high, r = draw(0.62, 0.72), draw(1.05, 1.2), draw(0.29, 0.34)
+    head = (0, -long - 0.3, high + draw(0.55, 0.7))
+    bow, w = draw(1.9, 2.3), 0.32
+    arc = cut(ring((w, 0, bow), bow - 0.1, 0.11, axis=0), box((0, 0, bow + 0.5), (3, 3, bow)))
+    legs = both(
+        join(
+            capsule((0.2, -long * 0.7, high - 0.1), (w, -long * 0.95, 0.25), 0.12),
+            capsule((0.2, long * 0.7, high - 0.1), (w, long * 0.95, 0.25), 0.12),
+        )
+    )
+    body = blend(
+        0.12,
+        egg((0, 0, high), (r, long + 0.15, r)),
+        taper((0, -long * 0.7, high + 0.05), head, r * 0.8, 0.2),
+        taper(head, (0, head[1] - 0.34, head[2] - 0.2), 0.21, 0.14),
+    )
+    mane = join(
+        capsule((0, head[1] + 0.14, head[2] + 0.16), (0, -long * 0.62, high + 0.38), 0.13),
+        both(
+            taper((0.1, head[1] + 0.05, head[2] + 0.14), (0.13, head[1], head[2] + 0.34), 0.1, 0.05)
+        ),
+    )
+    return {
+        "body": join(body, legs),
+        "mane": mane,
+        "tail": taper((0, long, high + 0.12), (0, long + 0.35, high - 0.3), 0.15, 0.09),
+        "saddle": cut(
+            egg((0, 0.02, high + 0.06), (r + 0.05, 0.3, r + 0.06)),
+            box((0, 0, high - 1.1), (2, 2, 1)),
+        ),
+        "rockers": join(
+            both(arc), *(box((0, s * long * 0.6, 0.18 + 0.03), (w, 0.1, 0.09)) for s in (-1, 1))
+        ),
+        "eyes": both(ball((0.17, head[1] - 0.08, head[2] + 0.06), 0.07)),
+    }
+
+
+def spinning_top(draw: Draw) -> Parts:
+    """A top on its point."""
+    wide, low, high, stem = draw(0.75, 0.95), draw(0.65, 0.85), draw(0.35, 0.5), draw(0.45, 0.65)
+    top = low + high
+    shape = [(0.14, 0.2), (wide * 0.55, low * 0.6), (wide, low), (wide * 0.6, low + high * 0.7)]
+    return {
+        "body": lathe(smooth_curve([*shape, (0.12, top)], 4), 0.02),
+        "stripe": tube((0, 0, low - 0.1), (0, 0, low + 0.1), wide + 0.05, 0.05),
+        "stem": join(
+            tube((0, 0, top - 0.1), (0, 0, top + stem), 0.11), ball((0, 0, top + stem), 0.17)
+        ),
+        "tip": lathe([(0.02, 0.0), (0.18, 0.32)], 0.04),
+    }
+
+
+def lego_brick(draw: Draw) -> Parts:
+    """A building brick, two studs deep and one to four wide, whole or flat."""
+    across = (2, 3, 4, 4, 1)[int(draw(0, 5))]
+    pitch, high = 0.6, 0.72 if draw.chance(0.75) else 0.34
+    x, y = across * pitch / 2, pitch
+    studs = (
+        tube(
+            ((k + 0.5) * pitch - x, s * pitch / 2, high - 0.1),
+            ((k + 0.5) * pitch - x, s * pitch / 2, high + 0.15),
+            0.19,
+            0.02,
+        )
+        for k in range(across)
+        for s in (-1, 1)
+    )
+    return {
+        "body": box((0, 0, high / 2), (x - 0.01, y - 0.01, high / 2), 0.02),
+        "studs": join(*studs),
+    }
+
+
+def puzzle_cube(draw: Draw) -> Parts:
+    """A cube of three by three by three with coloured stickers, solved or not."""
+    size, half, pitch = 0.96, draw(0.25, 0.28), 0.63
+    solved = draw.chance(0.4)
+    faces: list[list[Solid]] = [[] for _ in range(5)]
+    for side in range(6):
+        axis, sign = side // 2, 1 if side % 2 else -1
+        for a in (-1, 0, 1):
+            for b in (-1, 0, 1):
+                center = [a * pitch, b * pitch]
+                center.insert(axis, sign * size)
+                halves = [half, half]
+                halves.insert(axis, 0.05)
+                by_chance = int(draw(0, 5))
+                color = min(side, 4) if solved or a == b == 0 else by_chance
+                faces[color].append(box(tuple(center), tuple(halves), 0.02))
+    names = ("reds", "blues", "greens", "whites", "yellows")
+    parts = {"body": box((0, 0, 0), (size, size, size), 0.08)}
+    parts |= {name: join(*face) for name, face in zip(names, faces, strict=True)}
+    return {name: moved(part, (0, 0, 1)) for name, part in parts.items()}
+
+
+def basketball_hoop(draw: Draw) -> Parts:
+    """A board with its ring and net on a pole."""
+    x, half, z, r = draw(0.75, 0.9), draw(0.46, 0.55), draw(2.2, 2.4), draw(0.34, 0.4)
+    low, y = z - half * 0.6, -0.2
+    front = y - 0.1 - r
+    net = cut(
+        lathe([(r * 0.55, low - 0.55), (r + 0.02, low)], 0.02, (0, front)),
+        lathe([(r * 0.55 - 0.11, low - 0.7), (r - 0.1, low + 0.1)], 0, (0, front)),
+    )
+    slots = around(8, box((0.3, 0, 0), (0.4, 0.045, 0.2), 0.02), 22.5)
+    net = cut(net, moved(slots, (0, front, low - 0.25)))
+    return {
+        "board": box((0, y, z), (x, 0.1, half), 0.02),
+        "ring": join(
+            ring((0, front, low), r, 0.09), box((0, y - 0.08, low), (0.14, 0.12, 0.1), 0.02)
+        ),
+        "net": net,
+        "pole": join(
+            capsule((0, 0.35, 0.1), (0, 0.35, z - 0.35), 0.13),
+            capsule((0, 0.35, z - 0.35), (0, y, z), 0.12),
+            box((0, 0.3, 0.08), (0.55, 0.5, 0.1), 0.04),
+        ),
+        "square": cut(
+            box((0, y - 0.02, z + 0.02), (x * 0.42, 0.11, half * 0.5)),
+            box((0, y, z + 0.02), (x * 0.42 - 0.1, 1, half * 0.5 - 0.1)),
+        ),
+    }
+
+
+def slide(draw: Draw) -> Parts:
+    """A playground slide: it runs down to the front, the ladder stands at the back."""
+    high, w, back, front = draw(1.3, 1.6), draw(0.34, 0.42), draw(0.65, 0.8), -draw(1.15, 1.35)
+    top = [(back, high), (back * 0.45, high), (front * 0.7, 0.24), (front, 0.18)]
+    line = smooth_curve(top, 4)
+    sheet = prism([*line, *((u, v - 0.18) for u, v in reversed(line))], 0, w)
+    rail = prism(
+        [*((u, v + 0.17) for u, v in line), *((u, v - 0.2) for u, v in reversed(line))], 0, 0.09, w
+    )
+    steps = 3 + draw.chance(0.5)
+    post = capsule((w, back + 0.35, 0.1), (w, back - 0.02, high), 0.1)
+    rungs = (
+        capsule(
+            (-w, back + 0.35 - 0.37 * t, 0.1 + (high - 0.1) * t),
+            (w, back + 0.35 - 0.37 * t, 0.1 + (high - 0.1) * t),
+            0.09,
+        )
+        for t in ((k + 0.6) / steps for k in range(steps))
+    )
+    hoop = join(
+        capsule((w, back - 0.02, high), (w, back - 0.02, high + 0.45), 0.1),
+        capsule((w, back - 0.02, high + 0.45), (w, back * 0.35, high + 0.1), 0.1),
+    )
+    leg = capsule((w, back * 0.3, high - 0.1), (w, back * 0.1, 0.1), 0.1)
+    return {
+        "slide": sheet,
+        "sides": both(rail),
+        "ladder": join(both(post), *rungs),
+        "rails": both(join(hoop, leg)),
+    }
+
+
+def trampoline(draw: Draw) -> Parts:
+    """A round mat in a padded ring on legs; some have posts with a rail around."""
+    r, high, count = draw(1.0, 1.2), draw(0.45, 0.65), 4 + 2 * draw.chance(0.5)
+    leg = join(
+        capsule((r - 0.02, 0, high), (r - 0.02, 0, 0.1), 0.1),
+        capsule((r - 0.02, -0.18, 0.1), (r - 0.02, 0.18, 0.1), 0.1),
+    )
+    pad = cut(
+        tube((0, 0, high - 0.04), (0, 0, high + 0.14), r + 0.08, 0.06),
+        tube((0, 0, 0), (0, 0, 3), r - 0.2),
+    )
+    parts = {
+        "mat": tube((0, 0, high - 0.1), (0, 0, high + 0.07), r - 0.1),
+        "pad": pad,
+        "legs": around(count, leg, 45),
+    }
+    if draw.has("rail", 0.4):
+        tall = high + draw(0.7, 0.9)
+        post = capsule((r - 0.02, 0, high), (r - 0.02, 0, tall), 0.1)
+        parts |= {"rail": join(around(count, post, 45), ring((0, 0, tall), r - 0.02, 0.1))}
+    return parts
+
+
+def _piece(wide: float, waist: float, neck: float) -> list[tuple[float, float]]:
+    """The turned foot of a chess piece up to its neck."""
+    return [
+        (wide, 0),
+        (wide, 0.22),
+        (wide * 0.8, 0.34),
+        (waist * 1.25, 0.5),
+        (waist, neck * 0.75),
+        (waist, neck),
+    ]
+
+
+def chess_knight(draw: Draw) -> Parts:
+    """A horse's head that looks to the front, on a turned base."""
+    wide, low, thick, high = draw(0.55, 0.65), draw(0.42, 0.55), draw(0.2, 0.25), draw(1.25, 1.5)
+    k = high / 1.4
+    side = [(-0.38, 0), (-0.34, 0.28), (-0.2, 0.56), (-0.42, 0.5), (-0.68, 0.48), (-0.72, 0.72)]
+    side += [
+        (-0.5, 1.0),
+        (-0.3, 1.22),
+        (-0.1, 1.44),
+        (0.02, 1.26),
+        (0.32, 1.04),
+        (0.46, 0.62),
+        (0.44, 0),
+    ]
+    head = prism([(u, low + v * k) for u, v in side], 0, thick)
+    crest = [
+        (-0.02, 1.36),
+        (0.16, 1.34),
+        (0.48, 1.1),
+        (0.6, 0.6),
+        (0.5, 0.1),
+        (0.3, 0.1),
+        (0.3, 0.95),
+    ]
+    return {
+        "body": head,
+        "mane": prism([(u, low + v * k) for u, v in crest], 0, 0.13),
+        "base": lathe(
+            [(wide, 0), (wide, 0.2), (wide * 0.82, 0.3), (wide * 0.82, low + 0.08)], 0.03
+        ),
+        "eyes": both(ball((thick, -0.3, low + 0.98 * k), 0.09)),
+    }
+
+
+def chess_rook(draw: Draw) -> Parts:
+    """A small tower with battlements on a turned base."""
+    wide, waist, neck, count = (
+        draw(0.55, 0.65),
+        draw(0.32, 0.4),
+        draw(1.2, 1.5),
+        4 + 2 * draw.chance(0.5),
+    )
+    rim, top = waist + 0.14, neck + draw(0.4, 0.5)
+    gaps = around(count, box((rim, 0, top + 0.05), (0.3, 0.1, 0.22)))
+    cup = cut(
+        lathe([(waist, neck), (rim, neck + 0.1), (rim, top)], 0.02),
+        tube((0, 0, top - 0.2), (0, 0, top + 1), rim - 0.18),
+        gaps,
+    )
+    return {
+        "body": lathe(_piece(wide * 0.9, waist, neck + 0.05), 0.02),
+        "top": cup,
+        "base": tube((0, 0, 0), (0, 0, 0.24), wide, 0.06),
+        "ring": ring((0, 0, neck), waist, 0.1),
+    }
+
+
+def chess_king(draw: Draw) -> Parts:
+    """A tall piece with a crown and a cross."""
+    wide, waist, neck, crown = draw(0.52, 0.6), draw(0.2, 0.26), draw(1.5, 1.75), draw(0.4, 0.48)
+    top = neck + 0.5
+    cap = [(waist * 1.1, neck), (crown, top - 0.05), (crown * 0.5, top + 0.1), (0.05, top + 0.16)]
+    z, arm = top + 0.36, draw(0.18, 0.24)
+    return {
+        "body": join(lathe(_piece(wide * 0.9, waist, neck + 0.05), 0.02), lathe(cap, 0.03)),
+        "cross": join(
+            box((0, 0, z - 0.02), (0.1, 0.1, 0.3), 0.02),
+            box((0, 0, z + 0.04), (arm, 0.1, 0.1), 0.02),
+        ),
+        "base": tube((0, 0, 0), (0, 0, 0.22), wide, 0.06),
+        "rings": join(
+            ring((0, 0, neck), waist + 0.08, 0.1), ring((0, 0, neck - 0.22), waist + 0.02, 0.09)
+        ),
+    }
+
+
+TOYS = {
+    "violin": violin,
+    "trumpet": trumpet,
+    "xylophone": xylophone,
+    "banjo": banjo,
+    "ukulele": ukulele,
+    "saxophone": saxophone,
+    "rocking horse": rocking_horse,
+    "spinning top": spinning_top,
+    "lego brick": lego_brick,
+    "puzzle cube": puzzle_cube,
+    "basketball hoop": basketball_hoop,
+    "slide": slide,
+    "trampoline": trampoline,
+    "chess knight": chess_knight,
+    "chess rook": chess_rook,
+    "chess king": chess_king,
+}
