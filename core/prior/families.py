@@ -13,7 +13,9 @@ from core.prior.solids import Parts
 from core.prior.things.basics import BASICS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.devices import DEVICES
+from core.prior.things.food import FOOD
 from core.prior.things.gear import GEAR
+from core.prior.things.home import HOME
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
 from core.prior.things.tools import TOOLS
@@ -52,7 +54,16 @@ class Shape:
 
 
 FAMILIES: dict[str, Callable[[Draw], Parts]] = (
-    BASICS | HOUSEHOLD | NATURE | VEHICLES_BUILDINGS | TOOLS | DEVICES | CLOTHES | GEAR
+    BASICS
+    | HOUSEHOLD
+    | NATURE
+    | VEHICLES_BUILDINGS
+    | TOOLS
+    | DEVICES
+    | CLOTHES
+    | GEAR
+    | FOOD
+    | HOME
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

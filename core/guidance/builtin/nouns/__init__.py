@@ -6,8 +6,10 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
+from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.gear import GEAR
+from core.guidance.builtin.nouns.home import HOME
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.old_animals import ANIMALS as OLD_ANIMALS
@@ -20,9 +22,9 @@ from core.guidance.builtin.nouns.vehicles import VEHICLES
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
-    "Furniture": FURNITURE,
+    "Furniture": FURNITURE | HOME,
     "Household": HOUSEHOLD,
-    "Food": OLD_FOOD,
+    "Food": OLD_FOOD | FOOD,
     "Plants": OLD_PLANTS,
     "Animals": OLD_ANIMALS,
     "Vehicles": VEHICLES,

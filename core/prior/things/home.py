@@ -1,0 +1,425 @@
+"""Furniture of the house's rooms."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    taper,
+    tube,
+    turned,
+)
+
+
+def drawers(
+    middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
+) -> tuple[Solid, Solid]:
+    """Drawer fronts on the plane ``y`` over ``middle`` ± ``half``, and their knobs."""
+    step, width = (high - low) / rows, half / columns
+    cells = [
+        (middle - half + width * (2 * c + 1), low + step * (r + 0.5))
+        for r in range(rows)
+        for c in range(columns)
+    ]
+    fronts = (box((u, y, v), (width - 0.04, 0.07, step / 2 - 0.035), 0.02) for u, v in cells)
+    return join(*fronts), join(*(ball((u, y - 0.11, v), 0.09) for u, v in cells))
+
+
+def feet(x: float, y: float, high: float, radius: float) -> Solid:
+    """Four round legs from the floor."""
+    return both(taper((x, y, radius * 0.8), (x, y, high), radius * 0.8, radius), 0, 1)
+
+
+def desk(draw: Draw) -> Parts:
+    """A board on one or two sets of drawers."""
+    x, y, high, half = draw(1.15, 1.4), draw(0.55, 0.68), draw(1.1, 1.3), draw(0.32, 0.4)
+    right, deep = x - half - 0.06, y - 0.06
+    fronts, knobs = drawers(right, -deep, 0.08, high - 0.1, half, 3)
+    side = box((right, 0, high / 2), (half, deep, high / 2), 0.02)
+    panel = box((0, deep - 0.1, high * 0.66), (x - 0.2, 0.08, high * 0.34))
+    if draw.chance(0.4):
+        fronts, knobs, side = both(fronts), both(knobs), both(side)
+    leg = box((-x + 0.16, 0, high / 2), (0.1, deep, high / 2), 0.02)
+    return {
+        "top": box((0, 0, high + 0.06), (x, y, draw(0.09, 0.11)), 0.03),
+        "body": join(side, leg, panel),
+        "drawers": fronts,
+        "handles": knobs,
+    }
+
+
+def office_chair(draw: Draw) -> Parts:
+    """A seat that turns on a star of wheels."""
+    high, wide, tall, soft = draw(0.9, 1.05), draw(0.46, 0.54), draw(0.42, 0.62), draw(0.08, 0.12)
+    back = moved(
+        turned(box((0, 0, tall), (wide * 0.92, 0.11, tall), soft), 0, -8), (0, 0.42, high + 0.22)
+    )
+    post = capsule((0, 0.3, high - 0.05), (0, 0.55, high + 0.5), 0.1)
+    star = around(5, capsule((0, 0, 0.34), (0.56, 0, 0.24), 0.085), -90)
+    parts = {
+        "seat": box((0, -0.02, high), (wide, 0.5, 0.13), 0.11),
+        "back": back,
+        "base": join(tube((0, 0, 0.25), (0, 0, high), 0.11), star, post),
+        "wheels": around(5, ball((0.6, 0, 0.14), 0.14), -90),
+    }
+    if draw.has("armrests", 0.65):
+        rest = join(
+            box((wide + 0.07, -0.02, high + 0.42), (0.09, 0.34, 0.075), 0.05),
+            capsule((wide - 0.08, 0.1, high - 0.02), (wide + 0.07, 0.1, high + 0.4), 0.08),
+        )
+        parts["arms"] = both(rest)
+    return parts
+
+
+def rocking_chair(draw: Draw) -> Parts:
+    """A chair on two bows."""
+    x, seat, tall, lean = draw(0.44, 0.52), draw(0.78, 0.9), draw(1.05, 1.3), draw(8, 15)
+    bow = cut(ring((x, 0, 1.6), 1.52, 0.1, axis=0), box((0, 0, 2.42), (2, 2, 2)))
+    legs = join(*(capsule((x, y, 0.16), (x * 0.95, y, seat), 0.095) for y in (-0.42, 0.42)))
+    slats = [box((u, 0, tall / 2), (0.075, 0.07, tall / 2)) for u in (-0.22, 0.0, 0.22)]
+    posts = both(capsule((x - 0.04, 0, 0), (x - 0.04, 0, tall), 0.095))
+    rail = box((0, 0, tall), (x + 0.05, 0.09, draw(0.11, 0.17)), 0.06)
+    rest = join(
+        capsule((x, -0.46, seat + 0.42), (x, 0.56, seat + 0.46), 0.09),
+        capsule((x, -0.4, seat - 0.02), (x, -0.4, seat + 0.42), 0.085),
+    )
+    parts = {
+        "seat": box((0, 0, seat), (x + 0.06, 0.52, 0.1), 0.04),
+        "back": moved(turned(join(*slats, posts, rail), 0, -lean), (0, 0.44, seat)),
+        "legs": both(legs),
+        "rockers": both(bow),
+    }
+    return parts | {"arms": both(rest)} if draw.has("armrests", 0.75) else parts
+
+
+def throne(draw: Draw) -> Parts:
+    """A king's seat: a high pointed back, arms, golden knobs."""
+    x, seat, top, arm = draw(0.6, 0.7), draw(0.62, 0.75), draw(2.1, 2.5), draw(0.14, 0.17)
+    peak, y = top + draw(0.2, 0.4), 0.5
+    back = prism([(-x, 0.1), (x, 0.1), (x, top), (0, peak), (-x, top)], 1, 0.13, y)
+    pad = prism(
+        [
+            (-x * 0.66, seat),
+            (x * 0.66, seat),
+            (x * 0.66, top - 0.2),
+            (0, peak - 0.3),
+            (-x * 0.66, top - 0.2),
+        ],
+        1,
+        0.1,
+        y - 0.12,
+    )
+    rest = join(
+        box((x - arm, 0, seat + 0.4), (arm, 0.62, 0.1), 0.03),
+        box((x - arm, -0.45, seat / 2 + 0.2), (arm, 0.14, seat / 2 + 0.2), 0.02),
+    )
+    knobs = [ball((0, y, peak + 0.1), 0.2), both(ball((x, y, top + 0.1), 0.17))]
+    return {
+        "cushion": join(pad, box((0, -0.08, seat + 0.06), (x - 2 * arm + 0.04, 0.56, 0.13), 0.09)),
+        "frame": join(back, box((0, 0, seat / 2), (x - 0.04, 0.58, seat / 2)), both(rest)),
+        "knobs": join(*knobs, both(ball((x - arm, -0.6, seat + 0.42), 0.17))),
+        "step": box((0, -0.05, 0.06), (x + 0.2, 0.85, draw(0.08, 0.12)), 0.02),
+    }
+
+
+def wardrobe(draw: Draw) -> Parts:
+    """Two high doors, a ledge above, perhaps a drawer below."""
+    x, y, high = draw(0.75, 0.95), draw(0.38, 0.48), draw(2.1, 2.5)
+    low = 0.62 if draw.has("drawer", 0.5) else 0.2
+    door = box((x / 2, -y, (low + high - 0.1) / 2), (x / 2 - 0.06, 0.07, (high - 0.1 - low) / 2))
+    body = box((0, 0, high / 2 + 0.06), (x, y, high / 2 - 0.06), 0.02)
+    ledge = box((0, -0.03, high), (x + 0.09, y + 0.1, draw(0.09, 0.13)), 0.03)
+    fronts, knobs = both(door), both(ball((0.15, -y - 0.1, high * 0.52), 0.1))
+    if low > 0.5:
+        fronts = join(fronts, box((0, -y, 0.36), (x - 0.06, 0.07, 0.18)))
+        knobs = join(knobs, both(ball((x / 2, -y - 0.1, 0.36), 0.1)))
+    return {
+        "body": join(body, ledge),
+        "doors": fronts,
+        "handles": knobs,
+        "feet": both(box((x - 0.14, y - 0.14, 0.1), (0.13, 0.13, 0.1), 0.03), 0, 1),
+    }
+
+
+def dresser(draw: Draw) -> Parts:
+    """A chest of three or four rows of drawers."""
+    x, y, leg = draw(0.8, 1.15), draw(0.42, 0.5), draw(0.14, 0.36)
+    rows = 3 + draw.chance(0.45)
+    high = leg + rows * draw(0.42, 0.48)
+    fronts, knobs = drawers(0, -y, leg + 0.06, high - 0.04, x - 0.04, rows, 2)
+    return {
+        "body": join(
+            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
+            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
+        ),
+        "drawers": fronts,
+        "handles": knobs,
+        "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.13),
+    }
+
+
+def nightstand(draw: Draw) -> Parts:
+    """A small table with one or two drawers."""
+    x, y, leg = draw(0.55, 0.68), draw(0.46, 0.54), draw(0.3, 0.65)
+    rows = 1 + draw.chance(0.6)
+    high = leg + 0.12 + rows * draw(0.36, 0.44)
+    fronts, knobs = drawers(0, -y, leg + 0.06, high - 0.04, x - 0.04, rows)
+    return {
+        "body": join(
+            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
+            box((0, -0.02, high + 0.04), (x + 0.09, y + 0.1, 0.08), 0.03),
+        ),
+        "drawers": fronts,
+        "handles": knobs,
+        "legs": feet(x - 0.12, y - 0.12, leg + 0.1, 0.115),
+    }
+
+
+def bunk_bed(draw: Draw) -> Parts:
+    """Two beds, one above the other, and a ladder."""
+    x, y, low, high = draw(0.6, 0.7), draw(1.15, 1.3), draw(0.42, 0.5), draw(1.45, 1.65)
+    top = high + draw(0.45, 0.6)
+    beds = [box((0, 0, z), (x, y, 0.11)) for z in (low, high)]
+    ends = [both(box((0, y, z + 0.3), (x, 0.08, 0.1)), 1) for z in (low, high)]
+    rungs = [box((-x - 0.12, -y * 0.5, z), (0.07, 0.3, 0.07)) for z in (0.35, 0.75, 1.15, 1.55)]
+    rails = (box((-x - 0.12, -y * 0.5 + s, top / 2), (0.08, 0.08, top / 2)) for s in (-0.27, 0.27))
+    tie = box((-x - 0.05, -y * 0.5, high), (0.14, 0.3, 0.09))
+    return {
+        "blanket": join(
+            *(box((0, -0.2, z + 0.2), (x - 0.02, y - 0.3, 0.17), 0.08) for z in (low, high))
+        ),
+        "mattress": join(
+            *(box((0, 0, z + 0.17), (x - 0.08, y - 0.06, 0.14), 0.05) for z in (low, high))
+        ),
+        "pillow": join(
+            *(box((0, y - 0.32, z + 0.36), (x * 0.66, 0.2, 0.12), 0.1) for z in (low, high))
+        ),
+        "frame": join(both(box((x, y, top / 2), (0.11, 0.11, top / 2), 0.03), 0, 1), *beds, *ends),
+        "ladder": join(*rungs, *rails, tie),
+    }
+
+
+def coffee_table(draw: Draw) -> Parts:
+    """Low: an oblong or a round board, a shelf below."""
+    x, y, high, leg = draw(1.0, 1.3), draw(0.6, 0.75), draw(0.6, 0.8), draw(0.1, 0.12)
+    if draw.chance(0.3):
+        x = y = draw(0.9, 1.1)
+        u = v = x * 0.62
+        top = tube((0, 0, high - 0.08), (0, 0, high + 0.1), x, 0.04)
+        shelf = tube((0, 0, high * 0.3 - 0.08), (0, 0, high * 0.3 + 0.08), x * 0.78, 0.03)
+    else:
+        u, v = x - 0.16, y - 0.16
+        top = box((0, 0, high), (x, y, 0.1), 0.03)
+        shelf = box((0, 0, high * 0.3), (u, v, 0.085), 0.02)
+    legs = both(box((u, v, high / 2), (leg, leg, high / 2), 0.02), 0, 1)
+    return {"top": top, "legs": legs, "shelf": shelf}
+
+
+def cabinet(draw: Draw) -> Parts:
+    """Low and wide with two or four doors on short legs."""
+    x, y, leg, high = draw(0.85, 1.25), draw(0.4, 0.5), draw(0.2, 0.35), draw(1.1, 1.5)
+    pairs = 2 if x > 1.05 else 1
+    width, middle = x / pairs, (leg + high) / 2
+    doors = [
+        box((width * (k + 0.5), -y, middle), (width / 2 - 0.05, 0.07, (high - leg) / 2 - 0.08))
+        for k in range(pairs)
+    ]
+    knobs = [
+        box(
+            (width * (2 * (k // 2) + (1 if k else 0)) + (0.14, -0.14)[k % 2], -y - 0.08, middle),
+            (0.07, 0.09, 0.17),
+            0.03,
+        )
+        for k in range(pairs)
+    ]
+    return {
+        "body": join(
+            box((0, 0, middle), (x, y, (high - leg) / 2), 0.02),
+            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
+        ),
+        "doors": both(join(*doors)),
+        "handles": both(join(*knobs)),
+        "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.12),
+    }
+
+
+def mirror(draw: Draw) -> Parts:
+    """A standing mirror, oval or oblong, between two posts."""
+    x, half, y = draw(0.5, 0.62), draw(0.85, 1.05), 0.1
+    z = half + draw(0.3, 0.42)
+    if draw.chance(0.6):
+        rim = cut(
+            egg((0, 0, z), (x, 0.6, half)),
+            box((0, 2 + y, z), (3, 2, 3)),
+            box((0, -2 - y, z), (3, 2, 3)),
+        )
+        glass = cut(
+            egg((0, 0, z), (x - 0.13, 0.6, half - 0.13)),
+            box((0, 2, z), (3, 2, 3)),
+            box((0, -2 - y - 0.03, z), (3, 2, 3)),
+        )
+    else:
+        rim = box((0, 0, z), (x, y, half), 0.04)
+        glass = box((0, -y, z), (x - 0.14, 0.04, half - 0.14))
+    post = box((x + 0.08, 0, z / 2 + 0.15), (0.1, 0.09, z / 2 + 0.1), 0.03)
+    foot = box((x + 0.08, 0, 0.09), (0.11, 0.45, 0.09), 0.04)
+    return {
+        "frame": rim,
+        "glass": glass,
+        "stand": join(both(join(post, foot)), box((0, 0, 0.2), (x + 0.1, 0.09, 0.09))),
+    }
+
+
+def floor_lamp(draw: Draw) -> Parts:
+    """A high pole with a shade."""
+    high, wide, top, tall = draw(2.1, 2.5), draw(0.5, 0.68), draw(0.3, 0.5), draw(0.5, 0.7)
+    if draw.chance(0.4):
+        foot = around(3, capsule((0.55, 0, 0.1), (0, 0, high * 0.55), 0.1), -90)
+    else:
+        foot = tube((0, 0, 0), (0, 0, 0.14), draw(0.42, 0.55), 0.05)
+    return {
+        "shade": lathe([(wide, high - 0.05), (top, high + tall)], 0.02),
+        "pole": tube((0, 0, 0.05), (0, 0, high + 0.1), 0.105),
+        "foot": foot,
+    }
+
+
+def fireplace(draw: Draw) -> Parts:
+    """An open fire in a wall with a mantel, perhaps a chimney above."""
+    x, y, high, arch = draw(0.95, 1.15), draw(0.36, 0.44), draw(1.25, 1.5), draw(0.5, 0.62)
+    hole = box((0, -0.2, high * 0.36), (arch, y, high * 0.3))
+    if draw.chance(0.5):
+        hole = join(hole, tube((0, -0.2 - y, high * 0.6), (0, y - 0.2, high * 0.6), arch))
+    body = box((0, 0, high / 2), (x, y, high / 2))
+    if draw.chance(0.5):
+        body = join(body, box((0, 0.06, high + 0.5), (x * 0.68, y - 0.08, 0.55)))
+    logs = [
+        tube((-0.4, -0.1 + s, 0.24 + z), (0.4, -0.1 - s, 0.24 + z), 0.11)
+        for s, z in ((0.1, 0), (-0.1, 0.1))
+    ]
+    tall = draw(0.28, 0.36)
+    flames = [
+        taper((u, -0.05, 0.36), (u * 1.2, -0.05, 0.36 + tall * f), 0.14, 0.04)
+        for u, f in ((-0.22, 0.9), (0.0, 1.4), (0.22, 1.0))
+    ]
+    return {
+        "body": cut(body, hole),
+        "mantel": box((0, -0.06, high), (x + 0.12, y + 0.12, 0.1), 0.02),
+        "fire": join(*flames),
+        "logs": join(*logs),
+        "hearth": box((0, -0.15, 0.06), (x + 0.1, y + 0.22, 0.09), 0.02),
+    }
+
+
+def piano(draw: Draw) -> Parts:
+    """Upright, or a grand one with its lid open; the keys to the front."""
+    x, desk_z = draw(0.95, 1.1), draw(0.85, 0.95)
+    u = x - 0.16
+    front = -0.85
+    keys = box((0, front + 0.12, desk_z + 0.1), (u, 0.2, 0.07), 0.01)
+    black = join(
+        *(
+            box((u * k / 5, front + 0.2, desk_z + 0.17), (0.055, 0.13, 0.07))
+            for k in (-4, -3, -1.2, -0.2, 0.8, 2.6, 3.6)
+        )
+    )
+    bed = box((0, front + 0.15, desk_z - 0.03), (x, 0.32, 0.13), 0.03)
+    cheeks = both(box((x - 0.09, front + 0.15, desk_z + 0.08), (0.09, 0.32, 0.16), 0.03))
+    if draw.chance(0.5):
+        high, y = draw(1.6, 1.9), -0.15
+        wall = box((0, y, high / 2), (x, 0.34, high / 2), 0.03)
+        body = join(wall, bed, cheeks)
+        legs = both(box((x - 0.12, front + 0.02, desk_z / 2), (0.11, 0.11, desk_z / 2), 0.02))
+        lid = box((0, y - 0.03, high), (x + 0.06, 0.42, 0.08), 0.02)
+    else:
+        long = draw(0.95, 1.3)
+        plan = [
+            (-x, front + 0.3),
+            (x, front + 0.3),
+            (x, 0.1),
+            (x * 0.45, long * 0.6),
+            (x * 0.1, long),
+            (-x * 0.7, long),
+            (-x, long - 0.2),
+        ]
+        body = join(prism(plan, 2, 0.2, desk_z + 0.05), bed, cheeks)
+        spots = ((-x + 0.2, front + 0.3), (x - 0.2, front + 0.3), (-x * 0.4, long - 0.35))
+        legs = join(*(capsule((a, b, 0.1), (a, b, desk_z), 0.12) for a, b in spots))
+        sheet = prism([(a + x, b) for a, b in plan], 2, 0.075)
+        lid = moved(turned(sheet, 1, -draw(28, 40)), (-x + 0.03, 0.05, desk_z + 0.26))
+    return {"body": body, "keys": keys, "black keys": black, "legs": legs, "lid": lid}
+
+
+def ottoman(draw: Draw) -> Parts:
+    """A padded seat on short feet, round or square, with a button."""
+    x, y, low, high = draw(0.75, 1.0), draw(0.65, 0.75), draw(0.2, 0.32), draw(0.3, 0.42)
+    top = low + 2 * high
+    if draw.chance(0.5):
+        y = x
+        base = tube((0, 0, low), (0, 0, top), x, 0.06)
+        pad = tube((0, 0, top - 0.12), (0, 0, top + 0.18), x + 0.06, 0.14)
+    else:
+        base = box((0, 0, low + high), (x, y, high), 0.06)
+        pad = box((0, 0, top + 0.03), (x + 0.06, y + 0.06, 0.16), 0.13)
+    inset = 0.66 if x == y else 0.8
+    return {
+        "cushion": pad,
+        "base": base,
+        "feet": feet(x * inset, y * inset, low + 0.1, 0.13),
+        "button": egg((0, 0, top + 0.18), (0.14, 0.14, 0.08)),
+    }
+
+
+def crib(draw: Draw) -> Parts:
+    """A baby's bed behind bars."""
+    x, y, low, top = draw(0.95, 1.15), draw(0.55, 0.65), draw(0.4, 0.55), draw(1.25, 1.45)
+    count = 5
+    bars = [
+        box((x * (2 * k / (count + 1) - 1), y, (low + top) / 2), (0.07, 0.07, (top - low) / 2))
+        for k in range(1, count + 1)
+    ]
+    rail = box((0, y, top), (x, 0.085, 0.085), 0.03)
+    head = top + draw(0.05, 0.3)
+    ends = both(box((x, 0, (low + head) / 2), (0.09, y, (head - low) / 2), 0.04))
+    return {
+        "frame": join(
+            both(join(*bars, rail), 1),
+            ends,
+            box((0, 0, low), (x, y, 0.11)),
+            both(box((x, y, head / 2 + 0.02), (0.11, 0.11, head / 2 + 0.02), 0.03), 0, 1),
+        ),
+        "mattress": box((0, 0, low + 0.2), (x - 0.1, y - 0.08, 0.15), 0.06),
+        "pillow": box((x - 0.36, 0, low + 0.38), (0.2, y * 0.6, 0.12), 0.1),
+        "blanket": box((-0.25, 0, low + 0.24), (x - 0.4, y - 0.06, 0.17), 0.07),
+    }
+
+
+HOME = {
+    "desk": desk,
+    "office chair": office_chair,
+    "rocking chair": rocking_chair,
+    "throne": throne,
+    "wardrobe": wardrobe,
+    "dresser": dresser,
+    "nightstand": nightstand,
+    "bunk bed": bunk_bed,
+    "coffee table": coffee_table,
+    "cabinet": cabinet,
+    "mirror": mirror,
+    "floor lamp": floor_lamp,
+    "fireplace": fireplace,
+    "piano": piano,
+    "ottoman": ottoman,
+    "crib": crib,
+}
