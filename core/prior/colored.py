@@ -7,7 +7,7 @@ finds under them is the one that the words mean.
 import torch
 from jaxtyping import Float
 from torch import Tensor
-from torch.nn.functional import interpolate, normalize
+from torch.nn.functional import avg_pool2d, interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.shade import shade
@@ -112,6 +112,19 @@ def lumpy(
     dents = interpolate(dents, (size, size), mode="bicubic", align_corners=False)
     weight = normals.norm(dim=1, keepdim=True)
     return normalize(normals + depth * dents * weight, dim=1) * weight
+
+
+def blurred(parts: Float[Tensor, "n k s s"], generator: torch.Generator) -> Tensor:
+    """Half of the pictures with the borders between parts two pixels wide or more: of a trained
+    shape they are not known exactly."""
+    inside = parts.sum(1, keepdim=True)
+    soft = parts
+    for _ in range(2):
+        soft = avg_pool2d(soft, 3, stride=1, padding=1, count_include_pad=False) * inside
+    soft = soft / soft.sum(1, keepdim=True).clamp_min(1e-6)
+    amount = torch.rand(len(parts), 1, 1, 1, generator=generator)
+    amount = amount * (torch.rand(len(parts), 1, 1, 1, generator=generator) < 0.5)
+    return torch.lerp(parts, soft, amount)
 
 
 def _pixels(pictures: Tensor, seen: Tensor) -> Tensor:

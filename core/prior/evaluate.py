@@ -22,6 +22,7 @@ from core.guidance.builtin.hint import hint
 from core.guidance.builtin.lexicon import SLOTS as WORDS
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import COLOR_VALUES, looks
+from core.guidance.builtin.part_map import PARTS
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter
@@ -200,9 +201,9 @@ def guessed(
     z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)
     t = torch.full((len(index),), PAINT_TIME)
     with torch.no_grad():
-        v = net(
-            z_t, t, words, camera_map(samples.cameras(index), SIZE // BLOCK), hint(surface, words)
-        )
+        given = hint(surface, samples.part_maps(index, PARTS), words)
+        camera = camera_map(samples.cameras(index), SIZE // BLOCK)
+        v = net(z_t, t, words[:, : len(net.config.words)], camera, given)
     return true, x_from_v(v, z_t, alpha_bar)
 
 
