@@ -10,6 +10,7 @@ from torch import Tensor
 from core.geometry.mesh import NORMAL_RADIUS
 from core.prior.draw import Draw
 from core.prior.solids import Parts
+from core.prior.things.animals import ANIMALS
 from core.prior.things.basics import BASICS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.devices import DEVICES
@@ -64,6 +65,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | GEAR
     | FOOD
     | HOME
+    | ANIMALS
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

@@ -3,6 +3,7 @@
 The solids that they are made of are in ``core/prior/things``, for training alone.
 """
 
+from core.guidance.builtin.nouns.animals import ANIMALS
 from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
@@ -26,7 +27,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Household": HOUSEHOLD,
     "Food": OLD_FOOD | FOOD,
     "Plants": OLD_PLANTS,
-    "Animals": OLD_ANIMALS,
+    "Animals": OLD_ANIMALS | ANIMALS,
     "Vehicles": VEHICLES,
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,

@@ -1,0 +1,219 @@
+"""Four-legged animals."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    ball,
+    blend,
+    both,
+    capsule,
+    egg,
+    join,
+    taper,
+    tube,
+)
+
+
+class _Beast:
+    """A standing animal's trunk, head and legs; its head to the front."""
+
+    def __init__(
+        self, draw: Draw, wide: float, long: float, leg: float, head: float, neck: tuple
+    ) -> None:
+        self.wide, self.long = wide * draw(0.92, 1.1), long * draw(0.92, 1.08)
+        self.belly = leg * draw(0.9, 1.1) + self.wide * 0.8
+        self.head = head * draw(0.93, 1.08)
+        self.y = -self.long * 0.8 - neck[0] * draw(0.9, 1.1)
+        self.z = self.belly + neck[1] * draw(0.9, 1.1)
+        self.foot = max(0.13, self.wide * 0.32)
+
+    def trunk(self, neck: float) -> Solid:
+        """All but ears, tail and face."""
+        wide, long, y, z = self.wide, self.long, self.y, self.z
+        a, b = wide * 0.55, long * 0.66
+        body = egg((0, 0, self.belly), (wide, long, wide * 0.95))
+        throat = taper((0, -long * 0.6, self.belly), (0, y, z), neck * 1.25, neck)
+        leg = taper((a, b, self.belly - 0.1), (a, b, self.foot), self.foot * 1.1, self.foot)
+        return join(blend(0.12, body, throat, ball((0, y, z), self.head)), both(leg, 0, 1))
+
+    def ears(self, high: float, thick: float = 0.12, tip: float = 0.05, out: float = 0.75) -> Solid:
+        """A pair on top of the head."""
+        h, y, z = self.head, self.y, self.z
+        return both(
+            taper((h * 0.55, y + 0.04, z + h * 0.6), (h * out, y, z + h + high), thick, tip)
+        )
+
+    def muzzle(self, reach: float, thick: float) -> Solid:
+        """The front of the face."""
+        y, z, h = self.y, self.z, self.head
+        return taper((0, y - h * 0.4, z - 0.06), (0, y - h - reach, z - 0.1), thick * 1.15, thick)
+
+    def eyes(self) -> Solid:
+        """A pair at the front of the head."""
+        h = self.head
+        return both(ball((h * 0.5, self.y - h * 0.78, self.z + h * 0.36), 0.08))
+
+    def nose(self, reach: float, size: float = 0.09) -> Solid:
+        """At the muzzle's end."""
+        return ball((0, self.y - self.head - reach, self.z - 0.03), size)
+
+    def tail(self, back: float, up: float, first: float = 0.1, last: float = 0.1) -> Solid:
+        """From the rump, its end ``back`` and ``up`` from there."""
+        y, z = self.long * 0.85, self.belly + self.wide * 0.3
+        return taper((0, y, z), (0, y + back, z + up), first, last)
+
+
+def cat(draw: Draw) -> Parts:
+    """Pointed ears, a raised tail."""
+    b = _Beast(draw, 0.36, 0.68, 0.4, 0.38, (0.2, 0.42))
+    tail = b.tail(draw(0.2, 0.4), draw(0.5, 0.75))
+    return {
+        "body": join(b.trunk(0.22), b.ears(0.16, 0.15, 0.04), tail),
+        "muzzle": b.muzzle(-0.06, 0.15),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.08),
+    }
+
+
+def dog(draw: Draw) -> Parts:
+    """Hanging or raised ears, a long muzzle."""
+    b = _Beast(draw, 0.36, 0.72, 0.5, 0.34, (0.22, 0.5))
+    h, hang = b.head, draw.chance(0.6)
+    low = taper((h * 0.8, b.y, b.z + h * 0.5), (h * 1.1, b.y, b.z - 0.22), 0.12, 0.14)
+    return {
+        "body": join(b.trunk(0.22), b.tail(0.35, draw(0.2, 0.5), 0.11, 0.09)),
+        "ears": both(low) if hang else b.ears(0.16, 0.14, 0.05),
+        "muzzle": b.muzzle(0.16, 0.16),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.28, 0.1),
+    }
+
+
+def wolf(draw: Draw) -> Parts:
+    """Pointed ears, a bushy tail that hangs."""
+    b = _Beast(draw, 0.38, 0.8, 0.55, 0.34, (0.28, 0.4))
+    return {
+        "body": join(b.trunk(0.28), b.ears(0.2, 0.14, 0.04)),
+        "muzzle": b.muzzle(0.2, 0.14),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.3, 0.09),
+        "tail": b.tail(0.3, draw(-0.5, -0.3), 0.13, 0.15),
+    }
+
+
+def fox(draw: Draw) -> Parts:
+    """Large ears, a thick tail with a tip."""
+    b = _Beast(draw, 0.3, 0.66, 0.42, 0.33, (0.22, 0.36))
+    y, z = b.long * 0.85, b.belly + 0.1
+    up = draw(-0.05, 0.3)
+    return {
+        "body": join(
+            b.trunk(0.2),
+            b.ears(0.24, 0.16, 0.04),
+            taper((0, y - 0.1, z), (0, y + 0.45, z + up), 0.11, 0.21),
+        ),
+        "tail tip": taper((0, y + 0.5, z + up), (0, y + 0.8, z + up * 1.4), 0.2, 0.07),
+        "muzzle": b.muzzle(0.18, 0.11),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.26, 0.085),
+    }
+
+
+def bear(draw: Draw) -> Parts:
+    """Heavy, with round ears."""
+    b = _Beast(draw, 0.55, 0.85, 0.35, 0.4, (0.2, 0.25))
+    ear = ball((b.head * 0.72, b.y, b.z + b.head * 0.75), 0.15)
+    return {
+        "body": join(b.trunk(0.38), both(ear), ball((0, b.long, b.belly + 0.1), 0.14)),
+        "muzzle": b.muzzle(0.08, 0.18),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.22, 0.11),
+    }
+
+
+def lion(draw: Draw) -> Parts:
+    """A mane, a tail with a tuft."""
+    b = _Beast(draw, 0.4, 0.8, 0.45, 0.36, (0.25, 0.36))
+    y, z, up = b.long * 0.85, b.belly + 0.12, draw(-0.2, 0.3)
+    mane = egg((0, b.y + 0.2, b.z - 0.02), (0.6, 0.34, draw(0.58, 0.66)))
+    return {
+        "body": join(b.trunk(0.28), b.tail(0.5, up)),
+        "mane": join(mane, ball((0, y + 0.52, z + up), 0.16)),
+        "muzzle": b.muzzle(0.02, 0.18),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.18, 0.1),
+    }
+
+
+def cow(draw: Draw) -> Parts:
+    """Horns, a broad muzzle, an udder."""
+    b = _Beast(draw, 0.46, 0.85, 0.5, 0.33, (0.25, 0.35))
+    h, y, z = b.head, b.y, b.z
+    ear = taper((h * 0.7, y, z + 0.08), (h + 0.25, y, z + 0.1), 0.1, 0.1)
+    horn = taper((h * 0.5, y, z + h * 0.7), (h * 0.95, y, z + h + draw(0.15, 0.25)), 0.11, 0.07)
+    return {
+        "body": join(b.trunk(0.28), both(ear), b.tail(0.12, -0.5)),
+        "muzzle": b.muzzle(0.12, 0.21),
+        "horns": both(horn),
+        "eyes": b.eyes(),
+        "udder": ball((0, b.long * 0.35, b.belly - b.wide * 0.85), 0.2),
+    }
+
+
+def sheep(draw: Draw) -> Parts:
+    """A ball of wool with a dark face and legs."""
+    wide, long, z = draw(0.58, 0.66), draw(0.75, 0.88), draw(0.9, 1.0)
+    y = -long - 0.12
+    leg = tube((0.3, long * 0.5, 0), (0.3, long * 0.5, z - 0.2), 0.14, 0.03)
+    ear = capsule((0.15, y, z + 0.36), (0.45, y + 0.02, z + 0.3), 0.1)
+    return {
+        "wool": join(egg((0, 0, z), (wide, long, wide)), ball((0, y + 0.1, z + 0.52), 0.24)),
+        "head": join(egg((0, y - 0.1, z + 0.22), (0.25, 0.36, 0.3)), both(ear)),
+        "legs": both(leg, 0, 1),
+        "eyes": both(ball((0.15, y - 0.34, z + 0.33), 0.075)),
+    }
+
+
+def elephant(draw: Draw) -> Parts:
+    """A trunk, big ears, tusks."""
+    b = _Beast(draw, 0.58, 0.82, 0.45, 0.42, (0.15, 0.3))
+    y, z, h = b.y, b.z, b.head
+    nose = (0, y - h - 0.22, z - 0.5)
+    tusk = taper((0.2, y - h * 0.7, z - 0.2), (0.26, y - h - 0.35, z - 0.22), 0.1, 0.07)
+    return {
+        "body": join(
+            b.trunk(0.36),
+            taper((0, y - h * 0.6, z - 0.05), nose, 0.2, 0.14),
+            taper(nose, (0, nose[1] - draw(0, 0.2), 0.2), 0.14, 0.11),
+            b.tail(0.15, -0.4),
+        ),
+        "ears": both(egg((h + 0.22, y + 0.15, z), (0.4, 0.11, draw(0.42, 0.52)))),
+        "tusks": both(tusk),
+        "eyes": b.eyes(),
+    }
+
+
+def giraffe(draw: Draw) -> Parts:
+    """A very long neck, two horns."""
+    b = _Beast(draw, 0.34, 0.58, 0.8, 0.22, (0.2, 1.3))
+    return {
+        "body": join(b.trunk(0.15), b.tail(0.12, -0.4)),
+        "muzzle": b.muzzle(0.2, 0.14),
+        "horns": b.ears(0.16, 0.09, 0.1),
+        "eyes": both(ball((b.head * 0.75, b.y - 0.12, b.z + 0.08), 0.08)),
+    }
+
+
+ANIMALS = {
+    "cat": cat,
+    "dog": dog,
+    "wolf": wolf,
+    "fox": fox,
+    "bear": bear,
+    "lion": lion,
+    "cow": cow,
+    "sheep": sheep,
+    "elephant": elephant,
+    "giraffe": giraffe,
+}
