@@ -20,6 +20,7 @@ from core.prior.things.home import HOME
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
 from core.prior.things.tools import TOOLS
+from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 
 
@@ -66,6 +67,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | FOOD
     | HOME
     | ANIMALS
+    | TRANSPORT
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

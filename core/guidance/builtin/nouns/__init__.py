@@ -19,6 +19,7 @@ from core.guidance.builtin.nouns.old_plants import PLANTS as OLD_PLANTS
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.tools import TOOLS_AND_TOYS
+from core.guidance.builtin.nouns.transport import TRANSPORT
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
@@ -28,7 +29,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Food": OLD_FOOD | FOOD,
     "Plants": OLD_PLANTS,
     "Animals": OLD_ANIMALS | ANIMALS,
-    "Vehicles": VEHICLES,
+    "Vehicles": VEHICLES | TRANSPORT,
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,

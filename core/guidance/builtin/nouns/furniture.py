@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, STEEL, WOOD, Noun, Usual
 
 FURNITURE = {
     "table": Noun(
-        "; desk",
+        "",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
         Usual(1.4, WOOD),
     ),

@@ -29,7 +29,7 @@ ANIMALS = {
         Usual(0.4, FLESH, 0.6),
     ),
     "teddy bear": Noun(
-        "teddy; bear",
+        "teddy",
         {"body": "*96612f . fabric", "muzzle": "+d9b382 . fabric", "eyes": "-140f0c"},
         Usual(0.4, FABRIC, 0.3),
     ),
