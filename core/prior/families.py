@@ -19,6 +19,7 @@ from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
+from core.prior.things.props import PROPS
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -68,6 +69,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | HOME
     | ANIMALS
     | TRANSPORT
+    | PROPS
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

@@ -17,6 +17,7 @@ from core.guidance.builtin.nouns.old_animals import ANIMALS as OLD_ANIMALS
 from core.guidance.builtin.nouns.old_food import FOOD as OLD_FOOD
 from core.guidance.builtin.nouns.old_plants import PLANTS as OLD_PLANTS
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.tools import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.transport import TRANSPORT
@@ -26,6 +27,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE | HOME,
     "Household": HOUSEHOLD,
+    "Props": PROPS,
     "Food": OLD_FOOD | FOOD,
     "Plants": OLD_PLANTS,
     "Animals": OLD_ANIMALS | ANIMALS,

@@ -1,0 +1,235 @@
+"""Props of games and stories."""
+
+from core.guidance.builtin.nouns.noun import (
+    CERAMIC,
+    FABRIC,
+    GLASS,
+    GOLD,
+    PLANT,
+    RUBBER,
+    STEEL,
+    STONE,
+    WOOD,
+    Noun,
+    Usual,
+)
+
+_GRIP = "-4a2c1a"
+PROPS = {
+    "chest": Noun(
+        "treasure chest; trunk, coffer",
+        {
+            "body": "*7a4a24 grain",
+            "lid": "*7a4a24 grain",
+            "bands": "+4a4d52 . metal",
+            "lock": "-d8a83c . golden",
+        },
+        Usual(0.8, WOOD, 0.3),
+    ),
+    "sword": Noun(
+        "longsword, broadsword; katana, sabre, saber, rapier, claymore",
+        {
+            "blade": "*b4bac2 . metal",
+            "guard": "+c79a3e . golden",
+            "grip": _GRIP,
+            "pommel": "+c79a3e . golden",
+        },
+        Usual(1.1, STEEL, 0.4),
+    ),
+    "dagger": Noun(
+        "; stiletto, dirk",
+        {
+            "blade": "*b4bac2 . metal",
+            "guard": "+8a7a4a . metal",
+            "grip": _GRIP,
+            "pommel": "+8a7a4a . metal",
+        },
+        Usual(0.35, STEEL, 0.4),
+    ),
+    "shield": Noun(
+        "; buckler",
+        {"plate": "*b02a24", "rim": "+9aa0a6 . metal", "emblem": "+e0b84a . golden"},
+        Usual(0.9, WOOD, 0.6),
+    ),
+    "barrel": Noun(
+        "wooden barrel, wine barrel, cask, keg",
+        {"body": "*8a5a2e grain", "hoops": "+55585c . metal"},
+        Usual(0.9, WOOD, 0.25),
+    ),
+    "crate": Noun(
+        "wooden crate, shipping crate; packing case",
+        {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
+        Usual(0.6, WOOD, 0.3),
+    ),
+    "lantern": Noun(
+        "oil lantern, oil lamp",
+        {
+            "frame": "*3a3c40 . metal",
+            "glass": "-ffd98a . glass",
+            "roof": "*3a3c40 . metal",
+            "handle": "&4a4c50 . metal",
+        },
+        Usual(0.35, STEEL, 0.1),
+    ),
+    "potion": Noun(
+        "potion bottle, magic potion, flask of potion; elixir, vial",
+        {"flask": "*8a3fc0 . glass", "cork": "-b98a52", "rim": "&a070d0 . glass"},
+        Usual(0.2, GLASS, 0.4),
+    ),
+    "key": Noun(
+        "old key, door key; skeleton key",
+        {"bow": "*d8a83c . golden", "shaft": "*d8a83c . golden", "teeth": "&d8a83c . golden"},
+        Usual(0.1, STEEL),
+    ),
+    "coin": Noun(
+        "gold coin, pirate coin; token",
+        {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
+        Usual(0.06, GOLD),
+    ),
+    "skull": Noun(
+        "human skull; cranium", {"bone": "*e6dcc4", "eyes": "-1a1512"}, Usual(0.22, CERAMIC, 0.3)
+    ),
+    "tombstone": Noun(
+        "gravestone, headstone, grave stone",
+        {"slab": "*8f9290 . stone", "base": "&7a7d7b . stone", "cross": "&a5a8a6 . stone"},
+        Usual(1.0, STONE),
+    ),
+    "gem": Noun(
+        "gemstone, jewel; diamond, emerald stone, sapphire, crystal gem",
+        {"stone": "*2f8ad8 . glass"},
+        Usual(0.05, STONE),
+    ),
+    "staff": Noun(
+        "wizard staff, magic staff; wand, magic wand, sceptre, scepter",
+        {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
+        Usual(1.8, WOOD),
+    ),
+    "torch": Noun(
+        "burning torch, flaming torch",
+        {"handle": "*6b4424 grain", "flame": "-ff9a1e", "basket": "+3a3c40 . metal"},
+        Usual(0.6, WOOD),
+    ),
+    "book": Noun(
+        "books, spellbook, old book; bible, tome, notebook, diary",
+        {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
+        Usual(0.26, WOOD),
+    ),
+    "scroll": Noun(
+        "parchment scroll; parchment, map scroll",
+        {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f"},
+        Usual(0.35, WOOD, 0.5),
+    ),
+    "cauldron": Noun(
+        "witch cauldron, kettle pot",
+        {
+            "pot": "*2e3033 . metal",
+            "brew": "+5ac23a",
+            "feet": "&2e3033 . metal",
+            "handles": "&3a3c40 . metal",
+        },
+        Usual(0.6, STEEL, 0.25),
+    ),
+    "cannon": Noun(
+        "; howitzer",
+        {"barrel": "*3a3c40 . metal", "carriage": "+7a4a24 grain", "wheels": "-5a3a20 grain"},
+        Usual(2.2, STEEL, 0.5),
+    ),
+    "bomb": Noun(
+        "; grenade",
+        {"body": "*232427", "cap": "&3a3c40 . metal", "fuse": "-c9b48a", "spark": "-ff9a1e"},
+        Usual(0.2, STEEL, 0.5),
+    ),
+    "hourglass": Noun(
+        "hour glass, sand glass; egg timer",
+        {"glass": "-e8cf96 . glass", "frame": "*7a4a24 grain"},
+        Usual(0.25, WOOD, 0.5),
+    ),
+    "well": Noun(
+        "water well, wishing well, stone well",
+        {
+            "wall": "*9a958a bricks stone",
+            "roof": "+8a4a2e",
+            "posts": "-6b4424 grain",
+            "water": "-3f7fa8",
+        },
+        Usual(2.2, STONE, 0.5),
+    ),
+    "tent": Noun(
+        "camping tent; marquee, teepee, tipi",
+        {"canvas": "*d87f2a . fabric", "door": "-5a3a20", "poles": "+6e7276 . metal"},
+        Usual(2.2, FABRIC, 0.05),
+    ),
+    "campfire": Noun(
+        "camp fire, fire pit, bonfire",
+        {
+            "flame": "-ff8c1a",
+            "logs": "*6b4424 grain",
+            "stones": "+86867f . stone",
+            "ash": "-3a3632",
+        },
+        Usual(1.0, STONE, 0.6),
+    ),
+    "signpost": Noun(
+        "sign post, wooden sign, road sign; sign",
+        {"boards": "*a5743e grain", "post": "&7a4a24 grain", "base": "-8a8a82 . stone"},
+        Usual(2.0, WOOD),
+    ),
+    "ladder": Noun(
+        "; stepladder", {"rails": "*b98a52 grain", "rungs": "&a5743e grain"}, Usual(2.4, WOOD)
+    ),
+    "fence": Noun(
+        "picket fence, wooden fence; paling",
+        {"pickets": "*f0eee6", "rails": "&e0ded4"},
+        Usual(1.8, WOOD),
+    ),
+    "mailbox": Noun(
+        "letterbox, letter box, post box",
+        {
+            "box": "*3f6ea8 . paint",
+            "door": "&3f6ea8 . paint",
+            "flag": "-c9211e",
+            "post": "-7a4a24 grain",
+        },
+        Usual(1.3, STEEL, 0.1),
+    ),
+    "gift": Noun(
+        "gift box, present, wrapped present; parcel, package",
+        {"box": "*c0262c", "lid": "*c0262c", "ribbon": "+f0c24a", "bow": "+f0c24a"},
+        Usual(0.3, WOOD, 0.3),
+    ),
+    "basket": Noun(
+        "wicker basket, picnic basket; hamper",
+        {"body": "*b98a4a scales", "handle": "&a5743e", "rim": "&a5743e"},
+        Usual(0.4, PLANT, 0.1),
+    ),
+    "balloon": Noun(
+        "party balloon, toy balloon",
+        {"body": "*d8262c . rubber", "knot": "&d8262c . rubber", "string": "-e8e4da"},
+        Usual(0.4, RUBBER, 0.02),
+    ),
+    "umbrella": Noun(
+        "; parasol, sunshade",
+        {"canopy": "*3056b8 . fabric", "stick": "-8a8f94 . metal", "handle": "+5a3a20"},
+        Usual(1.0, STEEL, 0.05),
+    ),
+    "pawn": Noun(
+        "chess pawn, chess piece; chessman",
+        {"body": "*e6d4b0", "base": "&d8c49c", "collar": "&d8c49c"},
+        Usual(0.06, WOOD),
+    ),
+    "arrow": Noun(
+        "; crossbow bolt, dart",
+        {"head": "*8f979e . metal", "shaft": "+b98a52 grain", "feathers": "+e8e4da"},
+        Usual(0.75, WOOD),
+    ),
+    "flag": Noun(
+        "banner; pennant",
+        {
+            "cloth": "*c9211e . fabric",
+            "pole": "-b0b4b8 . metal",
+            "knob": "-e0b84a . golden",
+            "base": "-6e6a64 . stone",
+        },
+        Usual(2.5, STEEL, 0.1),
+    ),
+}

@@ -1,0 +1,646 @@
+"""Props of games and stories."""
+
+import math
+
+from torch import Tensor, atan2, stack
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tube,
+)
+
+
+def chest(draw: Draw) -> Parts:
+    """A treasure chest: a box under half a barrel, iron bands, a lock."""
+    x, y, low = draw(0.95, 1.2), draw(0.6, 0.75), draw(0.6, 0.8)
+    lid = cut(tube((-x, 0, low), (x, 0, low), y, 0.02), box((0, 0, low - 1), (2, 2, 1.0)))
+    band = join(
+        box((x * 0.6, 0, low / 2), (0.11, y + 0.05, low / 2)),
+        cut(
+            tube((x * 0.6 - 0.11, 0, low), (x * 0.6 + 0.11, 0, low), y + 0.05),
+            box((0, 0, -1), (2, 2, 1 + low / 2)),
+        ),
+    )
+    return {
+        "body": box((0, 0, low / 2), (x, y, low / 2), 0.02),
+        "lid": lid,
+        "bands": join(both(band), box((0, 0, low), (x + 0.04, y + 0.04, 0.08))),
+        "lock": box((0, -y - 0.05, low - 0.03), (0.15, 0.12, 0.18), 0.04),
+    }
+
+
+def _hilt(draw: Draw, low: float, half: float, guard: float) -> tuple[Solid, Solid, Solid]:
+    """The guard at height 0, the grip below it, the pommel."""
+    across = box((0, 0, 0), (half, guard, guard), draw(0.01, 0.06))
+    return (
+        across,
+        capsule((0, 0, 0), (0, 0, -low), 0.12),
+        ball((0, 0, -low - 0.05), draw(0.16, 0.2)),
+    )
+
+
+def _blade(high: float, wide: float, thick: float) -> Solid:
+    corners = [
+        (-wide, 0),
+        (wide, 0),
+        (wide * 0.85, high - wide * 1.8),
+        (0, high),
+        (-wide * 0.85, high - wide * 1.8),
+    ]
+    flat = prism(corners, 1, thick)
+    ridge = prism([(-thick * 1.5, 0), (thick * 1.5, 0), (0, high - wide)], 1, thick * 1.5)
+    return join(flat, ridge)
+
+
+def sword(draw: Draw) -> Parts:
+    """Point up: a blade with a ridge, a guard, a grip, a pommel."""
+    guard, grip, pommel = _hilt(draw, draw(0.45, 0.6), draw(0.4, 0.58), 0.11)
+    return {
+        "blade": _blade(draw(1.9, 2.3), draw(0.17, 0.23), 0.07),
+        "guard": guard,
+        "grip": grip,
+        "pommel": pommel,
+    }
+
+
+def dagger(draw: Draw) -> Parts:
+    """A short broad blade."""
+    guard, grip, pommel = _hilt(draw, draw(0.42, 0.5), draw(0.32, 0.42), 0.11)
+    return {
+        "blade": _blade(draw(0.95, 1.2), draw(0.19, 0.25), 0.08),
+        "guard": guard,
+        "grip": grip,
+        "pommel": pommel,
+    }
+
+
+def shield(draw: Draw) -> Parts:
+    """A heater shield with a rim and a boss, or a round one."""
+    high, wide, thick = draw(1.0, 1.2), draw(0.78, 0.95), draw(0.1, 0.13)
+    if draw.chance(0.3):
+        plate = tube((0, -thick, high), (0, thick, high), wide, 0.03)
+        rim = ring((0, 0, high), wide, thick * 1.2, 1)
+        boss = egg((0, -thick, high), (0.26, 0.18, 0.26))
+    else:
+        side = smooth_curve(
+            [(0.0, 0.0), (wide * 0.62, high * 0.55), (wide, high * 1.3), (wide, high * 2)]
+        )
+        corners = side + [(-u, v) for u, v in reversed(side[1:])]
+        plate = prism(corners, 1, thick)
+        grown = prism([(u * 1.1, high + (v - high) * 1.08) for u, v in corners], 1, thick * 1.45)
+        inner = prism([(u * 0.86, high + (v - high) * 0.88) for u, v in corners], 1, 1.0)
+        rim = cut(grown, inner)
+        boss = join(
+            box((0, -thick, high * 1.15), (0.11, 0.1, high * 0.6), 0.02),
+            box((0, -thick, high * 1.35), (wide * 0.6, 0.1, 0.11), 0.02),
+        )
+    return {"plate": plate, "rim": rim, "emblem": boss}
+
+
+def barrel(draw: Draw) -> Parts:
+    """Staves that bulge, hoops."""
+    r, high, bulge = draw(0.62, 0.75), draw(1.7, 2.1), draw(1.15, 1.3)
+    side = smooth_curve(
+        [
+            (r, 0.0),
+            (r * (1 + bulge) / 2 * 1.04, high * 0.22),
+            (r * bulge, high / 2),
+            (r * (1 + bulge) / 2 * 1.04, high * 0.78),
+            (r, high),
+        ]
+    )
+    body = cut(lathe(side), tube((0, 0, high - 0.1), (0, 0, high + 1), r * 0.84))
+    body = cut(body, tube((0, 0, -1), (0, 0, 0.1), r * 0.84))
+    at = (0.13, 0.36, 0.64, 0.87)
+    wide = [r * (1 + (bulge - 1) * (1 - (2 * k - 1) ** 2)) for k in at]
+    hoops = (
+        tube((0, 0, high * k - 0.08), (0, 0, high * k + 0.08), w + 0.05, 0.02)
+        for k, w in zip(at, wide, strict=True)
+    )
+    inside = tube((0, 0, -1), (0, 0, high + 1), r * 0.8)
+    return {"body": body, "hoops": cut(join(*hoops), inside)}
+
+
+def crate(draw: Draw) -> Parts:
+    """Planks in a frame, a diagonal on each side."""
+    x, y, z = draw(0.8, 0.95), draw(0.75, 0.95), draw(0.72, 0.95)
+    edge, sunk = draw(0.13, 0.17), 0.08
+    holes = (
+        box((0, 0, z), (x - 2 * edge, 2, z - 2 * edge)),
+        box((0, 0, z), (2, y - 2 * edge, z - 2 * edge)),
+        box((0, 0, z), (x - 2 * edge, y - 2 * edge, 2)),
+    )
+    frame = cut(box((0, 0, z), (x, y, z), 0.01), *holes)
+    tilt = edge * 0.9
+    u, v = x - edge, z - edge
+    bar = prism(
+        [(-u, z - v), (-u + tilt * 2, z - v), (u, z + v), (u - tilt * 2, z + v)], 1, y - 0.02
+    )
+    u = y - edge
+    side = prism(
+        [(-u, z - v), (-u + tilt * 2, z - v), (u, z + v), (u - tilt * 2, z + v)], 0, x - 0.02
+    )
+    return {
+        "planks": box((0, 0, z), (x - sunk, y - sunk, z - sunk)),
+        "frame": join(frame, bar, side),
+    }
+
+
+def lantern(draw: Draw) -> Parts:
+    """A lamp of four posts round a glass, a roof, a ring to carry it."""
+    r, high, post = draw(0.5, 0.62), draw(0.95, 1.25), 0.1
+    posts = both(box((r - post, r - post, high / 2 + 0.15), (post, post, high / 2 + 0.1)), 0, 1)
+    roof = prism(
+        [(-r - 0.12, high + 0.2), (r + 0.12, high + 0.2), (0.2, high + 0.75), (-0.2, high + 0.75)],
+        1,
+        r + 0.12,
+    )
+    slope = prism(
+        [(-r - 0.12, high + 0.2), (r + 0.12, high + 0.2), (0.2, high + 0.75), (-0.2, high + 0.75)],
+        0,
+        r + 0.12,
+    )
+    top = lambda p: roof(p).maximum(slope(p))  # noqa: E731
+    return {
+        "frame": join(posts, box((0, 0, 0.1), (r + 0.08, r + 0.08, 0.13), 0.03)),
+        "glass": box((0, 0, high / 2 + 0.15), (r - 0.1, r - 0.1, high / 2 + 0.1)),
+        "roof": top,
+        "handle": ring((0, 0, high + 0.95), draw(0.22, 0.28), 0.09, 1),
+    }
+
+
+def potion(draw: Draw) -> Parts:
+    """A round or a conical flask with a neck and a cork."""
+    r, neck = draw(0.65, 0.8), draw(0.2, 0.26)
+    high = draw(1.35, 1.65)
+    if draw.chance(0.6):
+        side = smooth_curve(
+            [(r * 0.55, 0.0), (r, r * 0.75), (r * 0.7, r * 1.5), (neck, r * 1.9), (neck, high)]
+        )
+    else:
+        side = smooth_curve([(r * 0.92, 0.0), (r, 0.14), (neck, r * 1.55), (neck, high)])
+    return {
+        "flask": lathe(side, 0.02),
+        "cork": tube((0, 0, high - 0.05), (0, 0, high + 0.25), neck * 0.95, 0.04),
+        "rim": tube((0, 0, high - 0.16), (0, 0, high), neck + 0.1, 0.04),
+    }
+
+
+def key(draw: Draw) -> Parts:
+    """Upright, its bow above."""
+    r, high, thick = draw(0.4, 0.5), draw(1.5, 1.8), draw(0.12, 0.14)
+    bow = ring((0, 0, high + r), r, thick, 1)
+    if draw.chance(0.4):
+        bow = join(bow, ring((0, 0, high + 0.1), 0.2, thick, 1))
+    teeth = [
+        box((0.26, 0, 0.12 + 0.36 * k), (0.26, thick * 0.8, 0.11))
+        for k in range(2 + draw.chance(0.4))
+    ]
+    return {
+        "bow": bow,
+        "shaft": join(
+            tube((0, 0, 0), (0, 0, high + 0.1), thick, 0.02), ring((0, 0, high - 0.1), 0.14, 0.07)
+        ),
+        "teeth": join(*teeth),
+    }
+
+
+def coin(draw: Draw) -> Parts:
+    """Upright, with a raised rim and a star or a disc on it."""
+    r, thick = draw(0.9, 1.0), draw(0.11, 0.15)
+    face = tube((0, -thick, r), (0, thick, r), r, 0.02)
+    rim = cut(
+        tube((0, -thick - 0.07, r), (0, thick + 0.07, r), r + 0.02, 0.02),
+        tube((0, -2, r), (0, 2, r), r * 0.82),
+    )
+    if draw.chance(0.5):
+        mark = tube((0, -thick - 0.06, r), (0, thick + 0.06, r), r * 0.42, 0.03)
+    else:
+        mark = join(
+            box((0, 0, r), (0.13, thick + 0.06, r * 0.5)),
+            box((0, 0, r), (r * 0.5, thick + 0.06, 0.13)),
+        )
+    return {"face": face, "rim": rim, "emblem": mark}
+
+
+def skull(draw: Draw) -> Parts:
+    """It looks forward: a round cranium, cheeks, a jaw with teeth, deep eyes."""
+    wide, high = draw(0.68, 0.78), draw(0.66, 0.76)
+    dome = egg((0, 0.12, 1.25), (wide, draw(0.8, 0.9), high))
+    cheeks = box((0, -0.3, 0.62), (wide * 0.62, 0.36, 0.34), 0.16)
+    jaw = box((0, -0.36, 0.18), (wide * draw(0.46, 0.56), 0.3, 0.22), 0.1)
+    eye, nose = egg((0.29, -0.72, 1.02), (0.2, 0.3, 0.2)), egg((0, -0.72, 0.68), (0.1, 0.25, 0.14))
+    gap = box((0, -0.6, 0.36), (wide * 0.4, 0.12, 0.05))
+    sockets = join(
+        both(egg((0.29, -0.5, 1.02), (0.19, 0.22, 0.19))), egg((0, -0.5, 0.68), (0.09, 0.2, 0.13))
+    )
+    return {"bone": cut(blend(0.12, dome, cheeks, jaw), both(eye), nose, gap), "eyes": sockets}
+
+
+def tombstone(draw: Draw) -> Parts:
+    """A slab, round above, on a plinth; a cross on it."""
+    x, thick, high = draw(0.6, 0.75), draw(0.16, 0.22), draw(1.0, 1.3)
+    slab = join(
+        box((0, 0, high / 2), (x, thick, high / 2)), tube((0, -thick, high), (0, thick, high), x)
+    )
+    cross = join(
+        box((0, -thick, high * 0.95), (0.09, 0.08, 0.42)),
+        box((0, -thick, high * 1.05), (0.28, 0.08, 0.09)),
+    )
+    return {
+        "slab": slab,
+        "base": box((0, 0, 0.08), (x + draw(0.12, 0.2), thick + 0.18, 0.16), 0.02),
+        "cross": cross,
+    }
+
+
+def gem(draw: Draw) -> Parts:
+    """A cut stone, point down."""
+    count, r, low, high = int(draw(6, 9)), draw(0.85, 1.0), draw(0.9, 1.15), draw(0.35, 0.5)
+    table = r * draw(0.5, 0.62)
+    side = [(0.02, 0.0), (r, low), (table, low + high)]
+
+    solid, step = lathe(side), 2 * math.pi / count
+
+    def facets(p: Tensor) -> Tensor:
+        # A regular polygon's distance from its middle in place of a circle's.
+        angle = atan2(p[:, 1], p[:, 0]).remainder(step) - step / 2
+        across = p[:, :2].norm(dim=1) * angle.cos()
+        return solid(stack([across, across.new_zeros(len(p)), p[:, 2]], 1)) * 0.8
+
+    return {"stone": facets}
+
+
+def staff(draw: Draw) -> Parts:
+    """A wizard's staff with a crystal in a fork."""
+    high = draw(2.3, 2.6)
+    orb = ball((0, 0, high + 0.12), draw(0.24, 0.3))
+    prong = capsule((0.14, 0, high - 0.35), (0.36, 0, high + 0.2), 0.09)
+    return {
+        "shaft": capsule((0, 0, 0.1), (0, 0, high - 0.1), 0.12),
+        "crystal": orb,
+        "fork": around(int(draw(3, 5)), prong),
+    }
+
+
+def torch(draw: Draw) -> Parts:
+    """A burning torch."""
+    high, wide = draw(1.3, 1.6), draw(0.25, 0.32)
+    flame = smooth_curve(
+        [
+            (wide * 0.8, high + 0.2),
+            (wide * 1.25, high + 0.5),
+            (wide * 0.7, high + 0.9),
+            (0.02, high + 1.3),
+        ]
+    )
+    return {
+        "handle": taper((0, 0, 0.12), (0, 0, high), 0.12, 0.17),
+        "flame": lathe(flame, 0.03),
+        "basket": lathe([(0.16, high - 0.1), (wide, high + 0.3)], 0.06),
+    }
+
+
+def book(draw: Draw) -> Parts:
+    """A thick book, lying or upright, its spine to the left."""
+    x, y, z = draw(0.7, 0.8), draw(0.2, 0.32), draw(0.95, 1.1)
+    covers = join(both(box((0, y, z), (x, 0.08, z)), 1), box((-x, 0, z), (0.09, y + 0.08, z), 0.04))
+    band = box((-x * 0.98, 0, z), (0.12, y + 0.12, 0.1))
+    return {
+        "cover": covers,
+        "pages": box((0.0, 0, z), (x - 0.1, y, z - 0.1)),
+        "bands": join(*(moved(band, (0, 0, z * k)) for k in (-0.6, 0.6))),
+    }
+
+
+def scroll(draw: Draw) -> Parts:
+    """A sheet between two rolls, upright."""
+    x, high, r = draw(0.55, 0.7), draw(1.5, 1.9), draw(0.16, 0.2)
+    knob = join(both(ball((x + 0.18, 0, high), 0.15)), both(ball((x + 0.18, 0, 0.1), 0.15)))
+    return {
+        "paper": join(
+            box((0, 0, high / 2), (x - 0.06, 0.08, high / 2)),
+            tube((-x, 0, high), (x, 0, high), r),
+            tube((-x, 0, 0.1), (x, 0, 0.1), r),
+        ),
+        "rods": join(
+            knob,
+            tube((-x - 0.15, 0, high), (x + 0.15, 0, high), 0.09),
+            tube((-x - 0.15, 0, 0.1), (x + 0.15, 0, 0.1), 0.09),
+        ),
+        "seal": tube((0, -0.16, high * 0.35), (0, 0, high * 0.35), 0.2, 0.03),
+    }
+
+
+def cauldron(draw: Draw) -> Parts:
+    """A round pot on three feet, two ears, brew inside."""
+    r, high = draw(0.85, 1.0), draw(0.72, 0.85)
+    pot = cut(egg((0, 0, high + 0.15), (r, r, high)), tube((0, 0, high * 1.45), (0, 0, 4), 3))
+    pot = cut(pot, egg((0, 0, high + 0.2), (r - 0.16, r - 0.16, high - 0.12)))
+    rim = ring((0, 0, high * 1.45), r * 0.82, 0.12)
+    feet = around(3, taper((r * 0.5, 0, 0.35), (r * 0.62, 0, 0.1), 0.16, 0.11), -90)
+    return {
+        "pot": join(pot, rim),
+        "brew": tube((0, 0, high * 0.9), (0, 0, high * 1.3), r * 0.86),
+        "feet": feet,
+        "handles": both(ring((r + 0.04, 0, high * 1.15), 0.2, 0.09, 1)),
+    }
+
+
+def cannon(draw: Draw) -> Parts:
+    """A barrel to the front on a carriage with two wheels."""
+    long, r = draw(1.2, 1.4), draw(0.26, 0.32)
+    body = join(
+        taper((0, 0.75, 0.72), (0, -long, 0.95), r * 1.25, r * 0.85), ball((0, 1.0, 0.7), 0.16)
+    )
+    muzzle = ring((0, -long - 0.1, 0.96), r * 0.72, 0.12, 1)
+    body = cut(join(body, muzzle), tube((0, -3, 1.25), (0, -long + 0.3, 0.94), r * 0.5))
+    wheel = join(tube((0.42, 0, 0.5), (0.6, 0, 0.5), draw(0.48, 0.55), 0.03))
+    return {
+        "barrel": body,
+        "carriage": join(
+            box((0, 0.3, 0.42), (0.3, 0.7, 0.16), 0.03), tube((-0.5, 0, 0.5), (0.5, 0, 0.5), 0.12)
+        ),
+        "wheels": both(cut(wheel, tube((0, 0, 0.5), (2, 0, 0.5), 0.0001 + 0.12))),
+    }
+
+
+def bomb(draw: Draw) -> Parts:
+    """A round bomb with a fuse."""
+    r = draw(0.78, 0.9)
+    return {
+        "body": ball((0, 0, r), r),
+        "cap": tube((0, 0, 1.9 * r), (0, 0, 2 * r + draw(0.12, 0.2)), draw(0.26, 0.32), 0.02),
+        "fuse": join(
+            capsule((0, 0, 2 * r), (0.12, 0, 2 * r + 0.4), 0.09),
+            capsule((0.12, 0, 2 * r + 0.4), (0.38, 0, 2 * r + 0.5), 0.09),
+        ),
+        "spark": ball((0.46, 0, 2 * r + 0.53), draw(0.15, 0.19)),
+    }
+
+
+def hourglass(draw: Draw) -> Parts:
+    """Two bulbs between plates, on posts."""
+    r, high = draw(0.55, 0.65), draw(0.8, 0.95)
+    bulb = smooth_curve(
+        [(r * 0.8, 0.12), (r, 0.4), (0.14, high), (r, 2 * high - 0.4), (r * 0.8, 2 * high - 0.12)]
+    )
+    plate = join(
+        tube((0, 0, 0), (0, 0, 0.2), r + 0.28, 0.03),
+        tube((0, 0, 2 * high - 0.2), (0, 0, 2 * high), r + 0.28, 0.03),
+    )
+    post = capsule((r + 0.12, 0, 0.1), (r + 0.12, 0, 2 * high - 0.1), 0.09)
+    return {"glass": lathe(bulb), "frame": join(plate, around(3 + draw.chance(0.4), post, 30))}
+
+
+def well(draw: Draw) -> Parts:
+    """A round wall of stones, two posts, a roof."""
+    r, high = draw(0.72, 0.85), draw(0.6, 0.72)
+    wall = cut(tube((0, 0, 0), (0, 0, high), r, 0.03), tube((0, 0, 0.3), (0, 0, 3), r - 0.24))
+    top = draw(1.75, 2.0)
+    slope = [(-r - 0.2, top), (r + 0.2, top), (0, top + draw(0.5, 0.65))]
+    roof = prism(slope, 1, r * 0.8)
+    return {
+        "wall": wall,
+        "roof": roof,
+        "posts": join(
+            both(box((r - 0.12, 0, top / 2 + 0.1), (0.1, 0.12, top / 2))),
+            tube((-r, 0, high + 0.55), (r, 0, high + 0.55), 0.1),
+        ),
+        "water": tube((0, 0, 0.05), (0, 0, high * 0.6), r - 0.1),
+    }
+
+
+def tent(draw: Draw) -> Parts:
+    """A ridge tent, its door in front."""
+    x, y, high = draw(0.85, 1.05), draw(1.0, 1.25), draw(1.05, 1.3)
+    body = prism([(-x, 0), (x, 0), (0, high)], 1, y)
+    door = prism([(-x * 0.36, -0.1), (x * 0.36, -0.1), (0, high * 0.66)], 1, 0.3, -y)
+    inside = prism([(-x * 0.34, 0.0), (x * 0.34, 0.0), (0, high * 0.62)], 1, 0.1, -y + 0.25)
+    ridge = capsule((0, -y - 0.06, high), (0, y + 0.06, high), 0.09)
+    return {"canvas": cut(body, door), "door": inside, "poles": ridge}
+
+
+def campfire(draw: Draw) -> Parts:
+    """Logs leant together, stones around, a flame."""
+    count, flame = int(draw(6, 9)), draw(1.0, 1.3)
+    stones = around(count, egg((0.95, 0, 0.14), (0.24, 0.26, 0.2)))
+    logs = around(5, capsule((0.72, 0, 0.14), (0.08, 0, 0.6), 0.13), 20)
+    fire = smooth_curve([(0.25, 0.3), (0.36, 0.6), (0.2, flame), (0.02, flame + 0.35)])
+    ground = tube((0, 0, 0), (0, 0, 0.1), 0.95, 0.03)
+    return {"flame": lathe(fire, 0.04), "logs": logs, "stones": stones, "ash": ground}
+
+
+def signpost(draw: Draw) -> Parts:
+    """A post with one or two arrow boards."""
+    high, wide = draw(1.9, 2.2), draw(0.75, 0.9)
+
+    def board(z: float, side: float) -> Solid:
+        half = 0.22
+        corners = [
+            (-wide * 0.8, z - half),
+            (wide * 0.7, z - half),
+            (wide, z),
+            (wide * 0.7, z + half),
+            (-wide * 0.8, z + half),
+        ]
+        return prism([(side * u, v) for u, v in corners], 1, 0.09, -0.12)
+
+    boards = [board(high - 0.35, 1)] + ([board(high - 0.95, -1)] if draw.chance(0.6) else [])
+    return {
+        "boards": join(*boards),
+        "post": box((0, 0, high / 2), (0.12, 0.12, high / 2), 0.02),
+        "base": tube((0, 0, 0), (0, 0, 0.12), 0.4, 0.03),
+    }
+
+
+def ladder(draw: Draw) -> Parts:
+    """Two rails, rungs."""
+    x, high, count = draw(0.4, 0.5), draw(2.0, 2.4), int(draw(4, 7))
+    rungs = (
+        tube((-x, 0, high * (k + 0.5) / count), (x, 0, high * (k + 0.5) / count), 0.09)
+        for k in range(count)
+    )
+    return {"rails": both(box((x, 0, high / 2), (0.1, 0.1, high / 2), 0.02)), "rungs": join(*rungs)}
+
+
+def fence(draw: Draw) -> Parts:
+    """Pickets on two rails."""
+    count, high, half = int(draw(4, 6)), draw(1.1, 1.4), draw(0.15, 0.18)
+    step = 2.8 / count
+    corners = [(-half, 0), (half, 0), (half, high - 0.2), (0, high), (-half, high - 0.2)]
+    pickets = (
+        prism([(u + step * (k - (count - 1) / 2), v) for u, v in corners], 1, 0.09)
+        for k in range(count)
+    )
+    rails = join(*(box((0, 0.12, high * k), (1.4, 0.09, 0.11)) for k in (0.25, 0.72)))
+    return {"pickets": join(*pickets), "rails": rails}
+
+
+def mailbox(draw: Draw) -> Parts:
+    """A tunnel-shaped box on a post, a flag at its side."""
+    r, y, high = draw(0.4, 0.48), draw(0.7, 0.85), draw(1.2, 1.5)
+    tunnel = join(
+        tube((0, -y, high + r), (0, y, high + r), r, 0.02), box((0, 0, high + r / 2), (r, y, r / 2))
+    )
+    return {
+        "box": tunnel,
+        "door": join(
+            tube((0, -y - 0.08, high + r), (0, -y, high + r), r * 0.86),
+            box((0, -y - 0.04, high + r / 2), (r * 0.86, 0.04, r / 2)),
+        ),
+        "flag": join(
+            box((r + 0.06, -0.1, high + r + 0.2), (0.08, 0.08, 0.35)),
+            box((r + 0.06, -0.26, high + r + 0.45), (0.08, 0.2, 0.14)),
+        ),
+        "post": box((0, 0, high / 2), (0.14, 0.14, high / 2 + 0.05), 0.02),
+    }
+
+
+def gift(draw: Draw) -> Parts:
+    """A box with a lid, a ribbon and a bow."""
+    x, y, z = draw(0.7, 0.9), draw(0.7, 0.9), draw(0.5, 0.75)
+    top = 2 * z + 0.14
+    ribbon = join(
+        box((0, 0, top / 2), (0.13, y + 0.1, top / 2 + 0.05)),
+        box((0, 0, top / 2), (x + 0.1, 0.13, top / 2 + 0.05)),
+    )
+    loop = ring((0.26, 0, top + 0.22), 0.19, 0.1, 1)
+    return {
+        "box": box((0, 0, z), (x, y, z)),
+        "lid": box((0, 0, 2 * z), (x + 0.06, y + 0.06, 0.16), 0.01),
+        "ribbon": ribbon,
+        "bow": join(both(loop), ball((0, 0, top + 0.12), 0.14)),
+    }
+
+
+def basket(draw: Draw) -> Parts:
+    """A woven basket with a high handle."""
+    r, high = draw(0.75, 0.9), draw(0.65, 0.85)
+    body = cut(
+        lathe([(r * 0.72, 0), (r, high)], 0.02), lathe([(r * 0.56, 0.14), (r * 0.86, high + 0.2)])
+    )
+    return {
+        "body": body,
+        "handle": cut(ring((0, 0, high), r * 0.94, 0.1, 1), box((0, 0, high - 1.1), (2, 2, 1))),
+        "rim": ring((0, 0, high), r * 0.94, 0.12),
+    }
+
+
+def balloon(draw: Draw) -> Parts:
+    """A toy balloon with its knot and a bit of string."""
+    wide, high = draw(0.75, 0.85), draw(0.9, 1.05)
+    body = blend(
+        0.2, egg((0, 0, 1.5), (wide, wide, high)), taper((0, 0, 0.9), (0, 0, 0.55), 0.35, 0.1)
+    )
+    return {
+        "body": body,
+        "knot": lathe([(0.2, 0.32), (0.09, 0.52)], 0.02),
+        "string": capsule((0, 0, -0.3), (0, 0, 0.4), 0.09),
+    }
+
+
+def umbrella(draw: Draw) -> Parts:
+    """Open: a canopy, a stick, a crook."""
+    r, top, crook = draw(1.1, 1.3), draw(1.7, 1.9), 0.2
+    dome = cut(egg((0, 0, top - 0.6), (r, r, 0.85)), box((0, 0, top - 2.55), (3, 3, 2.0)))
+    dome = cut(dome, egg((0, 0, top - 0.72), (r - 0.1, r - 0.1, 0.8)))
+    hook = cut(ring((crook, 0, 0.1), crook, 0.09, 1), box((0, 0, 2.1), (3, 3, 2.0)))
+    return {
+        "canopy": dome,
+        "stick": capsule((0, 0, 0.1), (0, 0, top + 0.35), 0.09),
+        "handle": join(hook, capsule((0, 0, 0.1), (0, 0, 0.45), 0.1)),
+    }
+
+
+def pawn(draw: Draw) -> Parts:
+    """A pawn of chess."""
+    r, high = draw(0.6, 0.7), draw(1.4, 1.65)
+    side = smooth_curve([(r * 0.85, 0.25), (r * 0.5, 0.55), (0.24, 1.0), (0.3, high - 0.05)])
+    return {
+        "body": join(lathe(side, 0.01), ball((0, 0, high + 0.3), draw(0.38, 0.44))),
+        "base": lathe([(r, 0.0), (r, 0.16), (r * 0.82, 0.3)], 0.03),
+        "collar": tube((0, 0, high - 0.1), (0, 0, high + 0.05), r * 0.7, 0.05),
+    }
+
+
+def arrow(draw: Draw) -> Parts:
+    """Point up, feathers below."""
+    high = draw(2.1, 2.4)
+    head = prism([(-0.26, high), (0.26, high), (0, high + 0.6)], 1, 0.1)
+    feather = prism([(0.0, 0.1), (0.32, 0.0), (0.32, 0.45), (0.0, 0.7)], 1, 0.07)
+    return {
+        "head": head,
+        "shaft": capsule((0, 0, 0.1), (0, 0, high + 0.1), 0.1),
+        "feathers": around(3 + draw.chance(0.5), feather, 0),
+    }
+
+
+def flag(draw: Draw) -> Parts:
+    """A flag on a pole with a foot."""
+    high, wide, tall = draw(2.2, 2.5), draw(1.0, 1.25), draw(0.6, 0.75)
+    waves = [(0.0, 0.0), (wide * 0.35, 0.09), (wide * 0.7, -0.09), (wide, 0.05)]
+    curve = smooth_curve(waves)
+    outline = [(u, v + 0.09) for u, v in curve] + [(u, v - 0.09) for u, v in reversed(curve)]
+    return {
+        "cloth": prism(outline, 2, tall / 2, high - tall / 2 - 0.1),
+        "pole": capsule((0, 0, 0.1), (0, 0, high), 0.09),
+        "knob": ball((0, 0, high + 0.08), 0.16),
+        "base": tube((0, 0, 0), (0, 0, 0.14), 0.38, 0.03),
+    }
+
+
+PROPS = {
+    "chest": chest,
+    "sword": sword,
+    "dagger": dagger,
+    "shield": shield,
+    "barrel": barrel,
+    "crate": crate,
+    "lantern": lantern,
+    "potion": potion,
+    "key": key,
+    "coin": coin,
+    "skull": skull,
+    "tombstone": tombstone,
+    "gem": gem,
+    "staff": staff,
+    "torch": torch,
+    "book": book,
+    "scroll": scroll,
+    "cauldron": cauldron,
+    "cannon": cannon,
+    "bomb": bomb,
+    "hourglass": hourglass,
+    "well": well,
+    "tent": tent,
+    "campfire": campfire,
+    "signpost": signpost,
+    "ladder": ladder,
+    "fence": fence,
+    "mailbox": mailbox,
+    "gift": gift,
+    "basket": basket,
+    "balloon": balloon,
+    "umbrella": umbrella,
+    "pawn": pawn,
+    "arrow": arrow,
+    "flag": flag,
+}
