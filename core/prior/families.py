@@ -13,8 +13,9 @@ from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
 from core.prior.things.basics import BASICS
 from core.prior.things.clothes import CLOTHES
+from core.prior.things.craft import CRAFT
 from core.prior.things.devices import DEVICES
-from core.prior.things.food import FOOD
+from core.prior.things.fruits import FRUITS
 from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
 from core.prior.things.household import HOUSEHOLD
@@ -23,6 +24,7 @@ from core.prior.things.props import PROPS
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
+from core.prior.things.yard import YARD
 
 
 @dataclass(frozen=True)
@@ -65,11 +67,13 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | DEVICES
     | CLOTHES
     | GEAR
-    | FOOD
+    | FRUITS
     | HOME
     | ANIMALS
     | TRANSPORT
+    | CRAFT
     | PROPS
+    | YARD
 )
 
 # Factors along x, y and z, and a move of the surface outwards in training units.

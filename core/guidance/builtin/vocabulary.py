@@ -213,8 +213,9 @@ class _Reading:
     def _put(self, entry: Entry, start: int, end: int) -> None:
         slot, word = entry.slot, entry.word
         # "with a hat" after the noun is a part; "a hat" is a thing
-        if slot == "noun" and self.found["noun"] and _is_part(word, self.found["noun"][0].word):
-            slot = "part"
+        if slot == "noun" and self.found["noun"]:
+            part = _as_part(entry, self.found["noun"][0].word)
+            slot, word = ("part", part) if part else (slot, word)
         if slot == "part":
             color = ""
             # "with a blue handle": a colour right before a part is the part's, not the thing's.
@@ -348,8 +349,13 @@ def _looks(noun: str) -> dict[str, str]:
     return NOUNS[noun].looks if noun in NOUNS else {}
 
 
-def _is_part(word: str, noun: str) -> bool:
-    return word in _looks(noun) or any(word in state for state in OPTIONS.get(noun, ()))
+def _as_part(entry: Entry, noun: str) -> str:
+    """The name under which a thing is a part of another: a bottle's cap, a piano's keys; or ""."""
+    for name in (entry.word, entry.form):
+        states = [state.removeprefix("no ") for state in OPTIONS.get(noun, ())]
+        if name in states or _own_name(noun, name):
+            return name
+    return ""
 
 
 def _own_name(noun: str, part: str) -> str:

@@ -109,8 +109,7 @@ def lemon(draw: Draw) -> Parts:
     shape += [(wide, 0), (wide * 0.85, long * 0.45), (0.22, long * 0.82), (0.12, long * 0.95)]
     body = lathe(smooth_curve([*shape, (0.03, long)]), 0.01)
     body = turned(body, 1, 90)
-    parts = {"body": body, "leaf": _leaf(0.32, draw(35, 60), (long * 0.86, 0, 0.1))}
-    return parts
+    return {"body": body, "leaf": _leaf(0.32, draw(35, 60), (long * 0.86, 0, 0.1))}
 
 
 def watermelon(draw: Draw) -> Parts:

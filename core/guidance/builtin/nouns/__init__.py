@@ -9,33 +9,28 @@ from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.furniture import FURNITURE
-from core.guidance.builtin.nouns.gear import GEAR
-from core.guidance.builtin.nouns.home import HOME
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.noun import Noun
-from core.guidance.builtin.nouns.old_animals import ANIMALS as OLD_ANIMALS
-from core.guidance.builtin.nouns.old_food import FOOD as OLD_FOOD
-from core.guidance.builtin.nouns.old_plants import PLANTS as OLD_PLANTS
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.solids import SOLIDS
-from core.guidance.builtin.nouns.tools import TOOLS_AND_TOYS
-from core.guidance.builtin.nouns.transport import TRANSPORT
+from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
-    "Furniture": FURNITURE | HOME,
+    "Furniture": FURNITURE,
     "Household": HOUSEHOLD,
     "Props": PROPS,
-    "Food": OLD_FOOD | FOOD,
-    "Plants": OLD_PLANTS,
-    "Animals": OLD_ANIMALS | ANIMALS,
-    "Vehicles": VEHICLES | TRANSPORT,
+    "Food": FOOD,
+    "Plants": PLANTS,
+    "Animals": ANIMALS,
+    "Vehicles": VEHICLES,
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
-    "Tools and Toys": TOOLS_AND_TOYS | GEAR,
+    "Tools and Toys": TOOLS_AND_TOYS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

@@ -24,7 +24,7 @@ DEVICES = {
         Usual(0.44, PLASTIC, 0.7),
     ),
     "camera": Noun(
-        "photo camera, film camera; dslr, vintage camera",
+        "photo camera, film camera; vintage camera",
         {
             "body": "*b4b7bb . metal",
             "grip": "+2a2624",

@@ -1,6 +1,6 @@
 """Furniture."""
 
-from core.guidance.builtin.nouns.noun import FABRIC, STEEL, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, STONE, WOOD, Noun, Usual
 
 FURNITURE = {
     "table": Noun(
@@ -63,5 +63,150 @@ FURNITURE = {
         "table lamp; lampshade",
         {"shade": "*eddbad", "pole": "-ffc757 . golden", "foot": "+403329"},
         Usual(0.5, STEEL, 0.02),
+    ),
+    "desk": Noun(
+        "writing desk, office desk, computer desk; workbench, school desk",
+        {
+            "top": "*a06a38 grain",
+            "body": "*8f5c30 grain",
+            "drawers": "&a9733f grain",
+            "handles": "+d0b060 . golden",
+        },
+        Usual(1.4, WOOD, 0.2),
+    ),
+    "office chair": Noun(
+        "swivel chair, desk chair, computer chair; gaming chair",
+        {
+            "seat": "*2f3b4a . fabric",
+            "back": "*2f3b4a . fabric",
+            "base": "+8a9096 . metal",
+            "wheels": "-1c1c1e . rubber",
+            "arms": "-26282b",
+        },
+        Usual(1.1, PLASTIC, 0.15),
+    ),
+    "rocking chair": Noun(
+        "rocker",
+        {
+            "seat": "*9a6534 grain",
+            "back": "*8a582c grain",
+            "legs": "*754a26 grain",
+            "rockers": "&6a4222 grain",
+            "arms": "*754a26 grain",
+        },
+        Usual(1.1, WOOD),
+    ),
+    "throne": Noun(
+        "royal chair, king's chair",
+        {
+            "cushion": "*a5161f . fabric",
+            "frame": "+d9a93c . golden",
+            "knobs": "-f0c95a . golden",
+            "step": "-7a1620",
+        },
+        Usual(1.8, WOOD, 0.6),
+    ),
+    "wardrobe": Noun(
+        "closet, armoire, clothes cupboard",
+        {
+            "body": "*84532b grain",
+            "doors": "*9a6636 grain",
+            "handles": "+d0b060 . golden",
+            "feet": "&5c3a1e grain",
+        },
+        Usual(2.0, WOOD, 0.15),
+    ),
+    "dresser": Noun(
+        "chest of drawers, drawers; bureau",
+        {
+            "body": "*8a572c grain",
+            "drawers": "*a06c3a grain",
+            "handles": "+d0b060 . golden",
+            "legs": "&5c3a1e grain",
+        },
+        Usual(1.1, WOOD, 0.25),
+    ),
+    "nightstand": Noun(
+        "night stand, bedside table, night table; end table",
+        {
+            "body": "*8f5f35 grain",
+            "drawers": "*a87542 grain",
+            "handles": "+d8d4c8 . metal",
+            "legs": "&5f3d20 grain",
+        },
+        Usual(0.6, WOOD, 0.25),
+    ),
+    "bunk bed": Noun(
+        "bunk beds, bunkbed; loft bed",
+        {
+            "blanket": "*c23b34",
+            "mattress": "-ebe6dc",
+            "pillow": "+f2efe8",
+            "frame": "-a8733e grain",
+            "ladder": "-a8733e grain",
+        },
+        Usual(2.0, WOOD, 0.2),
+    ),
+    "coffee table": Noun(
+        "low table; side table, tea table",
+        {"top": "*96602f grain", "legs": "*70472a grain", "shelf": "&85552b grain"},
+        Usual(1.1, WOOD, 0.5),
+    ),
+    "cabinet": Noun(
+        "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet",
+        {
+            "body": "*7f5029 grain",
+            "doors": "*a06c3a grain",
+            "handles": "+d8c48a . golden",
+            "legs": "&5a391e grain",
+        },
+        Usual(1.3, WOOD, 0.2),
+    ),
+    "mirror": Noun(
+        "looking glass, standing mirror; magic mirror",
+        {"frame": "*d3a640 . golden", "glass": "-c6dbe6 . glass", "stand": "+6d4425 grain"},
+        Usual(1.6, WOOD),
+    ),
+    "floor lamp": Noun(
+        "standing lamp, standard lamp",
+        {"shade": "*f0dfb4", "pole": "-3c3a38 . metal", "foot": "+2f2b28"},
+        Usual(1.6, STEEL, 0.01),
+    ),
+    "fireplace": Noun(
+        "hearth, chimneypiece; open fire",
+        {
+            "body": "*9c4a36",
+            "mantel": "+6d4425 grain",
+            "fire": "-ff8a1a",
+            "logs": "-4a2f1c",
+            "hearth": "-7b7873 . stone",
+        },
+        Usual(1.5, STONE),
+    ),
+    "piano": Noun(
+        "grand piano, upright piano; harpsichord",
+        {
+            "body": "*1d1b1c . paint",
+            "keys": "-f6f2e8",
+            "black keys": "-121212",
+            "legs": "&1d1b1c . paint",
+            "lid": "&1d1b1c . paint",
+        },
+        Usual(1.5, WOOD, 0.4),
+    ),
+    "ottoman": Noun(
+        "footstool, pouf, pouffe; hassock",
+        {
+            "cushion": "*2f7f7a . fabric",
+            "base": "*2a716d . fabric",
+            "feet": "-4a2f1c grain",
+            "button": "+e0b84a . golden",
+        },
+        Usual(0.6, FABRIC, 0.5),
+    ),
+    "crib": Noun(
+        "cot, baby bed; cradle, playpen",
+        {"frame": "*efe9dc", "mattress": "-dfe6ea", "pillow": "+f6f3ec", "blanket": "+8fb7d8"},
+        Usual(1.3, WOOD, 0.15),
     ),
 }

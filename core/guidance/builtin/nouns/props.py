@@ -37,7 +37,7 @@ PROPS = {
         Usual(1.1, STEEL, 0.4),
     ),
     "dagger": Noun(
-        "; stiletto, dirk",
+        "; dirk",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+8a7a4a . metal",

@@ -1,6 +1,8 @@
-"""Vehicles."""
+"""Vehicles on land, on water and in the air."""
 
-from core.guidance.builtin.nouns.noun import STEEL, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, WOOD, Noun, Usual
+
+_GLASS, _TYRES, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2"
 
 VEHICLES = {
     "car": Noun(
@@ -61,8 +63,257 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.1),
     ),
     "rocket": Noun(
-        "rocket ship, space rocket; spaceship",
+        "rocket ship, space rocket",
         {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
         Usual(20.0, STEEL, 0.03),
+    ),
+    "bicycle": Noun(
+        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle",
+        {
+            "frame": "*c9211e . paint",
+            "wheels": _TYRES,
+            "seat": "+2c211b . leather",
+            "handlebar": "-9aa1a8 . metal",
+            "pedals": "-55585c . metal",
+        },
+        Usual(1.75, STEEL, 0.015),
+    ),
+    "motorcycle": Noun(
+        "motorbike, motor bike, motor cycle; chopper, dirt bike",
+        {
+            "body": "*b3201c . paint",
+            "wheels": _TYRES,
+            "engine": "-8a9096 . metal",
+            "seat": "+1f1b19 . leather",
+            "handlebar": "-a9aeb4 . metal",
+            "lamp": "-f7eec2",
+        },
+        Usual(2.1, STEEL, 0.06),
+    ),
+    "scooter": Noun(
+        "motor scooter, vespa; moped",
+        {
+            "body": "*6fb5a8 . paint",
+            "wheels": _TYRES,
+            "seat": "+5a3420 . leather",
+            "handlebar": "-a9aeb4 . metal",
+            "lamp": "-f7eec2",
+        },
+        Usual(1.8, STEEL, 0.03),
+    ),
+    "tank": Noun(
+        "army tank, battle tank; panzer",
+        {
+            "hull": "*5f6b3c",
+            "turret": "*5f6b3c",
+            "gun": "&4d5732",
+            "tracks": "-2b2b2a",
+            "wheels": "-474d35",
+        },
+        Usual(8.0, STEEL, 0.1),
+    ),
+    "helicopter": Noun(
+        "chopper helicopter, heli",
+        {
+            "body": "*c9241e . paint",
+            "windows": _GLASS,
+            "rotor": "+3a3d40",
+            "skids": "-55595e . metal",
+            "tail rotor": "-3a3d40",
+        },
+        Usual(11.0, STEEL, 0.01),
+    ),
+    "van": Noun(
+        "minivan, delivery van; camper van, campervan, minibus",
+        {"body": "*e8eaec . paint", "windows": _GLASS, "wheels": _TYRES, "lamps": _LAMPS},
+        Usual(5.2, STEEL, 0.02),
+    ),
+    "ambulance": Noun(
+        "ambulance car; emergency vehicle",
+        {
+            "body": "*f2f2ef . paint",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "lamps": "-f7eec2",
+            "cross": "+cf1f1f",
+            "light": "-2a5fd0",
+        },
+        Usual(6.0, STEEL, 0.02),
+    ),
+    "taxi": Noun(
+        "cab, taxicab, taxi cab",
+        {
+            "body": "*f2bd12 . paint",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "lamps": "-f7eec2",
+            "sign": "+f4f2ea",
+        },
+        Usual(4.5, STEEL, 0.022),
+    ),
+    "fire truck": Noun(
+        "fire engine, firetruck; fire brigade truck",
+        {
+            "body": "*c4161a . paint",
+            "ladder": "+c9cdd2 . metal",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "lockers": "-b9bec4 . metal",
+            "light": "-2a5fd0",
+        },
+        Usual(9.0, STEEL, 0.03),
+    ),
+    "jeep": Noun(
+        "; off road car, off roader, suv, army car",
+        {
+            "body": "*5d6b3e . paint",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "lamps": "-f7eec2",
+            "seats": "-3a3026",
+            "roof": "+3f4a2c",
+        },
+        Usual(3.6, STEEL, 0.025),
+    ),
+    "tractor": Noun(
+        "farm tractor; agricultural tractor",
+        {
+            "body": "*2f8f3a . paint",
+            "cab": "&2f8f3a . paint",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "rims": "+f0c21a",
+            "exhaust": "-3a3a3c . metal",
+        },
+        Usual(4.0, STEEL, 0.05),
+    ),
+    "excavator": Noun(
+        "digger; backhoe, bulldozer, power shovel",
+        {
+            "body": "*f0ae18 . paint",
+            "windows": _GLASS,
+            "arm": "&f0ae18 . paint",
+            "bucket": "+4a4c50 . metal",
+            "tracks": "-29292a",
+        },
+        Usual(8.0, STEEL, 0.08),
+    ),
+    "submarine": Noun(
+        "sub, u boat, submarine boat; yellow submarine",
+        {
+            "hull": "*f0c01c . paint",
+            "tower": "*f0c01c . paint",
+            "windows": "-2f4a60 . glass",
+            "periscope": "-7d8389 . metal",
+            "fins": "+c9241e",
+            "screw": "-c79a3e . golden",
+        },
+        Usual(12.0, STEEL, 0.12),
+    ),
+    "hot air balloon": Noun(
+        "hot-air balloon, air balloon; montgolfier",
+        {"balloon": "*d6322a hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
+        Usual(25.0, FABRIC, 0.002),
+    ),
+    "ufo": Noun(
+        "flying saucer, saucer; alien ship, alien spaceship",
+        {
+            "body": "*a5adb5 . metal",
+            "dome": "+6fd0c8 . glass",
+            "lights": "-f5d63a",
+            "legs": "-70777e . metal",
+        },
+        Usual(12.0, STEEL, 0.02),
+    ),
+    "spaceship": Noun(
+        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet fighter",
+        {
+            "hull": "*d5d9de . paint",
+            "wings": "*d5d9de . paint",
+            "cockpit": "-22303c . glass",
+            "guns": "+b3231f",
+            "engines": "-55595f . metal",
+            "flames": "-4fc3f0",
+        },
+        Usual(12.0, STEEL, 0.02),
+    ),
+    "canoe": Noun(
+        "; kayak, dugout",
+        {"hull": "*a5562a", "seats": "&c89a5c grain", "paddle": "+d8b078 grain"},
+        Usual(5.0, WOOD, 0.1),
+    ),
+    "pirate ship": Noun(
+        "pirate boat; galleon, sailing ship, caravel, tall ship",
+        {
+            "hull": "*70421f grain",
+            "sails": "+efe6d2",
+            "masts": "-4f3018",
+            "flag": "-161616",
+            "windows": "-2a1c10",
+        },
+        Usual(30.0, WOOD, 0.1),
+    ),
+    "wagon": Noun(
+        "cart, covered wagon, horse cart; carriage, hand cart, handcart",
+        {
+            "body": "*94602f grain",
+            "wheels": "&6b4220 grain",
+            "handle": "-5a381c",
+            "cover": "+ece2cc . fabric",
+        },
+        Usual(3.5, WOOD, 0.1),
+    ),
+    "wheelbarrow": Noun(
+        "wheel barrow, barrow",
+        {
+            "tray": "*3f7f46 . paint",
+            "wheel": _TYRES,
+            "frame": "+8a9096 . metal",
+            "handles": "-1f1f20 . rubber",
+        },
+        Usual(1.4, STEEL, 0.02),
+    ),
+    "skateboard": Noun(
+        "skate board; longboard",
+        {"board": "*c9302a", "wheels": "+efe8d6", "trucks": "-8d9399 . metal"},
+        Usual(0.8, WOOD, 0.5),
+    ),
+    "sled": Noun(
+        "sledge, toboggan, sleigh; luge",
+        {"seat": "*a8713a grain", "runners": "+8c5628 grain"},
+        Usual(1.1, WOOD, 0.6),
+    ),
+    "tram": Noun(
+        "tramcar, streetcar, trolley; railcar, subway car, metro train",
+        {
+            "body": "*c9261f . paint",
+            "windows": _GLASS,
+            "stripe": "+f2ead2",
+            "wheels": "-2a2a2c . metal",
+            "roof": "-8b9095",
+        },
+        Usual(15.0, STEEL, 0.03),
+    ),
+    "space shuttle": Noun(
+        "shuttle, orbiter; space plane",
+        {
+            "body": "*eceef0",
+            "wings": "&e2e4e7",
+            "nose": "+2b2b2e",
+            "windows": "-1e262d . glass",
+            "engines": "-6d7278 . metal",
+        },
+        Usual(37.0, STEEL, 0.008),
+    ),
+    "satellite": Noun(
+        "space satellite, communications satellite; space probe, space station",
+        {
+            "body": "*d8a83c . golden",
+            "panels": "+24408c",
+            "arms": "-a0a5ab . metal",
+            "dish": "-e4e6e8",
+            "aerial": "-b0b5ba . metal",
+        },
+        Usual(6.0, PLASTIC, 0.2),
     ),
 }

@@ -1,0 +1,253 @@
+"""Craft: in the air, in space and on water."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    around,
+    ball,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    lathe,
+    moved,
+    prism,
+    smooth_curve,
+    taper,
+    tube,
+    turned,
+)
+from core.prior.things.transport import rods
+
+Point = tuple[float, float]
+
+
+def helicopter(draw: Draw) -> Parts:
+    """A round cabin, a tail, a rotor, skids."""
+    x, z, long = draw(0.38, 0.46), draw(0.8, 0.9), draw(0.55, 0.7)
+    top, tail, count = z + draw(0.52, 0.6), draw(1.25, 1.45), 3 + draw.chance(0.5)
+    reach = draw(1.15, 1.35)
+    fin = [(tail - 0.3, z + 0.1), (tail + 0.1, z + 0.55), (tail + 0.2, z + 0.55)]
+    blade = box((reach / 2, 0, top + 0.06), (reach / 2, 0.12, 0.06), 0.02)
+    leg = capsule((x * 0.6, 0, z - 0.2), (x + 0.1, 0, 0.1), 0.08)
+    return {
+        "body": join(
+            egg((0, -0.25, z), (x, long, x * 1.02)),
+            taper((0, 0.1, z + 0.1), (0, tail, z + 0.2), 0.25, 0.1),
+            prism([*fin, (tail + 0.08, z + 0.05)], 0, 0.08),
+        ),
+        "windows": egg((0, -0.25 - long * 0.42, z + 0.08), (x * 0.86, long * 0.62, x * 0.78)),
+        "rotor": moved(
+            join(
+                around(count, blade, draw(0, 90)),
+                tube((0, 0, z), (0, 0, top + 0.16), 0.12, 0.03),
+            ),
+            (0, -0.12, 0),
+        ),
+        "skids": both(
+            join(
+                capsule((x + 0.1, -0.85, 0.1), (x + 0.1, 0.4, 0.1), 0.09),
+                moved(leg, (0, -0.5, 0)),
+                moved(leg, (0, 0.05, 0)),
+            )
+        ),
+        "tail rotor": join(
+            box((0.12, tail, z + 0.22), (0.07, 0.07, 0.34), 0.03),
+            box((0.12, tail, z + 0.22), (0.07, 0.34, 0.07), 0.03),
+        ),
+    }
+
+
+def submarine(draw: Draw) -> Parts:
+    """A round hull, a tower with a periscope, round windows, a screw."""
+    r, y, count = draw(0.42, 0.52), draw(1.0, 1.15), 2 + draw.chance(0.6)
+    top, tower = r + draw(0.34, 0.44), draw(0.28, 0.36)
+    ports = [(k - (count - 1) / 2) * 0.48 - 0.1 for k in range(count)]
+    scope = [((0, 0, top - 0.1), (0, 0, top + 0.4)), ((0, 0, top + 0.4), (0, -0.24, top + 0.4))]
+    blade = box((0.2, 0, 0), (0.2, 0.12, 0.07), 0.03)
+    screw = turned(join(around(4, blade), tube((0, 0, -0.2), (0, 0, 0.1), 0.12)), 0, 90)
+    rudder = [(y * 0.6, 0.0), (y + 0.1, 0.42), (y + 0.28, 0.42), (y + 0.1, 0.0)]
+    return {
+        "hull": egg((0, 0, 0), (r, y + 0.15, r)),
+        "tower": join(
+            box((0, 0, top - 0.3), (tower * 0.7, tower, 0.36), 0.14),
+        ),
+        "windows": both(
+            join(*(tube((r * 0.6, v, 0.04), (r + 0.05, v, 0.04), 0.15) for v in ports))
+        ),
+        "periscope": rods(0.1, *scope),
+        "fins": join(
+            prism(rudder, 0, 0.08),
+            both(prism([(0.0, y * 0.6), *[(v, u) for u, v in rudder[1:]]], 2, 0.08)),
+        ),
+        "screw": moved(screw, (0, y + 0.2, 0)),
+    }
+
+
+def hot_air_balloon(draw: Draw) -> Parts:
+    """A large balloon above a basket."""
+    r, z, side = draw(0.95, 1.1), draw(1.75, 1.9), draw(0.2, 0.26)
+    low = z - r * draw(1.15, 1.3)
+    shape = [(0.22, low), (0.55, low + 0.3), (r, z - 0.05), (r * 0.72, z + r * 0.68), (0.02, z + r)]
+    rope = capsule((side * 0.9, side * 0.9, 0.3), (0.17, 0.17, low + 0.08), 0.075)
+    ring_ = tube((0, 0, 0.36), (0, 0, 0.5), side * 1.3, 0.03)
+    return {
+        "balloon": lathe(smooth_curve(shape), 0.01),
+        "basket": join(box((0, 0, 0.22), (side, side, 0.24), 0.04), ring_),
+        "ropes": both(rope, 0, 1),
+    }
+
+
+def ufo(draw: Draw) -> Parts:
+    """A flying saucer."""
+    r, thick, dome, count = (
+        draw(1.1, 1.3),
+        draw(0.2, 0.26),
+        draw(0.45, 0.56),
+        6 + 2 * int(draw(0, 2)),
+    )
+    rise, z = draw(0.4, 0.62), 0.7
+    shape = [
+        (0.34, z - thick - 0.08),
+        (r * 0.7, z - thick * 0.7),
+        (r, z),
+        (r * 0.7, z + thick * 0.8),
+    ]
+    leg = capsule((r * 0.42, 0, z - 0.1), (r * 0.62, 0, 0.1), 0.09)
+    parts = {
+        "body": lathe([*shape, (0.3, z + thick + 0.12)], 0.04),
+        "dome": egg((0, 0, z + thick * 0.8), (dome, dome, rise)),
+        "lights": around(count, ball((r * 0.84, 0, z + thick * 0.42), 0.13)),
+    }
+    feet = join(leg, tube((r * 0.62, 0, 0), (r * 0.62, 0, 0.12), 0.16, 0.03))
+    return parts | {"legs": around(3, feet, -90)} if draw.chance(0.5) else parts
+
+
+def spaceship(draw: Draw) -> Parts:
+    """A star fighter: a pointed hull, swept wings, guns at their tips, glowing engines."""
+    r, nose, span, sweep = draw(0.26, 0.32), -1.4, draw(0.9, 1.15), draw(0.25, 0.6)
+    root = draw(0.5, 0.62)
+    wing = [(0, -0.35), (span, sweep - 0.05), (span, sweep + 0.42), (0, 0.95)]
+    fin = [(0.35, 0.1), (0.75, r + draw(0.3, 0.45)), (1.02, r + 0.4), (1.0, 0.1)]
+    return {
+        "hull": join(
+            taper((0, nose + 0.1, -0.02), (0, -0.1, 0.02), 0.09, r),
+            taper((0, -0.1, 0.02), (0, 0.95, 0.02), r, r * 0.8),
+        ),
+        "wings": join(
+            both(prism(wing, 2, 0.09)), both(moved(prism(fin, 0, 0.08), (root * 0.6, 0, 0)))
+        ),
+        "cockpit": egg((0, -0.28, r * 0.7), (r * 0.7, 0.46, r * 0.7)),
+        "guns": both(capsule((span - 0.02, sweep - 0.65, 0), (span - 0.02, sweep + 0.4, 0), 0.11)),
+        "engines": both(tube((root * 0.55, 0.5, 0.02), (root * 0.55, 1.12, 0.02), 0.2, 0.05)),
+        "flames": both(egg((root * 0.55, 1.14, 0.02), (0.14, 0.2, 0.14))),
+    }
+
+
+def canoe(draw: Draw) -> Parts:
+    """A slim open hull with raised ends, two seats, a paddle laid across."""
+    x, y, deep, rise = draw(0.4, 0.48), draw(1.3, 1.42), draw(0.42, 0.5), draw(0.1, 0.22)
+    shell = cut(egg((0, 0, 0.5), (x, y, deep)), box((0, 0, 1.5), (2, 2, 0.95)))
+    inner = egg((0, 0, 0.58), (x - 0.12, y - 0.2, deep - 0.14))
+    tips = both(taper((0, y * 0.8, 0.42), (0, y * 0.96, 0.55 + rise), 0.13, 0.09), 1)
+    seat = box((0, y * 0.36, 0.46), (x - 0.08, 0.13, 0.07), 0.02)
+    side = draw.chance(0.5)
+    blade = egg((0.75, -0.1, 0.62), (0.26, 0.15, 0.09))
+    oar = join(capsule((-0.5, 0.1, 0.62), (0.62, -0.08, 0.62), 0.08), blade)
+    return {
+        "hull": join(cut(shell, inner), tips),
+        "seats": both(seat, 1),
+        "paddle": both(oar, 0) if side else oar,
+    }
+
+
+def pirate_ship(draw: Draw) -> Parts:
+    """A hull with a high stern, two masts with square sails, a black flag."""
+    x, y, deep = draw(0.4, 0.46), draw(1.0, 1.1), draw(0.5, 0.6)
+    deck, tall = 0.62, draw(2.3, 2.5)
+    body = cut(egg((0, 0, deck), (x, y, deep)), box((0, 0, deck + 1), (2, 2, 1)))
+    stern = [(y * 0.3, deck - 0.25), (y * 0.84, deck - 0.25), (y * 0.98, deck + 0.45)]
+    bow = [(-y * 0.55, deck - 0.2), (-y * 0.8, deck - 0.1), (-y * 1.02, deck + 0.24)]
+    hull = join(
+        body,
+        prism([*stern, (y * 0.3, deck + draw(0.32, 0.42))], 0, x * 0.86),
+        prism([*bow, (-y * 0.5, deck + 0.16)], 0, x * 0.55),
+    )
+    sails, masts = [], []
+    for v, top in ((-0.38, tall * 0.86), (0.3, tall)):
+        masts.append(capsule((0, v, 0.3), (0, v, top), 0.08))
+        span = top - deck - 0.3
+        for z, half in ((deck + 0.3 + span * 0.24, 0.62), (deck + 0.3 + span * 0.72, 0.46)):
+            belly = cut(
+                egg((0, v + 0.0, z), (half, 0.24, span * 0.24)), box((0, v + 1, z), (2, 1, 2))
+            )
+            sails += [belly, box((0, v - 0.03, z), (half * 0.92, 0.07, span * 0.19), 0.03)]
+    masts.append(capsule((0, -y * 0.7, deck), (0, -1.5, deck + 0.42), 0.08))
+    flag = box((0, 0.5, tall - 0.02), (0.07, 0.22, 0.14), 0.02)
+    return {
+        "hull": hull,
+        "sails": join(*sails),
+        "masts": join(*masts),
+        "flag": flag,
+        "windows": both(
+            join(*(box((x * 0.86, v, deck - 0.14), (0.12, 0.1, 0.08)) for v in (-0.3, 0.1)))
+        ),
+    }
+
+
+def space_shuttle(draw: Draw) -> Parts:
+    """A blunt body with delta wings, flying to the front."""
+    r, y, span = draw(0.34, 0.4), draw(1.1, 1.25), draw(0.85, 1.0)
+    wing = [(0, -0.75), (r + 0.05, -0.35), (span, 0.7), (span, 0.98), (0, 1.05)]
+    fin = [(0.45, r * 0.6), (0.95, r + draw(0.5, 0.62)), (1.2, r + 0.55), (1.08, r * 0.6)]
+    return {
+        "body": join(
+            tube((0, -y + 0.45, 0), (0, 1.0, 0), r, 0.04),
+            taper((0, -y + 0.1, -0.08), (0, -y + 0.6, 0), 0.2, r),
+        ),
+        "wings": join(both(prism(wing, 2, 0.09, -r * 0.72)), prism(fin, 0, 0.09)),
+        "nose": ball((0, -y + 0.05, -0.08), 0.21),
+        "windows": box((0, -y + 0.34, r * 0.6), (r * 0.55, 0.12, 0.12), 0.04),
+        "engines": join(
+            moved(turned(lathe([(0.1, 0), (0.16, 0.28)], 0.02), 0, -90), (0, 0.95, r * 0.42)),
+            both(moved(turned(lathe([(0.1, 0), (0.16, 0.28)], 0.02), 0, -90), (0.2, 0.95, -0.12))),
+        ),
+    }
+
+
+def satellite(draw: Draw) -> Parts:
+    """A box with two solar panels, a dish in front and an aerial."""
+    x, z, high = draw(0.28, 0.36), 0.8, draw(0.34, 0.46)
+    wide, panel, count = draw(0.24, 0.3), draw(0.3, 0.4), 2
+    start = x + 0.22
+    cells = [
+        box((start + wide * (2 * k + 1), 0, z), (wide - 0.03, 0.08, panel)) for k in range(count)
+    ]
+    dish = lathe([(0.1, 0), (0.28, 0.1), (0.4, 0.3), (0.26, 0.3), (0.1, 0.16)], 0.02)
+    return {
+        "body": box((0, 0, z), (x, x, high), 0.04),
+        "panels": both(join(*cells)),
+        "arms": both(capsule((0, 0, z), (start + wide * 3, 0, z), 0.08)),
+        "dish": join(
+            moved(turned(dish, 0, 90), (0, -x - 0.08, z)),
+            capsule((0, -x, z), (0, -x - 0.5, z), 0.08),
+        ),
+        "aerial": join(
+            capsule((0, 0, z), (0, 0, z + high + 0.32), 0.075), ball((0, 0, z + high + 0.34), 0.12)
+        ),
+    }
+
+
+CRAFT = {
+    "helicopter": helicopter,
+    "submarine": submarine,
+    "hot air balloon": hot_air_balloon,
+    "ufo": ufo,
+    "spaceship": spaceship,
+    "canoe": canoe,
+    "pirate ship": pirate_ship,
+    "space shuttle": space_shuttle,
+    "satellite": satellite,
+}
