@@ -136,7 +136,7 @@ def parse(
     if noun_needed and not reading.found["noun"]:
         raise PromptError(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
-            f"Use one of: {', '.join(known['noun'])}. {ELSEWHERE}",
+            f"{_things(known)} {ELSEWHERE}",
         )
     # The part last: what may be stated of it depends on the noun.
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
@@ -381,12 +381,18 @@ def _names(part: str) -> list[str]:
     return [form for name in names for form in (name, f"{name}s")]
 
 
+def _things(known: Vocabulary) -> str:
+    """Where to find the things: some, since all would fill the screen."""
+    some = list(known["noun"])[5:20]
+    return f"It knows {len(known['noun'])} things, such as {', '.join(some)}; all: run.py words."
+
+
 def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
     nearest = {token: _near(token, qualifiers, known) for token in unknown}
     texts = "; ".join(_with_hint(token, near) for token, near in nearest.items())
     return UnknownWordsError(
         f"The built-in prior does not know {texts}.",
-        f"It knows the things {', '.join(known['noun'])}; the shapes {', '.join(known['shape'])}; "
+        f"{_things(known)} It knows the shapes {', '.join(known['shape'])}; "
         f"the colours {', '.join(known['color'])}; the materials {', '.join(known['material'])}; "
         f"the patterns {', '.join(known['pattern'])}. --ignore-unknown-words leaves out what it "
         f"does not know. {ELSEWHERE}",
