@@ -30,6 +30,7 @@ SHORT = replace(
     coarse=replace(DRAFT.geometry.coarse, steps=0),
     grow=RefineConfig(rounds=0),
     refine=RefineConfig(rounds=2, steps=25, views=10, batch=5, size=64, learning_rate=4e-3),
+    sharpen=replace(DRAFT.geometry.sharpen, rounds=0),
 )
 SHARP = replace(SHORT, net=replace(FOURIER, octaves=5, residual=0.3), polish=0, flatten=2)
 
@@ -50,6 +51,11 @@ def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, tru
     assert {"flat", "crease"} <= set(misses(soft))
     assert misses(sharp) == []
     assert sharp["chamfer"] < 0.7 * soft["chamfer"]
+
+
+def test_the_sharpening_reaches_it_too(block, truth) -> None:
+    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=4))
+    assert misses(scores(*fitted(block, crisp), truth)) == []
 
 
 def test_the_truth_itself_misses_nothing(block, truth) -> None:
