@@ -3,12 +3,14 @@
 Standard library only: torch takes seconds to load, and Ctrl-C must not wait for it.
 """
 
+from __future__ import annotations
+
 import signal
 import sys
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from types import FrameType
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any
 
 CANCELLED = 130  # the exit code
 AGAIN_SECONDS = 1.0  # cleaning up, which may follow the first, takes less
@@ -21,15 +23,15 @@ class Interrupts:
         self.came = False
         self._timer: threading.Timer | None = None
 
-    def handle(self, number: int, _: FrameType | None) -> None:
+    def raise_one(self, number: int, _: object) -> None:
         """Raise KeyboardInterrupt, and once more while the work goes on in spite of it.
 
         trimesh takes whatever its imports and parsers raise for a missing library or a bad file,
-        and numpy's import within torch's drops it.
+        and an import in C drops it.
         """
         self.came = True
         self.stop()
-        # The signal itself comes again: a job that has begun meanwhile has a handler of its own.
+        # The signal itself comes again: a job that has begun meanwhile handles it in its own way.
         self._timer = threading.Timer(AGAIN_SECONDS, signal.raise_signal, (number,))
         self._timer.daemon = True
         self._timer.start()
@@ -43,25 +45,42 @@ class Interrupts:
 
 @contextmanager
 def interruptible() -> Iterator[Interrupts]:
-    """KeyboardInterrupt at SIGINT, within; ``came`` says whether there was one.
+    """KeyboardInterrupt at SIGINT, within; ``came`` says whether there was one."""
+    interrupts, hook = Interrupts(), sys.unraisablehook
 
-    A command that the user's shell has told to ignore SIGINT goes on ignoring it.
-    """
-    interrupts = Interrupts()
-    before = signal.getsignal(signal.SIGINT)
-    if before == signal.SIG_IGN or threading.current_thread() is not threading.main_thread():
-        yield interrupts
-        return
-    hook = sys.unraisablehook
-    sys.unraisablehook = lambda what: (
+    def unraisable(what: Any) -> None:
         # Where nothing can be raised: it comes again, and is no news to print.
-        None if issubclass(what.exc_type, KeyboardInterrupt) else hook(what)
-    )
-    signal.signal(signal.SIGINT, interrupts.handle)
+        if not issubclass(what.exc_type, KeyboardInterrupt):
+            hook(what)
+
+    sys.unraisablehook = unraisable
     try:
-        yield interrupts
+        with _handled(signal.SIGINT, interrupts.raise_one):
+            yield interrupts
     finally:
         interrupts.stop()
         sys.unraisablehook = hook
+
+
+@contextmanager
+def asks_to_stop(ask: Callable[[], None]) -> Iterator[None]:
+    """``ask`` at Ctrl-C and at a request to terminate, within."""
+    with ExitStack() as stack:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            stack.enter_context(_handled(number, lambda *_: ask()))
+        yield
+
+
+@contextmanager
+def _handled(number: int, handler: Callable[[int, Any], None]) -> Iterator[None]:
+    """``handler`` for a signal, within; what the user's shell has told to ignore stays ignored."""
+    before = signal.getsignal(number)
+    if before == signal.SIG_IGN or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signal.signal(number, handler)
+    try:
+        yield
+    finally:
         # None is a handler in C, which Python cannot put back.
-        signal.signal(signal.SIGINT, before or signal.default_int_handler)
+        signal.signal(number, before or signal.SIG_DFL)

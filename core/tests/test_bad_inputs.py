@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import run
-from core.command_line import _known, carry_out, exit_code
+from core.command_line import carry_out
 from core.errors import UserError
+from core.terminal import exit_code, sentence_of
 from core.tests.bad_files import make
 
 TABLE = Path(__file__).with_name("bad_inputs.txt")
@@ -90,7 +91,7 @@ def test_a_bad_input_is_one_sentence_and_its_exit_code(
             else:
                 carry_out(args)
         except Exception as error:
-            caught.append(error if isinstance(error, UserError) else _known(error))
+            caught.append(error if isinstance(error, UserError) else sentence_of(error))
             raise
 
     assert exit_code(work) == code
