@@ -128,8 +128,7 @@ def end(work: Callable[[], int]) -> NoReturn:
     except SystemExit as ended:  # of --help
         code = int(ended.code or 0)
     unwritten = close_output()
-    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
-        signal.signal(signal.SIGINT, lambda *_: os._exit(CANCELLED))  # torch takes time to end
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is done, but torch takes time to end
     sys.exit(code or unwritten)
 
 
