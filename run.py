@@ -186,7 +186,7 @@ def say(text: str, share: float) -> None:
 def launch(argv: list[str]) -> int:
     """Carry out a command line under plain Python: the exit code."""
     if not argv or argv[0] in ("-h", "--help", "help"):
-        print((__doc__ or "").strip())
+        terminal.put((__doc__ or "").strip())
         return 0 if argv else 2
     if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
         return hand_over([environment.find_python(), Path(__file__).resolve(), *argv])
@@ -209,7 +209,9 @@ def setup(args: Namespace) -> int:
     wrong = [name for name in args.groups if name not in ("blender", "test")]
     if wrong:
         raise UserError(f"setup has no {wrong[0]!r}.", "Use blender, test, --renew, --allow-cuda.")
-    print(environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew))
+    terminal.put(
+        environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew)
+    )
     return 0
 
 
@@ -245,7 +247,7 @@ def package(args: Namespace) -> int:
         (made,) = Path(temporary).glob("*.zip")
         use_builder([*builder, "validate", made], temporary)
         folder.mkdir(parents=True, exist_ok=True)
-        print(shutil.copy(made, folder))
+        terminal.put(shutil.copy(made, folder))
     return 0
 
 
@@ -358,11 +360,13 @@ def doctor(args: Namespace) -> int:
     lines = environment.examine(ROOT)
     if args.report:
         file = environment.write_report(args.report, ROOT, lines)
-        print(f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n")
+        terminal.put(
+            f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n"
+        )
     for line in lines:
-        print(f"{line.name:<17} {line.state:<8} {line.text}")
+        terminal.put(f"{line.name:<17} {line.state:<8} {line.text}")
     missing = [line.name for line in lines if line.state == "MISSING"]
-    print(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
+    terminal.put(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
     return 3 if missing else 0
 
 

@@ -32,7 +32,7 @@ class Interrupts:
         self.came = True
         self.stop()
         # The signal itself comes again: a job that has begun meanwhile handles it in its own way.
-        self._timer = threading.Timer(AGAIN_SECONDS, signal.raise_signal, (number,))
+        self._timer = threading.Timer(AGAIN_SECONDS, _send, (number,))
         self._timer.daemon = True
         self._timer.start()
         raise KeyboardInterrupt
@@ -41,6 +41,14 @@ class Interrupts:
         """Let it not come again."""
         if self._timer:
             self._timer.cancel()
+
+
+def _send(number: int) -> None:
+    """Send a signal to the main thread, which may be waiting for something."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident or 0, number)
+    else:
+        signal.raise_signal(number)
 
 
 @contextmanager
