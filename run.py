@@ -180,7 +180,7 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
 
 def say(text: str, share: float) -> None:
     """A line of the set-up's progress."""
-    print(f"set-up {share:4.0%}  {text}", file=sys.stderr, flush=True)
+    terminal.complain(f"set-up {share:4.0%}  {text}")
 
 
 def launch(argv: list[str]) -> int:
