@@ -150,7 +150,9 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
     fix = "Name a file in a folder of yours."
     try:
         place = next(p for p in full.parents if p.exists())
-        if full.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
+        as_it_is = os.access in os.supports_effective_ids
+        may = os.access(str(place), os.W_OK, effective_ids=as_it_is)
+        if full.is_dir() or not place.is_dir() or not may:
             raise UserError(f"{full} cannot be written.", fix)
     except OSError as error:  # a name that is too long
         raise UserError(f"{full} cannot be written: {error.strerror}.", fix) from None
