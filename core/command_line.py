@@ -9,38 +9,30 @@ be kept; 130 cancelled.
 
 import argparse
 import difflib
-import errno
-import io
 import json
 import os
-import signal
 import sys
 import time
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from core.errors import MemoryShortError, MissingError, UserError
+from core.errors import MissingError, UserError
+from core.interrupt import asks_to_stop
+from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
     from core.generate import Inputs
     from core.io.job import Job
+    from core.io.progress import Progress
     from core.io.run_folder import RunFolder
 
 
 # A request to cancel that is older than this was meant for an earlier session.
 START = time.time()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
-FULL = "Free some space or take another --out."
-FIXES = {
-    errno.ENOSPC: FULL,
-    errno.EDQUOT: FULL,
-    errno.EFBIG: FULL,
-    errno.ENAMETOOLONG: "Use a shorter name.",
-    errno.ELOOP: "Name the file itself: a link leads back to itself.",
-}
 
 
 class Parser(argparse.ArgumentParser):
@@ -240,22 +232,21 @@ def _setting(text: str) -> tuple[str, str]:
 def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
+    from core.io.progress import Progress
 
-    with run_lock(run.path):
-        return _run_job(run, inputs)
+    progress = Progress(run)
+    with run_lock(run.path), asks_to_stop(progress.interrupt):
+        return _run_job(run, inputs, progress)
 
 
-def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") -> Path:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
-    from core.io.progress import Progress
 
-    path, request, progress = run.path, run.path / "cancel", Progress(run)
-    signal.signal(signal.SIGINT, lambda *_: progress.interrupt())
-    signal.signal(signal.SIGTERM, lambda *_: progress.interrupt())
+    path, request = run.path, run.path / "cancel"
     run.remove_half_written()
     if request.exists() and request.stat().st_mtime < START:
         request.unlink()
@@ -270,7 +261,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
             run.report(kind, text=error.text, fix=error.window_fix or error.fix or None)
         raise
     except BaseException as error:
-        known = _known(error)
+        known = sentence_of(error)
         text, fix = (known.text, known.fix) if known else (f"{type(error).__name__}: {error}", "")
         with suppress(OSError):
             run.report("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
@@ -280,52 +271,13 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
             traceback.print_exc(file=log)
         raise
     run.report("done", path="asset", text=f"{asset} is complete.")
-    print(asset, flush=True)
+    put(asset)
     return asset
-
-
-def _known(error: BaseException) -> UserError | None:
-    """An error of the machine as a sentence: memory and disk."""
-    out_of_memory = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
-    if out_of_memory or isinstance(error, MemoryError):
-        return MemoryShortError(
-            "There is not enough memory for this job.",
-            "Lower geometry.views_at_once and appearance.views_at_once with --set, "
-            "or take the draft preset; then resume.",
-        )
-    if isinstance(error, OSError) and error.errno is not None:
-        place = f" {error.filename}" if error.filename else ""
-        return UserError(
-            f"The disk refused{place}: {error.strerror}.",
-            FIXES.get(error.errno, "Check that the path is right and may be read and written."),
-        )
-    return None
 
 
 def main(argv: Sequence[str]) -> int:
     """Carry out one of the core's commands: the exit code."""
     return exit_code(lambda: carry_out(parse(argv)))
-
-
-def exit_code(work: Callable[[], object]) -> int:
-    """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
-    for stream in (sys.stdout, sys.stderr):  # of a code page that lacks the letters of a name
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-    try:
-        work()
-    except KeyboardInterrupt:
-        print("Cancelled.", file=sys.stderr)
-        return 130
-    except BrokenPipeError:  # the reader of a pipe had enough
-        return 0
-    except Exception as error:
-        known = error if isinstance(error, UserError) else _known(error)
-        if known is None:
-            raise
-        print(f"{'' if known.status == 130 else 'error: '}{known}", file=sys.stderr)
-        return known.status
-    return 0
 
 
 def carry_out(args: argparse.Namespace) -> Path | None:
@@ -375,7 +327,7 @@ def _render(args: argparse.Namespace) -> None:
 def _inspect(args: argparse.Namespace) -> None:
     from core.io.asset import inspect
 
-    print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
+    put(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
 
 
 def _verify(args: argparse.Namespace) -> None:
@@ -383,7 +335,7 @@ def _verify(args: argparse.Namespace) -> None:
 
     with redirect_stdout(sys.stderr):  # the report alone goes to the output
         report = verify(args.asset, run_job)
-    print(json.dumps(report, indent=1))
+    put(json.dumps(report, indent=1))
     if not report["same"]:
         changed = "changed" in report["files"].values()
         raise UserError(
@@ -402,7 +354,7 @@ def _export(args: argparse.Namespace) -> None:
 def _report(args: argparse.Namespace) -> None:
     from core.report.page import write_report
 
-    print(write_report(args.run, args.out))
+    put(write_report(args.run, args.out))
 
 
 def _words(args: argparse.Namespace) -> None:
@@ -411,11 +363,11 @@ def _words(args: argparse.Namespace) -> None:
     from core.io.job import check_prompt
 
     if args.prompt is None:
-        print(json.dumps(word_groups(), indent=1, ensure_ascii=False))
+        put(json.dumps(word_groups(), indent=1, ensure_ascii=False))
         return
     check_prompt("prompt", args.prompt)
     report, code = words_report(args.prompt, args.ignore_unknown_words)
-    print(json.dumps(report, indent=1, ensure_ascii=False))
+    put(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 

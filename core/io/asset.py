@@ -18,6 +18,7 @@ from core.geometry.uv_health import uv_health
 from core.io import png as images
 from core.io.atomic import atomic_file, check_target, disk_errors, flush_folder
 from core.io.glb import glb_bytes
+from core.io.input_file import check_file
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
@@ -260,7 +261,7 @@ def _mass(volume: object, density: object) -> float | None:
 
 def _read_info(folder: Path) -> dict[str, Any]:
     path = folder / "asset.json"
-    if not path.is_file():
+    if not path.exists():
         raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
     info = read_object(path, REMAKE)
     version = info.get("version")
@@ -320,7 +321,6 @@ def _restore(folder: Path, old: Path) -> None:
 
 
 def _copy(source: Path, to: Path) -> None:
-    if not source.is_file():
-        raise UserError(f"There is no file {source}.", REMAKE)
+    check_file(source, fix=REMAKE)
     with atomic_file(to) as temporary:
         shutil.copyfile(source, temporary)

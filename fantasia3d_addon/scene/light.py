@@ -13,6 +13,7 @@ import bpy
 import numpy as np
 
 from ..blender import compat
+from ..blender.input_file import require_file
 from ..errors import LightError
 
 WORLD = "Fantasia3D light"
@@ -145,6 +146,7 @@ def _remove_unused(world: bpy.types.World | None) -> None:
 def _check_size(path: Path) -> None:
     """By the header, since Blender takes the memory for any size that a file declares."""
     try:
+        require_file(path)
         with path.open("rb") as file:
             head = file.read(HEADER)
     except OSError as error:
