@@ -116,8 +116,9 @@ def plain(name: str) -> str:
 # The core's folders and files, lowest first: each imports only from those before it.
 ORDER = (
     "errors", "ranges", "device", "camera", "kernels", "ops", "hash_grid", "geometry", "config",
-    "io", "render", "appearance", "guidance", "texture", "job_config", "stages", "provenance",
-    "generate", "verify", "picture", "report", "prior", "benchmarks", "command_line", "__main__",
+    "io", "render", "appearance", "guidance", "texture", "simulation", "job_config", "stages",
+    "provenance", "generate", "verify", "picture", "report", "prior", "benchmarks",
+    "command_line", "__main__",
 )  # fmt: skip
 
 
