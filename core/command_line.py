@@ -137,7 +137,8 @@ def add_core_commands(commands: Commands) -> None:
     export.add_argument(
         "--format",
         required=True,
-        help="glb, obj, stl, 3mf, urdf, mjcf, usd-physics; run.py also blend, usd, fbx",
+        help="glb, obj, stl, 3mf, urdf, mjcf, usd-physics; run.py also blend, usd, fbx, and for an "
+        "engine, into a folder, godot, unity, unreal",
     )
     export.add_argument("--out", type=Path, required=True, metavar="FILE|FOLDER")
     simulators = "urdf, mjcf, usd-physics"
@@ -404,13 +405,15 @@ def _verify(args: argparse.Namespace) -> None:
 
 def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
-    from core.simulation.export import ENDINGS, export_body
+    from core.simulation.export import ENDINGS, export_body, file_for
 
     kind = args.format.lower()
+    out = file_for(args.asset, args.out, ENDINGS.get(kind, f".{kind}"))
     if kind in ENDINGS:
-        export_body(args.asset, kind, args.out, args.mass, args.hulls)
+        export_body(args.asset, kind, out, args.mass, args.hulls)
     else:
-        export(args.asset, kind, args.out)
+        export(args.asset, kind, out)
+    print(out)
 
 
 def _report(args: argparse.Namespace) -> None:

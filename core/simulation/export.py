@@ -10,7 +10,7 @@ from core.geometry.tangents import smooth_normals
 from core.io.asset import Asset, read_asset
 from core.io.atomic import atomic_file, check_target, disk_errors
 from core.io.obj import from_y_up, mtl_text, obj_text, plain_obj_text
-from core.simulation.body import Body, body_of, parts_folder
+from core.simulation.body import Body, body_of, identifier, parts_folder
 from core.simulation.hulls import MAX_HULLS, Hull
 from core.simulation.mjcf import mjcf_text
 from core.simulation.urdf import urdf_text
@@ -42,6 +42,17 @@ def export_body(
         main.write_text(text, encoding="utf-8")
         _write_parts(files, out.with_name(parts), body, with_meshes=format != "usd-physics")
     return out
+
+
+def file_for(asset: Path, out: Path, ending: str) -> Path:
+    """``out``; where it has no ending it is a folder, made, and the file is named by the prompt."""
+    if out.suffix:
+        return out
+    prompt = "" if asset.is_file() else str(read_asset(asset).info.get("prompt") or "")
+    title = identifier(prompt or asset.stem)
+    with disk_errors(out):
+        out.mkdir(parents=True, exist_ok=True)
+    return out / f"{title}{ending}"
 
 
 def _write_parts(files: ExitStack, folder: Path, body: Body, with_meshes: bool) -> None:
