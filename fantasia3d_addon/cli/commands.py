@@ -179,13 +179,15 @@ def _set_light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
     scene, strength = bpy.context.scene, 1.0 if args.strength is None else args.strength
     name = obj.get(LIGHT, light.STUDIO) if args.light is None else args.light
     try:
-        relight.relight(scene, name, strength, args.rotation)
+        relight.relight(scene, name, strength, args.rotation or 0.0)
     except LightError as error:
         if args.light is not None:
             raise
         # The asset's own light was deleted since: that does not stop the command.
         print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
-        relight.relight(scene, light.STUDIO, strength, args.rotation)
+        relight.relight(scene, light.STUDIO, strength, args.rotation or 0.0)
+    if args.rotation is None:
+        scene_render.turn_low_sun(scene)
     bpy.context.view_layer.update()
     if args.strength is None:
         scene_render.expose(scene, obj)

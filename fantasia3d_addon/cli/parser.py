@@ -125,7 +125,8 @@ def _add_light_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
     # No default: without it the exposure is set so that white is just not clipped.
     _add(command, options.STRENGTH, default=None)
-    _add(command, options.ROTATION, flag="--rotation-deg")
+    # No default: without it a low sun stands to the side of the camera, and shadows are long.
+    _add(command, options.ROTATION, flag="--rotation-deg", default=None)
 
 
 def _add(command: argparse.ArgumentParser, option: Option, flag: str = "", **more: Any) -> None:
