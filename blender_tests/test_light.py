@@ -1,5 +1,6 @@
 """The world's light: its direction, its brightness, and what a name means."""
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from blender_tests.pictures import (  # noqa: E402
 )
 from fantasia3d_addon.errors import LightError  # noqa: E402
 from fantasia3d_addon.scene import light  # noqa: E402
+from fantasia3d_addon.scene import render as render_settings  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
