@@ -13,6 +13,10 @@ Commands:
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
     export ASSET --format blend|glb|usd|fbx|obj|stl|3mf --out FILE
+    export ASSET --format urdf|mjcf|usd-physics --out FILE      for simulators, with its mass
+    export ASSET --format godot|unity|unreal --out FOLDER       for an engine, with colliders
+    lod ASSET --max-faces N --out FILE     fewer triangles, the UVs kept; or --levels and --ratio
+    remesh ASSET --max-faces N --out FILE  quads, with maps of their own
     relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE

@@ -127,9 +127,19 @@ def add_core_commands(commands: Commands) -> None:
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
     export.add_argument(
-        "--format", required=True, help="glb, obj, stl or 3mf; run.py also blend, usd, fbx"
+        "--format",
+        required=True,
+        help="glb, obj, stl, 3mf, urdf, mjcf, usd-physics; run.py also blend, usd, fbx, and for an "
+        "engine, into a folder, godot, unity, unreal",
     )
-    export.add_argument("--out", type=Path, required=True, metavar="FILE")
+    export.add_argument("--out", type=Path, required=True, metavar="FILE|FOLDER")
+    simulators = "urdf, mjcf, usd-physics"
+    export.add_argument(
+        "--mass", type=float, metavar="KG", help=f"{simulators}: default: volume times density"
+    )
+    export.add_argument(
+        "--hulls", type=int, default=32, metavar="N", help=f"{simulators}: convex parts at most"
+    )
 
     report = add("report", "A run as one HTML file, to read anywhere and without a network.")
     report.add_argument("run", type=Path)
@@ -347,8 +357,15 @@ def _verify(args: argparse.Namespace) -> None:
 
 def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
+    from core.simulation.export import ENDINGS, export_body, file_for
 
-    export(args.asset, args.format, args.out)
+    kind = args.format.lower()
+    out = file_for(args.asset, args.out, ENDINGS.get(kind, f".{kind}"))
+    if kind in ENDINGS:
+        export_body(args.asset, kind, out, args.mass, args.hulls)
+    else:
+        export(args.asset, kind, out)
+    print(out)
 
 
 def _report(args: argparse.Namespace) -> None:

@@ -68,10 +68,14 @@ def mtl_text(
 
 def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
     """The shape alone, whole or not at all."""
-    corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
-    text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
     with atomic_file(path) as temporary:
-        temporary.write_text(text, encoding="ascii")
+        temporary.write_text(plain_obj_text(verts, faces), encoding="ascii")
+
+
+def plain_obj_text(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> str:
+    """The shape alone: no uv, no normals, no material."""
+    corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
+    return _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
 
 
 def read_obj(path: Path) -> Mesh:
