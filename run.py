@@ -9,6 +9,7 @@ Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
@@ -29,7 +30,7 @@ COMMAND --help lists a command's options. The first run makes an environment for
 Python packages in your data folder (about 3 GB; `doctor` says where).
 
 Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
-5 no surface could be kept; 130 cancelled.
+5 no surface could be kept; 6 some assets of a batch failed; 130 cancelled.
 """
 
 from __future__ import annotations

@@ -117,7 +117,8 @@ def plain(name: str) -> str:
 ORDER = (
     "errors", "ranges", "device", "camera", "kernels", "ops", "hash_grid", "geometry", "config",
     "io", "render", "appearance", "guidance", "texture", "job_config", "stages", "provenance",
-    "generate", "verify", "picture", "report", "prior", "benchmarks", "command_line", "__main__",
+    "generate", "verify", "picture", "report", "batch", "prior", "benchmarks", "command_line",
+    "__main__",
 )  # fmt: skip
 
 
