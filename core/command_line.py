@@ -22,7 +22,7 @@ from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from core.batch.options import add_batch_options
+from core.batch.options import add_batch_options, add_node_options
 from core.errors import MemoryShortError, MissingError, UserError
 
 if TYPE_CHECKING:
@@ -118,6 +118,7 @@ def add_core_commands(commands: Commands) -> None:
     batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
     add_batch_options(batch)
     _add_job_options(batch)
+    add_node_options(add("node", "This machine as a node of a Ray cluster, for batch --ray."))
 
     resume = add("resume", "Go on with a run that was cancelled or died.")
     resume.add_argument("run", type=Path)
@@ -342,7 +343,8 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     if args.command in JOBS:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
-    other |= {"words": _words, "verify": _verify, "report": _report, "batch": _batch}
+    other |= {"words": _words, "verify": _verify, "report": _report}
+    other |= {"batch": _batch, "node": _node}
     other[args.command](args)
     return None
 
@@ -392,6 +394,12 @@ def _batch(args: argparse.Namespace) -> None:
         return job_of(parse(row.arguments(defaults)))
 
     print(run_batch(args, row_job))
+
+
+def _node(args: argparse.Namespace) -> None:
+    from core.batch.cluster import be_node
+
+    be_node(args)
 
 
 def _render(args: argparse.Namespace) -> None:

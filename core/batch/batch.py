@@ -13,7 +13,7 @@ from core.batch.local import LocalPool
 from core.batch.needs import Needs, gpus, needs_of
 from core.batch.plan import Task, plan
 from core.batch.results import Result, result_of, write_report
-from core.batch.schedule import Batch, Pool, State
+from core.batch.schedule import Batch, Pool, State, is_done
 from core.batch.sheet import write_sheet
 from core.batch.table import Row, read_table
 from core.errors import Cancelled, SomeFailedError, UserError
@@ -50,7 +50,7 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
     tasks = plan(rows, part.out, job_of)
     with disk_errors(part.out):
         part.out.mkdir(parents=True, exist_ok=True)
-    with run_lock(part.out, part.file("batch", ".lock")), _terminated():
+    with run_lock(part.out, part.file("batch", ".lock")):
         return _make(tasks, part, args)
 
 
@@ -90,8 +90,11 @@ def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
     refused = sum(task.folder is None for task in tasks)
     stopped = False
     try:
-        if runs:
-            Batch(runs, _pool(runs, args), args.retries, save, refused, states).run()
+        todo = [task for task in runs if not is_done(task)]
+        if todo:
+            pool = _pool(todo, args)
+            with _terminated():  # after Ray, which has an answer of its own
+                Batch(runs, pool, args.retries, save, refused, states).run()
     except KeyboardInterrupt:
         stopped = True
     results = save(states)
@@ -102,8 +105,15 @@ def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
 
 
 def _pool(runs: list[Task], args: Namespace) -> Pool:
-    needs = _most([needs_of(task.job, gpus() > 0) for task in runs if task.job])
-    return LocalPool(needs, args.at_once, args.timeout)
+    if args.ray is None:
+        return LocalPool(_needs(runs, gpus() > 0), args.at_once, args.timeout)
+    from core.batch.cluster import RayPool, connect
+
+    return RayPool(_needs(runs, connect(args.ray)), args.at_once, args.timeout)
+
+
+def _needs(runs: list[Task], has_gpu: bool) -> Needs:
+    return _most([needs_of(task.job, has_gpu) for task in runs if task.job])
 
 
 def _most(needs: list[Needs]) -> Needs:

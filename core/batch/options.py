@@ -25,6 +25,17 @@ def add_batch_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--timeout", type=float, metavar="SECONDS", help="of one asset; it resumes in a later call"
     )
+    command.add_argument(
+        "--ray", metavar="auto|local|ADDRESS", help="on a Ray cluster: this machine's, or HOST:PORT"
+    )
+
+
+def add_node_options(command: argparse.ArgumentParser) -> None:
+    """The options of ``node``."""
+    command.add_argument("--head", action="store_true", help="the cluster's first (the default)")
+    command.add_argument("--join", metavar="HOST:PORT", help="the address of the head")
+    command.add_argument("--port", type=int, default=6379, help="of the head; default 6379")
+    command.add_argument("--cpus", type=int, metavar="N", help="to offer; default: all")
 
 
 def shard(text: str) -> tuple[int, int]:
