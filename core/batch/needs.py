@@ -12,8 +12,9 @@ from core.errors import UserError
 from core.io.job import Job
 from core.job_config import BUILTIN
 
-# docs/scale.md has the measurements.
-BUILTIN_MEMORY = 1.5e9  # bytes, of a draft's process at its peak
+# Bytes, of a process with the built-in prior: `texture` was measured at 1.3 GB, its unwrapping the
+# most of it (docs/performance.md).
+BUILTIN_MEMORY = 1.5e9
 CHECKPOINT_MEMORY = 4.5e9  # bytes beyond the weights: SD 1.5's largest step on a CPU, one view
 IN_MEMORY = 2.0  # weights in memory by weights on disk: half there, single here
 UNKNOWN_CHECKPOINT = 10e9  # bytes, of one that is named by its hub id

@@ -37,7 +37,6 @@ def cluster(monkeypatch):
 
     monkeypatch.setenv("PYTHONPATH", str(ROOT))
     monkeypatch.setenv("RAY_USAGE_STATS_ENABLED", "0")
-    monkeypatch.setenv("RAY_raylet_start_wait_time_s", "200")
     monkeypatch.setenv("FAKE_STEPS", "8")
     monkeypatch.setenv("FAKE_PAUSE", "0.4")
     options = {"object_store_memory": 80 << 20, "include_dashboard": False}
