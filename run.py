@@ -9,6 +9,8 @@ Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
+    node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
@@ -24,7 +26,7 @@ Commands:
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to fix it; --report FILE
-    setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
+    setup [blender] [test] [ray]        make the Python environment now; --renew, --allow-cuda
     package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
     python [ARGUMENTS]         the environment's Python
@@ -33,7 +35,7 @@ COMMAND --help lists a command's options. The first run makes an environment for
 Python packages in your data folder (about 3 GB; `doctor` says where).
 
 Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
-5 no surface could be kept; 130 cancelled.
+5 no surface could be kept; 6 some assets of a batch failed; 130 cancelled.
 """
 
 # ruff: noqa: E402 - Ctrl-C is heard before all the rest is loaded
@@ -88,6 +90,7 @@ if TYPE_CHECKING:
     from core.command_line import Commands
 
 OWN = ("doctor", "setup", "package")
+GROUPS = ("blender", "test", "ray")  # of packages beyond the core's
 PASS_ON = ("test", "python")  # whose arguments belong to another program
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
 
@@ -112,7 +115,7 @@ def parser() -> Commands:
     )
     setup = commands.add("setup", "Make the Python environment now.")
     setup.add_argument(
-        "groups", nargs="*", metavar="blender|test", help="packages beyond the core's"
+        "groups", nargs="*", metavar="|".join(GROUPS), help="packages beyond the core's"
     )
     setup.add_argument("--renew", action="store_true", help="make it again from nothing")
     setup.add_argument("--allow-cuda", action="store_true", help="take torch's CUDA build")
@@ -205,16 +208,18 @@ def launch(argv: list[str]) -> int:
         return {"doctor": doctor, "setup": setup, "package": package}[args.command](args)
     blender = route.runs_in_blender(args) or route.imports_asset(args)
     core = not route.runs_in_blender(args)
-    groups = ("blender",) if blender else ()
+    clustered = args.command == "node" or getattr(args, "ray", None)
+    groups = ("blender",) if blender else ("ray",) if clustered else ()
     python_path = environment.ensure(ROOT, groups, say, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
 
 
 def setup(args: Namespace) -> int:
     """Make the environment, with the groups that are named."""
-    wrong = [name for name in args.groups if name not in ("blender", "test")]
+    wrong = [name for name in args.groups if name not in GROUPS]
     if wrong:
-        raise UserError(f"setup has no {wrong[0]!r}.", "Use blender, test, --renew, --allow-cuda.")
+        fix = f"Use {', '.join(GROUPS)}, --renew, --allow-cuda."
+        raise UserError(f"setup has no {wrong[0]!r}.", fix)
     terminal.put(
         environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew)
     )

@@ -4,7 +4,7 @@ Standard library only until a command is carried out: torch takes seconds to loa
 option must not wait for it.
 
 Exit codes: 0 done; 2 the user's input; 3 something is missing; 4 out of memory; 5 no surface could
-be kept; 130 cancelled.
+be kept; 6 some assets of a batch failed; 130 cancelled.
 """
 
 import argparse
@@ -19,11 +19,13 @@ from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
+from core.batch.options import add_batch_options, add_node_options
 from core.errors import MissingError, UserError
 from core.interrupt import asks_to_stop
 from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
+    from core.batch.table import Row
     from core.generate import Inputs
     from core.io.job import Job
     from core.io.progress import Progress
@@ -102,10 +104,19 @@ def add_core_commands(commands: Commands) -> None:
         "--strength", type=float, metavar="0..1", help="0: a start only; 1: keep the base colour"
     )
     for command in (generate, texture):
+        command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
         _add_job_options(command)
+
+    batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
+    add_batch_options(batch)
+    _add_job_options(batch)
+    add_node_options(add("node", "This machine as a node of a Ray cluster, for batch --ray."))
 
     resume = add("resume", "Go on with a run that was cancelled or died.")
     resume.add_argument("run", type=Path)
+    resume.add_argument(
+        "--end-with-stdin", action="store_true", help="end when the program that started it does"
+    )
 
     render = add("render", "A picture of an asset under a light.")
     render.add_argument("asset", type=Path)
@@ -171,7 +182,6 @@ def add_core_commands(commands: Commands) -> None:
 
 
 def _add_job_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     command.add_argument("--seed", type=int)
     command.add_argument("--preset", help="draft, standard or paper")
     command.add_argument(
@@ -296,14 +306,16 @@ def carry_out(args: argparse.Namespace) -> Path | None:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
+    other |= {"batch": _batch, "node": _node}
     other[args.command](args)
     return None
 
 
 def default_run_folder(prompt: str) -> Path:
     """Where a run goes that names no --out: its prompt's letters and digits, numbered if taken."""
-    words = "".join(c if c.isalnum() else " " for c in prompt.lower()).split()
-    name = "-".join(words)[:40].strip("-") or "asset"
+    from core.batch.table import slug
+
+    name = slug(prompt)
     number, folder = 1, Path("out") / name
     while folder.exists():
         number += 1
@@ -321,9 +333,35 @@ def _job(args: argparse.Namespace) -> Path:
 
 
 def _resume(args: argparse.Namespace) -> Path:
+    from core.batch.orphan import end_with_stdin
     from core.io.run_folder import RunFolder
 
+    if args.end_with_stdin:
+        end_with_stdin()
     return run_job(RunFolder.open(args.run), None)
+
+
+def _batch(args: argparse.Namespace) -> None:
+    from core.batch.batch import run_batch
+
+    # The command line's own options stand for each row; a row's cells come after them.
+    names = ("seed", "preset", "guidance", "light", "texture_size", "max_faces", "device")
+    given = {name.replace("_", "-"): getattr(args, name) for name in names}
+    given["negative"] = args.negative_prompt
+    defaults = [f"--{name}={value}" for name, value in given.items() if value is not None]
+    defaults += ["--ignore-unknown-words"] * args.ignore_unknown_words
+    defaults += [f"--set={text}" for text in args.set]
+
+    def row_job(row: "Row") -> "Job":
+        return job_of(parse(row.arguments(defaults)))
+
+    print(run_batch(args, row_job))
+
+
+def _node(args: argparse.Namespace) -> None:
+    from core.batch.cluster import be_node
+
+    be_node(args)
 
 
 def _render(args: argparse.Namespace) -> None:

@@ -31,7 +31,7 @@ class Progress(Protocol):
         """``text`` is a line for the user; ``fraction`` is done, from 0 to 1."""
 
 
-SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
+SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9, "ray": 0.27e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
 LEAN_PIP = (23, 2)  # older ones download a whole wheel (torch: 0.5 GB) to read its requirements
 SILENCE = 15.0  # seconds without output after which a long step is reported again
