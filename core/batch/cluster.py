@@ -27,8 +27,8 @@ for _name, _value in QUIET.items():
     os.environ.setdefault(_name, _value)
 
 try:
-    import ray
-    from ray.exceptions import RayError, RayTaskError
+    import ray  # pyright: ignore[reportMissingImports]
+    from ray.exceptions import RayError, RayTaskError  # pyright: ignore[reportMissingImports]
 except ModuleNotFoundError as error:
     raise MissingError("Ray is not installed.", "Install it: python3 run.py setup ray") from error
 
