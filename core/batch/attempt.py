@@ -95,9 +95,16 @@ class Attempt:
             else:
                 self._process.kill()
 
-    def _end(self, code: int) -> End:
+    def close(self) -> None:
+        """End it, if it still runs, and leave nothing of it open."""
+        if self._process.poll() is None:
+            self.kill()
+        self._process.wait()
         if self._process.stdin:
             self._process.stdin.close()
+
+    def _end(self, code: int) -> End:
+        self.close()
         if self._is_late and code:
             text = f"It took longer than --timeout {self._timeout:g}. Call again to go on with it."
             return End(OUT_OF_TIME, text, self.seconds)

@@ -57,4 +57,4 @@ class LocalPool:
                 self.wait(1.0)
         except KeyboardInterrupt:
             for _, attempt, _ in self._running:
-                attempt.kill()
+                attempt.close()

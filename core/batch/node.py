@@ -50,7 +50,7 @@ def make(order: dict[str, Any], parcel: bytes) -> Iterator[dict[str, Any]]:
                     sent, at = now, time.monotonic()
                     yield {"parcel": homeward(folder, STATE), "end": None}
         finally:
-            attempt.kill()
+            attempt.close()
         files = homeward(folder, ASSET if end.code == 0 else STATE)
         yield {"parcel": files, "end": asdict(end) | {"node": node}}
 
