@@ -26,6 +26,7 @@ from core.prior.evaluate import (
     score_pattern,
 )
 from core.prior.models import CATALOGUE, INSTALL, make_models
+from core.prior.part_training import FINDING_PARTS, PART_NETWORK, PartMaps, part_loss
 from core.prior.restorer import RESTORER, RESTORING, Restoring, restoring_loss
 from core.prior.restorer_score import report
 from core.prior.soft_pairs import write_pair_files
@@ -45,6 +46,7 @@ DEFAULT_FOLDER = Path("out/prior")
 TRAININGS = {
     "geometry": (GEOMETRY, Geometry, TrainConfig(), denoising_loss),
     "appearance": (APPEARANCE, Appearance, TrainConfig(), denoising_loss),
+    "parts": (PART_NETWORK, PartMaps, FINDING_PARTS, part_loss),
     "restorer": (RESTORER, Restoring, RESTORING, restoring_loss),
 }
 PATTERNED = 32  # objects, of each pattern

@@ -7,11 +7,12 @@ finds under them is the one that the words mean.
 import torch
 from jaxtyping import Float
 from torch import Tensor
-from torch.nn.functional import interpolate, normalize
+from torch.nn.functional import avg_pool2d, interpolate, normalize
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.shade import shade
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.nouns import NOUNS as KNOWN
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
 from core.prior.draw import Draw
@@ -22,7 +23,8 @@ NO_MATERIAL = 0.55
 NO_PATTERN = 0.55
 NO_SECOND = 0.35  # of those with a pattern
 DENTS = 0.35  # the deepest, as the normal's offset
-CAPTION_SLOTS = ("color", "material", "pattern", "second")
+NO_TARGET = 0.6  # of those without a pattern
+CAPTION_SLOTS = ("color", "material", "pattern", "second", "target")
 
 
 class Painter:
@@ -31,17 +33,29 @@ class Painter:
     def __init__(self) -> None:
         self.environment = Environment.of(load_light("studio"))
         self.tables = [["", *SLOTS[slot]] for slot in CAPTION_SLOTS]
+        names = self.tables[-1]
+        own = [list(KNOWN[noun].looks) for noun in NOUNS]
+        self.parts = [[names.index(p) for p in parts] if len(parts) > 1 else [0] for parts in own]
 
-    def words(self, count: int, generator: torch.Generator) -> Tensor:
-        """Random captions (N, 4): rows of the embeddings of ``CAPTION_SLOTS``."""
-        rows = [torch.randint(1, len(t), (count,), generator=generator) for t in self.tables]
+    def words(self, nouns: Tensor, generator: torch.Generator) -> Tensor:
+        """Random captions (N, 5) for objects of ``nouns`` (N,), indices: rows of the embeddings of
+        ``CAPTION_SLOTS``."""
+        count = len(nouns)
+        rows = [torch.randint(1, len(t), (count,), generator=generator) for t in self.tables[:-1]]
         color, _, _, second = rows
-        chance = torch.rand(4, count, generator=generator)
+        chance = torch.rand(6, count, generator=generator)
         patterned = chance[2] >= NO_PATTERN
         chosen = (chance[0] >= NO_COLOR, chance[1] >= NO_MATERIAL, patterned)
-        # A second colour shows in a pattern alone, and only where it is another one.
-        with_second = patterned & (chance[3] >= NO_SECOND) & (second != color)
-        return torch.stack(rows, 1) * torch.stack([*chosen, with_second], 1)
+        target = self._targets(nouns, chance[5]) * (~patterned & (chance[4] >= NO_TARGET))
+        # A second colour shows in a pattern or on one part, and only where it is another one.
+        with_second = (patterned & (chance[3] >= NO_SECOND) | (target > 0)) & (second != color)
+        rows.append(target)
+        return torch.stack(rows, 1) * torch.stack([*chosen, with_second, with_second], 1)
+
+    def _targets(self, nouns: Tensor, chance: Tensor) -> Tensor:
+        """A random part's row of each noun; 0, which is none, where the noun is of one part."""
+        rows = [self.parts[noun] for noun in nouns.tolist()]
+        return torch.tensor([own[int(c * len(own))] for own, c in zip(rows, chance, strict=True)])
 
     def pictures(
         self,
@@ -98,6 +112,19 @@ def lumpy(
     dents = interpolate(dents, (size, size), mode="bicubic", align_corners=False)
     weight = normals.norm(dim=1, keepdim=True)
     return normalize(normals + depth * dents * weight, dim=1) * weight
+
+
+def blurred(parts: Float[Tensor, "n k s s"], generator: torch.Generator) -> Tensor:
+    """Half of the pictures with the borders between parts two pixels wide or more: of a trained
+    shape they are not known exactly."""
+    inside = parts.sum(1, keepdim=True)
+    soft = parts
+    for _ in range(2):
+        soft = avg_pool2d(soft, 3, stride=1, padding=1, count_include_pad=False) * inside
+    soft = soft / soft.sum(1, keepdim=True).clamp_min(1e-6)
+    amount = torch.rand(len(parts), 1, 1, 1, generator=generator)
+    amount = amount * (torch.rand(len(parts), 1, 1, 1, generator=generator) < 0.5)
+    return torch.lerp(parts, soft, amount)
 
 
 def _pixels(pictures: Tensor, seen: Tensor) -> Tensor:

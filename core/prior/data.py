@@ -87,6 +87,12 @@ class Samples:
         normal = self.normal[index].float() / 127
         return torch.cat([normal, self.coverage[index].float() * (2 / 255) - 1], 1)
 
+    def part_maps(self, index: "Tensor | slice", count: int) -> Tensor:
+        """1 where a pixel is of a part, else 0 (N, count, s, s)."""
+        part = self.part[index].long()
+        one = torch.nn.functional.one_hot(part.clamp_min(0), count) * (part >= 0)[..., None]
+        return one.permute(0, 3, 1, 2).float()
+
     def points(self, index: "Tensor | slice" = slice(None)) -> Tensor:
         """What is seen, in object space, weighted by coverage (N, 3, s, s)."""
         return self.point[index].float() / 120 * (self.coverage[index].float() / 255)

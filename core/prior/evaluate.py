@@ -22,6 +22,7 @@ from core.guidance.builtin.hint import hint
 from core.guidance.builtin.lexicon import SLOTS as WORDS
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import COLOR_VALUES, looks
+from core.guidance.builtin.part_map import PARTS
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter
@@ -153,7 +154,7 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
     """
     samples = fresh(views, generator, noun)
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
-    captions = Painter().words(len(index), generator)
+    captions = Painter().words(samples.noun[index], generator)
     captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
     captions[:, 2:] = 0  # no pattern
     true, guess = guessed(net, samples, index, captions, generator)
@@ -173,7 +174,7 @@ def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generato
     samples = fresh(views, generator)
     index = torch.arange(0, len(samples), VIEWS)
     row = lambda slot, word: 1 + list(WORDS[slot]).index(word)  # noqa: E731
-    words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"))
+    words = (row("color", "red"), 0, row("pattern", pattern), row("second", "white"), 0)
     captions = torch.tensor([words]).expand(len(index), -1)
     true, guess = guessed(net, samples, index, captions, generator)
     fractions = []
@@ -200,9 +201,9 @@ def guessed(
     z_t = add_noise(true, torch.randn(true.shape, generator=generator), alpha_bar)
     t = torch.full((len(index),), PAINT_TIME)
     with torch.no_grad():
-        v = net(
-            z_t, t, words, camera_map(samples.cameras(index), SIZE // BLOCK), hint(surface, words)
-        )
+        given = hint(surface, samples.part_maps(index, PARTS), words)
+        camera = camera_map(samples.cameras(index), SIZE // BLOCK)
+        v = net(z_t, t, words[:, : len(net.config.words)], camera, given)
     return true, x_from_v(v, z_t, alpha_bar)
 
 

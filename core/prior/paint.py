@@ -34,6 +34,7 @@ class Caption:
     material: str = ""
     pattern: str = ""
     second: str = ""
+    target: str = ""  # the part that the second colour is for
 
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:

@@ -21,12 +21,13 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
-from core.guidance.builtin.hint import CHANNELS, hint
+from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNet, UNetConfig, camera_map
+from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
-from core.prior.colored import CAPTION_SLOTS, Painter, lumpy
+from core.prior.colored import CAPTION_SLOTS, Painter, blurred, lumpy
 from core.prior.data import (
     ADJECTIVES,
     MODEL_VIEWS,
@@ -74,7 +75,7 @@ GEOMETRY = UNetConfig(
     words=(len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1), widths=(48, 96, 128, 192)
 )
 APPEARANCE = UNetConfig(
-    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in CAPTION_SLOTS)),
+    words=(len(NOUNS), *(len(SLOTS[slot]) for slot in CAPTION_SLOTS[:-1])),
     widths=(32, 64, 96, 128),
     hint=CHANNELS,
 )
@@ -161,7 +162,7 @@ class Geometry(Source):
 
 class Appearance(Source):
     """Batches of painted pictures with the noun and ``CAPTION_SLOTS``, and the surface: normals and
-    coverage as in ``Samples.pictures``, and points weighted by coverage."""
+    coverage as in ``Samples.pictures``, points weighted by coverage, and the parts."""
 
     noun_weights: ClassVar = dict.fromkeys(MIXED, 2.5)
 
@@ -172,10 +173,11 @@ class Appearance(Source):
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps and surfaces."""
         index, shape, camera = self.draw(count, generator)
-        captions = self.painter.words(count, generator)
+        captions = self.painter.words(self.samples.noun[index], generator)
         # The same dented normals are lit and given: a dent explains its own shading.
         normals = lumpy(shape[:, :3], generator)
-        surface = torch.cat([normals, shape[:, 3:], self.samples.points(index)], 1)
+        parts = blurred(self.samples.part_maps(index, PARTS), generator)
+        surface = torch.cat([normals, shape[:, 3:], self.samples.points(index), parts], 1)
         pictures = self.painter.pictures(self.samples, index, captions, Draw(generator), normals)
         words = torch.cat([self.samples.noun[index][:, None] + 1, captions], 1)
         return pictures, words, camera, surface
@@ -191,12 +193,12 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     x, words, camera = (tensor.to(device) for tensor in (x, words, camera))
     given = None
     if surface is not None:  # of the words that are left after some captions were dropped
-        given = hint(surface.to(device), words)
+        given = hint(*surface.to(device).split([SURFACE, PARTS], 1), words)
     alpha_bar = training.alpha_bar[t]
     z_t = add_noise(x, eps, alpha_bar)
     # The network alone: the noise and the error are computed in 32 bit.
     with torch.autocast(device.type, torch.bfloat16):
-        v = training.net(z_t, t, words, camera, given)
+        v = training.net(z_t, t, words[:, : len(training.unet.words)], camera, given)
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
 
 

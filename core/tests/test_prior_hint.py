@@ -1,11 +1,13 @@
-"""The hint: what the appearance network is given of the surface and of the words."""
+"""The hint: what the appearance network is given of the surface, the parts and the words."""
 
 import pytest
 import torch
 
-from core.guidance.builtin.hint import CHANNELS, SURFACE, hint, stencil
+from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS, SURFACE, hint, stencil
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.palette import swatches
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.palette import COLOR_VALUES, looks, swatches
+from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import PATTERNS, Place
 from core.guidance.builtin.vocabulary import parse
 
@@ -21,60 +23,102 @@ def surface_of(points: torch.Tensor, coverage: float = 1.0) -> torch.Tensor:
 
 
 def words_of(prompt: str) -> torch.Tensor:
-    slots = ("noun", "color", "material", "pattern", "second")
-    return torch.tensor([parse(prompt).indices(slots)])
+    return torch.tensor([parse(prompt).indices(HINT_SLOTS)])
 
 
 def some_points() -> torch.Tensor:
     return 2 * torch.rand(500, 3, generator=torch.Generator().manual_seed(0)) - 1
 
 
-def laid(prompt: str) -> torch.Tensor:
-    return stencil(surface_of(some_points()), words_of(prompt))[0, 0].flatten()
+def all_of(part: int) -> torch.Tensor:
+    """A part map in which everything is of one part."""
+    parts = torch.zeros(1, PARTS, 20, 25)
+    parts[:, part] = 1
+    return parts
+
+
+def laid(prompt: str, part: str) -> torch.Tensor:
+    """The colours (500, 4) of a surface that is all of one part, [2 srgb - 1, 1]."""
+    words = words_of(prompt)
+    noun = list(NOUNS)[int(words[0, 0]) - 1]
+    given = hint(surface_of(some_points()), all_of(list(looks(noun)).index(part)), words)
+    return given[0, SURFACE : SURFACE + 4].flatten(1).T
+
+
+def swatch(color: str) -> torch.Tensor:
+    return torch.tensor([*(2 * c - 1 for c in COLOR_VALUES[color]), 1.0])
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_stencil_is_where_the_pattern_puts_the_second_colour(name: str):
     points = some_points()
     painted = PATTERNS[name](torch.zeros(500, 3), torch.ones(500, 3), Place(points, points))
-    seen = laid(f"a red and white {name} ball")
+    seen = stencil(surface_of(points), [name])[0, 0].flatten()
     assert torch.equal(seen, painted[:, 0] > 0)
     assert 0.1 < seen.float().mean() < 0.9
+    assert not stencil(surface_of(points), [""]).any()
 
 
-def test_no_stencil_where_no_pattern_is_stated_or_it_is_for_accents_alone():
-    assert not laid("a red ball").any()
-    assert not laid("a striped ball").any()  # in which colours?
-    assert laid("a red striped ball").any()  # and white, as it is painted
-    assert not laid("a two-tone red and white chair").any()  # its seat is the accent
-    assert laid("a striped red and white chair").any()
+@pytest.mark.parametrize(
+    ("prompt", "part", "color"),
+    [
+        ("a red chair", "back", "red"),
+        ("a red chair with blue legs", "back", "red"),
+        ("a red chair with blue legs", "legs", "blue"),
+        ("a blue robot with yellow eyes", "eyes", "yellow"),
+        ("a blue robot with yellow eyes", "head", "blue"),
+        ("a two-tone red and white chair", "seat", "white"),  # its accent
+        ("a two-tone red and white chair", "back", "red"),
+    ],
+)
+def test_a_place_has_the_colour_that_the_words_give_to_its_part(prompt, part, color):
+    assert torch.allclose(laid(prompt, part), swatch(color).expand(500, 4))
 
 
-def test_the_first_swatch_is_laid_as_the_pattern_has_it_and_the_second_is_even():
-    points, words = some_points(), words_of("a red and white striped ball")
-    surface = surface_of(points)[:, :, :20, :20]
-    given = hint(surface, words)
-    assert given.shape == (1, CHANNELS, 20, 20)
+def test_a_part_of_which_nothing_is_stated_has_its_colour_by_nature():
+    eyes = torch.tensor([*(2 * c - 1 for c in looks("robot")["eyes"].color), 1.0])
+    assert torch.allclose(laid("a red robot", "eyes"), eyes.expand(500, 4))
+
+
+def test_a_pattern_is_drawn_on_the_parts_that_it_is_about():
+    points = some_points()
+    mask = stencil(surface_of(points), ["striped"])[0, 0].flatten()[:, None]
+    expected = torch.where(mask, swatch("white"), swatch("red"))
+    assert torch.allclose(laid("a striped red and white chair", "back"), expected)
+    legs = laid("a striped red and white lamp", "foot")
+    assert torch.equal(legs, legs[:1].expand(500, 4)), "an accent keeps its nature"
+
+
+def test_the_hint_is_the_surface_the_colours_and_the_second_swatch():
+    surface, words = surface_of(some_points()), words_of("a red and white striped ball")
+    given = hint(surface, all_of(0), words)
+    assert given.shape == (1, CHANNELS, 20, 25)
     assert torch.equal(given[:, :SURFACE], surface)
-    red, white = swatches(words)[0].split(4)
-    mask = stencil(surface, words)[0]
-    expected = torch.where(mask, white[:, None, None], red[:, None, None])
-    assert torch.equal(given[0, SURFACE : SURFACE + 4], expected)
-    assert torch.equal(given[0, SURFACE + 4 :], white[:, None, None].expand(4, 20, 20))
+    even = swatches(words)[0, 4:, None, None]
+    assert torch.equal(given[0, SURFACE + 4 :], even.expand(4, 20, 25))
+    none = hint(surface, all_of(0), torch.zeros(1, len(HINT_SLOTS), dtype=torch.long))
+    assert (none[:, SURFACE:] == 0).all(), "without words nothing is known"
+
+
+def test_between_two_parts_the_colour_is_between_theirs():
+    parts = (all_of(0) + 3 * all_of(2)) / 4
+    given = hint(surface_of(some_points()), parts, words_of("a red chair with blue legs"))
+    mixed = given[0, SURFACE : SURFACE + 4].flatten(1).T
+    seat, legs = laid("a red chair with blue legs", "seat"), swatch("blue")
+    assert torch.allclose(mixed, 0.25 * seat + 0.75 * legs, atol=1e-6)
 
 
 def test_each_picture_of_a_batch_has_its_own_pattern_or_none():
     surface = surface_of(some_points())
-    prompts = ("a red ball", "a spotted red ball", "a striped red ball", "a spotted red ball")
-    words = torch.cat([words_of(prompt) for prompt in prompts])
-    seen = stencil(surface.expand(4, -1, -1, -1), words)
-    for k in range(4):
-        assert torch.equal(seen[k : k + 1], stencil(surface, words[k : k + 1]))
+    patterns = ["", "spotted", "striped", "spotted"]
+    seen = stencil(surface.expand(4, -1, -1, -1), patterns)
+    for k, pattern in enumerate(patterns):
+        assert torch.equal(seen[k : k + 1], stencil(surface, [pattern]))
     assert not torch.equal(seen[1], seen[2])
 
 
 def test_a_pixel_that_is_covered_in_part_has_the_same_pattern_and_an_empty_one_none():
-    points, words = some_points(), words_of("a striped red ball")
-    whole, part, empty = (stencil(surface_of(points, o), words) for o in (1.0, 0.4, 0.0))
+    points = some_points()
+    whole, part, empty = (stencil(surface_of(points, o), ["striped"]) for o in (1.0, 0.4, 0.0))
     assert (part == whole).float().mean() > 0.99  # but for rounding
     assert not empty.any()

@@ -6,6 +6,8 @@ import pytest
 import torch
 
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.nouns import NOUNS as KNOWN
+from core.guidance.builtin.nouns import PART_NAMES
 from core.guidance.builtin.palette import (
     COLOR_VALUES,
     FINISHES,
@@ -13,6 +15,7 @@ from core.guidance.builtin.palette import (
     companion,
     finishes_of,
     looks,
+    painted,
     swatches,
 )
 from core.guidance.builtin.patterns import Place
@@ -137,7 +140,7 @@ def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
     samples = make(11, 6)
     painter = Painter()
     index = torch.arange(len(samples))
-    stated = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0]]).expand(len(samples), -1)
+    stated = torch.tensor([[1 + list(COLORS).index("green"), 0, 0, 0, 0]]).expand(len(samples), -1)
     x = painter.pictures(samples, index, stated, _draw())
     assert x.shape == (len(samples), 4, 64, 64)
     coverage = samples.coverage.float() / 255
@@ -152,17 +155,37 @@ def test_a_painted_picture_has_the_colour_of_its_word_and_nothing_around():
             assert 0.25 < hue < 0.45, noun
 
 
-def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_pattern():
-    words = Painter().words(20000, _draw().generator)
+def test_captions_are_drawn_from_all_words_and_a_second_colour_needs_a_place():
+    nouns = torch.arange(len(NOUNS)).repeat_interleave(300)
+    words = Painter().words(nouns, _draw().generator)
     for slot, name in enumerate(("color", "material", "pattern", "second")):
         assert words[:, slot].unique().tolist() == list(range(len(SLOTS[name]) + 1))
-    assert (words[words[:, 3] > 0, 2] > 0).all()
-    assert (words[words[:, 3] > 0, 3] != words[words[:, 3] > 0, 0]).all()
+    color, _, pattern, second, target = words.unbind(1)
+    assert ((pattern > 0) ^ (target > 0))[second > 0].all()
+    assert (second != color)[second > 0].all()
+    assert (second > 0)[target > 0].all()
+
+
+def test_a_captions_part_is_one_of_its_noun_and_each_part_is_drawn():
+    for noun in ("teapot", "robot", "ball"):
+        nouns = torch.full((2000,), NOUNS.index(noun))
+        targets = Painter().words(nouns, _draw().generator)[:, 4].unique().tolist()
+        parts = [1 + PART_NAMES.index(name) for name in KNOWN[noun].looks]
+        assert targets == ([0] if len(parts) == 1 else sorted([0, *parts]))
+
+
+def test_a_part_takes_the_second_colour_and_the_others_keep_theirs():
+    parts = {
+        p.name: p.color for p in painted("robot", Caption("blue", second="yellow", target="eyes"))
+    }
+    before = {p.name: p.color for p in painted("robot", Caption("blue"))}
+    assert parts.pop("eyes") == COLOR_VALUES["yellow"] != before.pop("eyes")
+    assert parts == before
 
 
 def test_swatches_are_the_colours_that_are_stated():
     slots = ("noun", "color", "material", "pattern", "second")
-    prompts = ("a blue golden mug", "a golden mug", "a mug", "a red mug with a blue handle")
+    prompts = ("a blue golden mug", "a golden mug", "a mug", "a red and blue mug")
     words = torch.tensor([parse(prompt).indices(slots) for prompt in prompts])
     seen = swatches(words)
     assert seen.shape == (4, SWATCHES)

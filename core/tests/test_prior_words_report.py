@@ -97,7 +97,7 @@ def test_most_everyday_prompts_are_taken():
         ("an office chair, red", Words("chair", color="red")),
         ("a striped beach ball without a handle", None),  # the refusal of parts stays
         ("an old zebra striped chair", Words("chair", pattern="striped")),
-        ("a desk lamp with a red shade", Words("lamp", color="red")),
+        ("a desk lamp with a red shade", Words("lamp", second="red", target="shade")),
     ],
 )
 def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
@@ -219,6 +219,7 @@ def test_what_is_understood_is_plain_data():
         "shape": "tall",
         "parts": ["no chimney"],
         "colours": ["red", "white"],
+        "part_colours": {},
         "materials": ["wooden"],
         "pattern": "two-tone",
         "size_m": 8.0,

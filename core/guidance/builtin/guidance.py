@@ -12,17 +12,20 @@ from safetensors import SafetensorError
 from torch import Tensor
 
 from core.guidance.builtin.diffusion import alpha_bar_schedule
-from core.guidance.builtin.hint import hint
+from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.offered import (
     NETWORKS,
+    PARTS,
     RESTORER,
     WEIGHTS,
     offered_words,
     weights_error,
 )
 from core.guidance.builtin.palette import finishes_of
+from core.guidance.builtin.part_map import PARTS as PART_COUNT
+from core.guidance.builtin.part_map import part_map
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
@@ -43,7 +46,6 @@ from core.guidance.sds import eps_from_v
 SIZE = 64
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
-APPEARANCE_SLOTS = ("noun", "color", "material", "pattern", "second")
 
 
 class BuiltinGuidance(Guidance):
@@ -58,9 +60,12 @@ class BuiltinGuidance(Guidance):
         appearance: UNet,
         known: Vocabulary = SLOTS,
         ignore_unknown: bool = False,
+        *,
+        parts: UNet | None = None,
         restorer: UNet | None = None,
     ) -> None:
-        self.geometry, self.appearance, self.restorer = geometry, appearance, restorer
+        self.geometry, self.appearance = geometry, appearance
+        self.parts, self.restorer = parts, restorer
         self.known, self.ignore_unknown = known, ignore_unknown
         self.device = next(geometry.parameters()).device
         self.alpha_bar = alpha_bar_schedule().to(self.device)
@@ -129,7 +134,10 @@ class PromptedBuiltin(PromptedGuidance):
         if net is None or views.surface is not None:
             return None
         # The prompt's row alone: restoring has no unconditional branch.
-        words = self._indices(GEOMETRY_SLOTS)[:1].expand(len(pictures), -1)
+        words = self._indices(GEOMETRY_SLOTS)[:1]
+        # A word that came after its training is not stated: it has seen one object in ten so.
+        words = words * (words <= words.new_tensor(net.config.words))
+        words = words.expand(len(pictures), -1)
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             return as_render(restored(net, pictures, words, camera))
@@ -150,13 +158,9 @@ class PromptedBuiltin(PromptedGuidance):
         del cond_only
         paints = views.surface is not None
         net = self.builtin.appearance if paints else self.builtin.geometry
-        words = self._indices(APPEARANCE_SLOTS if paints else GEOMETRY_SLOTS, apart)
+        words = self._indices(HINT_SLOTS if paints else GEOMETRY_SLOTS, apart)
         branches = len(words)
         words = words.repeat_interleave(len(z_t), 0)
-        given = None  # the hint, of the appearance network alone
-        if views.surface is not None:
-            surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
-            given = hint(surface.repeat(branches, 1, 1, 1), words)
         # All branches get the camera and the surface; they differ in words alone.
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
         camera, all_z, t = (
@@ -164,11 +168,24 @@ class PromptedBuiltin(PromptedGuidance):
             z_t.repeat(branches, 1, 1, 1),
             t.repeat(branches),
         )
+        given = None  # the hint, of the appearance network alone
+        if views.surface is not None:
+            surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
+            surface = surface.repeat(branches, 1, 1, 1)
+            given = hint(surface, self._parts(surface, words[:, 0], camera), words)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             # Back to 32 bit at once: the gradient is a small difference of predictions.
-            v = net(all_z, t, words, camera, given).float()
+            v = net(all_z, t, words[:, : len(net.config.words)], camera, given).float()
         cond, uncond, *negative = eps_from_v(v, all_z, self.alpha_bar[t]).chunk(branches)
         return Predictions(cond, uncond, negative=negative[0] if negative else None)
+
+    def _parts(
+        self, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " b"], camera: Tensor
+    ) -> Float[Tensor, "b 8 s s"]:
+        if self.builtin.parts is None:  # no colour is then stated of any place
+            return surface.new_zeros(len(surface), PART_COUNT, SIZE, SIZE)
+        with torch.autocast(nouns.device.type, torch.bfloat16, enabled=self.builtin.half):
+            return part_map(self.builtin.parts, surface, nouns, camera)
 
     def _indices(self, slots: tuple[str, ...], apart: bool = False) -> Int[Tensor, "_k n"]:
         """The rows of the prompt's words and of the negative prompt's, by slot.
@@ -196,7 +213,7 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
     Raises ``MissingError`` when the weights are not there or broken.
     """
     nets = {}
-    for name in (*NETWORKS, RESTORER):
+    for name in (*NETWORKS, PARTS, RESTORER):
         if name == RESTORER and not (WEIGHTS / f"{name}.safetensors").exists():
             continue  # refining then denoises
         path = WEIGHTS / f"{name}.safetensors"
@@ -205,4 +222,5 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
         except (FileNotFoundError, SafetensorError, ValueError) as error:
             raise weights_error(path, error) from error
     first = (nets[name] for name in NETWORKS)
-    return BuiltinGuidance(*first, offered_words(), ignore_unknown, nets.get(RESTORER))
+    words = {"known": offered_words(), "ignore_unknown": ignore_unknown}
+    return BuiltinGuidance(*first, **words, parts=nets[PARTS], restorer=nets.get(RESTORER))

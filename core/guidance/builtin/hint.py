@@ -1,53 +1,83 @@
-"""What the appearance network is given as a picture: the surface, and what the words look like."""
+"""What the appearance network is given as a picture: the surface, and the colours that the words
+and the thing's nature give to its parts."""
+
+from functools import lru_cache
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.palette import SWATCHES, has_accents, swatches
+from core.guidance.builtin.palette import SWATCHES, painted, swatches
+from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.vocabulary import Words
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES
-ACCENTED = torch.tensor([False, *map(has_accents, NOUNS)])  # by the noun's row
-TWO_TONE = 1 + list(SLOTS["pattern"]).index("two-tone")
+HINT_SLOTS = ("noun", "color", "material", "pattern", "second", "target")
+NAMES = {slot: ("", *SLOTS[slot]) for slot in HINT_SLOTS}
 
 
-def hint(surface: Float[Tensor, "b 7 s s"], words: Int[Tensor, "b 5"]) -> Float[Tensor, "b c s s"]:
-    """``surface`` ([n, 2o - 1, p], weighted by coverage), then the words' two swatches: the first
-    laid over all of the surface as the stated pattern has it, the second even.
+def hint(
+    surface: Float[Tensor, "b 7 h w"], parts: Float[Tensor, "b 8 h w"], words: Int[Tensor, "b 6"]
+) -> Float[Tensor, "b c h w"]:
+    """``surface`` ([n, 2o - 1, p], weighted by coverage), then each place's colour by the words and
+    by nature, [2 srgb - 1, 1], drawn in the stated pattern; last the second swatch, even.
 
-    A network this small learns which parts a word is for, but not to draw a pattern: given the
-    points, or their Fourier features too, it painted the pattern's mean colour.
+    So the network need not learn what a colour word looks like on each part of each thing, nor to
+    draw a pattern: given the points alone, or their Fourier features, it painted its mean colour.
 
     Args:
-        words: rows of noun, color, material, pattern, second; 0 is not stated.
+        parts: how surely a place belongs to each of the noun's parts (``part_map``).
+        words: rows of ``HINT_SLOTS``; 0 is not stated.
     """
-    first, second = swatches(words)[:, :, None, None].split(SWATCHES // 2, 1)
-    laid = torch.where(stencil(surface, words), second, first)
-    return torch.cat([surface, laid, second.expand_as(laid)], 1)
+    rows = [_part_colors(tuple(row)) for row in words.tolist()]
+    stack = lambda name: torch.stack([getattr(row, name) for row in rows]).to(surface)  # noqa: E731
+    first, second, patterned = stack("first"), stack("second"), stack("patterned")
+    mask = stencil(surface, [row.pattern for row in rows]).to(surface)
+    # Of a patterned part the second colour, where the stencil lays it.
+    laid = torch.einsum("bkhw,bkc->bchw", parts, first)
+    laid = laid + mask * torch.einsum("bkhw,bkc->bchw", parts * patterned, second - first)
+    even = swatches(words)[:, SWATCHES // 2 :, None, None].to(surface)
+    return torch.cat([surface, laid, even.expand_as(laid)], 1)
 
 
-def stencil(
-    surface: Float[Tensor, "b 7 h w"], words: Int[Tensor, "b 5"]
-) -> Bool[Tensor, "b 1 h w"]:
-    """Where the stated pattern puts the second colour, whatever part is there; nowhere, where no
-    pattern or no second colour is stated or implied, or where it is for accent parts alone."""
+class PartColors(NamedTuple):
+    """What the words make of the noun's parts; rows beyond them are zeros."""
+
+    first: Float[Tensor, "8 4"]  # [2 srgb - 1, 1]
+    second: Float[Tensor, "8 4"]  # of the pattern
+    patterned: Float[Tensor, "8 1 1"]  # 1 where the stated pattern is drawn
+    pattern: str
+
+
+@lru_cache(4096)
+def _part_colors(row: tuple[int, ...]) -> PartColors:
+    words = Words(**{slot: NAMES[slot][i] for slot, i in zip(HINT_SLOTS, row, strict=True)})
+    first, second = torch.zeros(PARTS, 4), torch.zeros(PARTS, 4)
+    patterned, pattern = torch.zeros(PARTS, 1, 1), ""
+    # Without words nothing is known, as the network must paint it without guidance.
+    for k, part in enumerate(painted(words.noun, words) if words.noun else ()):
+        first[k] = torch.tensor([*(2 * c - 1 for c in part.color), 1.0])
+        second[k] = torch.tensor([*(2 * c - 1 for c in part.second), 1.0])
+        if part.pattern in PATTERNS:
+            patterned[k], pattern = 1.0, part.pattern
+    return PartColors(first, second, patterned, pattern)
+
+
+def stencil(surface: Float[Tensor, "b 7 h w"], patterns: list[str]) -> Bool[Tensor, "b 1 h w"]:
+    """Where each picture's pattern puts the second colour; nowhere without one."""
     out = torch.zeros_like(surface[:, :1], dtype=torch.bool)
     # The points come weighted by coverage; undone, or patterns would bend at silhouettes.
     point = surface[:, 4:] / ((surface[:, 3:4] + 1) / 2).clamp_min(1e-3)
-    accents = ACCENTED.to(words.device)[words[:, 0]] & (words[:, 3] == TWO_TONE)
-    # The last channel of the second swatch says that there is one.
-    lays = ~accents & (swatches(words)[:, -1] > 0)
-    for row, name in enumerate(SLOTS["pattern"], 1):
-        mine = lays & (words[:, 3] == row)
-        if mine.any():
-            place = point[mine].permute(0, 2, 3, 1).reshape(-1, 3)
-            zero = torch.zeros_like(place)
-            # Drawn in black and white, a pattern is its own mask.
-            drawn = PATTERNS[name](zero, zero + 1, Place(place, place))[:, 0] > 0
-            out[mine] = drawn.view(-1, 1, *out.shape[2:])
+    for name in set(patterns) - {""}:
+        mine = torch.tensor([pattern == name for pattern in patterns], device=surface.device)
+        place = point[mine].permute(0, 2, 3, 1).reshape(-1, 3)
+        zero = torch.zeros_like(place)
+        # Drawn in black and white, a pattern is its own mask.
+        drawn = PATTERNS[name](zero, zero + 1, Place(place, place))[:, 0] > 0
+        out[mine] = drawn.view(-1, 1, *out.shape[2:])
     # Outside of the object the point is none.
     return out & (surface[:, 3:4] > -1)

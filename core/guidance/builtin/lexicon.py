@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from core.guidance.builtin.nearest import NEAREST, REAL
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.nouns import NOUNS, PART_NAMES
 from core.guidance.builtin.words import (
     COLORS,
     MATERIALS,
@@ -28,6 +28,7 @@ SLOTS: dict[str, Collection[str]] = {
     "material": MATERIALS,
     "pattern": PATTERNS,
     "second": COLORS,
+    "target": PART_NAMES,
 }
 Vocabulary = Mapping[str, Collection[str]]  # words by slot
 

@@ -8,7 +8,8 @@ from typing import Any
 from core.errors import MissingError
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
-NETWORKS = ("geometry", "appearance")
+NETWORKS = ("geometry", "appearance")  # whose words may be asked for
+PARTS = "parts"  # finds a thing's parts
 RESTORER = "restorer"  # has no words of its own; may be missing
 
 

@@ -68,7 +68,7 @@ FINISHES: dict[str, Finish] = {
 PAINT = Finish(None, 0.2, 0.0)  # of a car: no word, only by nature
 
 
-def swatches(words: Int[Tensor, "b 5"]) -> Float[Tensor, "b 8"]:
+def swatches(words: Int[Tensor, "b n"]) -> Float[Tensor, "b 8"]:
     """The colours that the words state: the first (or the material's own, where no colour is),
     then the second (or what goes with the first, where only a pattern is); each
     [2 srgb - 1, 1], or zeros where there is none.
@@ -76,7 +76,7 @@ def swatches(words: Int[Tensor, "b 5"]) -> Float[Tensor, "b 8"]:
     So the network need not learn what each colour word looks like on each thing.
 
     Args:
-        words: rows of noun, color, material, pattern, second; 0 is not stated.
+        words: rows of noun, color, material, pattern, second and more; 0 is not stated.
     """
     colors, materials = (table.to(words.device) for table in _tables())
     stated = words > 0
@@ -142,6 +142,8 @@ class Stated(Protocol):
     def pattern(self) -> str: ...
     @property
     def second(self) -> str: ...
+    @property
+    def target(self) -> str: ...
 
 
 class Painted(NamedTuple):
@@ -174,6 +176,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             pattern = finish.pattern
         elif stated.pattern and look.role in "*&" and not two_tone:
             pattern = stated.pattern
+        if stated.target == name and stated.second:
+            color, pattern = COLOR_VALUES[stated.second], finish.pattern
         yield Painted(name, look, color, second, finish, pattern)
 
 

@@ -22,6 +22,7 @@ from core.guidance.builtin.lexicon import (
     Entry,
     Vocabulary,
     corrected,
+    forms_of,
     look_up,
     nearest_words,
 )
@@ -34,6 +35,8 @@ from core.guidance.builtin.words import (
     IGNORED_ADJECTIVES,
     LEGS,
     OPTIONS,
+    PART_SYNONYMS,
+    PART_WORDS,
     PHRASE_ENDS,
     TONES,
     WITHOUT,
@@ -57,7 +60,8 @@ class Words:
     color: str = ""
     material: str = ""
     pattern: str = ""
-    second: str = ""  # colour, of what the pattern or the accent parts are painted with
+    second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
+    target: str = ""  # the part that the second colour is for
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -86,12 +90,14 @@ def understood(
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
     size_m, density = usual(words.noun, words.material)
+    second = "" if words.target else words.second
     return {
         "prompt": prompt,
         "thing": words.noun,
         "shape": words.shape or None,
         "parts": [words.part] if words.part else [],
-        "colours": [color for color in (words.color, words.second) if color],
+        "colours": [color for color in (words.color, second) if color],
+        "part_colours": {words.target: words.second} if words.target else {},
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
         "size_m": size_m,
@@ -154,6 +160,7 @@ class _Reading:
         self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
         self._pending: list[str] = []  # unknown words since the noun phrase began
+        self._before: list[tuple[str, bool, str]] = []  # parts in a phrase that has no noun yet
         self._without = self._after_color = False
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, breaks = _tokens(prompt)
@@ -191,9 +198,10 @@ class _Reading:
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
         the phrase's own noun."""
+        self.parts += self._before
         self.refused += self._pending
         self.qualifiers += self._pending[:-1]
-        self._pending, self._noun_end = [], -1
+        self._pending, self._before, self._noun_end = [], [], -1
 
     def _correct(self, token: str, at: int) -> None:
         # Only where it is surely one known word; anything less is a hint in the error.
@@ -209,9 +217,13 @@ class _Reading:
     def _put(self, entry: Entry, start: int, end: int) -> None:
         slot, word = entry.slot, entry.word
         # "with a hat" after the noun is a part; "a hat" is a thing
-        if slot == "noun" and self.found["noun"] and _is_part(word, self.found["noun"][0].word):
-            slot = "part"
-        if slot == "part":
+        if slot == "noun" and self.found["noun"]:
+            part = _as_part(entry, self.found["noun"][0].word)
+            slot, word = ("part", part) if part else (slot, word)
+        if slot == "part" and not self.found["noun"] and entry.form not in LEXICON:
+            # Until the phrase ends: before a noun ("a fin whale") it only qualifies that.
+            self._before.append((word, not self._without, ""))
+        elif slot == "part":
             color = ""
             # "with a blue handle": a colour right before a part is the part's, not the thing's.
             if self.found["color"] and self.found["noun"]:
@@ -232,8 +244,10 @@ class _Reading:
             form = self.found["noun"].pop().form
             self.left_out.append(form)
             self.qualifiers.append(form)
-        self.qualifiers += self._pending
-        self._pending, self._noun_end = [], end
+        parts = [part for part, _, _ in self._before]
+        self.left_out += parts
+        self.qualifiers += [*parts, *self._pending]
+        self._pending, self._before, self._noun_end = [], [], end
 
     def words(self, slot: str) -> list[str]:
         """The slot's words, each once."""
@@ -274,20 +288,22 @@ class _Reading:
         noun = self.found["noun"][0].word if self.found["noun"] else ""
         # In the order of the prompt: the first is the thing's, the next the pattern's.
         color, second = (*colors, "", "")[:2]
+        target = ""
         for part, _, painted in self.parts:
-            if painted and _role(noun, part) == "*":  # painted as the rest is
-                if color and color != painted:
-                    raise _two_error("color", [color, painted])
-                color = painted
-            elif painted and second and second != painted:
+            if not painted:
+                continue
+            if second and (second, target) != (painted, _own_name(noun, part)):
                 raise _two_error("second", [second, painted])
-            elif painted:
-                second = painted
+            second, target = painted, _own_name(noun, part)
         if len(colors) > 2:
             raise _two_error("color", colors)
         # A second colour needs a place: without a pattern it goes to the accent parts.
-        pattern = self.only("pattern") or ("two-tone" if second else "")
-        return {"color": color, "second": second, "pattern": pattern}
+        pattern = self.only("pattern") or ("two-tone" if second and not target else "")
+        if target and pattern:
+            text = f"With a pattern no part can have its own colour: {target}, {second}: left out."
+            self.notes.append(text)
+            second = target = ""
+        return {"color": color, "second": second, "pattern": pattern, "target": target}
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""
@@ -342,15 +358,18 @@ def _looks(noun: str) -> dict[str, str]:
     return NOUNS[noun].looks if noun in NOUNS else {}
 
 
-def _is_part(word: str, noun: str) -> bool:
-    return word in _looks(noun) or any(word in state for state in OPTIONS.get(noun, ()))
+def _as_part(entry: Entry, noun: str) -> str:
+    """The name under which a thing is a part of another: a bottle's cap, a piano's keys; or ""."""
+    for name in (entry.word, entry.form):
+        states = [state.removeprefix("no ") for state in OPTIONS.get(noun, ())]
+        if name in states or _own_name(noun, name):
+            return name
+    return ""
 
 
-def _role(noun: str, part: str) -> str:
-    """The role of a noun's part, see ``Noun``; "" where it has none of that name."""
-    looks = _looks(noun)
-    name = next((name for name in _names(part) if name in looks), "")
-    return looks[name][0] if name else ""
+def _own_name(noun: str, part: str) -> str:
+    """What the noun itself calls the part; "" where it has none of that name."""
+    return next((name for name in _names(part) if name in _looks(noun)), "")
 
 
 def _always_has(noun: str, part: str) -> bool:
@@ -366,7 +385,9 @@ def _always_has(noun: str, part: str) -> bool:
 def _names(part: str) -> list[str]:
     """What a noun may call the part."""
     own = {"backrest": "back", "armrests": "arms", "cap": "lid"}.get(part, part)
-    return [part, f"{part}s", PART_FORMS.get(part, part), own]
+    forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
+    names = [part, PART_FORMS.get(part, part), own, *forms]
+    return [form for name in names for form in (name, f"{name}s")]
 
 
 def _unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:

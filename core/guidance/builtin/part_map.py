@@ -1,0 +1,52 @@
+"""Which part of the thing a place of its surface is, by a small network that reads the surface.
+
+The families' parts are known in training, so a prompt's "blue handle" can be painted exactly; of a
+trained shape they are not, and this network finds them: a segmentation of the pictures that the
+appearance network is given, in one step and without noise.
+"""
+
+import torch
+from jaxtyping import Bool, Float, Int
+from torch import Tensor
+
+from core.guidance.builtin.network import UNet
+from core.guidance.builtin.nouns import NOUNS
+
+PARTS = 8  # of one noun, at most
+
+
+def part_map(
+    net: UNet,
+    surface: Float[Tensor, "b 7 s s"],
+    nouns: Int[Tensor, " b"],
+    camera: Float[Tensor, "b 6 m m"],
+) -> Float[Tensor, "b 8 s s"]:
+    """How surely each place belongs to each part of the noun; zeros outside and without a noun.
+
+    Args:
+        surface: [n, 2o - 1, p], weighted by coverage.
+        nouns: rows of the nouns; 0 is none.
+        camera: ``camera_map`` at half the picture's size.
+    """
+    logits = part_logits(net, surface, nouns, camera)
+    has = _has().to(nouns.device)[nouns][:, :, None, None]
+    sure = logits.masked_fill(~has, -1e4).softmax(1)
+    return sure * has * (surface[:, 3:4] > -1)
+
+
+def part_logits(
+    net: UNet,
+    surface: Float[Tensor, "b 7 s s"],
+    nouns: Int[Tensor, " b"],
+    camera: Float[Tensor, "b 6 m m"],
+) -> Float[Tensor, "b 8 s s"]:
+    """The network's answer; it takes as many channels as it gives, the last a zero."""
+    t = torch.zeros(len(surface), dtype=torch.long, device=surface.device)
+    pictures = torch.cat([surface, torch.zeros_like(surface[:, :1])], 1)
+    return net(pictures, t, nouns[:, None], camera).float()
+
+
+def _has() -> Bool[Tensor, "n 8"]:
+    """Which parts each noun has, by its row."""
+    counts = [0, *(len(noun.looks) for noun in NOUNS.values())]
+    return torch.arange(PARTS)[None] < torch.tensor(counts)[:, None]
