@@ -7,6 +7,7 @@ again: the batch does, with the newest checkpoint that came back, wherever there
 
 import inspect
 import os
+import socket
 import sys
 import time
 from argparse import Namespace
@@ -34,6 +35,8 @@ except ModuleNotFoundError as error:
     raise MissingError("Ray is not installed.", "Install it: python3 run.py setup ray") from error
 
 NODE_DIED = 125  # instead of an exit code
+
+ANSWER_SECONDS = 10.0  # a cluster's head has to answer within
 
 
 class RayPool:
@@ -131,6 +134,7 @@ def connect(address: str) -> bool:
     if address == "local":
         where |= {"include_dashboard": False}
     try:
+        _check_answer(address)
         ray.init(**where, log_to_driver=False, logging_level="ERROR")
     except (ConnectionError, ValueError, RuntimeError, OSError) as error:
         raise UserError(
@@ -138,6 +142,13 @@ def connect(address: str) -> bool:
             "Start one: python3 run.py node --head; or take --ray local.",
         ) from error
     return ray.cluster_resources().get("GPU", 0.0) > 0
+
+
+def _check_answer(address: str) -> None:
+    """Raise ``OSError`` where nobody answers at HOST:PORT: Ray itself tries for minutes."""
+    host, _, port = address.removeprefix("ray://").rpartition(":")
+    if host and port.isdecimal():
+        socket.create_connection((host, int(port)), timeout=ANSWER_SECONDS).close()
 
 
 def _path() -> str:
