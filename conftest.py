@@ -6,6 +6,7 @@ another, each test starts from the same random numbers: any order gives the same
 
 import os
 import random
+import signal
 import sys
 from pathlib import Path
 
@@ -43,8 +44,13 @@ install_import_hook(checked_modules(), CHECKER)
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """pytest-randomly shuffles the tests; their numbers stay those of pytest_runtest_setup."""
+    """pytest-randomly shuffles the tests; their numbers stay those of pytest_runtest_setup.
+
+    And Ctrl-C is heard by what the tests start, in a background job too.
+    """
     config.option.randomly_reset_seed = False
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as a shell starts what is to go on
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # the tests' children inherit it
 
 
 # By their ids: the states of the modules' own generators after the import.

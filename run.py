@@ -9,10 +9,16 @@ Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
+    node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
     export ASSET --format blend|glb|usd|fbx|obj|stl|3mf --out FILE
+    export ASSET --format urdf|mjcf|usd-physics --out FILE      for simulators, with its mass
+    export ASSET --format godot|unity|unreal --out FOLDER       for an engine, with colliders
+    lod ASSET --max-faces N --out FILE     fewer triangles, the UVs kept; or --levels and --ratio
+    remesh ASSET --max-faces N --out FILE  quads, with maps of their own
     relight ASSET --light NAME|FILE --render FILE [--turntable FILE.mp4] [--material gold]
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE
@@ -20,7 +26,7 @@ Commands:
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to fix it; --report FILE
-    setup [blender] [test]     make the Python environment now; --renew, --allow-cuda
+    setup [blender] [test] [ray]        make the Python environment now; --renew, --allow-cuda
     package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
     python [ARGUMENTS]         the environment's Python
@@ -29,18 +35,41 @@ COMMAND --help lists a command's options. The first run makes an environment for
 Python packages in your data folder (about 3 GB; `doctor` says where).
 
 Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
-5 no surface could be kept; 130 cancelled.
+5 no surface could be kept; 6 some assets of a batch failed; 130 cancelled.
 """
+
+# ruff: noqa: E402 - Ctrl-C is heard before all the rest is loaded
 
 from __future__ import annotations
 
+import os
+import signal
+import sys
+
+
+def hear_ctrl_c() -> None:
+    """End at Ctrl-C from now on, in one line, as long as there is nothing to clean up.
+
+    A process that this file became (``hand_over``) starts with the signal held back.
+    """
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
+        signal.signal(signal.SIGINT, _end)
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+
+
+def _end(*_: object) -> None:
+    os.write(2, b"Cancelled.\n")
+    os._exit(130)
+
+
+if __name__ == "__main__" and "bpy" not in sys.modules:  # Blender has a handler of its own
+    hear_ctrl_c()
+
 import difflib
 import json
-import os
 import shutil
-import signal
 import subprocess
-import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -51,8 +80,9 @@ if str(ROOT) not in sys.path:  # Blender runs this file without its folder
     sys.path.insert(0, str(ROOT))
 
 # Standard library only, no bpy:
-from core.errors import UserError  # noqa: E402
-from fantasia3d_addon import environment  # noqa: E402
+from core import terminal
+from core.errors import UserError
+from fantasia3d_addon import environment
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -60,6 +90,7 @@ if TYPE_CHECKING:
     from core.command_line import Commands
 
 OWN = ("doctor", "setup", "package")
+GROUPS = ("blender", "test", "ray")  # of packages beyond the core's
 PASS_ON = ("test", "python")  # whose arguments belong to another program
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
 
@@ -84,7 +115,7 @@ def parser() -> Commands:
     )
     setup = commands.add("setup", "Make the Python environment now.")
     setup.add_argument(
-        "groups", nargs="*", metavar="blender|test", help="packages beyond the core's"
+        "groups", nargs="*", metavar="|".join(GROUPS), help="packages beyond the core's"
     )
     setup.add_argument("--renew", action="store_true", help="make it again from nothing")
     setup.add_argument("--allow-cuda", action="store_true", help="take torch's CUDA build")
@@ -126,7 +157,9 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
     fix = "Name a file in a folder of yours."
     try:
         place = next(p for p in full.parents if p.exists())
-        if full.is_dir() or not place.is_dir() or not os.access(str(place), os.W_OK):
+        as_it_is = os.access in os.supports_effective_ids
+        may = os.access(str(place), os.W_OK, effective_ids=as_it_is)
+        if full.is_dir() or not place.is_dir() or not may:
             raise UserError(f"{full} cannot be written.", fix)
     except OSError as error:  # a name that is too long
         raise UserError(f"{full} cannot be written: {error.strerror}.", fix) from None
@@ -137,11 +170,15 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
 
 def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
     """Become ``command`` where the system can; else run it and return its exit code."""
+    ours = str(Path(__file__).resolve()) in map(str, command[1:2])
     words = [str(word) for word in command]
-    sys.stdout.flush()
-    sys.stderr.flush()
+    code = terminal.close_output()
+    if code:
+        return code
     if os.name == "posix" and "bpy" not in sys.modules:  # signals then reach the right process
         os.chdir(folder or Path.cwd())
+        if ours:  # Python's own start would answer Ctrl-C by a traceback: hear_ctrl_c lets it in
+            signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
         os.execve(words[0], words, environment.clean_environ())
     with subprocess.Popen(words, env=environment.clean_environ(), cwd=folder) as child:
         # The child gets Ctrl-C too and answers by itself. Only now, or it would inherit this.
@@ -152,13 +189,13 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
 
 def say(text: str, share: float) -> None:
     """A line of the set-up's progress."""
-    print(f"set-up {share:4.0%}  {text}", file=sys.stderr, flush=True)
+    terminal.complain(f"set-up {share:4.0%}  {text}")
 
 
 def launch(argv: list[str]) -> int:
     """Carry out a command line under plain Python: the exit code."""
     if not argv or argv[0] in ("-h", "--help", "help"):
-        print((__doc__ or "").strip())
+        terminal.put((__doc__ or "").strip())
         return 0 if argv else 2
     if sys.version_info < (3, 11):  # no tomllib: go on under the Python that is needed anyway
         return hand_over([environment.find_python(), Path(__file__).resolve(), *argv])
@@ -171,17 +208,21 @@ def launch(argv: list[str]) -> int:
         return {"doctor": doctor, "setup": setup, "package": package}[args.command](args)
     blender = route.runs_in_blender(args) or route.imports_asset(args)
     core = not route.runs_in_blender(args)
-    groups = ("blender",) if blender else ()
+    clustered = args.command == "node" or getattr(args, "ray", None)
+    groups = ("blender",) if blender else ("ray",) if clustered else ()
     python_path = environment.ensure(ROOT, groups, say, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
 
 
 def setup(args: Namespace) -> int:
     """Make the environment, with the groups that are named."""
-    wrong = [name for name in args.groups if name not in ("blender", "test")]
+    wrong = [name for name in args.groups if name not in GROUPS]
     if wrong:
-        raise UserError(f"setup has no {wrong[0]!r}.", "Use blender, test, --renew, --allow-cuda.")
-    print(environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew))
+        fix = f"Use {', '.join(GROUPS)}, --renew, --allow-cuda."
+        raise UserError(f"setup has no {wrong[0]!r}.", fix)
+    terminal.put(
+        environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew)
+    )
     return 0
 
 
@@ -217,7 +258,7 @@ def package(args: Namespace) -> int:
         (made,) = Path(temporary).glob("*.zip")
         use_builder([*builder, "validate", made], temporary)
         folder.mkdir(parents=True, exist_ok=True)
-        print(shutil.copy(made, folder))
+        terminal.put(shutil.copy(made, folder))
     return 0
 
 
@@ -253,14 +294,14 @@ def python(arguments: list[str]) -> int:
 
 def inside(argv: list[str], only_core: bool = False) -> int:
     """Carry out a command in this process; hand its asset over to Blender's part afterwards."""
-    from core.command_line import carry_out, exit_code
+    from core.command_line import carry_out
     from fantasia3d_addon.cli import parser as route
 
     args = parse(argv)
     if route.runs_in_blender(args):
         leave(in_blender(args))
     made: list[Path | None] = []
-    code = exit_code(lambda: made.append(carry_out(args)))
+    code = terminal.exit_code(lambda: made.append(carry_out(args)))
     if code or only_core or not route.imports_asset(args):
         return code
     # In a process of its own: neither torch nor what the training holds has a place in Blender's.
@@ -291,9 +332,8 @@ def leave(code: int) -> NoReturn:
     blender = sys.modules.get("bpy")
     if blender:  # which would have done this itself
         shutil.rmtree(blender.app.tempdir, ignore_errors=True)
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os._exit(code)
+    unwritten = terminal.close_output()
+    os._exit(code or unwritten)
 
 
 # Under Blender
@@ -331,28 +371,42 @@ def doctor(args: Namespace) -> int:
     lines = environment.examine(ROOT)
     if args.report:
         file = environment.write_report(args.report, ROOT, lines)
-        print(f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n")
+        terminal.put(
+            f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n"
+        )
     for line in lines:
-        print(f"{line.name:<17} {line.state:<8} {line.text}")
+        terminal.put(f"{line.name:<17} {line.state:<8} {line.text}")
     missing = [line.name for line in lines if line.state == "MISSING"]
-    print(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
+    terminal.put(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
     return 3 if missing else 0
 
 
 def main(argv: list[str]) -> int:
     """Carry out a command line wherever this runs: the exit code."""
+    if "bpy" not in sys.modules and signal.getsignal(signal.SIGINT) == _end:
+        # From here on there is something to clean up: an environment that is half made.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        if argv[:1] in (["--inside"], ["--core"]):
-            return inside(argv[1:], only_core=argv[0] == "--core")
-        if argv[:1] == ["--finish"]:
-            finish(argv[1])
-        return under_blender(argv) if "bpy" in sys.modules else launch(argv)
+        code = answer(argv)
     except (UserError, environment.SetupError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.status
+        terminal.complain(f"error: {error}")
+        code = error.status
     except KeyboardInterrupt:
-        print("Cancelled.", file=sys.stderr)
-        return 130
+        terminal.complain("Cancelled.")
+        code = 130
+    except BrokenPipeError:  # the reader of a pipe had enough
+        code = 0
+    unwritten = terminal.close_output()
+    return code or unwritten
+
+
+def answer(argv: list[str]) -> int:
+    """Carry out a command line, in this process or by another: the exit code."""
+    if argv[:1] in (["--inside"], ["--core"]):
+        return inside(argv[1:], only_core=argv[0] == "--core")
+    if argv[:1] == ["--finish"]:
+        finish(argv[1])
+    return under_blender(argv) if "bpy" in sys.modules else launch(argv)
 
 
 def show_panel() -> None:
@@ -363,6 +417,7 @@ def show_panel() -> None:
 
 
 if __name__ == "__main__":
+    terminal.open_streams()
     blender = sys.modules.get("bpy")
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     if blender and not words and not blender.app.background:
@@ -370,4 +425,4 @@ if __name__ == "__main__":
     elif blender:
         leave(main(words))
     else:
-        sys.exit(main(sys.argv[1:]))
+        terminal.end(lambda: main(sys.argv[1:]))

@@ -172,3 +172,32 @@ def test_the_command_line_itself_lights_an_asset(asset, tmp_path):
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     last = done.stdout.splitlines()[-1:]  # bpy 5.2 prints its colour configuration before
     assert (done.returncode, last) == (0, [str(out)]), done.stderr
+
+
+def test_lod_keeps_to_its_budget_and_remesh_makes_quads(asset, tmp_path):
+    line = ["lod", str(asset), "--max-faces", "200", "--out", str(tmp_path / "low.obj")]
+    assert headless.command(run.parse(line)) == 0
+    faces = [li for li in (tmp_path / "low.obj").read_text().splitlines() if li[:2] == "f "]
+    assert 180 <= len(faces) <= 200
+    line = ["lod", str(asset), "--levels", "2", "--out", str(tmp_path / "chair.obj")]
+    assert headless.command(run.parse(line)) == 0
+    sizes = [(tmp_path / f"chair_LOD{i}.obj").read_text().count("\nf ") for i in (1, 2)]
+    assert sizes[1] == pytest.approx(sizes[0] / 2, rel=0.05)
+    line = ["remesh", str(asset), "--max-faces", "300", "--texture-size", "32"]
+    assert headless.command(run.parse([*line, "--out", str(tmp_path / "quads.obj")])) == 0
+    text = (tmp_path / "quads.obj").read_text()
+    rows = [li.split() for li in text.splitlines() if li[:2] == "f "]
+    assert all(len(row) == 5 for row in rows) and 150 < len(rows) < 600
+
+
+def test_an_export_into_a_folder_is_named_by_the_prompt(asset, tmp_path, capfd):
+    line = ["export", str(asset), "--format", "fbx", "--out", str(tmp_path / "out")]
+    assert headless.command(run.parse(line)) == 0
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["a_red_wooden_chair.fbx"]
+    line = ["export", str(asset), "--format", "unity", "--out", str(tmp_path / "unity")]
+    assert headless.command(run.parse(line)) == 0
+    assert (tmp_path / "unity" / "a_red_wooden_chair.fbx").is_file()
+    assert (tmp_path / "unity" / "a_red_wooden_chair_MaskMap.png").is_file()
+    line = ["export", str(asset), "--format", "unreal", "--out", str(tmp_path / "x.fbx")]
+    assert headless.command(run.parse(line)) == 2
+    assert "Name a folder with --out" in capfd.readouterr().err

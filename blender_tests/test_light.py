@@ -1,5 +1,6 @@
 """The world's light: its direction, its brightness, and what a name means."""
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from blender_tests.pictures import (  # noqa: E402
 )
 from fantasia3d_addon.errors import LightError  # noqa: E402
 from fantasia3d_addon.scene import light  # noqa: E402
+from fantasia3d_addon.scene import render as render_settings  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -125,3 +127,29 @@ def test_the_studio_is_the_cores():
     image.pixels.foreach_get(pixels)
     shipped = pixels.reshape(128, 256, 4)[::-1, :, :3]
     np.testing.assert_allclose(shipped, studio(128).numpy(), atol=1e-5)
+
+
+def test_of_blenders_lights_the_sunset_alone_is_an_evening():
+    def glow(path):
+        return light.glow_of(bpy.data.images.load(str(path)))
+
+    evenings = {name for name, path in light.blender_lights().items() if glow(path)}
+    assert evenings == {"sunset"} and glow(light.STUDIO_FILE) is None
+    found = glow(light.blender_lights()["sunset"])
+    assert found.horizon[0] > 3 * found.horizon[2] and found.sky[2] > found.sky[0]
+
+
+def test_a_sunsets_sun_stands_to_the_side_and_other_lights_stay():
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    scene.collection.objects.link(camera)
+    camera.location, camera.rotation_euler = (0, -3, 0), (math.pi / 2, 0, 0)
+    scene.camera = camera
+    for name, turned in (("sunset", True), ("city", False)):
+        light.set_world(scene, light.light_file(name))
+        render_settings.turn_low_sun(scene)
+        turn = -light.light_node(scene.world, "Mapping").inputs["Rotation"].default_value[2]
+        assert (abs(turn) > 1e-3) == turned
+        if turned:  # the camera stands at -Y, that is -90 degrees
+            sun = light.glow_of(light.environment_image(scene.world)).azimuth + turn
+            assert math.degrees(sun) == pytest.approx(-90 + 75, abs=1)

@@ -9,7 +9,8 @@ from blender_tests.asset_fixture import block, write_asset  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.blender.mesh_arrays import values, world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
-from fantasia3d_addon.physics import bake, proxy, simulation  # noqa: E402
+from fantasia3d_addon.mesh import proxy  # noqa: E402
+from fantasia3d_addon.physics import bake, simulation  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 FRAMES = 14

@@ -121,7 +121,8 @@ def test_blender_is_never_held_up_while_a_job_runs(report):
 def test_quads_and_a_thumbnail_are_made_by_another_blender_while_this_one_is_responsive(report):
     assert report["quads_at_once"] == ["a red wooden chair"]
     assert report["quads"] == {"name": "a red wooden chair quads", "sides": [4], "tags": 1}
-    assert report["quads_hold_up"] < 0.1  # its own drawing in software is in it
+    # Two drawings in software, before and after the result comes, and little of our own.
+    assert report["quads_hold_up"] < 2 * report["drawing"] + 0.05
 
 
 def test_the_panel_is_drawn(report):

@@ -4,43 +4,37 @@ Standard library only until a command is carried out: torch takes seconds to loa
 option must not wait for it.
 
 Exit codes: 0 done; 2 the user's input; 3 something is missing; 4 out of memory; 5 no surface could
-be kept; 130 cancelled.
+be kept; 6 some assets of a batch failed; 130 cancelled.
 """
 
 import argparse
 import difflib
-import errno
-import io
 import json
 import os
-import signal
 import sys
 import time
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from core.errors import MemoryShortError, MissingError, UserError
+from core.batch.options import add_batch_options, add_node_options
+from core.errors import MissingError, UserError
+from core.interrupt import asks_to_stop
+from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
+    from core.batch.table import Row
     from core.generate import Inputs
     from core.io.job import Job
+    from core.io.progress import Progress
     from core.io.run_folder import RunFolder
 
 
 # A request to cancel that is older than this was meant for an earlier session.
 START = time.time()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
-FULL = "Free some space or take another --out."
-FIXES = {
-    errno.ENOSPC: FULL,
-    errno.EDQUOT: FULL,
-    errno.EFBIG: FULL,
-    errno.ENAMETOOLONG: "Use a shorter name.",
-    errno.ELOOP: "Name the file itself: a link leads back to itself.",
-}
 
 
 class Parser(argparse.ArgumentParser):
@@ -110,10 +104,19 @@ def add_core_commands(commands: Commands) -> None:
         "--strength", type=float, metavar="0..1", help="0: a start only; 1: keep the base colour"
     )
     for command in (generate, texture):
+        command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
         _add_job_options(command)
+
+    batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
+    add_batch_options(batch)
+    _add_job_options(batch)
+    add_node_options(add("node", "This machine as a node of a Ray cluster, for batch --ray."))
 
     resume = add("resume", "Go on with a run that was cancelled or died.")
     resume.add_argument("run", type=Path)
+    resume.add_argument(
+        "--end-with-stdin", action="store_true", help="end when the program that started it does"
+    )
 
     render = add("render", "A picture of an asset under a light.")
     render.add_argument("asset", type=Path)
@@ -135,9 +138,19 @@ def add_core_commands(commands: Commands) -> None:
     export = add("export", "An asset as one file for another program.")
     export.add_argument("asset", type=Path)
     export.add_argument(
-        "--format", required=True, help="glb, obj, stl or 3mf; run.py also blend, usd, fbx"
+        "--format",
+        required=True,
+        help="glb, obj, stl, 3mf, urdf, mjcf, usd-physics; run.py also blend, usd, fbx, and for an "
+        "engine, into a folder, godot, unity, unreal",
     )
-    export.add_argument("--out", type=Path, required=True, metavar="FILE")
+    export.add_argument("--out", type=Path, required=True, metavar="FILE|FOLDER")
+    simulators = "urdf, mjcf, usd-physics"
+    export.add_argument(
+        "--mass", type=float, metavar="KG", help=f"{simulators}: default: volume times density"
+    )
+    export.add_argument(
+        "--hulls", type=int, default=32, metavar="N", help=f"{simulators}: convex parts at most"
+    )
 
     report = add("report", "A run as one HTML file, to read anywhere and without a network.")
     report.add_argument("run", type=Path)
@@ -169,7 +182,6 @@ def add_core_commands(commands: Commands) -> None:
 
 
 def _add_job_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     command.add_argument("--seed", type=int)
     command.add_argument("--preset", help="draft, standard or paper")
     command.add_argument(
@@ -240,22 +252,21 @@ def _setting(text: str) -> tuple[str, str]:
 def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
+    from core.io.progress import Progress
 
-    with run_lock(run.path):
-        return _run_job(run, inputs)
+    progress = Progress(run)
+    with run_lock(run.path), asks_to_stop(progress.interrupt):
+        return _run_job(run, inputs, progress)
 
 
-def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") -> Path:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
-    from core.io.progress import Progress
 
-    path, request, progress = run.path, run.path / "cancel", Progress(run)
-    signal.signal(signal.SIGINT, lambda *_: progress.interrupt())
-    signal.signal(signal.SIGTERM, lambda *_: progress.interrupt())
+    path, request = run.path, run.path / "cancel"
     run.remove_half_written()
     if request.exists() and request.stat().st_mtime < START:
         request.unlink()
@@ -270,7 +281,7 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
             run.report(kind, text=error.text, fix=error.window_fix or error.fix or None)
         raise
     except BaseException as error:
-        known = _known(error)
+        known = sentence_of(error)
         text, fix = (known.text, known.fix) if known else (f"{type(error).__name__}: {error}", "")
         with suppress(OSError):
             run.report("error", text=text, fix=fix or f"This is a bug. Read {path / 'log.txt'}.")
@@ -280,52 +291,13 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
             traceback.print_exc(file=log)
         raise
     run.report("done", path="asset", text=f"{asset} is complete.")
-    print(asset, flush=True)
+    put(asset)
     return asset
-
-
-def _known(error: BaseException) -> UserError | None:
-    """An error of the machine as a sentence: memory and disk."""
-    out_of_memory = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
-    if out_of_memory or isinstance(error, MemoryError):
-        return MemoryShortError(
-            "There is not enough memory for this job.",
-            "Lower geometry.views_at_once and appearance.views_at_once with --set, "
-            "or take the draft preset; then resume.",
-        )
-    if isinstance(error, OSError) and error.errno is not None:
-        place = f" {error.filename}" if error.filename else ""
-        return UserError(
-            f"The disk refused{place}: {error.strerror}.",
-            FIXES.get(error.errno, "Check that the path is right and may be read and written."),
-        )
-    return None
 
 
 def main(argv: Sequence[str]) -> int:
     """Carry out one of the core's commands: the exit code."""
     return exit_code(lambda: carry_out(parse(argv)))
-
-
-def exit_code(work: Callable[[], object]) -> int:
-    """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
-    for stream in (sys.stdout, sys.stderr):  # of a code page that lacks the letters of a name
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-    try:
-        work()
-    except KeyboardInterrupt:
-        print("Cancelled.", file=sys.stderr)
-        return 130
-    except BrokenPipeError:  # the reader of a pipe had enough
-        return 0
-    except Exception as error:
-        known = error if isinstance(error, UserError) else _known(error)
-        if known is None:
-            raise
-        print(f"{'' if known.status == 130 else 'error: '}{known}", file=sys.stderr)
-        return known.status
-    return 0
 
 
 def carry_out(args: argparse.Namespace) -> Path | None:
@@ -334,14 +306,16 @@ def carry_out(args: argparse.Namespace) -> Path | None:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
+    other |= {"batch": _batch, "node": _node}
     other[args.command](args)
     return None
 
 
 def default_run_folder(prompt: str) -> Path:
     """Where a run goes that names no --out: its prompt's letters and digits, numbered if taken."""
-    words = "".join(c if c.isalnum() else " " for c in prompt.lower()).split()
-    name = "-".join(words)[:40].strip("-") or "asset"
+    from core.batch.table import slug
+
+    name = slug(prompt)
     number, folder = 1, Path("out") / name
     while folder.exists():
         number += 1
@@ -359,9 +333,35 @@ def _job(args: argparse.Namespace) -> Path:
 
 
 def _resume(args: argparse.Namespace) -> Path:
+    from core.batch.orphan import end_with_stdin
     from core.io.run_folder import RunFolder
 
+    if args.end_with_stdin:
+        end_with_stdin()
     return run_job(RunFolder.open(args.run), None)
+
+
+def _batch(args: argparse.Namespace) -> None:
+    from core.batch.batch import run_batch
+
+    # The command line's own options stand for each row; a row's cells come after them.
+    names = ("seed", "preset", "guidance", "light", "texture_size", "max_faces", "device")
+    given = {name.replace("_", "-"): getattr(args, name) for name in names}
+    given["negative"] = args.negative_prompt
+    defaults = [f"--{name}={value}" for name, value in given.items() if value is not None]
+    defaults += ["--ignore-unknown-words"] * args.ignore_unknown_words
+    defaults += [f"--set={text}" for text in args.set]
+
+    def row_job(row: "Row") -> "Job":
+        return job_of(parse(row.arguments(defaults)))
+
+    print(run_batch(args, row_job))
+
+
+def _node(args: argparse.Namespace) -> None:
+    from core.batch.cluster import be_node
+
+    be_node(args)
 
 
 def _render(args: argparse.Namespace) -> None:
@@ -375,7 +375,7 @@ def _render(args: argparse.Namespace) -> None:
 def _inspect(args: argparse.Namespace) -> None:
     from core.io.asset import inspect
 
-    print(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
+    put(json.dumps(inspect(args.path), indent=1, ensure_ascii=False))
 
 
 def _verify(args: argparse.Namespace) -> None:
@@ -383,7 +383,7 @@ def _verify(args: argparse.Namespace) -> None:
 
     with redirect_stdout(sys.stderr):  # the report alone goes to the output
         report = verify(args.asset, run_job)
-    print(json.dumps(report, indent=1))
+    put(json.dumps(report, indent=1))
     if not report["same"]:
         changed = "changed" in report["files"].values()
         raise UserError(
@@ -395,14 +395,21 @@ def _verify(args: argparse.Namespace) -> None:
 
 def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
+    from core.simulation.export import ENDINGS, export_body, file_for
 
-    export(args.asset, args.format, args.out)
+    kind = args.format.lower()
+    out = file_for(args.asset, args.out, ENDINGS.get(kind, f".{kind}"))
+    if kind in ENDINGS:
+        export_body(args.asset, kind, out, args.mass, args.hulls)
+    else:
+        export(args.asset, kind, out)
+    print(out)
 
 
 def _report(args: argparse.Namespace) -> None:
     from core.report.page import write_report
 
-    print(write_report(args.run, args.out))
+    put(write_report(args.run, args.out))
 
 
 def _words(args: argparse.Namespace) -> None:
@@ -411,11 +418,11 @@ def _words(args: argparse.Namespace) -> None:
     from core.io.job import check_prompt
 
     if args.prompt is None:
-        print(json.dumps(word_groups(), indent=1, ensure_ascii=False))
+        put(json.dumps(word_groups(), indent=1, ensure_ascii=False))
         return
     check_prompt("prompt", args.prompt)
     report, code = words_report(args.prompt, args.ignore_unknown_words)
-    print(json.dumps(report, indent=1, ensure_ascii=False))
+    put(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 

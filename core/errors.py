@@ -42,6 +42,12 @@ class NoSurfaceError(UserError):
     status = 5
 
 
+class SomeFailedError(UserError):
+    """A batch ended, and some of its assets could not be made."""
+
+    status = 6
+
+
 class Cancelled(UserError):  # noqa: N818 - a request, not a fault
     """The user stopped the run; its folder resumes."""
 

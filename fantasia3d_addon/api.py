@@ -10,7 +10,7 @@ from .jobs import environment_setup, history, submit
 from .jobs.paths import Paths
 from .jobs.session import session
 from .material import edit as material_edit
-from .mesh import asset_browser, export, health, remesh
+from .mesh import asset_browser, engines, export, health, remesh
 from .physics import simulation
 from .scene import cornell_box, placement, relight
 
@@ -19,6 +19,7 @@ __all__ = [
     "Paths",
     "asset_browser",
     "cornell_box",
+    "engines",
     "environment_setup",
     "export",
     "health",

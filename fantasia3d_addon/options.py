@@ -137,7 +137,11 @@ RATIO = Option(
     "ratio", "Ratio", "Faces of each level as a fraction of the level before", 0.5, low=0.05,
     high=0.95, subtype="FACTOR",
 )  # fmt: skip
-QUADS = Option("faces", "Quads", "Approximate number of quads", 4000, low=100)
+MAX_FACES = Option(
+    "max_faces", "Max Faces", "One level with this many triangles or fewer; 0: by levels and ratio",
+    0, low=0, soft_high=100_000,
+)  # fmt: skip
+QUADS = Option("faces", "Quads", "Approximate number of quads", 4000, low=100, soft_high=100_000)
 BAKE_SIZE = Option(
     "texture_size", "Texture Size", "Texels along a side; 0: as the present maps", 0, low=0
 )
@@ -149,6 +153,11 @@ FORMAT = Option(
         ("usdc", "USD (.usdc)", "Textures in a folder next to it: film pipelines"),
         ("fbx", "FBX (.fbx)", "One file: Unity, Unreal, Maya"),
         ("obj", "OBJ (.obj)", "Textures in a folder next to it: everything else"),
+        ("stl", "STL (.stl)", "3D printing, in millimetres, without colours"),
+        ("3mf", "3MF (.3mf)", "3D printing, in millimetres, without colours"),
+        ("godot", "Godot", "A folder with a GLB that has convex colliders"),
+        ("unity", "Unity", "A folder with an FBX that has LODs and colliders, and a mask map"),
+        ("unreal", "Unreal", "A folder with an FBX that has LODs and colliders, and an ORM map"),
     ),
 )  # fmt: skip
 FLIP_NORMAL_Y = Option(

@@ -17,7 +17,7 @@ from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
 from core.benchmarks.fit_scores import Truth, scores
-from core.benchmarks.oracle import oracle
+from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig, with_settings
 from core.errors import UserError
@@ -114,7 +114,7 @@ def fitted(
         run = RunFolder.create(Path(place) / "run", Job(prompt="a known solid"))
         training, progress = Training("geometry", net, generator, run), Progress(run)
         fit_start_shape(training, config, progress)
-        verts, faces = learn_geometry(Setup(training, oracle(shape).prompted(), config), progress)
+        verts, faces = learn_geometry(Setup(training, Oracle(shape).prompted(), config), progress)
     return verts.detach(), faces
 
 

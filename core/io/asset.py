@@ -18,6 +18,7 @@ from core.geometry.uv_health import uv_health
 from core.io import png as images
 from core.io.atomic import atomic_file, check_target, disk_errors, flush_folder
 from core.io.glb import glb_bytes
+from core.io.input_file import check_file
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
@@ -167,12 +168,12 @@ def inspect(path: Path) -> dict[str, Any]:
 
 def export(folder: Path, format: str, out: Path) -> Path:
     """Write the asset as "glb"; as "obj" with its .mtl and pictures next to it; or, in millimetres
-    for printing, as "stl" or "3mf".
+    for printing, as "stl" or "3mf": these of a mesh file too.
 
     Raises UserError for another format, no asset, a place that cannot be written, or for printing
     a mesh that is not watertight.
     """
-    asset, out = read_asset(folder), Path(out)
+    source, out = Path(folder), Path(out)
     if format not in FORMATS:
         raise UserError(
             f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
@@ -180,18 +181,23 @@ def export(folder: Path, format: str, out: Path) -> Path:
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
     check_target(out)
+    if format in ("stl", "3mf"):
+        mesh = load_mesh(source) if source.is_file() else read_asset(source).mesh
+        _export_print(mesh, format, out)
+        return out
+    asset = read_asset(source)
     if format == "glb":
         _copy(asset.folder / "asset.glb", out)
-        return out
-    if format in ("stl", "3mf"):
-        verts, faces = asset.mesh.verts, asset.mesh.faces
-        check_printable(verts, faces)
-        data = stl_bytes(verts, faces) if format == "stl" else three_mf_bytes(verts, faces)
-        with atomic_file(out) as temporary:
-            temporary.write_bytes(data)
-        return out
-    _export_obj(asset, out)
+    else:
+        _export_obj(asset, out)
     return out
+
+
+def _export_print(mesh: Mesh, format: str, out: Path) -> None:
+    check_printable(mesh.verts, mesh.faces)
+    to_bytes = stl_bytes if format == "stl" else three_mf_bytes
+    with atomic_file(out) as temporary:
+        temporary.write_bytes(to_bytes(mesh.verts, mesh.faces))
 
 
 def _export_obj(asset: Asset, out: Path) -> None:
@@ -260,7 +266,7 @@ def _mass(volume: object, density: object) -> float | None:
 
 def _read_info(folder: Path) -> dict[str, Any]:
     path = folder / "asset.json"
-    if not path.is_file():
+    if not path.exists():
         raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
     info = read_object(path, REMAKE)
     version = info.get("version")
@@ -320,7 +326,6 @@ def _restore(folder: Path, old: Path) -> None:
 
 
 def _copy(source: Path, to: Path) -> None:
-    if not source.is_file():
-        raise UserError(f"There is no file {source}.", REMAKE)
+    check_file(source, fix=REMAKE)
     with atomic_file(to) as temporary:
         shutil.copyfile(source, temporary)

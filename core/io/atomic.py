@@ -43,7 +43,8 @@ def check_target(path: Path) -> None:
         # Each as the system says it: not there, no folder, a name that is too long.
         if not stat.S_ISDIR(path.parent.stat().st_mode):
             raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
-        if not os.access(path.parent, os.W_OK):
+        as_it_is = os.access in os.supports_effective_ids
+        if not os.access(path.parent, os.W_OK, effective_ids=as_it_is):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         with suppress(FileNotFoundError):
             path.with_name(path.name + ".tmp").lstat()

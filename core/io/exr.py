@@ -9,6 +9,7 @@ from torch import Tensor
 
 from core.errors import MissingError, UserError
 from core.io.atomic import atomic_file
+from core.io.input_file import check_file
 
 # A larger picture is a broken header or an attack on the memory.
 MAX_PIXELS = 1 << 27  # a light of 16384 x 8192
@@ -20,8 +21,7 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
 
     Raises ``MissingError`` if there is no file or no library, ``UserError`` if it cannot be read.
     """
-    if not Path(path).is_file():
-        raise MissingError(f"There is no file {path}.", "Check the path.")
+    check_file(Path(path), missing=MissingError)
     library = load_library()
     try:
         _check_size(library, path)

@@ -7,6 +7,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.errors import MissingError, UserError
+from core.io.input_file import check_file
 from core.io.oiio import UnreadableError, read_pixels
 
 
@@ -15,8 +16,7 @@ def read_hdr(path: "str | Path") -> Float[Tensor, "h w 3"]:
 
     Raises ``MissingError`` if there is no file, ``UserError`` if it is no such picture.
     """
-    if not Path(path).is_file():
-        raise MissingError(f"There is no file {path}.", "Check the path.")
+    check_file(Path(path), missing=MissingError)
     try:
         return torch.from_numpy(read_pixels(Path(path), "hdr"))
     except UnreadableError as error:

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from core.errors import UserError
+from core.io.input_file import check_file
 
 MAX_BYTES = 8 << 20  # job.json and asset.json are a few kilobytes
 
@@ -17,6 +18,7 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
             number beyond any machine's, or holds something other than an object.
     """
     try:
+        check_file(path, fix=fix)
         if path.stat().st_size > MAX_BYTES:
             raise UserError(f"{path} is larger than {MAX_BYTES >> 20} MB.", fix)
         return parse_object(path.read_text(encoding="utf-8"), str(path), fix)

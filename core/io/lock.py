@@ -19,13 +19,13 @@ HELD = (errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 
 
 @contextmanager
-def run_lock(folder: Path) -> Iterator[None]:
+def run_lock(folder: Path, name: str = NAME) -> Iterator[None]:
     """Hold the lock of the run in ``folder``; the system releases it when this process dies.
 
     Raises:
         UserError: another process works on the run, or nothing can be written in its folder.
     """
-    path = folder / NAME
+    path = folder / name
     try:
         # Unbuffered: Windows forbids reading the first byte, which is the one that is locked.
         file = path.open("ab+", buffering=0)

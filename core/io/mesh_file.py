@@ -12,6 +12,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh, compact
+from core.io.input_file import check_file
 from core.ops import srgb_to_linear
 
 # Formats whose files stand +Y up; Blender's importers turn them, and leave the others alone.
@@ -33,8 +34,7 @@ def load_mesh(path: "str | Path") -> Mesh:
         raise UserError(
             f"{path.name} is not an OBJ, PLY, STL, GLB or glTF file by its ending.", EXPORT_AGAIN
         )
-    if not path.is_file():
-        raise UserError(f"There is no file {path}.", "Check the path of the mesh.")
+    check_file(path, fix="Check the path of the mesh.")
     parts = _read_parts(path)
     if not parts:
         raise UserError(

@@ -14,6 +14,7 @@ from torch import Tensor
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.atomic import atomic_file
+from core.io.input_file import check_file
 
 
 def to_y_up(world: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
@@ -67,10 +68,14 @@ def mtl_text(
 
 def write_plain_obj(path: Path, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
     """The shape alone, whole or not at all."""
-    corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
-    text = _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
     with atomic_file(path) as temporary:
-        temporary.write_text(text, encoding="ascii")
+        temporary.write_text(plain_obj_text(verts, faces), encoding="ascii")
+
+
+def plain_obj_text(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> str:
+    """The shape alone: no uv, no normals, no material."""
+    corners = tuple((faces.cpu() + 1).reshape(-1).tolist())
+    return _lines("v", to_y_up(verts.detach().cpu())) + "f %d %d %d\n" * len(faces) % corners
 
 
 def read_obj(path: Path) -> Mesh:
@@ -78,6 +83,7 @@ def read_obj(path: Path) -> Mesh:
 
     Raises UserError for a file that is not there or is no triangle mesh with uv.
     """
+    check_file(path, "mesh")
     try:
         lines = path.read_bytes().splitlines()
         verts, uv = _read(lines, b"v ", 3), _read(lines, b"vt ", 2)

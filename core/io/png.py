@@ -16,6 +16,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
+from core.io.input_file import check_file
 from core.io.oiio import UnreadableError, read_pixels, write_pixels
 from core.ops import linear_to_srgb, srgb_to_linear
 
@@ -94,8 +95,7 @@ def read_png(path: Path) -> np.ndarray:
 
     Raises UserError for a file that is not there or no PNG.
     """
-    if not path.is_file():
-        raise UserError(f"There is no picture {path}.", "Check the path.")
+    check_file(path, "picture")
     try:
         return read_pixels(path, "png")
     except UnreadableError as error:

@@ -11,6 +11,7 @@ from tqdm import tqdm
 
 from core.errors import Cancelled
 from core.io.run_folder import RunFolder
+from core.terminal import tell
 
 PROGRESS_SECONDS = 0.2  # between two progress events: what a panel can show
 # And this much of the time since the session began: the file of a day's run stays under 1 MB.
@@ -89,7 +90,7 @@ class Progress:
     @contextmanager
     def timed(self, stage: str) -> Iterator[None]:
         """Add the time within to the stage's; name the stage on the terminal."""
-        print(f"{stage} …", flush=True)
+        tell(f"{stage} …")
         start = time.perf_counter()
         yield
         timings = self._run.timings
@@ -159,4 +160,4 @@ class _Bar:
         if self._bar.disable and tenth > self._tenth:
             self._tenth = tenth
             left = "" if seconds_left is None else f", {seconds_left:.0f} s left"
-            print(f"{self._stage} {done}/{self._total}{left}", flush=True)
+            tell(f"{self._stage} {done}/{self._total}{left}")

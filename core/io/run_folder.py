@@ -89,11 +89,12 @@ class RunFolder:
         """Write one event; warnings go to the terminal too."""
         self.events.write(type, **fields)
         if type == "warning":
-            tqdm.write(f"warning: {fields['text']} {fields.get('fix') or ''}".rstrip())
+            with suppress(OSError):  # nobody reads it
+                tqdm.write(f"warning: {fields['text']} {fields.get('fix') or ''}".rstrip())
 
     def has(self, name: str) -> bool:
         """Whether there is a checkpoint of that name."""
-        return self._checkpoint(name).exists()
+        return self._checkpoint(name).is_file()
 
     def preview_path(self, name: str) -> Path:
         """The file of the preview ``name``; who writes it renames a temporary file to it."""

@@ -26,6 +26,7 @@ from core.prior.evaluate import (
     score_pattern,
 )
 from core.prior.models import CATALOGUE, INSTALL, make_models
+from core.prior.part_score import report_parts
 from core.prior.part_training import FINDING_PARTS, PART_NETWORK, PartMaps, part_loss
 from core.prior.restorer import RESTORER, RESTORING, Restoring, restoring_loss
 from core.prior.restorer_score import report
@@ -158,6 +159,9 @@ def evaluate(options: argparse.Namespace) -> None:
     net = load_weights(options.weights or WEIGHTS / f"{options.network}.safetensors")
     if options.network == "restorer":
         report(net, options.nouns, options.views, options.seed)
+        return
+    if options.network == "parts":
+        report_parts(net, options.nouns, options.views, options.seed)
         return
     generator = torch.Generator().manual_seed(options.seed)
     score = score_noun if options.network == "geometry" else score_paint

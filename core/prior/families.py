@@ -12,14 +12,17 @@ from core.prior.draw import Draw
 from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
 from core.prior.things.basics import BASICS
+from core.prior.things.beasts import BEASTS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.devices import DEVICES
-from core.prior.things.fruits import FRUITS
+from core.prior.things.food import FOOD
 from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
+from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.nature import NATURE
+from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
@@ -67,8 +70,11 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | DEVICES
     | CLOTHES
     | GEAR
-    | FRUITS
+    | FOOD
     | HOME
+    | HOME_FITTINGS
+    | BEASTS
+    | PLANTS
     | ANIMALS
     | TRANSPORT
     | CRAFT

@@ -64,7 +64,11 @@ def html(facts: Facts) -> str:
         "body": "\n".join(_sections(facts)),
         "viewer": _scripts(facts),
     }
-    page = (HERE / "page.html").read_text(encoding="utf-8")
+    return filled((HERE / "page.html").read_text(encoding="utf-8"), parts)
+
+
+def filled(page: str, parts: dict[str, str]) -> str:
+    """``page`` with each ``@name@`` replaced by that part."""
     # By pieces, not by replacing: a prompt may contain the name of a place.
     first, *rest = page.split("@")
     return first + "".join(parts[text] if at % 2 == 0 else text for at, text in enumerate(rest))
@@ -144,8 +148,8 @@ def _figure(path: Path, caption: str) -> str:
     )
 
 
-def picture_url(path: Path) -> str:
-    """A picture as a data URL, at most ``MAP_SIDE`` pixels wide.
+def picture_url(path: Path, side: int = MAP_SIDE) -> str:
+    """A picture as a data URL, at most ``side`` pixels wide.
 
     Raises UserError for a file that is no picture.
     """
@@ -155,7 +159,7 @@ def picture_url(path: Path) -> str:
             picture = file.convert("RGB")
     except (OSError, ValueError) as error:
         raise UserError(f"{path} is no picture ({error}).", "Make the asset again.") from None
-    picture.thumbnail((MAP_SIDE, MAP_SIDE))
+    picture.thumbnail((side, side))
     packed = io.BytesIO()
     picture.save(packed, "JPEG", quality=88)
     return f"data:image/jpeg;base64,{base64.b64encode(packed.getvalue()).decode()}"
@@ -178,9 +182,6 @@ def _viewer_tag(facts: Facts) -> str:
 def _scripts(facts: Facts) -> str:
     if not facts.asset:
         return ""
-    # Without its map, which is not here; an end of script inside a script's text would end it.
-    viewer = VIEWER.read_text(encoding="utf-8").partition("//# sourceMappingURL")[0]
-    viewer = viewer.replace("</script", "<\\/script")
     own = (HERE / "viewer.js").read_text(encoding="utf-8")
     own = own.replace("@rows@", str(ROWS)).replace("@columns@", str(COLUMNS))
     glb = base64.b64encode(facts.glb).decode()
@@ -188,6 +189,13 @@ def _scripts(facts: Facts) -> str:
     return (
         f'<script type="text/plain" id="glb">{glb}</script>'
         f'<script type="application/json" id="lights">{lights}</script>'
-        f'<script type="module">{viewer}</script>'
+        f'<script type="module">{viewer_script()}</script>'
         f'<script type="module">{own}</script>'
     )
+
+
+def viewer_script() -> str:
+    """model-viewer's source for a page."""
+    # Without its map, which is not here; an end of script inside a script's text would end it.
+    viewer = VIEWER.read_text(encoding="utf-8").partition("//# sourceMappingURL")[0]
+    return viewer.replace("</script", "<\\/script")

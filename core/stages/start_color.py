@@ -14,6 +14,7 @@ from torch.nn.functional import grid_sample, mse_loss
 from core.appearance.material import MaterialNet, to_ranges
 from core.errors import UserError
 from core.geometry.mesh import Mesh, face_areas, normalise
+from core.io.input_file import check_file
 from core.io.progress import Progress
 from core.ops import srgb_to_linear
 from core.stages.state import Training
@@ -35,11 +36,10 @@ def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
         if mesh.base_color is None:
             raise UserError("The mesh's file holds no texture.", "Name a picture, or start plain.")
         return mesh.base_color
+    check_file(Path(name), fix="Check the base colour's path.")
     try:
         with Image.open(Path(name)) as file:
             srgb = np.asarray(file.convert("RGB"))
-    except FileNotFoundError:
-        raise UserError(f"There is no file {name}.", "Check the base colour's path.") from None
     # SyntaxError and ValueError: a broken header, as PIL's readers raise it. Size: PIL's own bound.
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise UserError(f"{name} is no picture ({error}).", "Use a PNG or a JPEG.") from None

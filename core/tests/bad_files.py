@@ -1,6 +1,7 @@
 """The files that the table of bad inputs (``bad_inputs.txt``) names, made in one folder."""
 
 import json
+import os
 import shutil
 import struct
 import zlib
@@ -15,6 +16,7 @@ from core.geometry.mesh import Mesh
 from core.io.asset import Maps, write_asset
 from core.io.exr import write_exr
 
+SOME_FILES = ("asset.json", "mesh.obj", "orm.png", "asset.glb")  # of an asset, one of each kind
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.uint32)
 OBJ = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
@@ -47,10 +49,26 @@ def make(folder: Path) -> None:
         (folder / f"loop.{suffix}").symlink_to(f"loop.{suffix}")
         (folder / f"dangling.{suffix}").symlink_to(f"nowhere.{suffix}")
         (folder / f"zero.{suffix}").symlink_to("/dev/zero")
+    if hasattr(os, "mkfifo"):
+        for suffix in ("obj", "exr", "hdr", "png"):
+            os.mkfifo(folder / f"pipe.{suffix}")
     make_assets(folder)
     for name, text in jobs().items():
         (folder / f"run-{name}").mkdir()
         (folder / f"run-{name}" / "job.json").write_bytes(text)
+    lock(folder)
+
+
+def lock(folder: Path) -> None:
+    """Files that may not be read, and a folder that may not be written."""
+    (folder / "locked").mkdir()
+    for suffix in ("obj", "exr", "png"):
+        path = shutil.copy(folder / f"ok.{suffix}", folder / f"locked.{suffix}")
+        path.chmod(0)
+    (folder / "run-locked" / "job.json").chmod(0)
+    for name in SOME_FILES:
+        (folder / f"asset-locked-{name}" / name).chmod(0)
+    (folder / "locked").chmod(0o555)
 
 
 def meshes() -> dict[str, bytes]:
@@ -231,6 +249,16 @@ def with_folder(name: str) -> Change:
     return change
 
 
+def with_pipe(name: str) -> Change:
+    """A pipe in place of a file."""
+
+    def change(asset: Path) -> None:
+        (asset / name).unlink()
+        os.mkfifo(asset / name)
+
+    return change
+
+
 def with_link(name: str, to: str) -> Change:
     """A link in place of a file."""
 
@@ -283,6 +311,8 @@ def broken_assets() -> dict[str, Change]:
         "grey-png": with_file("orm.png", png(16, 16, channels=1)),
         "small-png": with_file("normal.png", png(8, 8)),
         "png-folder": with_folder("normal.png"), "png-loop": with_link("orm.png", "orm.png"),
+        **{f"locked-{name}": lambda _: None for name in SOME_FILES},
+        **{f"pipe-{name}": with_pipe(name) for name in SOME_FILES if hasattr(os, "mkfifo")},
         "no-glb": with_file("asset.glb", None), "glb-folder": with_folder("asset.glb"),
     }  # fmt: skip
 
@@ -297,7 +327,8 @@ def jobs() -> dict[str, bytes]:
         return job(settings={key.replace("__", "."): value for key, value in values.items()})
 
     return {
-        "ok": job(), "empty": b"", "text": b"hello", "list": b"[]", "cut": job()[:20],
+        "ok": job(), "locked": job(), "empty": b"", "text": b"hello", "list": b"[]",
+        "cut": job()[:20],
         "latin1": b'{"version": 1, "prompt": "K\xf6rper"}', "nan": b'{"version": NaN}',
         "nested": b"[" * 99999 + b"]" * 99999, "large": b" " * (9 << 20),
         "version": job(version=2), "version-none": b'{"prompt": "a red cube"}',

@@ -43,7 +43,8 @@ elif "config" in args:
 elif "--report" in args:
     call("report")
     with open(args[args.index("--report") + 1], "w") as file:
-        file.write(os.environ.get("FAKE_REPORT", {report!r}))
+        exact = os.environ.get("FAKE_EXACT_REPORT") if "===" in args[-1] else None
+        file.write(exact or os.environ.get("FAKE_REPORT", {report!r}))
 elif "--target" in args:
     call("target")
     folder = args[args.index("--target") + 1] + "/bin"

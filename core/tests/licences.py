@@ -1,7 +1,8 @@
 """The licences of everything in the lock file: ``run.py python -m core.tests.licences``.
 
 Writes docs/licences.md. A licence is what the installed package itself declares; BY_HAND holds
-those of packages that declare none in a readable form, or are for other systems.
+those of packages that declare none in a readable form, are for other systems, or belong to ``ray``,
+which need not be installed where this runs (as their wheels declare them).
 """
 
 import importlib.metadata
@@ -33,12 +34,20 @@ SPDX = {  # other names of the same licences
     "Mozilla Public License 2.0 (MPL 2.0)": "MPL-2.0",
 }
 BY_HAND = {
+    "attrs": "MIT",
     "colorama": "BSD-3-Clause",
     "cuda-bindings": "NVIDIA",
     "cuda-pathfinder": "Apache-2.0",
     "cuda-toolkit": "NVIDIA",
     "embreex": "BSD-2-Clause",  # its licence file; Embree itself, in its wheel, is Apache-2.0
+    "jsonschema": "MIT",
+    "jsonschema-specifications": "MIT",
+    "msgpack": "Apache-2.0",
     "openexr": "BSD-3-Clause",
+    "protobuf": "BSD-3-Clause",
+    "ray": "Apache-2.0",
+    "referencing": "MIT",
+    "rpds-py": "MIT",
     "triton": "MIT",
     "uv": "Apache-2.0 OR MIT",
     "xatlas": "MIT",

@@ -12,7 +12,6 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from core.appearance.lights import load_light
-from core.command_line import _known
 from core.config import PRESETS, Config, check, preset, setting_names, with_settings
 from core.device import device_of
 from core.errors import UserError
@@ -22,6 +21,7 @@ from core.io.job import Job
 from core.io.mesh_file import load_mesh
 from core.job_config import config_of
 from core.stages.start_color import start_picture
+from core.terminal import sentence_of
 from core.tests.bad_files import make_assets
 
 SURROGATES = st.text(st.characters(categories=["Cs", "Cc", "L"]), max_size=5)
@@ -49,7 +49,7 @@ def answered(work: Callable[[], object]) -> object:
     try:
         return work()
     except (UserError, OSError) as error:  # OSError: such as a name that is too long
-        caught = error if isinstance(error, UserError) else _known(error)
+        caught = error if isinstance(error, UserError) else sentence_of(error)
     assert caught is not None and caught.text and caught.fix
     return None
 

@@ -20,7 +20,7 @@ BANNED = {
     "fantasia3d_addon": {"torch", "core", "jaxtyping", "diffusers", "transformers", "run"},
 }
 # One file of the core each.
-ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR", "OpenImageIO")
+ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR", "OpenImageIO", "ray")
 
 
 def imported(source: str) -> set[str]:
@@ -115,9 +115,10 @@ def plain(name: str) -> str:
 
 # The core's folders and files, lowest first: each imports only from those before it.
 ORDER = (
-    "errors", "ranges", "device", "camera", "kernels", "ops", "hash_grid", "geometry", "config",
-    "io", "render", "appearance", "guidance", "texture", "job_config", "stages", "provenance",
-    "generate", "verify", "picture", "report", "prior", "benchmarks", "command_line", "__main__",
+    "errors", "interrupt", "terminal", "ranges", "device", "camera", "kernels", "ops",
+    "hash_grid", "geometry", "config", "io", "render", "appearance", "guidance", "texture",
+    "simulation", "job_config", "stages", "provenance", "generate", "verify", "picture", "report",
+    "batch", "prior", "benchmarks", "command_line", "__main__",
 )  # fmt: skip
 
 
@@ -173,7 +174,8 @@ def test_the_drawing_in_the_docs_is_of_today():
 
 def test_everything_that_is_imported_is_declared_and_pinned():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    declared = {plain(re.split(r"==|\[", pin)[0]) for pin in project["dependencies"]}
+    pins = [*project["dependencies"], *project["optional-dependencies"]["ray"]]
+    declared = {plain(re.split(r"==|\[", pin)[0]) for pin in pins}
     distributions = importlib.metadata.packages_distributions()
     unknown = {
         (file, name)

@@ -398,16 +398,25 @@ def test_the_locked_cuda_build_of_torchs_own_index_comes_with_its_hash(box):
     assert "--torch-backend cu130 --require-hashes" in uv_call(box)
 
 
-def test_a_cuda_build_without_a_hash_needs_the_users_leave(box):
+@pytest.mark.parametrize("allowed", [False, True])
+def test_a_cuda_build_without_a_hash_is_never_taken(box, allowed):
     box.patch.setattr(machine, "has_nvidia", lambda: True)
     box.patch.setenv("FAKE_UV", UV.format(box.folder))
-    box.ensure()
+    box.ensure(allow_cuda=allowed)
     (told,) = [text for text in box.said if text.startswith("taking torch's CPU build")]
-    assert "no hash for a +cu build" in told and "--allow-cuda" in told
-    assert box.count("target") == 0
-    box.ensure(renew=True, allow_cuda=True)
-    assert "--torch-backend auto -r " in uv_call(box)
-    assert uv_call(box).endswith("\ntorch==2.13.0\n")
+    assert "no hash for a +cu build" in told and "FANTASIA3D_PYTHON" in told
+    assert box.count("target") == 0, "uv is not even fetched"
+
+
+def test_with_a_gpu_the_registrys_cuda_build_comes_before_a_cpu_build_of_the_users(box):
+    """A +cpu wheel in a folder of wheels is a later version to pip; the registry's has a hash."""
+    box.patch.setattr(machine, "has_nvidia", lambda: True)
+    box.patch.setenv("FAKE_EXACT_REPORT", json.dumps(CUDA))
+    with (box.root / "requirements.lock").open("a") as lock:
+        lock.write("# [cuda]\nnvidia-cudnn==9 --hash=sha256:00\n")
+    box.ensure()
+    assert [line.split()[0] for line in box.log] == ["venv", "report", "report", "install"]
+    assert "torch===2.13.0" in box.log[-1] and box.log[-1].endswith(" nvidia-cudnn==9")
 
 
 @pytest.mark.parametrize(

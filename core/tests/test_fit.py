@@ -8,7 +8,7 @@ import torch
 from core.benchmarks import ball
 from core.benchmarks.bench_fit import fitted, line, misses, solid, summary
 from core.benchmarks.fit_scores import Truth, curvature_error, scores
-from core.benchmarks.oracle import oracle
+from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
 from core.config import DRAFT, RefineConfig
 from core.geometry.marching_tets import marching_tets
@@ -30,6 +30,7 @@ SHORT = replace(
     coarse=replace(DRAFT.geometry.coarse, steps=0),
     grow=RefineConfig(rounds=0),
     refine=RefineConfig(rounds=2, steps=25, views=10, batch=5, size=64, learning_rate=4e-3),
+    sharpen=replace(DRAFT.geometry.sharpen, rounds=0),
 )
 SHARP = replace(SHORT, net=replace(FOURIER, octaves=5, residual=0.3), polish=0, flatten=2)
 
@@ -50,6 +51,11 @@ def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, tru
     assert {"flat", "crease"} <= set(misses(soft))
     assert misses(sharp) == []
     assert sharp["chamfer"] < 0.7 * soft["chamfer"]
+
+
+def test_the_sharpening_reaches_it_too(block, truth) -> None:
+    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=4))
+    assert misses(scores(*fitted(block, crisp), truth)) == []
 
 
 def test_the_truth_itself_misses_nothing(block, truth) -> None:
@@ -76,12 +82,19 @@ def test_a_ball_has_the_curvature_of_its_radius() -> None:
 
 
 def test_the_oracle_brings_the_truth_back_from_any_noise(block) -> None:
-    guidance, cameras = oracle(block, 16), Cameras.orbit([10.0, 80.0], [20.0, -10.0])
+    guidance, cameras = Oracle(block, 16), Cameras.orbit([10.0, 80.0], [20.0, -10.0])
     noise = torch.randn(2, 4, 16, 16, generator=torch.Generator().manual_seed(0))
     clean = denoise(guidance.prompted(), noise, 900, Views(cameras), 5.0, 3)
     seen = render(block, cameras, 16)
     true = torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
     assert torch.allclose(clean, true, atol=1e-4)
+
+
+def test_the_oracle_makes_any_picture_the_truth(block) -> None:
+    cameras = Cameras.orbit([10.0, 80.0], [20.0, -10.0])
+    seen = render(block, cameras, 16)
+    made = Oracle(block, 16).prompted().restore(torch.zeros(2, 4, 16, 16), Views(cameras))
+    assert torch.allclose(made, torch.cat([seen.normal, 2 * seen.coverage - 1], 1))
 
 
 def test_nouns_of_the_bench_are_the_same_solids_every_time() -> None:

@@ -346,5 +346,5 @@ def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(UserError, match=r"no file .*gone\.obj"):
         load_mesh(tmp_path / "gone.obj")
     (tmp_path / "folder.obj").mkdir()
-    with pytest.raises(UserError, match="no file"):
+    with pytest.raises(UserError, match=r"folder\.obj is a folder"):
         load_mesh(tmp_path / "folder.obj")

@@ -1,6 +1,7 @@
 """Meshes of any size and any fault, as a guide and to texture: an asset, or one sentence."""
 
 import json
+import resource
 from pathlib import Path
 
 import numpy as np
@@ -62,19 +63,55 @@ def write_obj(path: Path, verts: np.ndarray, faces: np.ndarray) -> Path:
 @pytest.mark.parametrize("name", shapes())
 def test_any_mesh_becomes_an_asset_or_a_sentence(name, use, tmp_path, capsys):
     mesh = write_obj(tmp_path / "mesh.obj", *shapes()[name])
-    command = {
+    code = main([*command(use, mesh), "--out", str(tmp_path / "run"), *OPTIONS])
+    check(code, use, tmp_path / "run", capsys.readouterr().err)
+
+
+def command(use: str, mesh: Path) -> list[str]:
+    """The words of a command line before its options."""
+    return {
         "texture": ["texture", str(mesh), "a red ball"],
         "guide": ["generate", "a red ball", "--guide", str(mesh)],
         "kept guide": ["generate", "a red ball", "--guide", str(mesh), "--guide-strength", "1"],
     }[use]
-    code = main([*command, "--out", str(tmp_path / "run"), *OPTIONS])
-    said = capsys.readouterr().err
+
+
+def check(code: int, use: str, run: Path, said: str) -> None:
+    """A sentence and no asset, or an asset that can be printed where a guide is followed."""
     if code:
         assert code == 2 and said.splitlines()[-1].startswith("error: "), said
-        assert not (tmp_path / "run" / "asset").exists()
+        assert not (run / "asset").exists()
         return
-    report = inspect(tmp_path / "run")
+    report = inspect(run)
     json.dumps(report, allow_nan=False)
     assert report["mesh"]["faces"] > 0
     if use == "guide":
         assert report["mesh"]["closed"] and report["mesh"]["volume"] > 0
+
+
+def write_large_stl(path: Path, rows: int) -> Path:
+    """A ball of 4 rows² faces, its poles left open by a degenerate row."""
+    up, round_ = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows + 1)
+    u, w = np.meshgrid(up, round_, indexing="ij")
+    p = np.stack([np.sin(u) * np.cos(w), np.sin(u) * np.sin(w), np.cos(u)], -1).astype("<f4")
+    corners = p[:-1, :-1], p[1:, :-1], p[1:, 1:], p[:-1, 1:]
+    faces = np.zeros((2, rows, 2 * rows), dtype=[("n", "<3f4"), ("v", "<f4", (3, 3)), ("a", "<u2")])
+    for at, order in enumerate(((0, 1, 2), (0, 2, 3))):
+        for corner, index in enumerate(order):
+            faces["v"][at, ..., corner, :] = corners[index]
+    count = np.array(faces.size, "<u4").tobytes()
+    path.write_bytes(bytes(80) + count + faces.tobytes())
+    return path
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("use", ["texture", "guide", "kept guide"])
+def test_five_million_faces_become_an_asset_or_a_sentence(use, tmp_path, capsys):
+    """In 8 GB, which is what the largest mesh of a scan takes elsewhere too."""
+    mesh = write_large_stl(tmp_path / "large.stl", 1119)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    code = main([*command(use, mesh), "--out", str(tmp_path / "run"), *OPTIONS])
+    check(code, use, tmp_path / "run", capsys.readouterr().err)
+    taken = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+    print(f"{use}: {taken >> 10} MB beyond {before >> 10} MB")
+    assert taken < 8 << 20

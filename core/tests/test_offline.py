@@ -30,7 +30,9 @@ from core.command_line import main
 codes = [main(["words", "a red wooden chair"]), main(["inspect", sys.argv[1]])]
 codes.append(run.main(["doctor"]))
 for module in pkgutil.walk_packages(core.__path__, "core."):
-    if ".tests" not in module.name and not module.name.endswith("__main__"):
+    # Ray is an extra, and imported in this module alone.
+    extra = module.name == "core.batch.cluster" and not importlib.util.find_spec("ray")
+    if ".tests" not in module.name and not module.name.endswith("__main__") and not extra:
         __import__(module.name)
 if importlib.util.find_spec("bpy"):
     import bpy, fantasia3d_addon

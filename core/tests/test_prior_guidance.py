@@ -11,12 +11,11 @@ from core.generate import prepare
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin import hint as hint_module
 from core.guidance.builtin.guidance import (
-    APPEARANCE_SLOTS,
     GEOMETRY_SLOTS,
     BuiltinGuidance,
     load_builtin,
 )
-from core.guidance.builtin.hint import CHANNELS
+from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.offered import WEIGHTS
@@ -61,7 +60,7 @@ def _error(guidance, x, prompt, cameras, t=700, scale=1.0):
 
 
 def test_the_weights_fit_their_slots_and_the_budget(guidance):
-    pairs = ((guidance.geometry, GEOMETRY_SLOTS), (guidance.appearance, APPEARANCE_SLOTS))
+    pairs = ((guidance.geometry, GEOMETRY_SLOTS), (guidance.appearance, HINT_SLOTS[:-1]))
     for net, slots in pairs:
         assert net.config.words == tuple(len(SLOTS[slot]) for slot in slots)
         assert all(p.isfinite().all() for p in net.parameters())

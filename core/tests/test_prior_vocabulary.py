@@ -140,6 +140,13 @@ def test_a_thing_is_a_part_after_a_thing_that_has_it():
     assert parse("a golden key").noun == "key"
 
 
+def test_a_parts_name_before_a_thing_qualifies_it_and_in_a_phrase_of_its_own_is_the_part():
+    words = parse("a roof tower")
+    assert (words.noun, words.left_out) == ("tower", ("roof",))
+    assert parse("wheels of a red car") == Words("car", color="red")
+    assert parse("a three-legged stool").part == "three legs"
+
+
 def test_a_colour_before_a_part_is_of_that_part_alone():
     assert parse("a chair with red legs") == Words("chair", second="red", target="legs")
     words = parse("a red chair with blue legs")

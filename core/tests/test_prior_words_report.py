@@ -219,6 +219,7 @@ def test_what_is_understood_is_plain_data():
         "shape": "tall",
         "parts": ["no chimney"],
         "colours": ["red", "white"],
+        "part_colours": {},
         "materials": ["wooden"],
         "pattern": "two-tone",
         "size_m": 8.0,

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..blender.input_file import require_file
 from ..errors import AssetError
 
 VERSION = 1
@@ -132,6 +133,7 @@ def read_info(folder: Path) -> dict[str, Any]:
     folder = asset_in(folder)
     path = folder / "asset.json"
     try:
+        require_file(path)
         if path.stat().st_size > MAX_BYTES:
             raise AssetError(f"{path} is larger than {MAX_BYTES >> 20} MB.", REMAKE)
         info = json.loads(path.read_text(encoding="utf-8"))
@@ -165,6 +167,7 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         AssetError: the file is no triangle mesh with a uv for each corner.
     """
     try:
+        require_file(path)
         lines = path.read_bytes().splitlines()
     except OSError as error:
         raise AssetError(f"{path} can't be read ({error.strerror}).", REMAKE) from None

@@ -16,12 +16,13 @@ from ..asset.import_asset import import_asset
 from ..blender.mesh_arrays import mesh_object, world_verts
 from ..errors import AddonError, LightError
 from ..material import edit as material_edit
-from ..mesh import export
+from ..mesh import engines, export, remesh
 from ..physics import simulation
 from ..scene import cornell_box, light, relight
 from ..scene import render as scene_render
 
 LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset was made under
+DEFAULT_USD = ".usdc"  # of --format usd into a folder
 SEVERAL_USD = {".usd": (".usdc", ".usda", ".usdz")}  # --format usd allows each of these
 
 
@@ -41,7 +42,9 @@ def run(args: argparse.Namespace) -> list[Path]:
         material_edit.replace_material(obj, args.material)
     bpy.context.view_layer.update()
     if args.command == "export":
-        return [export.export_object(objs[0], args.out, args.flip_normal_y)]
+        return [_export(args, objs[0])]
+    if args.command in ("lod", "remesh"):
+        return {"lod": _lod, "remesh": _remesh}[args.command](args, objs[0])
     act = {"relight": _relight, "physics": _physics, "cornell": _cornell}[args.command]
     return act(args, objs, is_empty)
 
@@ -49,6 +52,15 @@ def run(args: argparse.Namespace) -> list[Path]:
 def _check(args: argparse.Namespace) -> None:
     """Refuse before the work what could not be written after it."""
     if args.command == "export":
+        if args.format.lower() in engines.ENGINES:
+            if args.flip_normal_y or args.out.suffix:
+                raise AddonError(
+                    f"--format {args.format} writes a folder, with the normal map of its engine.",
+                    "Name a folder with --out, and leave --flip-normal-y out.",
+                )
+            return
+        if not args.out.suffix:
+            return  # a folder
         ending = f".{args.format.lower()}"
         known = ending in export.ENDINGS
         if not known or args.out.suffix.lower() not in (ending, *SEVERAL_USD.get(ending, ())):
@@ -58,12 +70,42 @@ def _check(args: argparse.Namespace) -> None:
                 "file's name ends in it.",
             )
         return
+    if args.command in ("lod", "remesh"):
+        export.check_format(args.out, False)
+        return
     if not (args.blend or args.render or getattr(args, "turntable", None)):
         more = ", --turntable" if args.command == "relight" else ""
         raise AddonError("There is nothing to write.", f"Add --render{more} or --blend.")
     if args.render and args.render.suffix.lower() not in scene_render.FORMATS:
         endings = ", ".join(scene_render.FORMATS)
         raise AddonError(f"--render is {str(args.render)!r}.", f"Its name ends in {endings}.")
+
+
+def _export(args: argparse.Namespace, obj: bpy.types.Object) -> Path:
+    """Into the file that --out names; into a folder where it has no ending."""
+    kind = args.format.lower()
+    if kind in engines.ENGINES:
+        return engines.export_for(obj, args.out, kind)
+    out = args.out
+    if not out.suffix:
+        out = out / f"{engines.plain_name(obj.name)}{DEFAULT_USD if kind == 'usd' else f'.{kind}'}"
+    return export.export_object(obj, out, args.flip_normal_y)
+
+
+def _lod(args: argparse.Namespace, obj: bpy.types.Object) -> list[Path]:
+    """One file with --max-faces; else FILE_LOD1 and so on next to the file that --out names."""
+    lods = remesh.make_lods(obj, args.levels, args.ratio, args.max_faces)
+    out, several = args.out, not args.max_faces
+    names = [f"{out.stem}_LOD{i}{out.suffix}" if several else out.name for i in range(1, 99)]
+    for lod in lods:  # the exporters leave hidden objects out
+        lod.hide_set(False)
+    pairs = zip(lods, names, strict=False)
+    return [export.export_object(lod, out.with_name(name)) for lod, name in pairs]
+
+
+def _remesh(args: argparse.Namespace, obj: bpy.types.Object) -> list[Path]:
+    quads = remesh.quad_remesh(obj, args.faces, args.texture_size)
+    return [export.export_object(quads, args.out)]
 
 
 def _object(name: str) -> bpy.types.Object:
@@ -137,13 +179,15 @@ def _set_light(args: argparse.Namespace, obj: bpy.types.Object) -> None:
     scene, strength = bpy.context.scene, 1.0 if args.strength is None else args.strength
     name = obj.get(LIGHT, light.STUDIO) if args.light is None else args.light
     try:
-        relight.relight(scene, name, strength, args.rotation)
+        relight.relight(scene, name, strength, args.rotation or 0.0)
     except LightError as error:
         if args.light is not None:
             raise
         # The asset's own light was deleted since: that does not stop the command.
         print(f"warning: {error.text} The studio light is used instead.", file=sys.stderr)
-        relight.relight(scene, light.STUDIO, strength, args.rotation)
+        relight.relight(scene, light.STUDIO, strength, args.rotation or 0.0)
+    if args.rotation is None:
+        scene_render.turn_low_sun(scene)
     bpy.context.view_layer.update()
     if args.strength is None:
         scene_render.expose(scene, obj)

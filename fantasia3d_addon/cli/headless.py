@@ -58,10 +58,7 @@ def finish(
             _finish(asset, blend, render, light)
     except AddonError as error:
         return _report(error)
-    for path in (blend, render):
-        if path:
-            print(Path(path).expanduser().absolute(), flush=True)
-    return 0
+    return _tell([Path(path) for path in (blend, render) if path])
 
 
 def command(args: argparse.Namespace) -> int:
@@ -71,8 +68,20 @@ def command(args: argparse.Namespace) -> int:
             written = commands.run(args)
     except AddonError as error:
         return _report(error)
-    for path in written:
-        print(path.expanduser().absolute(), flush=True)
+    return _tell(written)
+
+
+def _tell(written: Sequence[Path]) -> int:
+    """Print the files that were written: the exit code."""
+    try:
+        for path in written:
+            print(path.expanduser().absolute(), flush=True)
+    except BrokenPipeError:  # the reader of a pipe had enough
+        pass
+    except OSError as error:
+        fix = "Send the output to a file on a disk with space, or to no file."
+        text = f"What was written cannot be printed: {error.strerror}."
+        return _report(AddonError(text, fix))
     return 0
 
 
@@ -130,7 +139,8 @@ def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
         assert process.stdout
         with _ignore_ctrl_c():  # after the start, or the core would inherit it
             for line in process.stdout:
-                print(line, end="", flush=True)
+                with contextlib.suppress(OSError):  # nobody reads it: the job goes on
+                    print(line, end="", flush=True)
             process.wait()
     code = process.returncode
     return code if code >= 0 else 128 - code  # as a shell reports signals

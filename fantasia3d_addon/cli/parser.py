@@ -15,7 +15,9 @@ from ..options import Option
 
 ASSET = "an asset or run folder; or the name of a mesh object of the open file"
 JOBS = ("generate", "texture", "resume")  # the core's commands whose asset Blender may import
-EXPORTS = ("usd", "usdc", "usda", "usdz", "fbx")  # the formats that the core does not write
+ENGINES = ("godot", "unity", "unreal")  # into a folder
+# The formats that the core does not write.
+EXPORTS = ("usd", "usdc", "usda", "usdz", "fbx", *ENGINES)
 
 
 class Commands(Protocol):
@@ -37,6 +39,19 @@ def add_blender_commands(commands: Commands) -> None:
         _add_file(commands[name], "--render", "FILE.png", "render the asset in Cycles")
     _add(commands["export"], options.FLIP_NORMAL_Y)
     _add(commands["export"], options.MATERIAL, default=None)
+    lod = commands.add("lod", "An asset with fewer triangles, its UVs and maps kept.")
+    remesh = commands.add("remesh", "An asset as quads, with UVs and maps of its own.")
+    for command in (lod, remesh):
+        command.add_argument("asset", metavar="ASSET", help=ASSET)
+        command.add_argument(
+            "--out", type=Path, required=True, metavar="FILE", help=".glb, .fbx, .obj, .usdc, …"
+        )
+        _add(command, options.MATERIAL, default=None)
+    _add(lod, options.MAX_FACES)
+    _add(lod, options.LEVELS)
+    _add(lod, options.RATIO)
+    _add(remesh, options.QUADS, flag="--max-faces")
+    _add(remesh, options.BAKE_SIZE)
     relight = commands.add(
         "relight", "An asset in another light: picture, turntable, Blender file."
     )
@@ -55,7 +70,7 @@ def runs_in_blender(args: argparse.Namespace) -> bool:
     if args.command == "export":
         changed = bool(args.material) or args.flip_normal_y
         return changed or args.format.lower() in (*EXPORTS, "blend")
-    return args.command in ("relight", "physics", "cornell")
+    return args.command in ("relight", "physics", "cornell", "lod", "remesh")
 
 
 def saves_blend(args: argparse.Namespace) -> bool:
@@ -110,7 +125,8 @@ def _add_light_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
     # No default: without it the exposure is set so that white is just not clipped.
     _add(command, options.STRENGTH, default=None)
-    _add(command, options.ROTATION, flag="--rotation-deg")
+    # No default: without it a low sun stands to the side of the camera, and shadows are long.
+    _add(command, options.ROTATION, flag="--rotation-deg", default=None)
 
 
 def _add(command: argparse.ArgumentParser, option: Option, flag: str = "", **more: Any) -> None:

@@ -10,7 +10,12 @@ from pathlib import Path
 from . import machine
 from .machine import SetupError
 
-MODULES = {"core": ("torch", "numpy", "safetensors"), "blender": ("bpy",), "test": ("pytest",)}
+MODULES = {
+    "core": ("torch", "numpy", "safetensors"),
+    "blender": ("bpy",),
+    "test": ("pytest",),
+    "ray": ("ray",),
+}
 # Run by an interpreter that is used as it is: its version, and which of the arguments it lacks.
 LOOK = """import importlib.util as u
 lacking = ", ".join(name for name in sys.argv[1:] if not u.find_spec(name))

@@ -14,7 +14,7 @@ import threading
 import time
 from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
-from typing import IO, Protocol
+from typing import IO, Any, Protocol
 
 from . import machine, paths
 from .given import given_python
@@ -31,7 +31,7 @@ class Progress(Protocol):
         """``text`` is a line for the user; ``fraction`` is done, from 0 to 1."""
 
 
-SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9}  # bytes on disk, measured
+SIZES = {"core": 1.2e9, "blender": 0.85e9, "test": 0.35e9, "ray": 0.27e9}  # bytes on disk, measured
 CUDA_SIZE = 6e9  # what torch's CUDA build adds
 LEAN_PIP = (23, 2)  # older ones download a whole wheel (torch: 0.5 GB) to read its requirements
 SILENCE = 15.0  # seconds without output after which a long step is reported again
@@ -219,12 +219,8 @@ class _SetUp:
         On a machine with a GPU for which pip finds a CPU build only, the CUDA build is tried.
         """
         pin = self.torch
-        # A dry run: pip resolves the pin and reports which build it would download. Without the
-        # hashes: with them pip downloads the whole build to check it.
-        report = self.folder / "report.json"
         self._start_step("asking pip for torch")
-        self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
-        found = json.loads(report.read_text(encoding="utf-8"))
+        found = self._resolved(pin)
         self.torch = f"torch=={found['install'][0]['metadata']['version']}"
         cuda = offers_cuda(found, sys.platform)
         self.takes_cuda = cuda and (gpu or allow_cuda)
@@ -241,9 +237,16 @@ class _SetUp:
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:
-                self._fetch_cuda(pin, allow_cuda)
+                self._fetch_cuda(pin)
             except SetupError as error:
                 self._report(f"taking torch's CPU build; no CUDA build: {error}")
+
+    def _resolved(self, pin: str) -> dict[str, Any]:
+        """pip's report of which build it would download for ``pin``."""
+        report = self.folder / "report.json"
+        # Without the hashes: with them pip downloads the whole build to check it.
+        self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)
+        return json.loads(report.read_text(encoding="utf-8"))
 
     def _build(self, label: str) -> str:
         """The locked requirement of one of torch's own builds, such as ``+cpu``.
@@ -254,26 +257,25 @@ class _SetUp:
         found = [line for line in locked(self.root, "torch") if label in line]
         if not found:
             raise SetupError(
-                f"the lock file has no hash for a {label} build",
-                "To take the build of torch's own index anyway: run.py setup --renew --allow-cuda.",
+                f"the lock file has no hash for a {label} build, and without one none is taken",
+                "For your own build of torch make an environment of your own, and name its "
+                "interpreter in FANTASIA3D_PYTHON.",
             )
         return found[0]
 
-    def _fetch_cuda(self, pin: str, allow_cuda: bool) -> None:
-        """Install the CUDA build of torch's own index: the locked one, or any that is allowed."""
-        try:
-            build = self._build("+cu")
-        except SetupError:
-            if not allow_cuda:
-                raise
-            # The one exception from the lock file, and the user's own request: these builds are in
-            # no registry, one for each system and version of CUDA.
-            return self._uv("auto", pin)
+    def _fetch_cuda(self, pin: str) -> None:
+        """Take the CUDA build of the registry, which has one for Linux; or torch's own, by uv."""
+        exact = pin.replace("==", "===")  # which +cpu, a later version to pip, does not match
+        with contextlib.suppress(SetupError):  # as of a wheel folder with one build alone
+            self.takes_cuda = offers_cuda(self._resolved(exact), sys.platform)
+        if self.takes_cuda:
+            self.torch = exact
+            return
+        build = self._build("+cu")
         found = re.search(r"\+(cu\d+)", build)
         assert found
         self._uv(found.group(1), build)
         self.takes_cuda = True
-        return None
 
     def _uv(self, backend: str, requirement: str) -> None:
         """Install torch through uv, which knows where torch's own builds are."""
@@ -285,7 +287,7 @@ class _SetUp:
         uv = tool / "bin" / ("uv.exe" if sys.platform == "win32" else "uv")
         command = [str(uv), "pip", "install", "--python", self.python, "--torch-backend", backend]
         # uv checks no hash of torch==2.13.0 where it installs 2.13.0+cpu: the lock names the build.
-        hashed = ["--require-hashes", "--no-deps"] if "--hash" in requirement else []
+        hashed = ["--require-hashes", "--no-deps"]
         wanted = self._list([requirement])
         # In its own folder: a uv.toml in the user's current one is not for it.
         self._run([*command, *hashed, "-r", wanted], sources, tool)

@@ -4,7 +4,7 @@
 requirements file of pip's with sections; a section holds what its group needs beyond the core's,
 transitive requirements included:
 
-* ``core``, ``blender``, ``test``, ``setup``: the groups of pyproject.toml;
+* ``core``, ``blender``, ``ray``, ``test``, ``setup``: the groups of pyproject.toml;
 * ``cuda``: what torch's CUDA build alone requires;
 * ``torch``: builds of torch that the registry does not have, under their local versions.
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from ..blender.input_file import require_file
 from ..errors import JobError
 from . import target
 from .events import END_EVENTS, event_object
@@ -151,6 +152,7 @@ def _state_without_events(folder: Path) -> str:
 def _events(path: Path) -> list[dict[str, Any]]:
     """The last events; all of them where the last session's start may be before the tail."""
     try:
+        require_file(path)
         with path.open("rb") as file:
             # The end is enough for a run that has ended: a long one has many thousand events.
             size = file.seek(0, 2)

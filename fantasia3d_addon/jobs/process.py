@@ -18,6 +18,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..blender.input_file import require_file
 from ..environment import clean_environ
 from ..errors import JobError
 from .events import Event, parse_event
@@ -190,8 +191,10 @@ class Run:
 
     def _read(self) -> list[Event]:
         """The complete lines since the last call; one that is still being written waits."""
+        events = self.folder / "events.jsonl"
         try:
-            with (self.folder / "events.jsonl").open("rb") as file:
+            require_file(events)
+            with events.open("rb") as file:
                 file.seek(self._offset)
                 chunk = file.read()
         except OSError:  # not written yet; or the folder is gone, and the core ends by itself

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
+from ..blender.input_file import require_file
+
 LARGEST = 2**63  # of a whole number: what the core takes as a seed
 
 
@@ -18,6 +20,7 @@ def read_object(path: Path) -> dict[str, Any]:
         ValueError: it is no JSON object, or holds text that UTF-8 cannot.
         OSError: it can't be read.
     """
+    require_file(path)
     try:
         data = json.loads(path.read_text("utf-8"))
         # Both in one step: a lone half of a surrogate pair, which Blender's text refuses, and a

@@ -106,7 +106,8 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 def summary(report: Report) -> str:
     """What is understood, in the order of the prompt's grammar: "chair, red, wooden"."""
     parts = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
-    return ", ".join(filter(None, [*parts, *report["materials"], *report["parts"]]))
+    colored = [f"{color} {part}" for part, color in report.get("part_colours", {}).items()]
+    return ", ".join(filter(None, [*parts, *report["materials"], *report["parts"], *colored]))
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

@@ -43,7 +43,7 @@ def export_object(
         OutputError: the extension is unknown, or this Blender can't write the format or the place.
     """
     path = Path(path).expanduser().absolute()
-    _check(path, flip_normal_y)
+    check_format(path, flip_normal_y)
     mesh_object(obj)
     kind = ENDINGS[path.suffix.lower()]
     with temporary_output(path) as temporary:
@@ -52,14 +52,15 @@ def export_object(
         paths = maps.save_images(
             maps.maps_of(obj, size), textures, path.stem, flip_normal_y, split=kind != "GLB"
         )
-        with _plain_copy(obj, paths) as copy:
+        with plain_copy(obj, paths) as copy:
             _write(copy, temporary, kind)
         if kind != "OBJ":  # the others hold their pictures, or have written them again
             shutil.rmtree(textures)
     return path
 
 
-def _check(path: Path, flip_normal_y: bool) -> None:
+def check_format(path: Path, flip_normal_y: bool) -> None:
+    """Raise OutputError for a format that this Blender does not write."""
     kind = ENDINGS.get(path.suffix.lower())
     if kind is None:
         raise OutputError(f"{path} has no known format.", f"Its name ends in {', '.join(ENDINGS)}.")
@@ -81,7 +82,7 @@ def _check(path: Path, flip_normal_y: bool) -> None:
 
 
 @contextlib.contextmanager
-def _plain_copy(obj: bpy.types.Object, paths: Mapping[str, Path]) -> Iterator[bpy.types.Object]:
+def plain_copy(obj: bpy.types.Object, paths: Mapping[str, Path]) -> Iterator[bpy.types.Object]:
     """A copy of ``obj`` with the same name, no modifiers, and the files ``paths`` as its maps."""
     own = obj, obj.data, obj.material_slots[0].material
     names = [datablock.name for datablock in own]
@@ -144,7 +145,8 @@ def _write(obj: bpy.types.Object, path: Path, kind: str) -> None:
         _OPERATORS[kind](str(path))
 
 
-def _glb(path: str) -> None:
+def write_glb(path: str) -> None:
+    """The selected objects as one GLB."""
     bpy.ops.export_scene.gltf(
         filepath=path, export_format="GLB", use_selection=True, export_tangents=True,
         export_animations=False, export_morph=False, export_skins=False, export_extras=True,
@@ -173,4 +175,4 @@ def _obj(path: str) -> None:
     )  # fmt: skip
 
 
-_OPERATORS = {"GLB": _glb, "USD": _usd, "FBX": _fbx, "OBJ": _obj}
+_OPERATORS = {"GLB": write_glb, "USD": _usd, "FBX": _fbx, "OBJ": _obj}

@@ -18,11 +18,16 @@ from ..material.edit import principled
 from . import health, maps
 
 QUADS_FRACTION = 0.3  # of the time; the bake of the maps is the rest
+MIN_FACES = 50  # below it nothing keeps its shape
 REACH = 0.02  # of the object's size: the greatest distance of the quads from the surface
 
 
-def make_lods(obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5) -> list[bpy.types.Object]:
+def make_lods(
+    obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5, max_faces: int = 0
+) -> list[bpy.types.Object]:
     """``levels`` objects, each with ``ratio`` of the faces of the one before, the UVs kept.
+
+    With ``max_faces`` it is one of at most so many triangles instead.
 
     They share the material and the place of ``obj``, and are hidden in a collection of their own:
     "NAME LODs" with "NAME LOD1" and so on.
@@ -36,27 +41,54 @@ def make_lods(obj: bpy.types.Object, levels: int = 3, ratio: float = 0.5) -> lis
             f"{levels} levels with a ratio of {ratio:g} can't be made.",
             f"Use {options.LEVELS.range} levels, and a ratio of {options.RATIO.range}.",
         )
+    # Of the original each time: decimating a decimated mesh adds up its errors.
+    fractions = [ratio**level for level in range(1, levels + 1)]
+    if max_faces:
+        fractions = [_fraction(obj, max_faces)]
     collection = bpy.data.collections.new(data_name(obj.name, " LODs"))
     bpy.context.scene.collection.children.link(collection)
     made = []
-    for level in range(1, levels + 1):
-        name = data_name(obj.name, f" LOD{level}")
-        lod = bpy.data.objects.new(name, obj.data.copy())
-        lod.data.name = name
-        lod.matrix_world = obj.matrix_world
-        collection.objects.link(lod)
-        # So that the ratio is one of triangles.
-        if any(len(polygon.vertices) > 3 for polygon in lod.data.polygons):
-            lod.modifiers.new("triangles", "TRIANGULATE")
-        fewer = lod.modifiers.new("fewer", "DECIMATE")
-        # Of the original each time: decimating a decimated mesh adds up its errors.
-        fewer.ratio, fewer.use_collapse_triangulate = ratio**level, True
-        bpy.context.view_layer.update()
-        apply_modifiers(lod)
-        lod.hide_set(True)
-        lod.hide_render = True
+    for level, fraction in enumerate(fractions, 1):
+        lod = _decimated(obj, data_name(obj.name, f" LOD{level}"), fraction, collection)
+        if max_faces and len(lod.data.polygons) > max_faces:  # the modifier rounds up
+            fewer = fraction * max_faces / len(lod.data.polygons) * 0.99
+            mesh = lod.data
+            bpy.data.objects.remove(lod)
+            bpy.data.meshes.remove(mesh)
+            lod = _decimated(obj, data_name(obj.name, f" LOD{level}"), fewer, collection)
+        hide(lod)
         made.append(lod)
     return made
+
+
+def _fraction(obj: bpy.types.Object, max_faces: int) -> float:
+    """Of the triangles of ``obj`` that ``max_faces`` are."""
+    obj.data.calc_loop_triangles()
+    present = len(obj.data.loop_triangles)
+    if not MIN_FACES <= max_faces < present:
+        raise AddonError(
+            f"{max_faces} faces can't be made of {obj.name}, which has {present} triangles.",
+            f"Use {MIN_FACES} or more, and fewer than it has.",
+        )
+    return max_faces / present
+
+
+def _decimated(
+    obj: bpy.types.Object, name: str, fraction: float, collection: bpy.types.Collection
+) -> bpy.types.Object:
+    """A copy of ``obj`` with that fraction of its triangles, the UVs kept."""
+    lod = bpy.data.objects.new(name, obj.data.copy())
+    lod.data.name = name
+    lod.matrix_world = obj.matrix_world
+    collection.objects.link(lod)
+    # So that the fraction is one of triangles.
+    if any(len(polygon.vertices) > 3 for polygon in lod.data.polygons):
+        lod.modifiers.new("triangles", "TRIANGULATE")
+    fewer = lod.modifiers.new("fewer", "DECIMATE")
+    fewer.ratio, fewer.use_collapse_triangulate = fraction, True
+    bpy.context.view_layer.update()
+    apply_modifiers(lod)
+    return lod
 
 
 def quad_remesh(

@@ -19,9 +19,8 @@ from mathutils import Matrix, Vector
 from .. import options
 from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
 from ..errors import AddonError
-from ..mesh import health
+from ..mesh import health, proxy
 from ..scene.placement import visible_meshes
-from . import proxy
 from .bake import bake_until_stable, cache_of, edge_lengths
 from .mass import mass_of
 

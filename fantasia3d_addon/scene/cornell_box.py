@@ -27,8 +27,9 @@ COLORS = {
     "green": (0.14, 0.45, 0.091),
 }
 EMISSION = (17.0, 12.0, 4.0)  # radiance
-EXPOSURE = 1.0  # stops, for a bright picture on a screen
-ROOM = 0.78  # fraction of the box's width, depth and height for the assets
+EXPOSURE = 1.6  # stops, for a bright picture on a screen
+ROOM = 0.55  # fraction of the box's width, depth and height for the assets: as its blocks have
+BACK = 0.16  # of the box's depth: behind the lamp, or it would light the back of what is seen
 FOVY = math.radians(39.3077)  # the original's camera: 35 mm lens, 25 mm film
 
 
@@ -65,6 +66,9 @@ def build(
     collection["fantasia3d_places"] = {o.name: [*o.matrix_world.translation] for o in objs}
     for obj, place in zip(objs, places, strict=True):
         obj.matrix_world.translation += Vector(place)
+        # No further than the back wall, for a box of the user's own height.
+        free = (1 - size[1] / (DEPTH * height)) / 2
+        obj.matrix_world.translation.y += max(0.0, min(BACK, free)) * DEPTH * height
     _walls(collection, height)
     _light(collection, height)
     _camera(scene, collection, height)

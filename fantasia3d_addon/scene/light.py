@@ -7,17 +7,20 @@ import os
 import re
 import struct
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import bpy
 import numpy as np
 
 from ..blender import compat
+from ..blender.input_file import require_file
 from ..errors import LightError
 
 WORLD = "Fantasia3D light"
 STUDIO = "studio"
 MAX_PIXELS = 1 << 27  # of a light, 16384 x 8192: as in the core
+WARM = 3.0  # red over blue at the horizon of a sunset
 HEADER = 1 << 16  # bytes in which the size is declared
 EXR_WINDOW = b"dataWindow\0box2i\0"  # then the length of the four numbers, and they
 # The core's own studio light as a file; blender_tests/test_light.py has the command.
@@ -127,6 +130,43 @@ def irradiance(image: bpy.types.Image, normal: Sequence[float]) -> float:
     return float((luminance * weight).sum() / weight.sum())
 
 
+@dataclass(frozen=True)
+class Glow:
+    """The sky about a low, warm sun; linear colours as the picture has them."""
+
+    azimuth: float  # of the sun, radians from +X, counter-clockwise from above
+    horizon: np.ndarray  # (3,) mean colour of the sky just above the horizon, about the sun
+    sky: np.ndarray  # (3,) and higher up
+
+
+def glow_of(image: bpy.types.Image) -> Glow | None:
+    """What makes a lat-long picture a sunset; None for any other light.
+
+    The horizon about its brightest direction is red rather than blue, and much brighter than the
+    sky as a whole.
+    """
+    width, height = image.size
+    pixels = np.empty(width * height * 4, np.float32)
+    image.pixels.foreach_get(pixels)
+    picture = pixels.reshape(height, width, 4)[..., :3]
+    above = picture[height // 2 :]  # row 0 is the lowest
+    per_degree = height / 180
+    low = above[: max(1, round(12 * per_degree))].mean(0)  # (W,3)
+    near = max(1, width // 8)  # 45 degrees to each side
+    around = np.stack([np.roll(low, shift, 0) for shift in range(-near, near + 1)]).mean(0)
+    column = int(around.sum(1).argmax())
+    columns = np.arange(column - near, column + near + 1) % width
+    high = above[round(25 * per_degree) : max(1, round(45 * per_degree))]
+    if not len(high):
+        return None
+    horizon, sky = around[column], high[:, columns].mean((0, 1))
+    is_warm = horizon[0] > WARM * horizon[2]
+    if not is_warm or horizon.sum() < 2 * above.mean((0, 1)).sum():
+        return None
+    azimuth = (0.5 - (column + 0.5) / width) * 2 * math.pi
+    return Glow(azimuth, horizon, sky)
+
+
 def _remove_unused(world: bpy.types.World | None) -> None:
     """Remove an earlier light of ours that no scene uses; keep the user's own world."""
     if world is None:
@@ -145,6 +185,7 @@ def _remove_unused(world: bpy.types.World | None) -> None:
 def _check_size(path: Path) -> None:
     """By the header, since Blender takes the memory for any size that a file declares."""
     try:
+        require_file(path)
         with path.open("rb") as file:
             head = file.read(HEADER)
     except OSError as error:

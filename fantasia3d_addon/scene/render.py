@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from mathutils import Vector
+from mathutils import Matrix, Vector
 
 from ..blender import compat
 from ..blender.mesh_arrays import moved, verts_of
@@ -21,6 +21,8 @@ CAMERA = "Fantasia3D camera"
 FOVY = math.radians(24)  # a long lens: little distortion, as in product photographs
 MARGIN = 1.12  # the picture's height in diameters of the object's bounding sphere
 BACKDROP = 0.8  # linear grey
+SIDE = math.radians(75)  # of a low sun from the camera, counter-clockwise from above
+SKY = 0.45  # brightness of an evening's upper sky, of the backdrop's
 WHITE = 0.9  # linear; the brightest that a white surface should be
 FORMATS = {
     ".png": "PNG",
@@ -170,6 +172,10 @@ def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
     light_path = tree.nodes.new("ShaderNodeLightPath")
     grey = tree.nodes.new("ShaderNodeBackground")
     grey.inputs["Color"].default_value = (BACKDROP, BACKDROP, BACKDROP, 1)
+    picture = next((n.image for n in tree.nodes if n.bl_idname == "ShaderNodeTexEnvironment"), None)
+    glow = light.glow_of(picture) if picture else None
+    if glow:  # an even grey would hide that it is evening
+        tree.links.new(_evening_sky(tree, glow), grey.inputs["Color"])
     mix = tree.nodes.new("ShaderNodeMixShader")
     tree.links.new(
         light_path.outputs["Is Camera Ray"], mix.inputs[0]
@@ -177,6 +183,37 @@ def _hide_from_camera(tree: bpy.types.NodeTree) -> None:
     tree.links.new(surface.links[0].from_socket, mix.inputs[1])
     tree.links.new(grey.outputs["Background"], mix.inputs[2])
     tree.links.new(mix.outputs["Shader"], surface)
+
+
+def _evening_sky(tree: bpy.types.NodeTree, glow: light.Glow) -> bpy.types.NodeSocket:
+    """From the picture's lower edge upwards: the light's own horizon, then its sky."""
+    place, rows, ramp = (
+        tree.nodes.new(f"ShaderNode{kind}") for kind in ("TexCoord", "SeparateXYZ", "ValToRGB")
+    )
+    scale = BACKDROP / float(glow.horizon.max())
+    low, high = ramp.color_ramp.elements
+    low.position, high.position = 0.25, 1.0
+    low.color = (*(glow.horizon * scale), 1)
+    # Its own hue, but brighter: a sky is many times darker than its horizon.
+    high.color = (*(glow.sky / glow.sky.max() * BACKDROP * SKY), 1)
+    tree.links.new(place.outputs["Window"], rows.inputs[0])
+    tree.links.new(rows.outputs["Y"], ramp.inputs[0])
+    return ramp.outputs["Color"]
+
+
+def turn_low_sun(scene: bpy.types.Scene) -> None:
+    """Turn the light of a sunset so that its sun stands to the side of the scene's camera.
+
+    From behind the camera it casts no shadow that is seen. Any other light stays as it is.
+    """
+    glow = light.glow_of(light.environment_image(scene.world))
+    mapping = light.light_node(scene.world, "Mapping")
+    if glow is None or mapping is None:
+        return
+    bpy.context.view_layer.update()
+    x, y, _ = scene.camera.matrix_world.col[2][:3]  # away from what it sees
+    turn = math.atan2(y, x) + SIDE - glow.azimuth
+    mapping.inputs["Rotation"].default_value[2] = -turn
 
 
 def expose(scene: bpy.types.Scene, obj: bpy.types.Object) -> None:
@@ -187,6 +224,9 @@ def expose(scene: bpy.types.Scene, obj: bpy.types.Object) -> None:
     center, _ = bounding_sphere(obj)
     towards = (scene.camera.matrix_world.translation - center).normalized()
     image = light.environment_image(scene.world)
+    mapping = light.light_node(scene.world, "Mapping")
+    if mapping is not None:  # the light's rotation, undone: the picture itself is not turned
+        towards = Matrix.Rotation(mapping.inputs["Rotation"].default_value[2], 3, "Z") @ towards
     brightest = max(light.irradiance(image, normal) for normal in (towards, (0, 0, 1)))
     background = next(
         n for n in scene.world.node_tree.nodes if n.bl_idname == "ShaderNodeBackground"

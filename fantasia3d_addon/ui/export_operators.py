@@ -11,7 +11,9 @@ from bpy.props import BoolProperty, StringProperty
 from .. import options
 from ..background import blender_process
 from ..blender.mesh_arrays import mesh_object
-from ..mesh import asset_browser, export
+from ..jobs import print_export
+from ..jobs.paths import Paths
+from ..mesh import asset_browser, engines, export
 from .modal_operator import ModalTask, reason_to_wait, wait_for
 from .operator_helpers import UNDO, can_run, run_and_report
 from .option_properties import option_property
@@ -27,7 +29,7 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
         name="File", description="The file; its extension sets the format", subtype="FILE_PATH"
     )
     filter_glob: StringProperty(
-        default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj", options={"HIDDEN"}
+        default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj;*.stl;*.3mf", options={"HIDDEN"}
     )
     format: option_property(options.FORMAT, description="For a file name without an extension")
     flip_normal_y: option_property(options.FLIP_NORMAL_Y)
@@ -37,15 +39,25 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
         return can_run(cls, context)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        self.filepath = f"{bpy.path.clean_name(context.active_object.name)}.{self.format}"
+        name = bpy.path.clean_name(context.active_object.name)
+        # An engine's files go into a folder of that name.
+        self.filepath = name if self.format in engines.ENGINES else f"{name}.{self.format}"
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(bpy.path.abspath(self.filepath))
+        return run_and_report(self, lambda: self._export(context.active_object, path))
+
+    def _export(self, obj: bpy.types.Object, path: Path) -> None:
+        if self.format in engines.ENGINES and not path.suffix:
+            engines.export_for(obj, path, self.format)
+            return
         path = path if path.suffix else path.with_suffix(f".{self.format}")
-        obj = context.active_object
-        return run_and_report(self, lambda: export.export_object(obj, path, self.flip_normal_y))
+        if path.suffix.lower() in print_export.FORMATS:
+            print_export.export_print(obj, path, Paths(bpy.context).core)
+        else:
+            export.export_object(obj, path, self.flip_normal_y)
 
 
 class FANTASIA3D_OT_mark_asset(ModalTask, bpy.types.Operator):

@@ -81,6 +81,7 @@ class FANTASIA3D_OT_make_lods(bpy.types.Operator):
 
     levels: option_property(options.LEVELS)
     ratio: option_property(options.RATIO)
+    max_faces: option_property(options.MAX_FACES)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -88,7 +89,8 @@ class FANTASIA3D_OT_make_lods(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         obj = context.active_object
-        return run_and_report(self, lambda: remesh.make_lods(obj, self.levels, self.ratio))
+        settings = {"levels": self.levels, "ratio": self.ratio, "max_faces": self.max_faces}
+        return run_and_report(self, lambda: remesh.make_lods(obj, **settings))
 
 
 class FANTASIA3D_OT_quad_remesh(ModalTask, bpy.types.Operator):

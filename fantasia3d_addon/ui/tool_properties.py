@@ -40,6 +40,7 @@ class FANTASIA3D_PG_tools(bpy.types.PropertyGroup):
     convex: option_property(options.CONVEX)
     softness: option_property(options.SOFTNESS)
     self_collision: option_property(options.SELF_COLLISION)
+    max_faces: option_property(options.MAX_FACES)
     levels: option_property(options.LEVELS)
     ratio: option_property(options.RATIO)
     quads: option_property(options.QUADS)

@@ -167,10 +167,14 @@ class FANTASIA3D_PT_mesh(ToolPanel, bpy.types.Panel):
         layout, tools = _split(self), context.scene.fantasia3d_tools
         if _draw_reason(layout, context):
             return
-        layout.prop(tools, "levels")
-        layout.prop(tools, "ratio")
+        layout.prop(tools, "max_faces")
+        column = layout.column()
+        column.active = not tools.max_faces  # which takes their place
+        column.prop(tools, "levels")
+        column.prop(tools, "ratio")
         button = layout.operator("fantasia3d.make_lods", icon="MOD_DECIM")
         button.levels, button.ratio = tools.levels, tools.ratio
+        button.max_faces = tools.max_faces
         layout.separator()
         layout.prop(tools, "quads")
         layout.operator("fantasia3d.quad_remesh", icon="MOD_REMESH").faces = tools.quads

@@ -90,12 +90,14 @@ def understood(
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
     size_m, density = usual(words.noun, words.material)
+    second = "" if words.target else words.second
     return {
         "prompt": prompt,
         "thing": words.noun,
         "shape": words.shape or None,
         "parts": [words.part] if words.part else [],
-        "colours": [color for color in (words.color, words.second) if color],
+        "colours": [color for color in (words.color, second) if color],
+        "part_colours": {words.target: words.second} if words.target else {},
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
         "size_m": size_m,
@@ -158,6 +160,7 @@ class _Reading:
         self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
         self._pending: list[str] = []  # unknown words since the noun phrase began
+        self._before: list[tuple[str, bool, str]] = []  # parts in a phrase that has no noun yet
         self._without = self._after_color = False
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, breaks = _tokens(prompt)
@@ -195,9 +198,10 @@ class _Reading:
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
         the phrase's own noun."""
+        self.parts += self._before
         self.refused += self._pending
         self.qualifiers += self._pending[:-1]
-        self._pending, self._noun_end = [], -1
+        self._pending, self._before, self._noun_end = [], [], -1
 
     def _correct(self, token: str, at: int) -> None:
         # Only where it is surely one known word; anything less is a hint in the error.
@@ -216,7 +220,10 @@ class _Reading:
         if slot == "noun" and self.found["noun"]:
             part = _as_part(entry, self.found["noun"][0].word)
             slot, word = ("part", part) if part else (slot, word)
-        if slot == "part":
+        if slot == "part" and not self.found["noun"] and entry.form not in LEXICON:
+            # Until the phrase ends: before a noun ("a fin whale") it only qualifies that.
+            self._before.append((word, not self._without, ""))
+        elif slot == "part":
             color = ""
             # "with a blue handle": a colour right before a part is the part's, not the thing's.
             if self.found["color"] and self.found["noun"]:
@@ -237,8 +244,10 @@ class _Reading:
             form = self.found["noun"].pop().form
             self.left_out.append(form)
             self.qualifiers.append(form)
-        self.qualifiers += self._pending
-        self._pending, self._noun_end = [], end
+        parts = [part for part, _, _ in self._before]
+        self.left_out += parts
+        self.qualifiers += [*parts, *self._pending]
+        self._pending, self._before, self._noun_end = [], [], end
 
     def words(self, slot: str) -> list[str]:
         """The slot's words, each once."""

@@ -1,5 +1,7 @@
 """Four-legged animals."""
 
+from collections.abc import Callable
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
@@ -10,22 +12,32 @@ from core.prior.solids import (
     capsule,
     egg,
     join,
+    prism,
     taper,
     tube,
 )
 
 
-class _Beast:
+def fitted(family: Callable[[Draw], Parts]) -> Callable[[Draw], Parts]:
+    """``family`` made smaller and set back, so that a long beast stays within the bounds."""
+
+    def smaller(solid: Solid) -> Solid:
+        return lambda p: solid((p - p.new_tensor((0, 0.2, -0.4))) / 0.72) * 0.72
+
+    return lambda draw: {name: smaller(solid) for name, solid in family(draw).items()}
+
+
+class Beast:
     """A standing animal's trunk, head and legs; its head to the front."""
 
     def __init__(
         self, draw: Draw, wide: float, long: float, leg: float, head: float, neck: tuple
     ) -> None:
-        self.wide, self.long = wide * draw(0.92, 1.1), long * draw(0.92, 1.08)
-        self.belly = leg * draw(0.9, 1.1) + self.wide * 0.8
-        self.head = head * draw(0.93, 1.08)
-        self.y = -self.long * 0.8 - neck[0] * draw(0.9, 1.1)
-        self.z = self.belly + neck[1] * draw(0.9, 1.1)
+        self.wide, self.long = wide * draw(0.85, 1.2), long * draw(0.85, 1.15)
+        self.belly = leg * draw(0.8, 1.2) + self.wide * 0.8
+        self.head = head * draw(0.9, 1.15)
+        self.y = -self.long * 0.8 - neck[0] * draw(0.85, 1.2)
+        self.z = self.belly + neck[1] * draw(0.85, 1.2)
         self.foot = max(0.13, self.wide * 0.32)
 
     def trunk(self, neck: float) -> Solid:
@@ -36,6 +48,11 @@ class _Beast:
         throat = taper((0, -long * 0.6, self.belly), (0, y, z), neck * 1.25, neck)
         leg = taper((a, b, self.belly - 0.1), (a, b, self.foot), self.foot * 1.1, self.foot)
         return join(blend(0.12, body, throat, ball((0, y, z), self.head)), both(leg, 0, 1))
+
+    def feet(self, high: float = 0.14) -> Solid:
+        """Hooves: a short tube below each leg."""
+        a, b = self.wide * 0.55, self.long * 0.66
+        return both(tube((a, b, -0.02), (a, b, high), self.foot * 1.15, 0.02), 0, 1)
 
     def ears(self, high: float, thick: float = 0.12, tip: float = 0.05, out: float = 0.75) -> Solid:
         """A pair on top of the head."""
@@ -65,20 +82,27 @@ class _Beast:
 
 
 def cat(draw: Draw) -> Parts:
-    """Pointed ears, a raised tail."""
-    b = _Beast(draw, 0.36, 0.68, 0.4, 0.38, (0.2, 0.42))
-    tail = b.tail(draw(0.2, 0.4), draw(0.5, 0.75))
+    """Triangular ears, a long raised tail, a short muzzle."""
+    b = Beast(draw, 0.32, 0.68, 0.42, 0.4, (0.14, 0.42))
+    h, y, z = b.head, b.y, b.z
+    ear = prism([(0.06, z + h * 0.7), (h, z + h * 0.3), (h * 0.9, z + h + 0.24)], 1, 0.07, y)
+    back, up, bend = b.long * 0.85, b.belly + 0.1, draw(0.2, 0.4)
+    tail = join(
+        taper((0, back, up), (0, back + bend, up + 0.35), 0.12, 0.11),
+        taper((0, back + bend, up + 0.35), (0, back + bend, up + draw(0.7, 1.0)), 0.11, 0.11),
+    )
+    cheeks = both(egg((0.11, y - h * 0.88, z - 0.14), (0.16, 0.13, 0.12)))
     return {
-        "body": join(b.trunk(0.22), b.ears(0.16, 0.15, 0.04), tail),
-        "muzzle": b.muzzle(-0.06, 0.15),
-        "eyes": b.eyes(),
-        "nose": b.nose(0.08),
+        "body": join(b.trunk(0.22), both(ear), tail),
+        "muzzle": cheeks,
+        "eyes": both(egg((h * 0.45, y - h * 0.86, z + 0.1), (0.09, 0.07, 0.11))),
+        "nose": ball((0, y - h - 0.06, z - 0.05), 0.08),
     }
 
 
 def dog(draw: Draw) -> Parts:
     """Hanging or raised ears, a long muzzle."""
-    b = _Beast(draw, 0.36, 0.72, 0.5, 0.34, (0.22, 0.5))
+    b = Beast(draw, 0.36, 0.72, 0.5, 0.34, (0.22, 0.5))
     h, hang = b.head, draw.chance(0.6)
     low = taper((h * 0.8, b.y, b.z + h * 0.5), (h * 1.1, b.y, b.z - 0.22), 0.12, 0.14)
     return {
@@ -92,7 +116,7 @@ def dog(draw: Draw) -> Parts:
 
 def wolf(draw: Draw) -> Parts:
     """Pointed ears, a bushy tail that hangs."""
-    b = _Beast(draw, 0.38, 0.8, 0.55, 0.34, (0.28, 0.4))
+    b = Beast(draw, 0.38, 0.8, 0.55, 0.34, (0.28, 0.4))
     return {
         "body": join(b.trunk(0.28), b.ears(0.2, 0.14, 0.04)),
         "muzzle": b.muzzle(0.2, 0.14),
@@ -104,7 +128,7 @@ def wolf(draw: Draw) -> Parts:
 
 def fox(draw: Draw) -> Parts:
     """Large ears, a thick tail with a tip."""
-    b = _Beast(draw, 0.3, 0.66, 0.42, 0.33, (0.22, 0.36))
+    b = Beast(draw, 0.3, 0.66, 0.42, 0.33, (0.22, 0.36))
     y, z = b.long * 0.85, b.belly + 0.1
     up = draw(-0.05, 0.3)
     return {
@@ -122,7 +146,7 @@ def fox(draw: Draw) -> Parts:
 
 def bear(draw: Draw) -> Parts:
     """Heavy, with round ears."""
-    b = _Beast(draw, 0.55, 0.85, 0.35, 0.4, (0.2, 0.25))
+    b = Beast(draw, 0.55, 0.85, 0.35, 0.4, (0.2, 0.25))
     ear = ball((b.head * 0.72, b.y, b.z + b.head * 0.75), 0.15)
     return {
         "body": join(b.trunk(0.38), both(ear), ball((0, b.long, b.belly + 0.1), 0.14)),
@@ -134,7 +158,7 @@ def bear(draw: Draw) -> Parts:
 
 def lion(draw: Draw) -> Parts:
     """A mane, a tail with a tuft."""
-    b = _Beast(draw, 0.4, 0.8, 0.45, 0.36, (0.25, 0.36))
+    b = Beast(draw, 0.4, 0.8, 0.45, 0.36, (0.25, 0.36))
     y, z, up = b.long * 0.85, b.belly + 0.12, draw(-0.2, 0.3)
     mane = egg((0, b.y + 0.2, b.z - 0.02), (0.6, 0.34, draw(0.58, 0.66)))
     return {
@@ -146,9 +170,18 @@ def lion(draw: Draw) -> Parts:
     }
 
 
+def _patches(draw: Draw, b: Beast) -> Solid:
+    """Raised spots on the flanks and the back."""
+    # Eggs a little inside the body's own: what stands out of it is a spot.
+    side = both(egg((b.wide * 0.7, b.long * draw(-0.3, 0), b.belly), (0.18, 0.26, 0.24)))
+    back = egg((0.1, b.long * draw(0.3, 0.5), b.belly + b.wide * 0.5), (0.36, 0.28, 0.3))
+    face = egg((b.head * 0.5, b.y - b.head * 0.5, b.z + b.head * 0.35), (0.2, 0.22, 0.2))
+    return join(side, back, face)
+
+
 def cow(draw: Draw) -> Parts:
     """Horns, a broad muzzle, an udder."""
-    b = _Beast(draw, 0.46, 0.85, 0.5, 0.33, (0.25, 0.35))
+    b = Beast(draw, 0.46, 0.85, 0.5, 0.33, (0.25, 0.35))
     h, y, z = b.head, b.y, b.z
     ear = taper((h * 0.7, y, z + 0.08), (h + 0.25, y, z + 0.1), 0.1, 0.1)
     horn = taper((h * 0.5, y, z + h * 0.7), (h * 0.95, y, z + h + draw(0.15, 0.25)), 0.11, 0.07)
@@ -158,6 +191,7 @@ def cow(draw: Draw) -> Parts:
         "horns": both(horn),
         "eyes": b.eyes(),
         "udder": ball((0, b.long * 0.35, b.belly - b.wide * 0.85), 0.2),
+        "patches": _patches(draw, b),
     }
 
 
@@ -177,7 +211,7 @@ def sheep(draw: Draw) -> Parts:
 
 def elephant(draw: Draw) -> Parts:
     """A trunk, big ears, tusks."""
-    b = _Beast(draw, 0.58, 0.82, 0.45, 0.42, (0.15, 0.3))
+    b = Beast(draw, 0.58, 0.82, 0.45, 0.42, (0.15, 0.3))
     y, z, h = b.y, b.z, b.head
     nose = (0, y - h - 0.22, z - 0.5)
     tusk = taper((0.2, y - h * 0.7, z - 0.2), (0.26, y - h - 0.35, z - 0.22), 0.1, 0.07)
@@ -196,7 +230,7 @@ def elephant(draw: Draw) -> Parts:
 
 def giraffe(draw: Draw) -> Parts:
     """A very long neck, two horns."""
-    b = _Beast(draw, 0.34, 0.58, 0.8, 0.22, (0.2, 1.3))
+    b = Beast(draw, 0.34, 0.58, 0.8, 0.22, (0.2, 1.3))
     return {
         "body": join(b.trunk(0.15), b.tail(0.12, -0.4)),
         "muzzle": b.muzzle(0.2, 0.14),
@@ -206,14 +240,14 @@ def giraffe(draw: Draw) -> Parts:
 
 
 ANIMALS = {
-    "cat": cat,
-    "dog": dog,
-    "wolf": wolf,
-    "fox": fox,
-    "bear": bear,
-    "lion": lion,
-    "cow": cow,
-    "sheep": sheep,
-    "elephant": elephant,
-    "giraffe": giraffe,
+    "cat": fitted(cat),
+    "dog": fitted(dog),
+    "wolf": fitted(wolf),
+    "fox": fitted(fox),
+    "bear": fitted(bear),
+    "lion": fitted(lion),
+    "cow": fitted(cow),
+    "sheep": fitted(sheep),
+    "elephant": fitted(elephant),
+    "giraffe": fitted(giraffe),
 }

@@ -75,7 +75,8 @@ def strawberry(draw: Draw) -> Parts:
     leaf = taper((0.1, 0, high), (wide * 0.95, 0, high - draw(0.02, 0.16)), 0.16, 0.07)
     rows = ((0.62, 0.3, 0), (0.93, 0.52, 30), (1.0, 0.76, 0))
     seeds = (
-        around(6, egg((wide * r, 0, high * z), (0.07, 0.055, 0.085)), turn) for r, z, turn in rows
+        around(6, egg((wide * r - 0.02, 0, high * z), (0.07, 0.06, 0.09)), turn)
+        for r, z, turn in rows
     )
     return {
         "body": lathe(smooth_curve(shape)),

@@ -34,6 +34,5 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}
-# The names of all parts, in the order of the appearance network's rows. New nouns come last, and
-# so do the names that only they have.
+# The names of all parts; those of a new noun that are new come last.
 PART_NAMES = tuple(dict.fromkeys(part for noun in NOUNS.values() for part in noun.looks))

@@ -1,6 +1,6 @@
 """Animals, and what is shaped like them."""
 
-from core.guidance.builtin.nouns.noun import FABRIC, FLESH, SNOW, Noun, Usual
+from core.guidance.builtin.nouns.noun import FABRIC, FLESH, SNOW, STEEL, Noun, Usual
 
 ANIMALS = {
     "pig": Noun(
@@ -100,6 +100,7 @@ ANIMALS = {
             "horns": "-d8cba8",
             "eyes": "-111111",
             "udder": "-e0a8a0",
+            "patches": "+2e2926",
         },
         Usual(2.3, FLESH),
     ),
@@ -117,5 +118,76 @@ ANIMALS = {
         "",
         {"body": "*d9a84e", "muzzle": "+ead6a8", "horns": "-6b4526", "eyes": "-111111"},
         Usual(4.8, FLESH),
+    ),
+    "horse": Noun(
+        "; pony, stallion, mare, foal, donkey, mule",
+        {"body": "*8a5a34", "mane": "+2e211a", "hooves": "-3a322c", "eyes": "-111111"},
+        Usual(2.4, FLESH),
+    ),
+    "unicorn": Noun(
+        "; pegasus, baby unicorn",
+        {
+            "body": "*f2eef2",
+            "mane": "+e58fc4",
+            "hooves": "-c9a24a",
+            "eyes": "-1a1418",
+            "horn": "-e8b93c",
+        },
+        Usual(2.4, FLESH),
+    ),
+    "corgi": Noun(
+        "welsh corgi; dachshund, sausage dog",
+        {
+            "body": "*d08a44",
+            "chest": "+f2ece2",
+            "muzzle": "+f2ece2",
+            "eyes": "-111111",
+            "nose": "-1a1818",
+        },
+        Usual(0.6, FLESH),
+    ),
+    "dragon": Noun(
+        "; wyvern, baby dragon, fire dragon",
+        {
+            "body": "*3f8a3c",
+            "belly": "+d9c878",
+            "wings": "&2c6a34",
+            "horns": "-e6dcc0",
+            "eyes": "-f2c21c",
+        },
+        Usual(6.0, FLESH),
+    ),
+    "dinosaur": Noun(
+        "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla",
+        {"body": "*6a8a3a", "belly": "+cfc48a", "teeth": "-f0ead8", "eyes": "-16140f"},
+        Usual(12.0, FLESH),
+    ),
+    "person": Noun(
+        "human, man, woman; boy, girl, child, kid, guy, character, doll",
+        {
+            "shirt": "*c23b34 . fabric",
+            "skin": "-e0ac86",
+            "hair": "-4a2f1e",
+            "trousers": "+2f4a7a . fabric",
+            "shoes": "-2a2422",
+            "eyes": "-141414",
+        },
+        Usual(1.75, FLESH),
+    ),
+    "knight": Noun(
+        "; paladin, crusader, suit of armor, suit of armour, warrior, soldier",
+        {
+            "armour": "*a8adb4 . metal",
+            "visor": "-141416",
+            "plume": "+b82a28",
+            "shield": "+b82a28",
+            "sword": "-cfd3d8 . metal",
+        },
+        Usual(1.9, STEEL, 0.17),
+    ),
+    "monkey": Noun(
+        "; ape, chimp, chimpanzee, gorilla",
+        {"body": "*6b452a", "face": "+dcb58c", "eyes": "-111111"},
+        Usual(0.9, FLESH),
     ),
 }

@@ -123,4 +123,9 @@ DEVICES = {
         },
         Usual(1.8, WOOD, 0.2),
     ),
+    "television": Noun(
+        "tv, tv set, television set; flatscreen, retro tv",
+        {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
+        Usual(1.1, PLASTIC, 0.2),
+    ),
 }

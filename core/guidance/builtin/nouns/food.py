@@ -1,6 +1,6 @@
 """Food; fruit and vegetables are among it."""
 
-from core.guidance.builtin.nouns.noun import PLANT, Noun, Usual
+from core.guidance.builtin.nouns.noun import FLESH, GLASS, PLANT, SNOW, STEEL, Noun, Usual
 
 FOOD = {
     "hamburger": Noun(
@@ -107,5 +107,111 @@ FOOD = {
         "; nectarine, apricot, plum",
         {"body": "*f2a065", "stalk": "-5c3a1e", "leaf": "+4d9a35"},
         Usual(0.08, PLANT),
+    ),
+    "bread": Noun(
+        "loaf, loaf of bread, bread loaf; toast, baguette",
+        {"crust": "*b8742e", "crumb": "+f1dcae"},
+        Usual(0.28, 300.0),
+    ),
+    "croissant": Noun(
+        "; pastry",
+        {"crust": "*d1913f", "folds": "&a8662a"},
+        Usual(0.16, 300.0),
+    ),
+    "pizza": Noun(
+        "; pizza slice",
+        {"crust": "+c98a42", "cheese": "*f4c64f", "salami": "-b5301f", "olives": "-26231c"},
+        Usual(0.3, 700.0),
+    ),
+    "hot dog": Noun(
+        "hotdog; sausage",
+        {"bun": "*d79a4c", "sausage": "+b0452a", "mustard": "-f4c820"},
+        Usual(0.18, 600.0),
+    ),
+    "sandwich": Noun(
+        "club sandwich; toastie",
+        {
+            "bread": "*dba765",
+            "lettuce": "+5fae34",
+            "ham": "-e58d8f",
+            "tomato": "-c92a1e",
+            "cheese": "-f5c244",
+        },
+        Usual(0.14, 500.0),
+    ),
+    "cake": Noun(
+        "birthday cake; torte, wedding cake",
+        {"icing": "*f6b7c8", "body": "+8a5430", "topping": "-c2182b", "plate": "-ece9e2"},
+        Usual(0.28, 450.0),
+    ),
+    "cookie": Noun(
+        "chocolate chip cookie; biscuit",
+        {"body": "*cc9248", "chips": "+43230f"},
+        Usual(0.08, 500.0),
+    ),
+    "cheese": Noun(
+        "swiss cheese, cheese wedge",
+        {"body": "*f6c63a", "rind": "+d98e22"},
+        Usual(0.15, FLESH),
+    ),
+    "egg": Noun(
+        "; easter egg",
+        {"shell": "*ead2b4"},
+        Usual(0.06, FLESH),
+    ),
+    "fries": Noun(
+        "french fries; chips",
+        {"carton": "*cf1f1c", "fries": "+f3c64a"},
+        Usual(0.16, 350.0),
+    ),
+    "pancakes": Noun(
+        "pancake, stack of pancakes; waffles",
+        {"pancakes": "*d99a48", "syrup": "+7a3c12", "butter": "-f8e58a", "plate": "-eceae4"},
+        Usual(0.22, 600.0),
+    ),
+    "lollipop": Noun(
+        "lolly, lollypop; candy",
+        {"candy": "*e23a5e", "swirl": "+f8f2ee", "stick": "-f1ece2"},
+        Usual(0.18, 1200.0),
+    ),
+    "popsicle": Noun(
+        "ice lolly, ice pop, ice cream bar",
+        {"ice": "*e8364a", "top": "+f6b02f", "stick": "-d9b382 grain"},
+        Usual(0.18, SNOW),
+    ),
+    "pretzel": Noun(
+        "; bretzel",
+        {"dough": "*9a5322", "salt": "+f4efe4"},
+        Usual(0.16, 400.0),
+    ),
+    "pie": Noun(
+        "apple pie, cherry pie; tart, quiche",
+        {"crust": "*d49a4e", "filling": "+a8222a", "dish": "-d8d4cc"},
+        Usual(0.28, 700.0),
+    ),
+    "can": Noun(
+        "soda can, tin can, tin, beverage can; beer can, soup can",
+        {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
+        Usual(0.12, STEEL, 0.14),
+    ),
+    "jar": Noun(
+        "jam jar; honey jar, cookie jar, mason jar",
+        {"body": "*b8324a . glass", "lid": "+d9b04a . metal", "label": "-f2ead6"},
+        Usual(0.14, GLASS, 0.5),
+    ),
+    "taco": Noun(
+        "tacos; burrito",
+        {"shell": "*e5b04a", "meat": "-6a3a1c", "lettuce": "+5fae34", "tomato": "-cc2a1e"},
+        Usual(0.16, 600.0),
+    ),
+    "sushi": Noun(
+        "sushi roll; maki, nigiri",
+        {"rice": "*f4f1ea", "fish": "+f0804a", "seaweed": "-1f2e24"},
+        Usual(0.06, FLESH),
+    ),
+    "milk carton": Noun(
+        "carton of milk; milk, juice carton, juice box",
+        {"carton": "*f2f3f4", "top": "+2f6fc2", "cap": "-d8352a"},
+        Usual(0.24, FLESH),
     ),
 }

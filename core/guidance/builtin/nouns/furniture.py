@@ -209,4 +209,35 @@ FURNITURE = {
         {"frame": "*efe9dc", "mattress": "-dfe6ea", "pillow": "+f6f3ec", "blanket": "+8fb7d8"},
         Usual(1.3, WOOD, 0.15),
     ),
+    "grandfather clock": Noun(
+        "longcase clock, pendulum clock; cuckoo clock",
+        {
+            "body": "*6f4222 grain",
+            "face": "+f2e8cc",
+            "hands": "-1a1614",
+            "glass": "-2a1a10",
+            "pendulum": "-e0b84a . golden",
+        },
+        Usual(2.1, WOOD, 0.3),
+    ),
+    "beanbag": Noun(
+        "bean bag, beanbag chair, bean bag chair",
+        {"body": "*d0542f . fabric", "loop": "&b34425 . fabric"},
+        Usual(0.9, FABRIC, 0.2),
+    ),
+    "shelf": Noun(
+        "wall shelf, shelves; spice rack",
+        {
+            "board": "*9a6534 grain",
+            "brackets": "&6f4626 grain",
+            "books": "+b03a30",
+            "vase": "-3f86a8",
+        },
+        Usual(0.9, WOOD),
+    ),
+    "pillow": Noun(
+        "cushion, throw pillow; sofa cushion",
+        {"body": "*c9545e . fabric", "button": "+e8c24a . fabric", "tassels": "+e8c24a . fabric"},
+        Usual(0.5, FABRIC, 0.3),
+    ),
 }

@@ -1,6 +1,6 @@
 """Plants."""
 
-from core.guidance.builtin.nouns.noun import PLANT, Noun, Usual
+from core.guidance.builtin.nouns.noun import CERAMIC, PLANT, STONE, WOOD, Noun, Usual
 
 PLANTS = {
     "mushroom": Noun(
@@ -27,5 +27,70 @@ PLANTS = {
         "palm tree",
         {"leaves": "*3f9038", "trunk": "+94683c", "nuts": "-5a3820"},
         Usual(8.0, PLANT, 0.3),
+    ),
+    "bush": Noun(
+        "shrub, bushes; hedge, berry bush",
+        {"leaves": "*37802f", "stems": "+5e4026"},
+        Usual(1.2, PLANT, 0.05),
+    ),
+    "potted plant": Noun(
+        "house plant, houseplant, plant in a pot, pot plant, plant; fern, aloe",
+        {"leaves": "*3c8f3a", "pot": "+b8623b", "soil": "-3c281a"},
+        Usual(0.6, PLANT, 0.4),
+    ),
+    "sunflower": Noun(
+        "sunflowers",
+        {"petals": "*f6c11c", "heart": "+4f2d14", "stalk": "-3e8a36"},
+        Usual(1.6, PLANT, 0.3),
+    ),
+    "rose": Noun(
+        "roses; peony, carnation",
+        {"petals": "*c4122c", "stalk": "+35752f"},
+        Usual(0.4, PLANT, 0.3),
+    ),
+    "tulip": Noun(
+        "tulips; lily, crocus",
+        {"petals": "*e5324a", "stalk": "+4f9a3c"},
+        Usual(0.4, PLANT, 0.3),
+    ),
+    "bonsai": Noun(
+        "bonsai tree",
+        {"leaves": "*2f7030", "trunk": "+6b4528", "tray": "+35506e", "moss": "-6f8a3a"},
+        Usual(0.4, PLANT, 0.4),
+    ),
+    "stump": Noun(
+        "tree stump",
+        {"bark": "*6a4a2e", "wood": "+d9b27a"},
+        Usual(0.7, WOOD),
+    ),
+    "log": Noun(
+        "tree log, wooden log, tree trunk; firewood",
+        {"bark": "*6a4a2e", "wood": "+d9b27a"},
+        Usual(1.2, WOOD),
+    ),
+    "boulder": Noun(
+        "rocks; meteorite, asteroid, pebble",
+        {"rock": "*86827a . stone", "moss": "+6d8a3c"},
+        Usual(1.2, STONE),
+    ),
+    "acorn": Noun(
+        "acorns; hazelnut, nut",
+        {"nut": "*b5762f", "cap": "+6b4a28"},
+        Usual(0.03, PLANT),
+    ),
+    "oak tree": Noun(
+        "deciduous tree, leafy tree, broadleaf tree, apple tree; maple tree",
+        {"leaves": "*3f8a2f", "trunk": "+6a4728"},
+        Usual(8.0, PLANT, 0.05),
+    ),
+    "coral": Noun(
+        "corals; coral reef",
+        {"branches": "*ee6a5e", "stone": "+8d877c . stone"},
+        Usual(0.3, STONE, 0.6),
+    ),
+    "seashell": Noun(
+        "sea shell, shell, scallop, clam; conch",
+        {"ribs": "*f0cdb0", "grooves": "&d99a7c", "hinge": "+e2b08e"},
+        Usual(0.1, CERAMIC),
     ),
 }

@@ -1,0 +1,136 @@
+"""``run.py batch TABLE --out DIR``: an asset for each row, made here or on a cluster."""
+
+import signal
+from argparse import Namespace
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+from typing import NoReturn
+
+from core.batch.local import LocalPool
+from core.batch.needs import Needs, gpus, needs_of
+from core.batch.plan import Task, plan
+from core.batch.results import Result, result_of, write_report
+from core.batch.schedule import Batch, Pool, State, is_done
+from core.batch.sheet import write_sheet
+from core.batch.table import Row, read_table
+from core.errors import Cancelled, SomeFailedError, UserError
+from core.io.atomic import disk_errors
+from core.io.job import Job
+from core.io.lock import run_lock
+
+
+@dataclass(frozen=True)
+class Part:
+    """The batch's folder and which part of the table is made: ``at`` of ``of``, from 1."""
+
+    out: Path
+    at: int = 1
+    of: int = 1
+
+    def file(self, stem: str, ending: str) -> str:
+        """A file's name, which no other part of the same batch writes."""
+        part = f"-{self.at}-of-{self.of}" if self.of > 1 else ""
+        return f"{stem}{part}{ending}"
+
+
+def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
+    """Make what is missing of ``args.table``; the path of its contact sheet.
+
+    Raises:
+        UserError: a table that cannot be read, a folder that cannot be written.
+        SomeFailedError: some assets could not be made; all others are.
+        Cancelled: by Ctrl-C; a second call goes on.
+    """
+    _check(args)
+    part = Part(args.out, *args.shard)
+    rows = read_table(args.table)[part.at - 1 :: part.of]
+    tasks = plan(rows, part.out, job_of)
+    with disk_errors(part.out):
+        part.out.mkdir(parents=True, exist_ok=True)
+    with run_lock(part.out, part.file("batch", ".lock")):
+        return _make(tasks, part, args)
+
+
+def _check(args: Namespace) -> None:
+    if args.retries < 0:
+        raise UserError(f"--retries is {args.retries}.", "It takes 0 or more.")
+    if args.timeout is not None and not args.timeout > 0:
+        raise UserError(f"--timeout is {args.timeout:g}.", "It takes seconds, more than 0.")
+    if args.out.exists() and not args.out.is_dir():
+        raise UserError(f"--out is {args.out}, which is no folder.", "Name a folder, or a new one.")
+
+
+@contextmanager
+def _terminated() -> Iterator[None]:
+    """A job scheduler's SIGTERM is answered as Ctrl-C is."""
+
+    def interrupt(_: int, __: FrameType | None) -> NoReturn:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGTERM, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
+    by_folder = {task.folder: task for task in reversed(tasks) if task.folder and task.job}
+    runs = list(reversed(by_folder.values()))
+
+    def save(states: dict[Path, State]) -> list[Result]:
+        results = [result_of(task, states) for task in tasks]
+        write_report(part.out / part.file("report", ".csv"), results)
+        return results
+
+    states: dict[Path, State] = {}
+    refused = sum(task.folder is None for task in tasks)
+    stopped = False
+    try:
+        todo = [task for task in runs if not is_done(task)]
+        if todo:
+            pool = _pool(todo, args)
+            with _terminated():  # after Ray, which has an answer of its own
+                Batch(runs, pool, args.retries, save, refused, states).run()
+    except KeyboardInterrupt:
+        stopped = True
+    results = save(states)
+    title = f"{args.table.stem}: {len(results)} assets"
+    sheet = write_sheet(part.out, part.file("contact_sheet", ".html"), results, title)
+    _raise_what_is_wrong(results, stopped, part)
+    return sheet
+
+
+def _pool(runs: list[Task], args: Namespace) -> Pool:
+    if args.ray is None:
+        return LocalPool(_needs(runs, gpus() > 0), args.at_once, args.timeout)
+    from core.batch.cluster import RayPool, connect
+
+    return RayPool(_needs(runs, connect(args.ray)), args.at_once, args.timeout)
+
+
+def _needs(runs: list[Task], has_gpu: bool) -> Needs:
+    return _most([needs_of(task.job, has_gpu) for task in runs if task.job])
+
+
+def _most(needs: list[Needs]) -> Needs:
+    """The most of each: one place fits every asset of the batch."""
+    return Needs(
+        max(n.cpus for n in needs), max(n.memory for n in needs), max(n.gpus for n in needs)
+    )
+
+
+def _raise_what_is_wrong(results: list[Result], stopped: bool, part: Part) -> None:
+    done = sum(result.state == "done" for result in results)
+    if stopped:
+        raise Cancelled(
+            f"Stopped: {done} of {len(results)} are done.", "The same command goes on with it."
+        )
+    if done < len(results):
+        raise SomeFailedError(
+            f"{len(results) - done} of {len(results)} assets were not made.",
+            f"Read {part.out / part.file('report', '.csv')}; the same command tries them again.",
+        )

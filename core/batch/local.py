@@ -1,0 +1,60 @@
+"""The batch's places on this machine: a process of the core in each."""
+
+import time
+from collections.abc import Sequence
+
+from core.batch.attempt import COMMAND, THREADS, Attempt, End
+from core.batch.needs import Needs, cores, gpus, places
+from core.batch.plan import Task
+
+PAUSE = 0.1  # seconds between two looks at the processes
+
+
+class LocalPool:
+    """Makes assets on this machine, as many at once as fit (:func:`core.batch.needs.places`)."""
+
+    def __init__(
+        self,
+        needs: Needs,
+        at_once: int | None = None,
+        timeout: float | None = None,
+        command: Sequence[str] = COMMAND,
+    ) -> None:
+        self.places = places(needs, at_once)
+        self._command, self._timeout = command, timeout
+        self._running: list[tuple[Task, Attempt, int]] = []
+        self._gpus = gpus() if needs.gpus else 0
+        # A core that another place does not use makes one asset faster, not the batch.
+        self._threads = THREADS if self.places > 1 or cores() == 1 else {}
+
+    def start(self, task: Task) -> None:
+        """Begin or go on with ``task``, whose run folder has its job."""
+        assert task.folder
+        used = [gpu for _, _, gpu in self._running]
+        gpu = min(range(self._gpus), key=used.count, default=-1)
+        chosen = {"CUDA_VISIBLE_DEVICES": str(gpu)} if gpu >= 0 else {}
+        environ = {**self._threads, **chosen}
+        attempt = Attempt(task.folder, self._command, self._timeout, environ)
+        self._running.append((task, attempt, gpu))
+
+    def wait(self, seconds: float) -> list[tuple[Task, End]]:
+        """What has ended, after ``seconds`` at the latest."""
+        until = time.monotonic() + seconds
+        while True:
+            found = [(entry, entry[1].poll()) for entry in self._running]
+            ended = [(entry, end) for entry, end in found if end is not None]
+            if ended or time.monotonic() > until:
+                self._running = [entry for entry, end in found if end is None]
+                return [(task, end) for (task, _, _), end in ended]
+            time.sleep(PAUSE)
+
+    def stop(self) -> None:
+        """Ask all to stop after their present step, and wait for it; a Ctrl-C ends them at once."""
+        try:
+            for _, attempt, _ in self._running:
+                attempt.stop()
+            while self._running:
+                self.wait(1.0)
+        except KeyboardInterrupt:
+            for _, attempt, _ in self._running:
+                attempt.close()

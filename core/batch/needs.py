@@ -1,0 +1,71 @@
+"""What one asset takes of a machine, by its guidance, and how many fit at once."""
+
+import os
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import psutil
+import torch
+
+from core.errors import UserError
+from core.io.job import Job
+from core.job_config import BUILTIN
+
+# Bytes, of a process with the built-in prior: `texture` was measured at 1.3 GB, its unwrapping the
+# most of it (docs/performance.md).
+BUILTIN_MEMORY = 1.5e9
+CHECKPOINT_MEMORY = 4.5e9  # bytes beyond the weights: SD 1.5's largest step on a CPU, one view
+IN_MEMORY = 2.0  # weights in memory by weights on disk: half there, single here
+UNKNOWN_CHECKPOINT = 10e9  # bytes, of one that is named by its hub id
+BUILTIN_GPU = 0.25  # of a GPU: its networks and pictures of 64² leave most of one idle
+
+
+@dataclass(frozen=True)
+class Needs:
+    """Of one asset while it is made."""
+
+    cpus: int
+    memory: int  # bytes
+    gpus: float  # 0 on the CPU; a fraction lets several share one
+
+
+def needs_of(job: Job, has_gpu: bool) -> Needs:
+    """What ``job`` takes on a machine with or without a CUDA GPU."""
+    on_gpu = job.device == "cuda" or (job.device == "auto" and has_gpu)
+    if job.guidance == BUILTIN:
+        return Needs(1, int(BUILTIN_MEMORY), BUILTIN_GPU if on_gpu else 0.0)
+    return Needs(1, checkpoint_memory(Path(job.guidance)), 1.0 if on_gpu else 0.0)
+
+
+def checkpoint_memory(folder: Path) -> int:
+    """Bytes that a job with the Stable Diffusion checkpoint ``folder`` takes."""
+    if not folder.is_dir():
+        return int(UNKNOWN_CHECKPOINT)
+    weights = sum(file.stat().st_size for file in folder.glob("*/*.safetensors"))
+    return int(CHECKPOINT_MEMORY + IN_MEMORY * weights)
+
+
+def cores() -> int:
+    """The cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
+
+
+def gpus() -> int:
+    """CUDA GPUs of this machine."""
+    return torch.cuda.device_count()
+
+
+def places(needs: Needs, at_once: int | None) -> int:
+    """How many assets with ``needs`` this machine makes at once; at least one is tried.
+
+    Raises:
+        UserError: ``at_once`` is less than 1.
+    """
+    if at_once is not None:
+        if at_once < 1:
+            raise UserError(f"--at-once is {at_once}.", "It takes 1 or more.")
+        return at_once
+    by_memory = psutil.virtual_memory().available // needs.memory
+    by_gpu = int(gpus() / needs.gpus) if needs.gpus else cores()
+    return max(1, min(cores() // needs.cpus, by_memory, by_gpu))

@@ -1,0 +1,46 @@
+"""The options of ``batch``. Standard library only."""
+
+import argparse
+from pathlib import Path
+
+RETRIES = 3
+OUT_OF_TIME = 124  # instead of an exit code: the attempt was ended by --timeout
+
+
+def add_batch_options(command: argparse.ArgumentParser) -> None:
+    """Everything but the options of a single job, which stand for all rows without a value."""
+    command.add_argument(
+        "table", type=Path, metavar="TABLE", help="prompts.csv; or a text file, a prompt a line"
+    )
+    command.add_argument("--out", type=Path, required=True, metavar="DIR", help="a run folder each")
+    command.add_argument(
+        "--at-once", type=int, metavar="N", help="default: as many as cores and memory allow"
+    )
+    command.add_argument(
+        "--shard", type=shard, default=(1, 1), metavar="I/N", help="only this part, such as 2/8"
+    )
+    command.add_argument(
+        "--retries", type=int, default=RETRIES, metavar="N", help="of a run that died; default 3"
+    )
+    command.add_argument(
+        "--timeout", type=float, metavar="SECONDS", help="of one asset; it resumes in a later call"
+    )
+    command.add_argument(
+        "--ray", metavar="auto|local|ADDRESS", help="on a Ray cluster: this machine's, or HOST:PORT"
+    )
+
+
+def add_node_options(command: argparse.ArgumentParser) -> None:
+    """The options of ``node``."""
+    command.add_argument("--head", action="store_true", help="the cluster's first (the default)")
+    command.add_argument("--join", metavar="HOST:PORT", help="the address of the head")
+    command.add_argument("--port", type=int, default=6379, help="of the head; default 6379")
+    command.add_argument("--cpus", type=int, metavar="N", help="to offer; default: all")
+
+
+def shard(text: str) -> tuple[int, int]:
+    """``2/8``: the second of eight parts."""
+    part, slash, of = text.partition("/")
+    if not (slash and part.isdecimal() and of.isdecimal() and 1 <= int(part) <= int(of)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no part; write 1/8 to 8/8 for eight parts")
+    return int(part), int(of)

@@ -1,0 +1,92 @@
+"""A run folder, or the part of it that is needed elsewhere, as bytes for another machine."""
+
+import io
+import shutil
+import tarfile
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path, PurePosixPath
+
+from core.errors import UserError
+from core.io.atomic import atomic_file
+from core.io.job import Job, write_text
+from core.io.json_file import read_object
+
+INPUTS = ("mesh", "guide_mesh", "base_color", "light")  # of a job: files that go along
+STATE = ("events.jsonl", "log.txt", "checkpoint/*.safetensors", "preview/*.png", "preview/*.npz")
+ASSET = ("events.jsonl", "log.txt", "preview/*.png", "asset/*")  # of a run that is done
+RECEIVED = "asset.received"  # an asset appears by rename, here as well
+
+
+def outward(folder: Path) -> bytes:
+    """What another machine needs to go on with the run ``folder``, with the files of its job."""
+    job, files = _job(folder), {}
+    for key in INPUTS:
+        path = Path(getattr(job, key))
+        if getattr(job, key) and path.is_file():
+            files[f"inputs/{key}/{path.name}"] = path
+            job = replace(job, **{key: f"inputs/{key}/{path.name}"})
+    return _pack({"job.json": job.to_json().encode()}, files | found(folder, STATE))
+
+
+def homeward(folder: Path, patterns: Iterable[str]) -> bytes:
+    """The files of ``folder`` that match ``patterns``."""
+    return _pack({}, found(folder, patterns))
+
+
+def found(folder: Path, patterns: Iterable[str]) -> dict[str, Path]:
+    """The files of ``folder`` by their names in it."""
+    files = sorted(path for pattern in patterns for path in folder.glob(pattern))
+    return {path.relative_to(folder).as_posix(): path for path in files if path.is_file()}
+
+
+def _pack(texts: dict[str, bytes], files: dict[str, Path]) -> bytes:
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w") as tar:
+        contents = texts | {name: path.read_bytes() for name, path in files.items()}
+        for name, content in contents.items():
+            entry = tarfile.TarInfo(name)
+            entry.size = len(content)
+            tar.addfile(entry, io.BytesIO(content))
+    return packed.getvalue()
+
+
+def unpack(parcel: bytes, folder: Path) -> None:
+    """Write what is in ``parcel`` into ``folder``: each file whole, an asset whole by rename.
+
+    Raises:
+        UserError: a name that leads out of the folder.
+    """
+    shutil.rmtree(folder / RECEIVED, ignore_errors=True)
+    with tarfile.open(fileobj=io.BytesIO(parcel)) as tar:
+        for entry in tar:
+            content = tar.extractfile(entry)
+            if content is not None:
+                _write(folder / _inside(entry.name), content.read())
+    if (folder / RECEIVED).is_dir():
+        (folder / RECEIVED).rename(folder / "asset")
+
+
+def _inside(name: str) -> PurePosixPath:
+    path = PurePosixPath(name)
+    if path.is_absolute() or ".." in path.parts:
+        raise UserError(f"A parcel holds {name!r}, which leads out of its folder.")
+    return PurePosixPath(RECEIVED, *path.parts[1:]) if path.parts[0] == "asset" else path
+
+
+def _write(path: Path, content: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(content)
+
+
+def settle(folder: Path) -> None:
+    """Name in an unpacked job.json the files that came along by where they are now."""
+    job = _job(folder)
+    came = {key: getattr(job, key) for key in INPUTS if getattr(job, key).startswith("inputs/")}
+    moved = {key: str((folder / name).resolve()) for key, name in came.items()}
+    write_text(folder / "job.json", replace(job, **moved).to_json())
+
+
+def _job(folder: Path) -> Job:
+    return Job.from_object(read_object(folder / "job.json", "Start a new run."))

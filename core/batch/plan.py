@@ -1,0 +1,106 @@
+"""Which asset of a batch goes to which folder: named by a hash of what decides the result."""
+
+import dataclasses
+import hashlib
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from core import __version__
+from core.batch.table import Row, slug
+from core.config import Config
+from core.errors import UserError
+from core.io.job import Job
+from core.io.provenance import file_hash
+from core.job_config import config_of
+from core.provenance import FILES, made_by
+
+# They say how large the parts are in which a step is computed, not what comes out.
+PARTS = ("views_at_once",)
+DIGITS = 16  # of the hash in a folder's name: two of a million assets share one by a chance of 3e-8
+SMALL = 1 << 20  # bytes: larger files of a checkpoint count by name and size
+
+
+@dataclass(frozen=True)
+class Task:
+    """One row: the run that makes its asset, or why there is none."""
+
+    row: Row
+    folder: Path | None = None
+    job: Job | None = None
+    error: str = ""
+
+    @property
+    def name(self) -> str:
+        """What the user calls it; else its folder, or its prompt where it has none."""
+        return self.row.name or (self.folder.name if self.folder else slug(self.row.prompt))
+
+
+def plan(rows: Sequence[Row], out: Path, job_of: Callable[[Row], Job]) -> list[Task]:
+    """A task for each row, in order; rows that ask for the same asset share its folder."""
+    folders = {path.name.rpartition("-")[2]: path for path in _run_folders(out)}
+    return [_task(row, out, job_of, folders) for row in rows]
+
+
+def _run_folders(out: Path) -> list[Path]:
+    return sorted(path.parent for path in out.glob("*/job.json")) if out.is_dir() else []
+
+
+def _task(row: Row, out: Path, job_of: Callable[[Row], Job], folders: dict[str, Path]) -> Task:
+    try:
+        job = job_of(row)
+        number = digest(job)
+    except UserError as error:
+        return Task(row, error=f"Line {row.line}: {error}")
+    name = f"{slug(row.name or job.prompt)}-{number}"
+    return Task(row, folders.setdefault(number, out / name), job)
+
+
+def digest(job: Job) -> str:
+    """A hash of everything that decides the asset of ``job``, as hexadecimal digits.
+
+    Its fields and all settings in force, the contents of the files that it names, the weights and
+    this project's version. The device, the libraries and the machine change its last bits alone.
+
+    Raises:
+        UserError: a setting that does not exist or is out of its range.
+    """
+    fields = dataclasses.asdict(job)
+    del fields["device"], fields["settings"]
+    fields |= {key: _content(fields[key]) for key in FILES}
+    weights = _builtin_weights() if job.guidance == "builtin" else {}
+    decides = [fields, _settings(config_of(job)), weights, __version__]
+    text = json.dumps(decides, sort_keys=True, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]
+
+
+def _settings(config: Config) -> dict[str, Any]:
+    def kept(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        return {key: value for key, value in pairs if key not in PARTS}
+
+    return dataclasses.asdict(config, dict_factory=kept)
+
+
+@cache
+def _builtin_weights() -> dict[str, str]:
+    return made_by(Job(prompt="a cube"))["weights"]
+
+
+@cache
+def _content(value: str) -> str:
+    """A file's hash, a folder's (a checkpoint's), or the ``value`` that names neither."""
+    path = Path(value)
+    if not value or not path.exists():
+        return value
+    if path.is_file():
+        return file_hash(path)
+    files = sorted(x for x in path.rglob("*") if x.is_file())
+    found = [(x.relative_to(path).as_posix(), x.stat().st_size, _small(x)) for x in files]
+    return hashlib.sha256(json.dumps(found).encode()).hexdigest()
+
+
+def _small(path: Path) -> str:
+    return file_hash(path) if path.stat().st_size <= SMALL else ""

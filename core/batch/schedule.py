@@ -1,0 +1,155 @@
+"""The batch's loop: what is missing is made, what died is tried again, whatever makes it."""
+
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Protocol, runtime_checkable
+
+from core.batch.attempt import End
+from core.batch.options import OUT_OF_TIME
+from core.batch.plan import Task
+from core.batch.progress_line import ProgressLine, seconds_left
+from core.io.job import Job, write_text
+from core.io.json_file import read_object
+from core.io.run_folder import RunFolder
+from core.job_config import config_of
+
+# Exit codes that the same run gives again: the input, what is missing, no surface, a cancel.
+FINAL = (2, 3, 5, 130, OUT_OF_TIME)
+MEMORY = (4, -9)  # -9: the system's own answer to a lack of memory
+WAIT = 1.0  # seconds between two progress lines
+STAGES = ("geometry", "appearance")
+
+
+@runtime_checkable  # or the tests cannot check arguments of it
+class Pool(Protocol):
+    """Where assets are made: this machine, or a cluster."""
+
+    @property
+    def places(self) -> int:
+        """How many at once."""
+        ...
+
+    def start(self, task: Task) -> None:
+        """Begin or go on with ``task``."""
+        ...
+
+    def wait(self, seconds: float) -> list[tuple[Task, End]]:
+        """What has ended, after ``seconds`` at the latest."""
+        ...
+
+    def stop(self) -> None:
+        """Stop what runs, so that it can be resumed."""
+        ...
+
+
+@dataclass
+class State:
+    """What became of one run folder in this call."""
+
+    attempts: int = 0
+    end: End | None = None  # of its last attempt
+    begun: float = 0.0  # of the running attempt, on the monotonic clock
+
+
+@dataclass
+class Batch:
+    """The runs of a batch and how far they are."""
+
+    tasks: Sequence[Task]  # one for each run folder
+    pool: Pool
+    retries: int
+    save: Callable[[dict[Path, State]], None]  # called after each asset
+    refused: int = 0  # rows of the table for which there is no run
+    states: dict[Path, State] = field(default_factory=dict)
+
+    def run(self) -> None:
+        """Make what is missing; KeyboardInterrupt leaves it resumable."""
+        waiting = deque(task for task in self.tasks if not is_done(task))
+        self._waiting, self._running = waiting, dict[Path, Task]()
+        self._failed = self.refused
+        self._line = ProgressLine(len(self.tasks) + self.refused)
+        try:
+            while waiting or self._running:
+                while waiting and len(self._running) < self.pool.places:
+                    self._start(waiting.popleft())
+                self._show()
+                for task, end in self.pool.wait(WAIT):
+                    self._ended(task, end)
+            self._show()
+        finally:
+            if self._running:
+                self._line.add("Stopping after the present step; Ctrl-C again stops at once.")
+                self.pool.stop()
+            self._line.close()
+
+    def _start(self, task: Task) -> None:
+        assert task.folder and task.job
+        if not (task.folder / "job.json").is_file():
+            RunFolder.create(task.folder, task.job)
+        state = self.states.setdefault(task.folder, State())
+        state.attempts, state.begun = state.attempts + 1, time.monotonic()
+        self._running[task.folder] = task
+        self.pool.start(task)
+
+    def _ended(self, task: Task, end: End) -> None:
+        assert task.folder
+        del self._running[task.folder]
+        state = self.states[task.folder]
+        state.end = end
+        if end.code == 0:
+            remove_checkpoints(task.folder)
+        elif end.code not in FINAL and state.attempts <= self.retries:
+            smaller = end.code in MEMORY and use_smaller_parts(task.folder)
+            how = " with smaller parts" if smaller else ""
+            self._line.add(f"{task.name}: {end.text} It is tried again{how}.")
+            self._waiting.append(task)
+            return
+        else:
+            self._failed += 1
+            self._line.add(f"{task.name} failed: {end.text}")
+        self.save(self.states)
+
+    def _show(self) -> None:
+        ends = [state.end for state in self.states.values() if state.end]
+        now = time.monotonic()
+        running = [now - self.states[path].begun for path in self._running]
+        took = [end.seconds for end in ends if end.code == 0]
+        left = seconds_left(took, len(self._waiting), running, self.pool.places)
+        self._line.show(self._done(), len(running), self._failed, left)
+
+    def _done(self) -> int:
+        return (
+            len(self.tasks) + self.refused - len(self._waiting) - len(self._running) - self._failed
+        )
+
+
+def is_done(task: Task) -> bool:
+    """Whether the asset is there: it appears whole."""
+    return bool(task.folder) and (task.folder / "asset" / "asset.json").is_file()
+
+
+def remove_checkpoints(folder: Path) -> None:
+    """What resume needs, of a run that is done: five sixths of its bytes."""
+    for file in (folder / "checkpoint").glob("*.safetensors"):
+        file.unlink()
+
+
+def use_smaller_parts(folder: Path) -> bool:
+    """Halve the views that are computed together, which the result does not depend on.
+
+    False where it is one view already.
+    """
+    path = folder / "job.json"
+    data: dict[str, Any] = read_object(path, "Start a new run.")
+    job = Job.from_object(data)
+    config, less = config_of(job), {}
+    for stage in STAGES:
+        now = min(getattr(config, stage).views_at_once, getattr(config, stage).views)
+        less[f"{stage}.views_at_once"] = max(1, now // 2)
+    if all(job.settings.get(key) == value for key, value in less.items()):
+        return False
+    write_text(path, replace(job, settings=job.settings | less).to_json())
+    return True

@@ -1,0 +1,45 @@
+"""Files that the user names: there, regular and readable, before a library opens them."""
+
+import errno
+import stat
+from pathlib import Path
+
+from core.errors import UserError
+
+
+def check_file(
+    path: Path,
+    what: str = "file",
+    fix: str = "Check the path.",
+    missing: type[UserError] = UserError,
+) -> None:
+    """Refuse what is no file that may be read: opening a pipe would wait for its writer forever.
+
+    Raises:
+        UserError: it is a folder, a pipe, a device, or not permitted; ``missing`` where there is
+            none, which ``what`` and ``fix`` are about.
+    """
+    try:
+        mode = path.stat().st_mode
+    except ValueError:  # a NUL in its name
+        raise missing(f"There is no {what} {path}.", fix) from None
+    except OSError as error:
+        if isinstance(error, FileNotFoundError | NotADirectoryError) or error.errno == errno.ELOOP:
+            raise missing(f"There is no {what} {path}.", fix) from None
+        if isinstance(error, PermissionError):
+            raise _forbidden(path) from None
+        raise
+    if stat.S_ISDIR(mode):
+        raise UserError(f"{path} is a folder.", f"Name a {what}.")
+    if not stat.S_ISREG(mode):
+        raise UserError(
+            f"{path} is a pipe or a device.", "Write what comes from it to a file, and name that."
+        )
+    try:
+        path.open("rb").close()
+    except PermissionError:
+        raise _forbidden(path) from None
+
+
+def _forbidden(path: Path) -> UserError:
+    return UserError(f"{path} may not be read.", "Change its permissions, or name another file.")

@@ -1,0 +1,240 @@
+"""More beasts, and figures that stand on two legs."""
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    join,
+    prism,
+    ring,
+    taper,
+    tube,
+)
+from core.prior.things.animals import Beast, fitted
+
+
+def _steed(draw: Draw) -> tuple[Beast, Parts]:
+    """A horse's body, mane and hooves."""
+    b = Beast(draw, 0.36, 0.78, 0.75, 0.23, (0.3, 0.72))
+    y, z = b.y, b.z
+    crest = taper((0, -b.long * 0.45, b.belly + 0.3), (0, y + 0.18, z + 0.12), 0.13, 0.13)
+    lock = taper((0, y + 0.18, z + 0.12), (0, y - 0.08, z + 0.26), 0.13, 0.09)
+    back, up, out = b.long * 0.92, b.belly + 0.12, draw(0.25, 0.45)
+    tail = join(
+        taper((0, back, up), (0, back + out, up - 0.1), 0.11, 0.14),
+        taper((0, back + out, up - 0.1), (0, back + out + 0.05, up - draw(0.6, 0.8)), 0.15, 0.08),
+    )
+    face = taper((0, y, z), (0, y - 0.48, z - 0.3), 0.21, 0.15)
+    parts = {
+        "body": join(b.trunk(0.19), face, b.ears(0.16, 0.1, 0.05)),
+        "mane": join(crest, lock, tail),
+        "hooves": b.feet(0.16),
+        "eyes": both(ball((0.19, y - 0.12, z + 0.04), 0.08)),
+    }
+    return b, parts
+
+
+def horse(draw: Draw) -> Parts:
+    """A long face, a mane, a tail, hooves."""
+    return _steed(draw)[1]
+
+
+def unicorn(draw: Draw) -> Parts:
+    """A horse with a horn."""
+    b, parts = _steed(draw)
+    start = (0, b.y - 0.1, b.z + 0.15)
+    horn = taper(start, (0, b.y - 0.4, b.z + draw(0.7, 0.95)), 0.11, 0.04)
+    return parts | {"horn": horn}
+
+
+def corgi(draw: Draw) -> Parts:
+    """Short legs, large ears, a white chest."""
+    b = Beast(draw, 0.38, 0.78, 0.16, 0.36, (0.1, 0.42))
+    h, y, z = b.head, b.y, b.z
+    ear = prism(
+        [(0.05, z + h * 0.6), (h * 0.95, z + h * 0.4), (h * 0.85, z + h + 0.32)], 1, 0.07, y
+    )
+    chest = egg((0, -b.long * 0.72, b.belly - 0.02), (b.wide * 0.8, 0.3, b.wide * 0.9))
+    return {
+        "body": join(b.trunk(0.3), both(ear), ball((0, b.long, b.belly + 0.15), 0.14)),
+        "chest": join(chest, b.feet(0.15)),
+        "muzzle": b.muzzle(0.12, 0.14),
+        "eyes": b.eyes(),
+        "nose": b.nose(0.24, 0.09),
+    }
+
+
+def dragon(draw: Draw) -> Parts:
+    """Bat's wings, horns, a long neck and tail."""
+    b = Beast(draw, 0.38, 0.62, 0.4, 0.27, (0.1, 0.8))
+    y, z, long = b.y, b.z, b.long
+    up, span = b.belly + 0.2, draw(1.3, 1.6)
+    tail = join(
+        taper((0, long * 0.6, b.belly), (0, long + 0.45, 0.25), 0.28, 0.17),
+        taper((0, long + 0.45, 0.25), (0, long + 0.85, draw(0.3, 0.6)), 0.17, 0.1),
+    )
+    wing = prism(
+        [(0.1, up - 0.1), (0.5, up + 0.8), (span, up + draw(0.75, 1.1)), (span * 0.92, up + 0.1),
+         (span * 0.72, up + 0.3), (span * 0.55, up - 0.1), (0.45, up + 0.12)],
+        1, 0.075, 0.05,
+    )  # fmt: skip
+    spikes = [ball((0, long * t, b.belly + b.wide * 0.9), 0.13) for t in (-0.25, 0.1, 0.45)]
+    horn = taper((0.13, y, z + 0.18), (0.24, y + 0.4, z + draw(0.45, 0.6)), 0.11, 0.05)
+    throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.2), 0.22, 0.13)
+    return {
+        "body": join(b.trunk(0.2), tail, b.muzzle(0.3, 0.17)),
+        "belly": join(egg((0, -0.12, b.belly - 0.08), (b.wide * 0.8, long * 0.95, 0.36)), throat),
+        "wings": both(wing),
+        "horns": join(both(horn), *spikes),
+        "eyes": both(ball((0.16, y - 0.2, z + 0.12), 0.085)),
+    }
+
+
+def dinosaur(draw: Draw) -> Parts:
+    """T. rex: a huge head, tiny arms, a heavy tail."""
+    hip, wide, head = draw(0.75, 0.95), draw(0.36, 0.46), draw(0.3, 0.38)
+    y, z = draw(-0.75, -0.6), hip + draw(0.75, 0.9)
+    leg = join(
+        egg((wide * 0.8, 0.15, hip - 0.1), (0.22, 0.34, 0.38)),
+        taper((wide * 0.85, 0.2, hip - 0.3), (wide * 0.85, 0.1, 0.14), 0.16, 0.14),
+        box((wide * 0.85, -0.06, 0.1), (0.18, 0.3, 0.1), 0.06),
+    )
+    arm = join(
+        taper((wide * 0.8, -0.5, hip + 0.15), (wide, -0.75, hip), 0.11, 0.09),
+        taper((wide, -0.75, hip), (wide, -0.9, hip + 0.1), 0.09, 0.08),
+    )
+    tail = join(
+        taper((0, 0.3, hip + 0.05), (0, 1.0, hip - 0.2), 0.36, 0.2),
+        taper((0, 1.0, hip - 0.2), (0, 1.7, hip + draw(-0.3, 0.15)), 0.2, 0.08),
+    )
+    trunk = taper((0, 0.15, hip), (0, -0.45, hip + 0.25), wide, wide * 0.8)
+    neck = taper((0, -0.4, hip + 0.25), (0, y + 0.1, z), wide * 0.75, head * 0.8)
+    skull = box((0, y - 0.25, z + 0.08), (head * 0.85, 0.5, head * 0.7), 0.12)
+    jaw = box((0, y - 0.18, z - 0.32), (head * 0.7, 0.42, 0.12), 0.06)
+    teeth = box((0, y - 0.25, z - 0.16), (head * 0.72, 0.43, 0.1), 0.03)
+    return {
+        "body": join(blend(0.15, trunk, neck, tail), skull, jaw, both(leg), both(arm)),
+        "belly": taper((0, 0.0, hip - 0.1), (0, -0.58, hip + 0.16), wide * 0.85, wide * 0.62),
+        "teeth": teeth,
+        "eyes": both(ball((head * 0.78, y - 0.2, z + 0.24), 0.1)),
+    }
+
+
+def _arms(x: float, z: float, down: float, out: float, thick: float, raised: bool) -> Solid:
+    """A pair of arms; the right one raised if so."""
+    low = both(taper((x, 0, z), (x + out, -0.05, z - down), thick, thick * 0.9))
+    if not raised:
+        return low
+    high = taper((x, 0, z), (x + out + 0.15, -0.05, z + down * 0.7), thick, thick * 0.9)
+    half = box((2, 0, z), (2, 4, 8))
+    return join(cut(low, half), high)
+
+
+def person(draw: Draw) -> Parts:
+    """Stands, in shirt and trousers; short or long hair."""
+    leg, wide, head = draw(0.85, 1.15), draw(0.3, 0.4), draw(0.27, 0.33)
+    top, raised, x = leg + draw(0.75, 0.9), draw.chance(0.3), wide + 0.06
+    out, down, z = draw(0.12, 0.35), 0.62, top + head + 0.05
+    a = wide * 0.52
+    trunk = taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.75, wide * 0.9)
+    hands = both(ball((x + out, -0.05, top - 0.15 - down), 0.14))
+    if raised:
+        half = box((2, 0, top), (2, 4, 8))
+        hands = join(cut(hands, half), ball((x + out + 0.15, -0.05, top - 0.15 + down * 0.7), 0.14))
+    cap = cut(ball((0, 0.05, z + 0.06), head * 1.08), box((0, -0.6, z - 0.15), (1, 0.5, 0.3)))
+    long_hair = egg((0, 0.16, z - 0.15), (head * 1.05, 0.22, head * 1.25))
+    nose = ball((0, -head - 0.02, z), 0.07)
+    return {
+        "shirt": join(trunk, _arms(x, top - 0.15, down, out, 0.14, raised)),
+        "skin": join(ball((0, 0, z), head), tube((0, 0, top - 0.1), (0, 0, z), 0.13), hands, nose),
+        "hair": join(cap, long_hair) if draw.chance(0.4) else cap,
+        "trousers": both(taper((a, 0, leg), (a, 0, 0.14), 0.2, 0.15)),
+        "shoes": both(box((a, -0.1, 0.09), (0.16, 0.28, 0.11), 0.08)),
+        "eyes": both(ball((head * 0.4, -head * 0.87, z + 0.07), 0.065)),
+    }
+
+
+def knight(draw: Draw) -> Parts:
+    """In armour, with plume, shield and sword."""
+    leg, wide, head = draw(0.7, 0.95), draw(0.36, 0.46), draw(0.3, 0.35)
+    top, x, a = leg + draw(0.7, 0.85), wide + 0.12, wide * 0.55
+    z, out = top + head, draw(0.12, 0.28)
+    hand = (x + out, -0.2, top - 0.6)
+    helmet = join(tube((0, 0, z - 0.28), (0, 0, z + 0.1), head, 0.05), ball((0, 0, z + 0.1), head))
+    armour = join(
+        taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.8, wide),
+        both(ball((x, 0, top - 0.14), 0.24)),
+        both(taper((x, 0, top - 0.2), hand, 0.15, 0.15)),
+        both(taper((a, 0, leg), (a, 0, 0.15), 0.21, 0.18)),
+        both(box((a, -0.1, 0.1), (0.19, 0.3, 0.12), 0.06)),
+        helmet,
+    )
+    sx, sy, sz = -hand[0] - 0.05, -0.36, top - 0.5
+    shield = prism(
+        [(sx - 0.32, sz + 0.4), (sx + 0.32, sz + 0.4), (sx + 0.3, sz - 0.1), (sx, sz - 0.55),
+         (sx - 0.3, sz - 0.1)], 1, 0.08, sy,
+    )  # fmt: skip
+    tip = hand[2] + draw(1.1, 1.5)
+    blade = prism(
+        [(hand[0] - 0.1, hand[2]), (hand[0] + 0.1, hand[2]), (hand[0] + 0.1, tip - 0.15),
+         (hand[0], tip), (hand[0] - 0.1, tip - 0.15)], 1, 0.07, hand[1] - 0.08,
+    )  # fmt: skip
+    guard = capsule(
+        (hand[0] - 0.2, -0.28, hand[2] + 0.16), (hand[0] + 0.2, -0.28, hand[2] + 0.16), 0.08
+    )
+    plume = taper((0, -0.05, z + head), (0, 0.35, z + head * draw(0.7, 1.2)), 0.14, 0.15)
+    return {
+        "armour": armour,
+        "visor": box((0, -head * 0.75, z + 0.04), (head * 0.72, head * 0.35, 0.07), 0.02),
+        "plume": plume,
+        "shield": shield,
+        "sword": join(blade, guard),
+    }
+
+
+def monkey(draw: Draw) -> Parts:
+    """Sits; round ears at the sides, a curled tail."""
+    wide, head = draw(0.36, 0.46), draw(0.36, 0.43)
+    z = 0.75 + draw(0.42, 0.58)
+    reach, r = draw(0.65, 0.85), draw(0.26, 0.34)
+    arm = taper((wide * 0.7, -0.1, 0.95), (wide + 0.1, -reach, 0.3), 0.14, 0.12)
+    leg = join(
+        taper((wide * 0.6, 0, 0.25), (wide + 0.2, -0.5, 0.35), 0.2, 0.15),
+        taper((wide + 0.2, -0.5, 0.35), (wide + 0.15, -0.75, 0.1), 0.14, 0.13),
+    )
+    tail = join(
+        taper((0, 0.25, 0.2), (0, 0.75, 0.3), 0.12, 0.11),
+        ring((0, 0.75, 0.3 + r), r, 0.1, 0),
+    )
+    trunk = taper((0, 0, 0.35), (0, -0.03, 0.85), wide, wide * 0.8)
+    face = join(
+        egg((0, -head * 0.68, z - 0.13), (head * 0.62, 0.24, 0.2)),
+        both(egg((head * 0.32, -head * 0.68, z + 0.12), (0.19, 0.16, 0.18))),
+        both(tube((head + 0.1, -0.12, z + 0.04), (head + 0.1, 0, z + 0.04), 0.12, 0.03)),
+        egg((0, -wide * 0.55, 0.6), (wide * 0.62, wide * 0.5, 0.34)),
+    )
+    ear = tube((head + 0.1, -0.08, z + 0.04), (head + 0.1, 0.08, z + 0.04), 0.2, 0.05)
+    return {
+        "body": join(trunk, ball((0, 0, z), head), both(join(arm, leg, ear)), tail),
+        "face": face,
+        "eyes": both(ball((head * 0.32, -head * 1.02, z + 0.1), 0.075)),
+    }
+
+
+BEASTS = {
+    "horse": fitted(horse),
+    "unicorn": fitted(unicorn),
+    "corgi": fitted(corgi),
+    "dragon": fitted(dragon),
+    "dinosaur": fitted(dinosaur),
+    "person": fitted(person),
+    "knight": fitted(knight),
+    "monkey": fitted(monkey),
+}

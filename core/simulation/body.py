@@ -1,0 +1,60 @@
+"""A rigid body for a simulator: what is seen, what is collided with, mass and inertia."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from core.errors import UserError
+from core.guidance.builtin.physical import usual_of
+from core.io.asset import Asset
+from core.simulation.hulls import MAX_HULLS, Hull, convex_hulls
+from core.simulation.mass import Mass, mass_of
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """+Z up, metres, the origin at the asset's base."""
+
+    name: str  # letters, digits and underscores
+    title: str  # the prompt
+    asset: Asset
+    mass: Mass
+    hulls: list[Hull]
+
+
+def body_of(asset: Asset, mass: float | None = None, most: int = MAX_HULLS) -> Body:
+    """The body of ``asset``; ``mass`` in kg, or None for its volume times its density.
+
+    Raises UserError for a mass that is no positive number, or a number of hulls that is none.
+    """
+    if mass is not None and not 0 < mass < math.inf:
+        raise UserError(f"--mass is {mass:g}.", "It takes kilograms, such as 4.5.")
+    if most < 1:
+        raise UserError(f"--hulls is {most}.", "It takes 1 or more.")
+    mesh = asset.mesh
+    found = mass_of(mesh.verts, mesh.faces, density_of(asset.info))
+    found = found if mass is None else found.scaled_to(mass)
+    title = str(asset.info.get("prompt") or "asset")
+    hulls = convex_hulls(mesh.verts, mesh.faces, most)
+    return Body(identifier(title), title, asset, found, hulls)
+
+
+def density_of(info: dict[str, Any]) -> float:
+    """Kg/m³ as asset.json has it; of an asset without, the usual one of its prompt."""
+    density = info.get("density")
+    if isinstance(density, int | float) and 0 < density < math.inf:
+        return float(density)
+    return usual_of(str(info.get("prompt") or ""))[1]
+
+
+def identifier(title: str) -> str:
+    """``title`` as a name that USD and URDF allow: ASCII letters, digits and underscores."""
+    text = "".join(c if c.isascii() and c.isalnum() else " " for c in title)
+    name = "_".join(text.split())[:60] or "asset"
+    return name if not name[0].isdigit() else f"_{name}"
+
+
+def parts_folder(out: Path) -> str:
+    """The folder of meshes and pictures next to ``out``."""
+    return f"{out.stem}_parts"

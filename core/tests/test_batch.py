@@ -1,0 +1,382 @@
+"""A batch: what is missing is made, once; what dies is tried again; a stop loses nothing."""
+
+import csv
+import dataclasses
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from functools import partial
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from core.batch import attempt, batch, plan
+from core.batch.attempt import Attempt
+from core.batch.local import LocalPool
+from core.batch.needs import Needs, checkpoint_memory, needs_of, places
+from core.batch.options import OUT_OF_TIME
+from core.batch.plan import digest
+from core.batch.progress_line import duration, seconds_left
+from core.batch.table import read_table, slug
+from core.command_line import main
+from core.errors import UserError
+from core.io.job import Job, read_events
+from core.tests.test_run_report import made
+
+FAKE = (sys.executable, str(Path(__file__).with_name("fake_resume.py")))
+
+
+@pytest.fixture
+def table(tmp_path, monkeypatch):
+    """Writes a table; its batch is made by the fake core."""
+    monkeypatch.setattr(batch, "LocalPool", partial(LocalPool, command=FAKE))
+
+    def write(text, name="prompts.csv"):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+        return [str(tmp_path / name), "--out", str(tmp_path / "out")]
+
+    return write
+
+
+def report(tmp_path, name="report.csv"):
+    text = (tmp_path / "out" / name).read_text(encoding="utf-8")
+    return list(csv.DictReader(text.splitlines()))
+
+
+def sessions(folder):
+    """The step from which each session of a run went on."""
+    return [event["step"] for event in read_events(folder) if event["type"] == "started"]
+
+
+# The table
+
+
+def test_a_row_becomes_the_command_line_that_makes_it(tmp_path):
+    (tmp_path / "shape.obj").write_text("")
+    (tmp_path / "t.csv").write_text(
+        "\ufeffPrompt;name;seed;guide-strength;guide;geometry.fine.steps;Ignore unknown words\n"
+        "a red chair;Nice one;3;0.5;shape.obj;7;yes\n"
+        ";;;;;;\n"
+        '"a ""tall"" mug; blue";;;;;;\n',
+        encoding="utf-8",
+    )
+    first, second = read_table(tmp_path / "t.csv")
+    assert (first.line, first.name, second.line) == (2, "Nice one", 4)
+    assert first.arguments(["--seed=1"]) == [
+        "generate", "--seed=1", "--seed=3", "--guide-strength=0.5",
+        f"--guide={tmp_path / 'shape.obj'}", "--ignore-unknown-words",
+        "--set=geometry.fine.steps=7",
+        "--", "a red chair",
+    ]  # fmt: skip
+    assert second.arguments([]) == ["generate", "--", 'a "tall" mug; blue']
+
+
+def test_a_row_with_a_mesh_is_textured(tmp_path):
+    (tmp_path / "t.tsv").write_text("mesh\tprompt\nm.obj\t-rusty\n")
+    (row,) = read_table(tmp_path / "t.tsv")
+    assert row.arguments([]) == ["texture", "--", "m.obj", "-rusty"]
+
+
+def test_a_text_file_has_a_prompt_on_each_line(tmp_path):
+    (tmp_path / "t.txt").write_text("# mine\na chair, red\n\n a mug \n")
+    assert [(r.line, r.prompt) for r in read_table(tmp_path / "t.txt")] == [
+        (2, "a chair, red"),
+        (4, "a mug"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "no column prompt"),
+        ("prompt\n", "holds no prompt"),
+        ("prompt,sede\na,3\n", "Did you mean seed?"),
+        ("prompt,seed,seed\na,3,4\n", "two columns seed"),
+        ("seed\n3\n", "no column prompt"),
+        ("prompt,seed\na chair, red,3\n", "Line 2 of .* has 3 cells, its header 2"),
+        ("prompt,\na,b\n", "without a column's name"),
+        ('prompt\n"a\n', "line 2 of .* is no CSV"),
+    ],
+)
+def test_a_wrong_table_is_refused_with_its_line(tmp_path, text, words):
+    (tmp_path / "t.csv").write_text(text)
+    with pytest.raises(UserError, match=words):
+        read_table(tmp_path / "t.csv")
+
+
+def test_a_table_that_is_no_text_is_refused(tmp_path):
+    (tmp_path / "t.csv").write_bytes(b"prompt\n\xff\xfe\n")
+    with pytest.raises(UserError, match="no UTF-8"):
+        read_table(tmp_path / "t.csv")
+    with pytest.raises(UserError, match="cannot be read"):
+        read_table(tmp_path)
+
+
+def test_a_slug_is_letters_and_digits():
+    assert slug("A red/../chair  Ä!") == "a-red-chair-ä"
+    assert slug("!") == "asset"
+
+
+# The hash
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"prompt": "a mug"}, {"seed": 1}, {"light": "sky"}, {"size_m": 2.0}, {"max_faces": 500},
+        {"settings": {"geometry.fine.steps": 3}}, {"ignore_unknown_words": True},
+    ],
+)  # fmt: skip
+def test_what_decides_the_asset_is_in_its_hash(change):
+    job = Job(prompt="a chair")
+    assert digest(dataclasses.replace(job, **change)) != digest(job)
+
+
+def test_what_does_not_decide_it_is_not():
+    job = Job(prompt="a chair")
+    same = {"device": "cpu", "settings": {"geometry.views_at_once": 1}}
+    assert digest(dataclasses.replace(job, **same)) == digest(job)
+    steps = {"settings": {"geometry.fine.steps": "3"}}
+    numbers = {"settings": {"geometry.fine.steps": 3}}
+    assert digest(dataclasses.replace(job, **steps)) == digest(dataclasses.replace(job, **numbers))
+
+
+def test_a_file_counts_by_what_it_holds(tmp_path):
+    files = [tmp_path / name for name in ("a.obj", "b.obj", "c.obj")]
+    for file, text in zip(files, ("v 0 0 0", "v 0 0 0", "v 1 0 0"), strict=True):
+        file.write_text(text)
+    a, b, c = (digest(Job(prompt="x", command="texture", mesh=str(f))) for f in files)
+    assert a == b != c
+
+
+def test_new_weights_are_another_asset(monkeypatch):
+    before = digest(Job(prompt="a chair"))
+    monkeypatch.setattr(plan, "_builtin_weights", lambda: {"shape.safetensors": "other"})
+    assert digest(Job(prompt="a chair")) != before
+
+
+# The batch
+
+
+def test_a_second_call_makes_only_what_is_missing(table, tmp_path, capsys):
+    argv = table("prompt,name\na chair,one\na chair,two\na mug,\n")
+    assert main(["batch", *argv]) == 0
+    rows = report(tmp_path)
+    assert [(r["name"], r["state"], r["attempts"]) for r in rows[:2]] == [
+        ("one", "done", "1"),
+        ("two", "done", "1"),
+    ]
+    assert rows[0]["folder"] == rows[1]["folder"] and rows[0]["folder"].startswith("one-")
+    runs = [path.parent for path in (tmp_path / "out").glob("*/job.json")]
+    assert len(runs) == 2
+    assert not list((tmp_path / "out").glob("*/checkpoint/*.safetensors"))
+    before = {run: sessions(run) for run in runs}
+    # Another name, another order: the folders are found by the hash.
+    argv = table("prompt,name\na mug,\na chair,three\na table,\n")
+    assert main(["batch", *argv]) == 0
+    assert {run: sessions(run) for run in runs} == before
+    assert [r["attempts"] for r in report(tmp_path)] == ["0", "0", "1"]
+    assert "3 of 3 done, 0 running, 0 failed" in capsys.readouterr().err
+
+
+def test_what_fails_has_a_code_of_its_own_and_the_rest_is_made(table, tmp_path, capsys):
+    argv = table("prompt,seed\nan unknown,\na chair,x\na mug,\n,\n")
+    assert main(["batch", *argv, "--at-once", "2"]) == 6
+    unknown, chair, mug = report(tmp_path)
+    assert (unknown["state"], unknown["attempts"]) == ("failed", "1")  # not tried again
+    assert unknown["text"] == "There is no noun 'unknown'. Say chair."
+    assert chair["state"] == "failed" and "Line 3" in chair["text"] and "'x'" in chair["text"]
+    assert mug["state"] == "done"
+    said = capsys.readouterr().err
+    assert "error: 2 of 3 assets were not made." in said and "Traceback" not in said
+    assert "1 of 3 done, 0 running, 2 failed" in said
+
+
+def test_what_dies_goes_on_from_its_checkpoint(table, tmp_path):
+    assert main(["batch", *table("a chair that dies\n", "t.txt")]) == 0
+    (row,) = report(tmp_path)
+    assert (row["state"], row["attempts"]) == ("done", "2")
+    assert sessions(tmp_path / "out" / row["folder"]) == [0, 2]
+
+
+def test_retries_end(table, tmp_path):
+    argv = table("a chair that dies\n", "t.txt")
+    assert main(["batch", *argv, "--retries", "0"]) == 6
+    (row,) = report(tmp_path)
+    assert row["state"] == "failed" and "signal 9" in row["text"]
+
+
+def test_out_of_memory_is_tried_again_with_smaller_parts(table, tmp_path):
+    argv = table("prompt\na large chair\n")
+    assert main(["batch", *argv, "--retries", "9"]) == 0
+    (row,) = report(tmp_path)
+    job = json.loads((tmp_path / "out" / row["folder"] / "job.json").read_text())
+    assert job["settings"]["geometry.views_at_once"] == 1
+    assert int(row["attempts"]) > 2
+    # Its name is still that of the row: a second call finds it.
+    assert main(["batch", *argv]) == 0
+    assert report(tmp_path)[0]["attempts"] == "0"
+
+
+def test_a_timeout_leaves_the_run_resumable(table, tmp_path, monkeypatch):
+    argv = table("an endless chair\n", "t.txt")
+    assert main(["batch", *argv, "--timeout", "0.6"]) == 6
+    (row,) = report(tmp_path)
+    assert (row["state"], row["attempts"]) == ("unfinished", "1")
+    assert "--timeout 0.6" in row["text"]
+    main(["batch", *argv, "--timeout", "0.3"])
+    first, second = sessions(tmp_path / "out" / row["folder"])
+    assert first == 0 < second
+
+
+def test_one_that_does_not_answer_is_ended_by_force(tmp_path, monkeypatch):
+    monkeypatch.setattr(attempt, "GRACE", 0.1)
+    (tmp_path / "job.json").write_text(Job(prompt="an endless deaf chair").to_json())
+    running = Attempt(tmp_path, FAKE, timeout=0.5)
+    end = wait_for(running.poll)
+    assert end.code == OUT_OF_TIME
+
+
+def wait_for(found, seconds=60):
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        if result := found():
+            return result
+        time.sleep(0.02)
+    raise AssertionError("it did not happen")
+
+
+def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("FAKE_STEPS", "60")
+    argv = table("a chair\na mug\na table\n", "t.txt")
+
+    def interrupt():
+        wait_for(lambda: len(list((tmp_path / "out").glob("*/checkpoint/*"))) >= 2)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    assert main(["batch", *argv, "--at-once", "2"]) == 130
+    assert "0 of 3 are done. The same command goes on" in capsys.readouterr().err
+    assert [r["state"] for r in report(tmp_path)] == ["unfinished", "unfinished", "missing"]
+    assert main(["batch", *argv, "--at-once", "2"]) == 0
+    starts = [sessions(tmp_path / "out" / r["folder"]) for r in report(tmp_path)]
+    assert [s[0] for s in starts] == [0, 0, 0] and all(s[1] > 0 for s in starts[:2])
+
+
+def test_a_process_ends_with_the_one_that_started_it(tmp_path):
+    """A survivor of a killed batch, or of a cluster's dead node, would go on writing."""
+    (tmp_path / "job.json").write_text(Job(prompt="an endless chair").to_json())
+    code = (
+        "import sys, time; from pathlib import Path; from core.batch.attempt import Attempt\n"
+        f"Attempt(Path(sys.argv[1]), [*{FAKE!r}, '--end-with-stdin']); time.sleep(60)"
+    )
+    starter = subprocess.Popen([sys.executable, "-c", code, str(tmp_path)], cwd=attempt.ROOT)
+    events = wait_for(lambda: (tmp_path / "events.jsonl").exists() and read_events(tmp_path))
+    pid = events[0]["pid"]
+    starter.kill()
+    starter.wait()
+    wait_for(lambda: not Path(f"/proc/{pid}/cmdline").exists() or _is_gone(pid))
+
+
+def _is_gone(pid):
+    state = Path(f"/proc/{pid}/stat")
+    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] == "Z"
+
+
+def test_parts_of_a_table_are_made_apart_and_reported_together(table, tmp_path):
+    argv = table("a chair\na mug\na table\n", "t.txt")
+    for part, rows in (("1/2", 2), ("2/2", 1)):
+        assert main(["batch", *argv, "--shard", part]) == 0
+        assert len(report(tmp_path, f"report-{part.replace('/', '-of-')}.csv")) == rows
+    assert main(["batch", *argv]) == 0
+    assert [r["attempts"] for r in report(tmp_path)] == ["0", "0", "0"]
+
+
+def test_two_calls_at_once_do_not_mix(table, tmp_path, capsys):
+    argv = table("a chair\n", "t.txt")
+    (tmp_path / "out").mkdir()
+    with batch.run_lock(tmp_path / "out", "batch.lock"):
+        assert main(["batch", *argv]) == 2
+    assert "Another process works on" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (["--shard", "9/8"], "no part"),
+        (["--shard", "x"], "no part"),
+        (["--retries", "-1"], "0 or more"),
+        (["--timeout", "0"], "more than 0"),
+        (["--timeout", "nan"], "more than 0"),
+        (["--at-once", "0"], "1 or more"),
+        (["--sede", "3"], "--seed"),
+    ],
+)
+def test_a_wrong_option_is_one_sentence(table, more, words, capsys):
+    assert main(["batch", *table("a chair\n", "t.txt"), *more]) == 2
+    said = capsys.readouterr().err
+    assert words in said and said.count("\n") == 1
+
+
+# The page
+
+
+def test_the_sheet_shows_each_asset_and_its_viewer(table, tmp_path, monkeypatch):
+    asset = made(tmp_path / "real").asset
+    Image.new("RGB", (32, 32), "red").save(asset / "preview.png")
+    monkeypatch.setenv("FAKE_ASSET", str(asset))
+    argv = table("prompt,name\na <b>chair</b>,@end@\na mug,\nan unknown,\na mug,again\n")
+    assert main(["batch", *argv]) == 6
+    out = tmp_path / "out"
+    page = (out / "contact_sheet.html").read_text(encoding="utf-8")
+    assert "a &lt;b&gt;chair&lt;/b&gt;" in page and "<b>chair</b>" not in page
+    assert "<b>@end@</b>" in page and "3 done, 1 failed" in page
+    assert page.count("<figure>") == 3 and page.count('src="data:image/jpeg') == 2
+    assert "closed, 1 component, 100 faces, 1.5 s" in page
+    assert "There is no noun &#x27;unknown&#x27;" in page
+    folders = {r["folder"] for r in report(tmp_path) if r["state"] == "done"}
+    assert {path.stem for path in (out / "contact_sheet").iterdir()} == folders
+
+
+def test_a_broken_asset_does_not_hide_the_others(table, tmp_path):
+    assert main(["batch", *table("a chair\n", "t.txt")]) == 0  # the fake's has no picture
+    assert "is no picture" in (tmp_path / "out" / "contact_sheet.html").read_text()
+
+
+# The numbers
+
+
+def test_the_time_left_is_the_mean_of_what_was_made():
+    assert seconds_left([], 5, [1.0], 2) is None
+    assert seconds_left([10.0, 20.0], 4, [5.0, 15.0], 2) == (4 * 15 + 10) / 2
+    assert seconds_left([10.0], 0, [4.0], 8) == 6.0  # one is left: more places are no help
+    assert seconds_left([10.0], 0, [30.0], 1) == 0.0
+
+
+def test_durations_are_short():
+    assert [duration(s) for s in (5, 150, 7200, 200_000)] == ["5 s", "2 min", "2 h", "2 d"]
+
+
+def test_places_follow_cores_and_memory(monkeypatch):
+    monkeypatch.setattr("core.batch.needs.cores", lambda: 8)
+    memory = type("M", (), {"available": 10 << 30})
+    monkeypatch.setattr("core.batch.needs.psutil.virtual_memory", lambda: memory)
+    assert places(Needs(1, 1 << 30, 0.0), None) == 8
+    assert places(Needs(1, 4 << 30, 0.0), None) == 2
+    assert places(Needs(1, 1 << 40, 0.0), None) == 1
+    assert places(Needs(1, 1 << 40, 0.0), 3) == 3
+    monkeypatch.setattr("core.batch.needs.gpus", lambda: 1)
+    assert places(Needs(1, 1 << 30, 0.25), None) == 4
+
+
+def test_a_checkpoint_takes_its_weights_and_more(tmp_path):
+    (tmp_path / "unet").mkdir()
+    (tmp_path / "unet" / "x.safetensors").write_bytes(bytes(1000))
+    assert checkpoint_memory(tmp_path) - checkpoint_memory(tmp_path / "unet") == 2000
+    job = Job(prompt="x", guidance=str(tmp_path))
+    assert needs_of(job, has_gpu=True).gpus == 1 and needs_of(job, has_gpu=False).gpus == 0

@@ -1,0 +1,108 @@
+"""What goes to a cluster's node and comes back, and what the node does; without a cluster."""
+
+import dataclasses
+import io
+import json
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+import pytest
+
+from core.batch import node, parcel
+from core.batch.node import Order, make, source_version
+from core.errors import UserError
+from core.io.job import Job, read_events
+from core.tests.test_batch import FAKE, sessions
+
+
+def run_folder(path, **fields):
+    path.mkdir()
+    (path / "job.json").write_text(Job(prompt="a chair", **fields).to_json())
+    return path
+
+
+def order(**changes):
+    given = Order("a-run", FAKE, None, 0.0, source_version())
+    return dataclasses.asdict(dataclasses.replace(given, **changes))
+
+
+def files(folder):
+    return {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
+
+
+def test_a_job_goes_with_the_files_that_it_names(tmp_path):
+    (tmp_path / "my mesh.obj").write_text("v 0 0 0\n")
+    mesh = str(tmp_path / "my mesh.obj")
+    here = run_folder(tmp_path / "here", command="texture", mesh=mesh, light="sky")
+    there = tmp_path / "there"
+    parcel.unpack(parcel.outward(here), there)
+    (tmp_path / "my mesh.obj").unlink()
+    parcel.settle(there)
+    job = Job.from_json((there / "job.json").read_text())
+    assert Path(job.mesh).read_text() == "v 0 0 0\n"
+    assert Path(job.mesh).name == "my mesh.obj"  # which asset.json records
+    assert job.light == "sky" and Path(job.mesh).is_absolute()
+
+
+def test_an_asset_comes_back_whole_and_the_job_stays(tmp_path):
+    here, there = run_folder(tmp_path / "here"), run_folder(tmp_path / "there", seed=7)
+    (there / "asset").mkdir()
+    (there / "asset" / "asset.json").write_text("{}")
+    parcel.unpack(parcel.homeward(there, parcel.ASSET), here)
+    assert (here / "asset" / "asset.json").read_text() == "{}"
+    assert json.loads((here / "job.json").read_text())["seed"] == 0
+    assert files(here) == {"job.json", "asset/asset.json"}
+
+
+@pytest.mark.parametrize("name", ["../evil", "/evil", "a/../../evil"])
+def test_a_parcel_leads_nowhere_else(tmp_path, name):
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w") as tar:
+        tar.addfile(tarfile.TarInfo(name), io.BytesIO(b""))
+    with pytest.raises(UserError, match="leads out"):
+        parcel.unpack(packed.getvalue(), tmp_path / "run")
+    assert not list(tmp_path.rglob("evil"))
+
+
+def test_checkpoints_come_back_and_another_node_goes_on_from_them(tmp_path, monkeypatch):
+    monkeypatch.setattr(node, "PAUSE", 0.01)
+    monkeypatch.setenv("FAKE_STEPS", "40")
+    monkeypatch.setenv("FAKE_PAUSE", "0.03")
+    here = run_folder(tmp_path / "here")
+    first = make(order(), parcel.outward(here))
+    for news in first:  # its node dies with the second checkpoint on its way
+        assert news["end"] is None
+        parcel.unpack(news["parcel"], here)
+        break
+    first.close()
+    assert "checkpoint/steps.safetensors" in files(here)
+    *_, last = make(order(), parcel.outward(here))
+    parcel.unpack(last["parcel"], here)
+    assert last["end"]["code"] == 0 and last["end"]["node"]
+    assert (here / "asset" / "asset.json").is_file()
+    start, again = sessions(here)
+    assert start == 0 < again
+    assert read_events(here)[-1]["type"] == "done"
+
+
+def test_a_failure_comes_back_with_its_sentence(tmp_path):
+    here = run_folder(tmp_path / "here")
+    job = dataclasses.replace(Job(prompt="unknown"))
+    (here / "job.json").write_text(job.to_json())
+    *_, last = make(order(), parcel.outward(here))
+    assert last["end"]["code"] == 2
+    assert last["end"]["text"] == "There is no noun 'unknown'. Say chair."
+
+
+def test_another_version_makes_nothing(tmp_path):
+    here = run_folder(tmp_path / "here")
+    (last,) = make(order(version="other"), parcel.outward(here))
+    assert last["end"]["code"] == 3 and "another version" in last["end"]["text"]
+
+
+def test_a_node_loads_no_torch():
+    code = "import sys, core.batch.node; print({'torch', 'numpy', 'ray'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=node.ROOT, capture_output=True)
+    assert done.stdout.strip() == b"set()", done.stderr

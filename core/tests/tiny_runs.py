@@ -1,0 +1,126 @@
+"""The shortest run of all stages, in one process that has the method loaded."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import core.appearance.environment as environment
+import core.generate as method
+from core.guidance.builtin import guidance as builtin
+from core.io import progress
+from core.stages import training
+from core.texture import packing
+
+# Every stage and every phase, each with as few steps as it has a middle with.
+FILM = "preview/film"
+TINY = {
+    "geometry.resolution": "10,12",
+    "geometry.fit_steps": 20,
+    "geometry.views": 1,
+    "geometry.views_at_once": 1,
+    "geometry.coarse.steps": 3,
+    "geometry.fine.steps": 2,
+    "geometry.sharpen.rounds": 1,
+    "geometry.sharpen.passes": 1,
+    "geometry.sharpen.views": 2,
+    "geometry.sharpen.steps": 2,
+    "geometry.sharpen.size": 32,
+    **{f"geometry.{phase}.rounds": 1 for phase in ("grow", "refine")},
+    **{f"geometry.{phase}.steps": 2 for phase in ("grow", "refine")},
+    **{f"geometry.{phase}.views": 2 for phase in ("grow", "refine")},
+    **{f"geometry.{phase}.denoise_steps": 1 for phase in ("grow", "refine")},
+    "appearance.shading": "split_sum",
+    "appearance.views": 1,
+    **{f"appearance.{phase}.size": 32 for phase in ("early", "late", "refine")},
+    "appearance.early.steps": 3,
+    "appearance.late.steps": 2,
+    "appearance.refine.rounds": 1,
+    "appearance.refine.steps": 2,
+    "appearance.refine.views": 2,
+    "appearance.refine.denoise_steps": 1,
+}
+OPTIONS = [f"--set={key}={value}" for key, value in TINY.items()]
+OPTIONS += ["--texture-size=64", "--max-faces=100"]
+STAGES = ("start", "fit", "geometry", "unwrap", "appearance", "bake", "asset")
+PASSES = 10  # of the packing, which would be half of so short a run
+
+
+def generate(run: Path) -> list[str]:
+    """The command line of a new run."""
+    return ["generate", "a red torus", "--out", str(run), *OPTIONS]
+
+
+def resume(run: Path) -> list[str]:
+    """The command line that ends it: as a new run where it has not come to its job.json."""
+    return ["resume", str(run)] if (run / "job.json").exists() else generate(run)
+
+
+def made(run: Path) -> dict[str, bytes]:
+    """The asset's files. The seconds of each stage are another matter in each run."""
+    files = {path.name: path.read_bytes() for path in sorted((run / "asset").iterdir())}
+    info = json.loads(files["asset.json"])
+    del info["timings"]
+    return files | {"asset.json": json.dumps(info).encode()}
+
+
+def names(run: Path) -> set[str]:
+    """All that lies in a run folder; there is a log only where a bug was met."""
+    return {path.relative_to(run).as_posix() for path in run.rglob("*")}
+
+
+def lighten() -> None:
+    """Do what has no part in a fault once, and let every event and checkpoint be written."""
+    packing.PASSES = PASSES
+    progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
+    training.CHECKPOINT_SECONDS = 0.0
+    training.PREVIEW_SECONDS = 1e9  # the first alone: their number would be by the machine's load
+    method.PREVIEW_SIZE = 64
+    builtin.load_weights = remembered(builtin.load_weights)
+    light = remembered(environment.Environment.of.__func__)
+    environment.Environment.of = classmethod(light)
+    packing.pack = remembered(packing.pack)
+
+
+def remembered(function: Callable) -> Callable:
+    """``function``, whose results serve again for the same arguments."""
+    found: dict[tuple, object] = {}
+
+    def again(*args: Any) -> object:
+        # The last argument of the packing only reports how far it is.
+        given = [x for x in args if not callable(x)]
+        key = tuple(np.asarray(x).tobytes() if hasattr(x, "__array__") else x for x in given)
+        if key not in found:
+            found[key] = function(*args)
+        return found[key]
+
+    return again
+
+
+class quiet:  # noqa: N801
+    """What is printed goes to a file."""
+
+    def __init__(self, log: Path) -> None:
+        self.log = log
+
+    def __enter__(self) -> None:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        self.kept = os.dup(1), os.dup(2)
+        file = os.open(self.log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(file, 1)
+        os.dup2(file, 2)
+        os.close(file)
+
+    def __exit__(self, *_: object) -> None:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        for number, kept in enumerate(self.kept, 1):
+            os.dup2(kept, number)
+            os.close(kept)
