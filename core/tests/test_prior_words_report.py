@@ -27,25 +27,25 @@ ROOT = Path(__file__).parents[2]
 # Everyday prompts: what each is made as, and what is left out of it.
 EVERYDAY = {
     "an acoustic guitar": ("guitar", ["acoustic"]),
-    "an office chair": ("chair", ["office"]),
+    "an office chair": ("office chair", []),
     "a wine bottle": ("bottle", ["wine"]),
     "a pirate hat": ("hat", ["pirate"]),
     "a desk lamp": ("lamp", ["desk"]),
     "a kitchen table": ("table", ["kitchen"]),
-    "a wooden rocking chair": ("chair", ["rocking"]),
+    "a wooden rocking chair": ("rocking chair", []),
     "a police car": ("car", ["police"]),
     "a yellow school bus": ("bus", []),
     "a pickup truck": ("truck", ["pickup"]),
-    "a fire truck": ("truck", ["fire"]),
-    "a hot air balloon": ("", []),
+    "a fire truck": ("fire truck", []),
+    "a hot air balloon": ("hot air balloon", []),
     "a street lamp": ("lamp", ["street"]),
     "a birthday cupcake": ("cupcake", ["birthday"]),
     "a halloween pumpkin": ("pumpkin", ["halloween"]),
-    "a wizard hat": ("hat", ["wizard"]),
+    "a wizard hat": ("wizard hat", []),
     "a garden bench": ("bench", ["garden"]),
     "a park bench": ("bench", []),
     "a coffee mug": ("mug", []),
-    "a coffee table": ("table", ["coffee"]),
+    "a coffee table": ("coffee table", []),
     "a picnic table": ("table", ["picnic"]),
     "a tennis ball": ("ball", ["tennis"]),
     "a golf ball": ("ball", ["golf"]),
@@ -55,19 +55,20 @@ EVERYDAY = {
     "a tree house": ("house", ["tree"]),
     "a greek vase": ("vase", ["greek"]),
     "a haunted house": ("house", ["haunted"]),
-    "a polar bear": ("teddy bear", ["polar"]),
+    "a polar bear": ("bear", []),
     "a king size bed": ("bed", ["king", "size"]),
-    "a leather office chair": ("chair", ["office"]),
+    "a leather office chair": ("office chair", []),
     "an oak piano bench": ("bench", ["piano"]),
     "a toy train": ("train", ["toy"]),
     "a battle axe": ("axe", ["battle"]),
     "a blue robot with yellow eyes": ("robot", []),
-    "a spaceship": ("rocket", []),
+    "a spaceship": ("spaceship", []),
     "a stone castle": ("tower", []),
-    "a treasure chest": ("", []),
-    "a dragon": ("", []),
+    "a treasure chest": ("chest", []),
+    "a dragon": ("dragon", []),
     "a mushroom soup": ("", []),
-    "a fish tank": ("", []),
+    "a penguin": ("", []),
+    "a bird house": ("house", ["bird"]),
 }
 
 
@@ -93,8 +94,8 @@ def test_most_everyday_prompts_are_taken():
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("a red office chair", Words("chair", color="red")),
-        ("an office chair, red", Words("chair", color="red")),
+        ("a red beach chair", Words("chair", color="red")),
+        ("a beach chair, red", Words("chair", color="red")),
         ("a striped beach ball without a handle", None),  # the refusal of parts stays
         ("an old zebra striped chair", Words("chair", pattern="striped")),
         ("a desk lamp with a red shade", Words("lamp", second="red", target="shade")),
@@ -140,14 +141,14 @@ def test_a_part_of_the_thing_is_no_compound():
 @pytest.mark.parametrize(
     ("prompt", "note"),
     [
-        ("a spaceship", "spaceship: made as a rocket."),
+        ("a pony", "pony: made as a horse."),
         ("woks", "wok: made as a pan."),
         ("a gate", "gate: made as an arch."),
         ("a piggy bank", "piggy bank: made as a pig."),
-        ("a desk", "desk: made as a table."),
-        ("a barrel", "barrel: made as a cylinder."),
+        ("a grizzly", "grizzly: made as a bear."),
+        ("a school desk", "school desk: made as a desk."),
         ("a castle", "castle: made as a tower."),
-        ("a bear", "bear: made as a teddy bear."),
+        ("an iphone", "iphone: made as a phone."),
         ("a teal mug", "teal: painted as cyan."),
         ("an oak chair", "oak: made as wooden."),
         ("a tartan sofa", "tartan: drawn as checkered."),
@@ -164,12 +165,14 @@ def test_a_true_synonym_is_not(prompt):
 
 
 def test_a_narrower_word_that_is_left_out_is_not_made_as_anything():
-    assert parse("a desk lamp").notes == ("The built-in prior does not know 'desk': left out.",)
+    assert parse("a pony lamp").notes == ("The built-in prior does not know 'pony': left out.",)
 
 
 def test_narrower_words_are_known_words_and_no_slot_is_all_narrower():
     assert set(LEXICON) >= NARROWER
-    assert not any(word in NARROWER for slot in SLOTS for word in SLOTS[slot])
+    # A part's name may be another thing's: a hot dog's sausage.
+    slots = set(SLOTS) - {"target"}
+    assert not any(word in NARROWER for slot in slots for word in SLOTS[slot])
 
 
 def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
@@ -181,20 +184,18 @@ def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
 @pytest.mark.parametrize(
     ("word", "near"),
     [
-        ("chest", ["cube"]),  # not chestnut
-        ("crate", ["cube"]),
-        ("sword", ["axe"]),
-        ("swords", ["axe"]),
-        ("dragon", ["turtle"]),
-        ("bicycle", ["car"]),
-        ("horse", ["pig"]),  # not house
-        ("tent", ["cottage"]),
-        ("skull", ["bust"]),
-        ("lantern", ["lamp"]),
-        ("kettle", ["teapot"]),
-        ("plum", ["purple"]),  # not plump
-        ("phone", []),  # near to nothing
-        ("saxophone", []),
+        ("safe", ["cabinet"]),
+        ("pot", ["vase"]),
+        ("spear", ["axe"]),
+        ("spears", ["axe"]),
+        ("crocodile", ["turtle"]),
+        ("zebra", ["horse"]),
+        ("igloo", ["cottage"]),
+        ("penguin", ["duck"]),
+        ("chandelier", ["lamp"]),
+        ("mauve", ["purple"]),
+        ("towel", []),  # not trowel
+        ("accordion", []),  # near to nothing
         ("xyzzy", []),
         ("grren", ["green"]),  # a misspelling
         ("ceramix", ["ceramic"]),
@@ -230,17 +231,17 @@ def test_what_is_understood_is_plain_data():
 
 
 def test_the_report_of_a_refused_prompt_has_the_nearest_meanings_and_exit_code_2():
-    report, code = words_report("a chest and a phone")
+    report, code = words_report("a safe and an accordion")
     assert code == 2
-    assert report["nearest"] == {"chest": ["cube"], "phone": []}
-    assert "'chest' (did you mean cube?)" in report["error"]
+    assert report["nearest"] == {"safe": ["cabinet"], "accordion": []}
+    assert "'safe' (did you mean cabinet?)" in report["error"]
     assert "--guidance FOLDER" in report["fix"]
     # Of an unknown compound the head noun has the nearest thing.
-    assert words_report("a treasure chest")[0]["nearest"] == {"treasure": [], "chest": ["cube"]}
-    assert words_report("a vinyl office cabinet")[0]["nearest"] == {
+    assert words_report("a brass harp")[0]["nearest"] == {"harp": ["guitar"]}
+    assert words_report("a vinyl office safe")[0]["nearest"] == {
         "vinyl": ["plastic"],
         "office": [],
-        "cabinet": ["bookshelf"],
+        "safe": ["cabinet"],
     }
     assert words_report("a red chair") == (understood("a red chair"), 0)
     assert words_report("a chair and a table")[1] == 2

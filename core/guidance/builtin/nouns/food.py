@@ -190,7 +190,7 @@ FOOD = {
         Usual(0.28, 700.0),
     ),
     "can": Noun(
-        "soda can, tin can, tin, beverage can; beer can, soup can",
+        "soda can, tin can, beverage can; beer can, soup can",
         {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
         Usual(0.12, STEEL, 0.14),
     ),
