@@ -22,12 +22,9 @@ NEAREST = {
     "cylinder": "pipe, battery",
     "candle": "match, lighter",
     "lamp": "streetlight, flashlight, chandelier",
-    "house": (
-        "building, barn, shed, school, villa, garage, mansion, hotel, shop, store, "
-        "palace, temple, mosque, farmhouse, windmill"
-    ),
+    "house": ("building, hotel, shop, store, palace, temple, mosque, windmill"),
     "church": "cathedral, monastery",
-    "tower": "skyscraper, pillar, column, obelisk, minaret, silo, fortress",
+    "tower": "pillar, column, obelisk, minaret, silo",
     "cottage": "igloo, bungalow, treehouse",
     "arch": "bridge, portal, tunnel",
     "flower": "orchid, bouquet",
@@ -41,10 +38,9 @@ NEAREST = {
     "pirate ship": "warship",
     "train": "subway",
     "rocket": "missile",
-    "ball": "planet, moon, earth, football, basketball, beach, bubble, coconut",
-    "person": "figure",
+    "ball": "moon, earth, beach, bubble, coconut",
     "robot": "android, mech, cyborg, droid, alien",
-    "bust": "head, face, statue, sculpture, mask, mannequin",
+    "bust": "head, face, mask, mannequin",
     "cone": "pyramid, tornado",
     "torus": "bracelet",
     "horse": "zebra, camel, deer, moose, reindeer",

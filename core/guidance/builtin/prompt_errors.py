@@ -1,6 +1,12 @@
 """Errors of a prompt that the built-in prior refuses."""
 
 from core.errors import UserError
+from core.guidance.builtin.lexicon import LEXICON, Vocabulary, nearest_words
+
+ELSEWHERE = (
+    "For any other wording use Stable Diffusion: --guidance FOLDER, where FOLDER holds its weights."
+)
+SLOT_NAMES = {"color": "colour", "second": "second colour"}  # in a sentence
 
 
 class PromptError(UserError):
@@ -15,3 +21,52 @@ class UnknownWordsError(PromptError):
     def __init__(self, text: str, fix: str, nearest: dict[str, list[str]]) -> None:
         super().__init__(text, fix)
         self.nearest = nearest
+
+
+def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
+    """The error for ``unknown`` words, of which the ``qualifiers`` are before a noun."""
+    nearest = {token: near_words(token, qualifiers, known) for token in unknown}
+    texts = "; ".join(with_hint(token, near) for token, near in nearest.items())
+    return UnknownWordsError(
+        f"The built-in prior does not know {texts}.",
+        f"{known_things(known)} It knows the shapes {', '.join(known['shape'])}; "
+        f"the colours {', '.join(known['color'])}; the materials {', '.join(known['material'])}; "
+        f"the patterns {', '.join(known['pattern'])}. --ignore-unknown-words leaves out what it "
+        f"does not know. {ELSEWHERE}",
+        nearest,
+    )
+
+
+def two_error(slot: str, words: list[str]) -> UserError:
+    """The error for more than one word where a slot takes one."""
+    return PromptError(
+        f"The built-in prior takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
+        f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
+        f"Keep one of them. {ELSEWHERE}",
+    )
+
+
+def part_error(noun: str, part: str, there: bool, options: list[str]) -> UserError:
+    """The error for a part that the noun cannot have (``there``) or lack; ``options`` it can."""
+    choice = f"Use one of: {', '.join(options)}." if options else "Leave that out."
+    state = f"with {part}" if there else f"without {part}"
+    return UserError(f"The built-in prior cannot make a {noun} {state}.", choice)
+
+
+def known_things(known: Vocabulary) -> str:
+    """Where to find the things: some, since all would fill the screen."""
+    some = list(known["noun"])[5:20]
+    return f"It knows {len(known['noun'])} things, such as {', '.join(some)}; all: run.py words."
+
+
+def near_words(token: str, qualifiers: list[str], known: Vocabulary) -> list[str]:
+    """The known words nearest to an unknown one; no things for what stands before a noun."""
+    near = nearest_words(token, known)
+    if token not in qualifiers:
+        return near
+    return [word for word in near if LEXICON[word][0] != "noun"]
+
+
+def with_hint(token: str, near: list[str]) -> str:
+    """The unknown word as an error or a note shows it."""
+    return f"{token!r} (did you mean {' or '.join(near)}?)" if near else repr(token)

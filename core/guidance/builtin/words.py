@@ -93,12 +93,15 @@ FILLER = frozenset(
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    old new classic modern traditional elegant lovely pretty""".split()
+    pair set bunch slice piece wearing holding old new classic modern traditional elegant lovely
+    pretty""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = frozenset(
     "a an the of in on with and is it its made from out has have which that for".split()
-)
+) | {"wearing", "holding"}
+# Of them those after which something else may come that goes with the thing: "a vase of flowers".
+GOES_WITH = frozenset("of in on with has have wearing holding".split())
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate

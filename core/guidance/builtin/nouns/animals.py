@@ -163,7 +163,10 @@ ANIMALS = {
         Usual(12.0, FLESH),
     ),
     "person": Noun(
-        "human, man, woman; boy, girl, child, kid, guy, character, doll",
+        (
+            "human, man, woman; boy, girl, child, kid, baby, guy, lady, character, figure, doll, "
+            "princess, prince, wizard, witch, elf, dwarf, pirate, ninja, zombie, astronaut"
+        ),
         {
             "shirt": "*c23b34 . fabric",
             "skin": "-e0ac86",

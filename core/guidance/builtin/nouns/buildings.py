@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import STONE, Noun, Usual
 
 BUILDINGS = {
     "house": Noun(
-        "home",
+        "home; barn, shed, villa, mansion, farmhouse, garage, school",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",
@@ -26,7 +26,7 @@ BUILDINGS = {
         Usual(7.0, STONE, 0.15),
     ),
     "tower": Noun(
-        "castle tower; castle",
+        "castle tower; castle, fortress, skyscraper",
         {"walls": "*a29c90 bricks stone", "door": "+5d3a1f", "windows": "-33302c"},
         Usual(20.0, STONE, 0.3),
     ),

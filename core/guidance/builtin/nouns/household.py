@@ -17,7 +17,7 @@ from core.guidance.builtin.nouns.noun import (
 
 HOUSEHOLD = {
     "mug": Noun(
-        "cup, coffee cup, coffee mug; teacup, beer mug",
+        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug",
         {"body": "*e0dbd1", "handle": "&e0dbd1"},
         Usual(0.1, CERAMIC, 0.4),
     ),
@@ -77,7 +77,7 @@ HOUSEHOLD = {
         Usual(0.4, COPPER, 0.25),
     ),
     "bust": Noun(
-        "head bust, statue head",
+        "head bust, statue head; statue, sculpture",
         {"body": "*dcd6ca . stone", "hair": "&c2b9a8 . stone", "base": "-6e6961 . stone"},
         Usual(0.5, STONE),
     ),

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, WOOD, Noun, Usual
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; globe",
+        "sphere, orb; globe, football, soccer ball, basketball, beach ball, planet",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),

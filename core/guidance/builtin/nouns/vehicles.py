@@ -216,7 +216,7 @@ VEHICLES = {
         Usual(25.0, FABRIC, 0.002),
     ),
     "ufo": Noun(
-        "flying saucer, saucer; alien ship, alien spaceship",
+        "flying saucer; alien ship, alien spaceship",
         {
             "body": "*a5adb5 . metal",
             "dome": "+6fd0c8 . glass",

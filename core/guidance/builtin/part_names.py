@@ -1,0 +1,46 @@
+"""What a thing calls its parts, and which it always has. Standard library only."""
+
+from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.words import LEGS, OPTIONS, PART_SYNONYMS, PART_WORDS
+
+FOUR_LEGS = frozenset(
+    """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn
+    corgi desk""".split()
+)
+
+
+def as_part(entry: Entry, noun: str) -> str:
+    """The name under which a thing is a part of another: a bottle's cap, a piano's keys; or ""."""
+    for name in (entry.word, entry.form):
+        states = [state.removeprefix("no ") for state in OPTIONS.get(noun, ())]
+        if name in states or own_name(noun, name):
+            return name
+    return ""
+
+
+def own_name(noun: str, part: str) -> str:
+    """What the noun itself calls the part; "" where it has none of that name."""
+    return next((name for name in _names(part) if name in looks_of(noun)), "")
+
+
+def always_has(noun: str, part: str) -> bool:
+    """Whether every such thing has the part, so that stating it changes nothing."""
+    if any(part in state for state in OPTIONS.get(noun, ())):
+        return False
+    if part in LEGS:
+        return part == "four legs" and noun in FOUR_LEGS
+    return any(name in looks_of(noun) for name in _names(part))
+
+
+def _names(part: str) -> list[str]:
+    """What a noun may call the part."""
+    own = {"backrest": "back", "armrests": "arms", "cap": "lid"}.get(part, part)
+    forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
+    names = [part, PART_FORMS.get(part, part), own, *forms]
+    return [form for name in names for form in (name, f"{name}s")]
+
+
+def looks_of(noun: str) -> dict[str, str]:
+    """The noun's parts with their looks; none where it is not known."""
+    return NOUNS[noun].looks if noun in NOUNS else {}

@@ -1,0 +1,254 @@
+"""A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
+
+import re
+
+from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, corrected, look_up
+from core.guidance.builtin.part_names import always_has, as_part, own_name
+from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
+from core.guidance.builtin.words import (
+    CHOICES,
+    FILLER,
+    GOES_WITH,
+    IGNORED_ADJECTIVES,
+    LEGS,
+    OPTIONS,
+    PHRASE_ENDS,
+    TONES,
+    WITHOUT,
+)
+
+MADE_AS = {"color": "painted as", "pattern": "drawn as", "shape": "made"}  # else "made as"
+LONGEST = 3  # words of a phrase
+
+
+class Reading:
+    """A prompt's words, sorted into slots."""
+
+    def __init__(self, prompt: str, known: Vocabulary) -> None:
+        self.known = known
+        self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
+        self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
+        self.left_out: list[str] = []  # all that has no effect, in order
+        self.aside: list[str] = []  # accessories, which have no effect either
+        self.qualifiers: list[str] = []  # of ``left_out``, before a noun, known or not
+        self.refused: list[str] = []  # those of them without which the prompt is another
+        self.notes: list[str] = []
+        self._pending: list[str] = []  # unknown words since the noun phrase began
+        self._before: list[tuple[str, bool, str]] = []  # parts in a phrase that has no noun yet
+        self._without = self._after_color = False
+        # How many words each slot had when a phrase about what goes with the thing began; else None
+        self._accessory: dict[str, int] | None = None
+        self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
+        self._tokens, breaks = _tokens(prompt)
+        at = 0
+        while at < len(self._tokens):
+            if at in breaks:
+                self._end_phrase()
+                self._accessory = None
+            at += self._take(at)
+        self._end_phrase()
+        self._leave_strange_parts_aside()
+
+    def _take(self, at: int) -> int:
+        """Read from the token ``at`` on; how many tokens that were."""
+        tokens = self._tokens[at:]
+        # The longest phrase first: "ice cream" must not be read as the colour "cream".
+        for count in range(min(LONGEST, len(tokens)), 0, -1):
+            entry = look_up(" ".join(tokens[:count]), self.known)
+            if entry is not None:
+                self._put(entry, at, at + count)
+                return count
+        token = tokens[0]
+        if token in WITHOUT:
+            self._without = True
+            self._end_phrase()
+        # A tone that makes no colour word of its own ("dark red" has one) is dropped, with a note.
+        elif token in TONES and len(tokens) > 1 and LEXICON.get(tokens[1], ("",))[0] == "color":
+            self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
+        elif token in IGNORED_ADJECTIVES:
+            self.left_out.append(token)
+        elif token in PHRASE_ENDS:
+            self._end_phrase()
+            if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
+                self._accessory = {slot: len(found) for slot, found in self.found.items()}
+        elif token not in FILLER:
+            self._correct(token, at)
+        return 1
+
+    def _end_phrase(self) -> None:
+        """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
+        the phrase's own noun."""
+        self.parts += self._before
+        self.refused += self._pending
+        self.qualifiers += self._pending[:-1]
+        self._pending, self._before, self._noun_end = [], [], -1
+
+    def _correct(self, token: str, at: int) -> None:
+        # Only where it is surely one known word; anything less is a hint in the error.
+        close = corrected(token)
+        entry = look_up(close, self.known) if close else None
+        if entry is None:
+            self.left_out.append(token)
+            self._of_accessory()
+            # What goes with the thing may be unknown, the thing itself may not.
+            if self._accessory is None:
+                self._pending.append(token)
+        else:
+            self.notes.append(f"{token!r} is read as {close!r}.")
+            self._put(entry, at, at + 1)
+
+    def _put(self, entry: Entry, start: int, end: int) -> None:
+        slot, word = entry.slot, entry.word
+        # "with a hat" after the noun is a part; "a hat" is a thing
+        if slot == "noun" and self.found["noun"]:
+            part = as_part(entry, self.found["noun"][0].word)
+            slot, word = ("part", part) if part else (slot, word)
+            if slot == "noun" and self._accessory is not None:
+                self._leave_aside(entry.form)
+                return
+        if slot == "part" and not self.found["noun"] and entry.form not in LEXICON:
+            # Until the phrase ends: before a noun ("a fin whale") it only qualifies that.
+            self._before.append((word, not self._without, ""))
+        elif slot == "part":
+            color = ""
+            # "with a blue handle": a colour right before a part is the part's, not the thing's.
+            if self.found["color"] and self.found["noun"]:
+                color = self.found["color"].pop().word if self._after_color else ""
+            # A material is the whole thing's: that of a part ("with golden bands") is left out.
+            self.left_out += self._of_accessory()
+            self.parts.append((word, not self._without, color))
+            self._end_phrase()
+        else:
+            if slot == "noun":
+                self._head(entry, start, end)
+            self.found[slot].append(entry)
+        self._after_color = slot == "color" and bool(self.found["noun"])
+        self._without = False
+
+    def _leave_strange_parts_aside(self) -> None:
+        """A part that the thing never has is an accessory: icing on a torus."""
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        for stated in list(self.parts):
+            part, there, color = stated
+            # Parts that some things may have or lack are refused instead, with what this one may.
+            if noun and there and part not in (*CHOICES, *LEGS) and not always_has(noun, part):
+                self.parts.remove(stated)
+                self._leave_aside(f"{color} {part}".strip())
+
+    def _leave_aside(self, form: str) -> None:
+        left = [*self._of_accessory(), form]
+        self.aside += left
+        self.notes.append(f"{' '.join(left)}: left out, as one thing is made at a time.")
+
+    def _of_accessory(self) -> list[str]:
+        """Take back the colours and the like that were read in a phrase about an accessory, since
+        they are not the thing's; their forms."""
+        taken = []
+        for slot, count in (self._accessory or {}).items():
+            taken += [entry.form for entry in self.found[slot][count:]]
+            del self.found[slot][count:]
+        return taken
+
+    def _head(self, noun: Entry, start: int, end: int) -> None:
+        """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
+        noun right before it ("desk lamp")."""
+        if self._noun_end == start and self.found["noun"][-1].word != noun.word:
+            form = self.found["noun"].pop().form
+            self.left_out.append(form)
+            self.qualifiers.append(form)
+        parts = [part for part, _, _ in self._before]
+        self.left_out += parts
+        self.qualifiers += [*parts, *self._pending]
+        self._pending, self._before, self._noun_end = [], [], end
+
+    def words(self, slot: str) -> list[str]:
+        """The slot's words, each once."""
+        return list(dict.fromkeys(entry.word for entry in self.found[slot]))
+
+    def only(self, slot: str) -> str:
+        """The slot's one word, or none."""
+        words = self.words(slot)
+        if len(words) > 1:
+            raise two_error(slot, words)
+        return words[0] if words else ""
+
+    def narrower(self) -> list[str]:
+        """A note for each word that stands for less than what is made for it."""
+        return [
+            f"{entry.form}: {MADE_AS.get(slot, 'made as')} {_with_article(slot, entry.word)}."
+            for slot, entries in self.found.items()
+            for entry in entries
+            if entry.is_narrower
+        ]
+
+    def omissions(self) -> list[str]:
+        """A note for all that is left out. A qualifier comes with the colour or the like that it
+        may mean; there is nothing to suggest for the rest."""
+        if not self.left_out:
+            return []
+        texts = [
+            with_hint(token, near_words(token, self.qualifiers, self.known))
+            if token in self.qualifiers
+            else repr(token)
+            for token in dict.fromkeys(self.left_out)
+        ]
+        return [f"The built-in prior does not know {', '.join(texts)}: left out."]
+
+    def colors(self) -> dict[str, str]:
+        """The first colour, the second, and the pattern that a second one implies."""
+        colors = self.words("color")
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        # In the order of the prompt: the first is the thing's, the next the pattern's.
+        color, second = (*colors, "", "")[:2]
+        target = ""
+        for part, _, painted in self.parts:
+            if not painted:
+                continue
+            if second and (second, target) != (painted, own_name(noun, part)):
+                raise two_error("second", [second, painted])
+            second, target = painted, own_name(noun, part)
+        if len(colors) > 2:
+            raise two_error("color", colors)
+        # A second colour needs a place: without a pattern it goes to the accent parts.
+        pattern = self.only("pattern") or ("two-tone" if second and not target else "")
+        if target and pattern:
+            text = f"With a pattern no part can have its own colour: {target}, {second}: left out."
+            self.notes.append(text)
+            second = target = ""
+        return {"color": color, "second": second, "pattern": pattern, "target": target}
+
+    def options(self, noun: str) -> list[str]:
+        """What may be stated of the noun's parts."""
+        return [state for state in OPTIONS.get(noun, ()) if state in self.known["part"]]
+
+    def part(self, noun: str) -> str:
+        """The one word of ``PARTS`` that is stated of the noun, or none."""
+        states = []
+        for part, there, _ in self.parts:
+            state = part if there else f"no {part}"
+            if state in self.options(noun):
+                states.append(state)
+            elif noun and not (there and always_has(noun, part)):
+                raise part_error(noun, part, there, self.options(noun))
+        if len(set(states)) > 1:
+            raise two_error("part", states)
+        return states[0] if states else ""
+
+
+def _tokens(prompt: str) -> tuple[list[str], set[int]]:
+    """The words of a prompt in lower case, and the indices of those that punctuation precedes."""
+    tokens: list[str] = []
+    breaks: set[int] = set()
+    # The s of a possessive is no word.
+    for token in re.findall(r"[^\W_]+|[,;:.!?()]", prompt.lower().replace("'s", " ")):
+        if token[0].isalnum():
+            tokens.append(token)
+        else:
+            breaks.add(len(tokens))
+    return tokens, breaks
+
+
+def _with_article(slot: str, word: str) -> str:
+    if slot != "noun":
+        return word
+    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
