@@ -9,8 +9,9 @@ from ..jobs import submit, words
 from ..jobs.session import session
 from .text import length, wrapped_label
 
-MAX_GROUPS = 16  # menus must exist before the groups are known
+MAX_GROUPS = 24  # menus must exist before the groups are known
 MAX_NOTES = 3
+COLUMN = 18  # words of a group in one column of its menu
 
 
 class FANTASIA3D_OT_add_word(bpy.types.Operator):
@@ -65,8 +66,10 @@ class FANTASIA3D_MT_words(bpy.types.Menu):
 def _draw_group(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     number = int(self.bl_idname.rpartition("_")[2])
     for group in session.word_groups()[number : number + 1]:
+        columns = -(-len(group["words"]) // COLUMN)
+        flow = self.layout.column_flow(columns=max(columns, 1))
         for word in group["words"]:
-            button = self.layout.operator("fantasia3d.add_word", text=word, translate=False)
+            button = flow.operator("fantasia3d.add_word", text=word, translate=False)
             button.word, button.kind = word, group["kind"]
 
 
