@@ -1,8 +1,9 @@
 """``run.py bench prior``: how good the built-in prior is, measured on the meshes that it makes.
 
 Every noun is generated with each seed, in words that also name a colour and a material, and scored:
-shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``), colour, material,
-closedness, components and holes. A run is one folder and its score one file in it: a bench that was
+shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``) and by what that
+does not see (``likeness``: creases, planes, what is missing, pieces), colour, material, closedness,
+components and holes. A run is one folder and its score one file in it: a bench that was
 stopped goes on where it stood, and a run that is there is not made again.
 """
 
@@ -15,6 +16,7 @@ import torch
 from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
+from core.benchmarks.likeness import Surface, likeness
 from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import health
@@ -36,6 +38,9 @@ GENUS |= dict.fromkeys(("chair", "table", "stool", "armchair", "sofa", "bed"), 0
 GENUS |= dict.fromkeys(("vase", "bottle", "bowl", "pan", "goblet"), 0)
 ADDED = dict.fromkeys(("mug", "bucket"), " with a handle")  # which they have not always
 MAX_DELTA_E = 20.0
+CREASE = 0.85  # of the family's own, at the least; less is clay
+MORE_MISSING = 0.03  # than a noun's objects lack of one another
+SLICES = 0.85  # fraction of the slices with a number of pieces that the noun has there
 ROUGHNESS_REACH = 0.2  # around the word's own
 POINTS = 4000
 
@@ -128,6 +133,7 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
         "genus": report["genus"],
     }
     mesh = asset.mesh
+    shape |= likeness(Surface.of_mesh(mesh.verts, mesh.faces), noun)
     _, kd = surface_colors(mesh, asset.maps.base_color, POINTS, generator)
     _, orm = surface_colors(mesh, asset.maps.orm, POINTS, generator)
     finish = FINISHES[facts["material"]]
@@ -165,6 +171,8 @@ def line(score: dict[str, Any]) -> str:
         f"{head}rank {score['rank']:2}{marks}  dE {score['delta_e']:5.1f}  "
         f"rough {score['roughness']:.2f} metal {score['metallic']:.2f} "
         f"{'' if score['material_right'] else 'WRONG '}({score['color']} {score['material']})  "
+        f"crease {score['crease']:.2f} flat {score['flat']:.2f} missing {score['missing']:.3f} "
+        f"slices {score['pieces']:.2f}  "
         f"pieces {score['components']} genus {score['genus']}  {score['seconds']:.0f} s"
     )
 
@@ -188,7 +196,17 @@ def summary(scores: list[dict[str, Any]]) -> list[dict[str, Any]]:
             "closed, one piece", [s["closed"] and s["components"] == 1 for s in made] + lost, 0.98
         ),
         rate("nothing vanished", [True] * len(made) + lost, 1.0),
+        rate("edges sharp", [s["crease"] >= CREASE for s in made] + lost, 0.9),
+        rate(
+            "nothing missing",
+            [s["missing"] <= s["usual_missing"] + MORE_MISSING for s in made] + lost,
+            0.95,
+        ),
+        rate("parts in number", [s["pieces"] >= SLICES for s in made] + lost, 0.95),
     ]
+    if made:
+        creases = sorted(s["crease"] for s in made)
+        rows.append(row("crease, median", creases[len(creases) // 2], "", 0.9, at_least=True))
     if holed:
         rows.append(rate("holes", [s["genus"] == GENUS[s["noun"]] for s in holed], 1.0))
     return rows

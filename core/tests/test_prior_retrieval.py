@@ -80,10 +80,12 @@ def test_a_failed_run_counts_as_wrong_in_every_rate():
     good = {"noun": "mug", "seed": 0, "color": "red", "material": "metal", "seconds": 1.0}
     good |= {"failure": "", "rank": 1, "nearest": ["mug"], "delta_e": 3.0, "closed": True}
     good |= {"components": 1, "genus": GENUS["mug"], "material_right": True}
-    good |= {"roughness": 0.3, "metallic": 1.0}
+    good |= {"roughness": 0.3, "metallic": 1.0, "crease": 0.9, "flat": 1.0, "missing": 0.01}
+    good |= {"usual_missing": 0.0, "pieces": 1.0}
     bad = good | {"failure": "The surface vanished.", "seed": 1}
     rates = {r["name"]: r["value"] for r in summary([good, bad])}
     assert rates.pop("holes, of 1 runs") == 1
+    assert rates.pop("crease, median") == 0.9
     assert set(rates.values()) == {0.5}
     assert "FAILED: The surface" in line(bad)
     assert "rank  1 " in line(good)

@@ -1,0 +1,61 @@
+"""The measures that see what retrieval does not: rounded edges, missing parts, melted legs."""
+
+from dataclasses import replace
+
+import pytest
+import torch
+
+from core.benchmarks.likeness import Surface, likeness
+from core.geometry.marching_tets import marching_tets
+from core.geometry.tet_grid import tet_grid
+from core.prior.draw import Draw
+from core.prior.families import Shape, build
+
+GRID = tet_grid(56)
+
+
+def fresh(noun: str) -> Shape:
+    return build(noun, "", Draw(torch.Generator().manual_seed(11)), jitter=0.0)
+
+
+def meshed(shape: Shape) -> Surface:
+    sdf = torch.cat([shape.sdf(part) for part in GRID.tet_verts.split(1 << 16)])
+    return Surface.of_mesh(*marching_tets(GRID.tet_verts, sdf, GRID))
+
+
+@pytest.fixture(scope="module")
+def car() -> Shape:
+    return fresh("car")
+
+
+def test_another_object_of_the_noun_is_like_it(car):
+    found = likeness(Surface.of_solid(car), "car")
+    assert found["crease"] == pytest.approx(1, abs=0.1)
+    assert found["flat"] == pytest.approx(1, abs=0.15)
+    assert found["missing"] <= found["usual_missing"] + 0.03
+    assert found["pieces"] == 1
+
+
+def test_a_swollen_car_has_round_edges(car):
+    # Moving a surface outwards rounds its edges, as melting does.
+    sharp = likeness(meshed(car), "car")
+    round_ = likeness(meshed(replace(car, swell=0.12)), "car")
+    assert round_["crease"] < 0.85 * sharp["crease"]
+
+
+def test_a_car_without_wheels_lacks_them_and_has_other_slices(car):
+    parts = {name: solid for name, solid in car.parts.items() if name != "wheels"}
+    found = likeness(Surface.of_solid(replace(car, parts=parts)), "car")
+    assert found["missing"] > found["usual_missing"] + 0.05
+    assert found["pieces"] < 0.85
+
+
+def test_it_does_not_matter_how_a_thing_is_turned():
+    surface = Surface.of_solid(fresh("chair"))
+    a = torch.tensor(2.0)
+    turn = torch.tensor([[a.cos(), -a.sin(), 0], [a.sin(), a.cos(), 0], [0, 0, 1]]).numpy()
+    turned = replace(surface, points=surface.points @ turn.T, normals=surface.normals @ turn.T)
+    one, other = likeness(surface, "chair"), likeness(turned, "chair")
+    assert other["crease"] == pytest.approx(one["crease"], abs=0.01)
+    # Turns are tried in steps of 5 degrees.
+    assert other["missing"] == pytest.approx(one["missing"], abs=0.03)
