@@ -67,8 +67,11 @@ def empty_scene(lit_by: Path, size: int, samples: int, bounces: int = 1) -> None
 
 def add_ball(roughness: float, metallic: float) -> None:
     """A ball of radius RADIUS and colour KD."""
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=512, ring_count=256, radius=RADIUS)
-    bpy.ops.object.shade_smooth()
+    mesh = bpy.data.meshes.new("ball")
+    verts, faces = ball_mesh(512, 256)
+    mesh.from_pydata(verts, (), faces)
+    mesh.shade_smooth()
+    bpy.context.scene.collection.objects.link(bpy.data.objects.new("ball", mesh))
     material = bpy.data.materials.new("ball")
     material.use_nodes = True
     principled = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
@@ -76,7 +79,22 @@ def add_ball(roughness: float, metallic: float) -> None:
     principled.inputs["Base Color"].default_value = (*KD, 1)
     principled.inputs["Roughness"].default_value = roughness
     principled.inputs["Metallic"].default_value = metallic
-    bpy.context.object.data.materials.append(material)
+    mesh.materials.append(material)
+
+
+def ball_mesh(around: int, rings: int) -> tuple[np.ndarray, list[list[int]]]:
+    """Vertices and faces of four corners, at the poles of three. Blender's own takes 18 s."""
+    up, turn = np.pi * np.arange(1, rings) / rings, 2 * np.pi * np.arange(around) / around
+    u, w = np.meshgrid(up, turn, indexing="ij")
+    points = np.stack([np.sin(u) * np.cos(w), np.sin(u) * np.sin(w), np.cos(u)], -1)
+    verts = RADIUS * np.concatenate([points.reshape(-1, 3), [[0, 0, 1], [0, 0, -1]]])
+    here = np.arange((rings - 1) * around).reshape(rings - 1, around)
+    after = np.roll(here, -1, 1)
+    sides = np.stack([here[:-1], here[1:], after[1:], after[:-1]], -1).reshape(-1, 4)
+    pole = np.full(around, len(verts) - 2)
+    top = np.stack([pole, here[0], after[0]], -1)
+    bottom = np.stack([pole + 1, after[-1], here[-1]], -1)
+    return verts, [*sides.tolist(), *top.tolist(), *bottom.tolist()]
 
 
 def add_asset(folder: Path) -> None:
