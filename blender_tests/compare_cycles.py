@@ -5,6 +5,7 @@ Pixels are points in both: no filter, no antialias. This file may import both si
 
 import math
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import bpy
@@ -26,6 +27,7 @@ from core.appearance.brdf import (
 from core.appearance.environment import Environment
 from core.appearance.lamps import split_lamps
 from core.appearance.latlong import Levels, convolve, resample
+from core.appearance.lights import load_light
 from core.appearance.occlusion import VertexVisibility
 from core.appearance.shade import shade
 from core.appearance.shaded import UvMesh, surface_at
@@ -95,6 +97,12 @@ def ball_mesh(around: int, rings: int) -> tuple[np.ndarray, list[list[int]]]:
     top = np.stack([pole, here[0], after[0]], -1)
     bottom = np.stack([pole + 1, after[-1], here[-1]], -1)
     return verts, [*sides.tolist(), *top.tolist(), *bottom.tolist()]
+
+
+@cache
+def prefiltered(light: str) -> Environment:
+    """A light of ``load_light``; made once, which takes a second."""
+    return Environment.of(load_light(light))
 
 
 def add_asset(folder: Path) -> None:

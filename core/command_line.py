@@ -12,7 +12,6 @@ import difflib
 import json
 import os
 import sys
-import time
 import traceback
 from collections.abc import Sequence
 from contextlib import redirect_stdout, suppress
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from core.batch.options import add_batch_options, add_node_options
 from core.errors import MissingError, UserError
-from core.interrupt import asks_to_stop
+from core.interrupt import asks_to_stop, process_began
 from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
 
 
 # A request to cancel that is older than this was meant for an earlier session.
-START = time.time()
+START = process_began()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
 
 
