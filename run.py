@@ -144,6 +144,11 @@ def parse(argv: Sequence[str]) -> Namespace:
         path = getattr(args, name, None)
         if path:
             check_target(f"--{name}", path, endings)
+    if getattr(args, "until", None) and route.imports_asset(args):
+        raise UserError(
+            "--until pauses before there is an asset for --blend or --render.",
+            "Use them with the run.py resume that finishes it.",
+        )
     if route.saves_blend(args):
         check_target("--out", args.out, (".blend",))
     return args

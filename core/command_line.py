@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from core.batch.options import add_batch_options, add_node_options
-from core.errors import MissingError, UserError
+from core.errors import MissingError, Paused, UserError
 from core.interrupt import asks_to_stop, process_began
 from core.terminal import exit_code, put, sentence_of
 
@@ -104,7 +104,27 @@ def add_core_commands(commands: Commands) -> None:
     )
     for command in (generate, texture):
         command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
+        command.add_argument(
+            "--color-seed", type=int, metavar="N", help="another material on the same shape"
+        )
         _add_job_options(command)
+
+    explore = add(
+        "explore", "Quick shapes of several seeds next to each other; resume finishes one."
+    )
+    explore.add_argument("prompt")
+    explore.add_argument("--count", type=int, default=4, metavar="N", help="shapes; default 4")
+    explore.add_argument("--out", type=Path, metavar="DIR", help="a run folder each, and a picture")
+    explore.add_argument(
+        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
+    )
+    _add_job_options(explore)
+    recolor = add("recolor", "Quick materials of several seeds for the shape of a run.")
+    recolor.add_argument("run", type=Path, metavar="RUN", help="its shape is finished")
+    recolor.add_argument("--count", type=int, default=4, metavar="N", help="materials; default 4")
+    recolor.add_argument(
+        "--out", type=Path, required=True, metavar="DIR", help="a run folder each, and a picture"
+    )
 
     batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
     add_batch_options(batch)
@@ -116,6 +136,10 @@ def add_core_commands(commands: Commands) -> None:
     resume.add_argument(
         "--end-with-stdin", action="store_true", help="end when the program that started it does"
     )
+    for command in (generate, texture, resume):
+        command.add_argument(
+            "--until", metavar="shape|color", help="pause at a first look at it; resume finishes it"
+        )
 
     render = add("render", "A picture of an asset under a light.")
     render.add_argument("asset", type=Path)
@@ -211,7 +235,7 @@ def job_of(args: argparse.Namespace) -> "Job":
     from core.io.job import Job
 
     given = {
-        "command": args.command,
+        "command": "texture" if args.command == "texture" else "generate",
         "prompt": args.prompt,
         "mesh": _absolute(getattr(args, "mesh", "")),
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
@@ -221,6 +245,7 @@ def job_of(args: argparse.Namespace) -> "Job":
         "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
     }
+    given["color_seed"] = getattr(args, "color_seed", None)
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
     for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
@@ -248,19 +273,22 @@ def _setting(text: str) -> tuple[str, str]:
     return key.strip(), value.strip()
 
 
-def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+def run_job(run: "RunFolder", inputs: "Inputs | None", until: str = "") -> Path | None:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
     from core.io.progress import Progress
 
     progress = Progress(run)
     with run_lock(run.path), asks_to_stop(progress.interrupt):
-        return _run_job(run, inputs, progress)
+        return _run_job(run, inputs, progress, until)
 
 
-def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") -> Path:
+def _run_job(
+    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", until: str
+) -> Path | None:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
+    None where it paused, as ``until`` has it: a first look at the "shape" or at the "color".
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
@@ -271,7 +299,11 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") ->
         request.unlink()
     run.report("started", pid=os.getpid())
     try:
-        asset = generate(run, inputs or prepare(run.job), progress)
+        asset = generate(run, inputs or prepare(run.job), progress, until)
+    except Paused as pause:
+        run.report("paused", text=pause.text, fix=pause.fix)
+        put(run.path)
+        return None
     except UserError as error:
         kind = "cancelled" if error.status == 130 else "error"
         with suppress(OSError):  # a full disk takes no last word
@@ -305,7 +337,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
-    other |= {"batch": _batch, "node": _node}
+    other |= {"batch": _batch, "node": _node, "explore": _explore, "recolor": _recolor}
     other[args.command](args)
     return None
 
@@ -322,22 +354,45 @@ def default_run_folder(prompt: str) -> Path:
     return folder
 
 
-def _job(args: argparse.Namespace) -> Path:
+def _job(args: argparse.Namespace) -> Path | None:
     from core.generate import prepare
     from core.io.run_folder import RunFolder
 
+    _until(args)
     job = job_of(args)
     inputs = prepare(job)  # what is wrong is reported before anything is written
-    return run_job(RunFolder.create(args.out or default_run_folder(job.prompt), job), inputs)
+    run = RunFolder.create(args.out or default_run_folder(job.prompt), job)
+    return run_job(run, inputs, _until(args))
 
 
-def _resume(args: argparse.Namespace) -> Path:
+def _until(args: argparse.Namespace) -> str:
+    from core.io.job import UNTIL
+
+    if args.until and args.until not in UNTIL:
+        raise UserError(f"--until is {args.until!r}.", f"Use one of {', '.join(UNTIL)}.")
+    return args.until or ""
+
+
+def _resume(args: argparse.Namespace) -> Path | None:
     from core.batch.orphan import end_with_stdin
     from core.io.run_folder import RunFolder
 
     if args.end_with_stdin:
         end_with_stdin()
-    return run_job(RunFolder.open(args.run), None)
+    return run_job(RunFolder.open(args.run), None, _until(args))
+
+
+def _explore(args: argparse.Namespace) -> None:
+    from core.explore import explore
+
+    job = job_of(args)
+    put(explore(args.out or default_run_folder(job.prompt), job, args.count, run_job))
+
+
+def _recolor(args: argparse.Namespace) -> None:
+    from core.explore import recolor
+
+    put(recolor(args.out, args.run, args.count, run_job))
 
 
 def _batch(args: argparse.Namespace) -> None:

@@ -20,8 +20,9 @@ from core.io.json_file import parse_object
 VERSION = 1
 COMMANDS = ("generate", "texture")
 UV_MODES = ("auto", "keep")
-EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
-LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
+EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled", "paused")
+LAST = ("done", "error", "cancelled", "paused")  # exactly one of these ends a session
+UNTIL = ("shape", "color")  # where a session may be told to pause: with a first look at either
 MAX_PROMPT = 2000  # characters
 MAX_LINE = 1 << 16  # bytes of an event: far more than any has
 SIZES = (0.001, 1000.0)  # metres, of an asset's longest side
@@ -35,6 +36,7 @@ class Job:
     command: str = "generate"  # or "texture"
     negative_prompt: str = ""
     seed: int = 0
+    color_seed: int = 0  # of the material's training; 0: it follows ``seed``
     preset: str = "draft"
     guidance: str = "builtin"  # or a folder, or a hub id
     guide_mesh: str = ""  # a file whose shape the geometry starts from; "" is the ellipsoid
@@ -112,10 +114,12 @@ def _check(job: Job) -> None:
         raise UserError(
             f"The size is {shown(job.size_m)} m.", "It takes {:g} to {:g} m.".format(*SIZES)
         )
-    if not 0 <= job.seed < 2**63:
-        raise UserError(
-            f"The seed is {shown(job.seed)}.", "It takes a whole number from 0 to 2**63 - 1."
-        )
+    for name in ("seed", "color_seed"):
+        if not 0 <= getattr(job, name) < 2**63:
+            raise UserError(
+                f"The {name.replace('_', ' ')} is {shown(getattr(job, name))}.",
+                "It takes a whole number from 0 to 2**63 - 1.",
+            )
     if job.texture_size and not 64 <= job.texture_size <= 8192:
         raise UserError(
             f"The texture size is {shown(job.texture_size)}.", "It takes 64 to 8192 texels."

@@ -41,6 +41,7 @@ class Session:
         self.running: list[FollowedRun] = []  # one, and those that earlier Blenders left running
         self.waiting: list[tuple[Path, RunLock | None]] = []  # the queue, first in first out
         self.paused = False  # the queue waits for the user
+        self.candidates: dict[str, FollowedRun] = {}  # paused runs whose previews stay, by name
         self.importing: list[tuple[FollowedRun, Task]] = []  # done, being read, not in the scene
         self.missed: list[Entry] = []  # done while no Blender, or another file, was open
         self.last: FollowedRun | None = None  # the last run that ended
@@ -72,6 +73,11 @@ class Session:
         return [followed.name for followed in self.running]
 
     @property
+    def shown(self) -> list[str]:
+        """The run folders' names of the runs whose previews stay."""
+        return [*self.names, *self.candidates]
+
+    @property
     def log(self) -> Path | None:
         """The log of the run that is shown first."""
         return self.run.run.log if self.run and self.run.run.log.exists() else None
@@ -99,6 +105,7 @@ class Session:
         folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
         try:
             for name, path in (files or {}).items():
+                (folder / name).parent.mkdir(exist_ok=True)
                 shutil.copyfile(path, folder / name)
             target.write(folder)
             # job.json is last: a folder without it is no run, whatever else is in it.
@@ -325,7 +332,11 @@ class Session:
     def _end(self, followed: FollowedRun) -> None:
         self.running.remove(followed)
         self.last = followed
-        live_preview.remove(keep=self.names)
+        self.candidates.pop(followed.name, None)
+        if followed.end and followed.end.type == "paused":
+            self.candidates[followed.name] = followed
+            self.show_candidates()  # its last shape may not have been shown
+        live_preview.remove(keep=self.shown)
         if followed.end and followed.end.type == "done":
             folder = followed.run.folder
             # In a thread: reading a mesh of 200,000 faces takes longer than a tick may.
@@ -336,6 +347,17 @@ class Session:
             if followed.end and followed.end.type == "error":
                 self.error = (followed.end.text, followed.end.fix)
         self.refresh()
+
+    def show_candidates(self) -> None:
+        """Show the shapes of the candidates that can be looked at, each in its place."""
+        for followed in self.candidates.values():
+            followed.shape = followed.run.folder / "preview" / "shape.npz"
+            self._show_shape(followed)
+
+    def forget_candidate(self, folder: Path) -> None:
+        """Remove the preview of a candidate that was discarded."""
+        self.candidates.pop(folder.name, None)
+        live_preview.remove(keep=self.shown)
 
     def _show_shape(self, followed: FollowedRun) -> None:
         """Show the newest preview mesh of ``followed``, in the file that requested it."""

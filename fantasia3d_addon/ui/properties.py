@@ -120,6 +120,13 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     seed: IntProperty(
         name="Seed", description="Start of the random numbers: another seed, another asset", min=0
     )
+    candidates: IntProperty(
+        name="Candidates",
+        description="How many quick shapes Explore makes, or how many materials",
+        default=4,
+        min=2,
+        max=8,
+    )
     guidance: EnumProperty(
         name="Model", description="The diffusion model that guides the run", items=GUIDANCE
     )

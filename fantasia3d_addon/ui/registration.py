@@ -7,6 +7,7 @@ import bpy
 from ..jobs import handlers
 from ..jobs.session import session
 from . import (
+    candidates,
     drop_files,
     export_operators,
     generate_operators,
@@ -36,6 +37,7 @@ MODULES = (  # each has its CLASSES
     presets,
     generate_operators,
     job_operators,
+    candidates,
     setup_operators,
     words_menu,
     generate_panel,
