@@ -24,6 +24,7 @@ Commands:
     cornell ASSET... --render FILE
     report RUN --out FILE      a run as one HTML file that needs no network
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
+    models [FOLDER...]         the Stable Diffusion models there, and which can be used
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to fix it; --report FILE
     setup [blender] [test] [ray]        make the Python environment now; --renew, --allow-cuda

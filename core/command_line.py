@@ -185,6 +185,16 @@ def add_core_commands(commands: Commands) -> None:
         "--ignore-unknown-words", action="store_true", help="as generate with this option"
     )
 
+    models = add("models", "The Stable Diffusion models in folders, and which can be used.")
+    models.add_argument(
+        "folders",
+        nargs="*",
+        type=Path,
+        metavar="FOLDER",
+        help="also a ComfyUI or A1111 folder; default: the hub's cache",
+    )
+    models.add_argument("--json", action="store_true", help="for programs")
+
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
@@ -210,7 +220,21 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
     )
-    command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    command.add_argument("--guidance", metavar="builtin|FOLDER|FILE|HUB-ID")
+    command.add_argument(
+        "--lora",
+        action="append",
+        default=[],
+        metavar="FILE[:STRENGTH]",
+        help="over a Stable Diffusion checkpoint; strength 1 is as it was trained",
+    )
+    command.add_argument(
+        "--embedding",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="a textual inversion; write its file's name in the prompt",
+    )
     command.add_argument(
         "--ignore-unknown-words",
         action="store_true",
@@ -244,6 +268,8 @@ def job_of(args: argparse.Namespace) -> "Job":
         "size_m": getattr(args, "size", None),
         "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
+        "loras": dict(_lora(text) for text in args.lora),
+        "embeddings": [_absolute(path) for path in args.embedding],
     }
     given["color_seed"] = getattr(args, "color_seed", None)
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
@@ -264,6 +290,15 @@ def job_of(args: argparse.Namespace) -> "Job":
 def _absolute(path: str) -> str:
     # Links are kept as they are: one that leads to itself has no target to name.
     return os.path.abspath(os.path.expanduser(path)) if path else ""  # noqa: PTH100, PTH111
+
+
+def _lora(text: str) -> tuple[str, float]:
+    """A LoRA's file and its strength; the colon after a drive's letter is no strength's."""
+    path, colon, strength = text.rpartition(":")
+    try:
+        return (_absolute(path), float(strength)) if colon else (_absolute(text), 1.0)
+    except ValueError:
+        return _absolute(text), 1.0
 
 
 def _setting(text: str) -> tuple[str, str]:
@@ -338,6 +373,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
     other |= {"batch": _batch, "node": _node, "explore": _explore, "recolor": _recolor}
+    other |= {"models": _models}
     other[args.command](args)
     return None
 
@@ -405,6 +441,8 @@ def _batch(args: argparse.Namespace) -> None:
     defaults = [f"--{name}={value}" for name, value in given.items() if value is not None]
     defaults += ["--ignore-unknown-words"] * args.ignore_unknown_words
     defaults += [f"--set={text}" for text in args.set]
+    defaults += [f"--lora={text}" for text in args.lora]
+    defaults += [f"--embedding={path}" for path in args.embedding]
 
     def row_job(row: "Row") -> "Job":
         return job_of(parse(row.arguments(defaults)))
@@ -479,6 +517,13 @@ def _words(args: argparse.Namespace) -> None:
     put(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
+
+
+def _models(args: argparse.Namespace) -> None:
+    from core.guidance.stable_diffusion.models import models_in, table
+
+    found = models_in(args.folders)
+    put(json.dumps([m.as_json() for m in found], indent=1) if args.json else table(found))
 
 
 def _bench(args: argparse.Namespace) -> None:

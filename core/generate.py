@@ -39,6 +39,7 @@ from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
 from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
 from core.stages.training import Setup
+from core.stages.workload import cpu_notice
 from core.texture.look_up import maps_source
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -54,7 +55,7 @@ class Inputs:
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
-    warnings: tuple[str, ...] = ()  # what the user should know of the prompts, such as a cut
+    warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
 
 
 def prepare(job: Job) -> Inputs:
@@ -66,12 +67,18 @@ def prepare(job: Job) -> Inputs:
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(
-        job.guidance, device, ignore_unknown=job.ignore_unknown_words, config=config.guidance
+        job.guidance,
+        device,
+        ignore_unknown=job.ignore_unknown_words,
+        config=config.guidance,
+        loras=job.loras,
+        embeddings=job.embeddings,
     )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(job.prompt, job.negative_prompt)
-    texts = tuple(str(w.message) for w in caught)
+    notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
+    texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     return Inputs(config, device, prompted, light, shape, start, texts)
 
 

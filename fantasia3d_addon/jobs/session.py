@@ -23,6 +23,7 @@ from .import_result import import_result, mark_imported, reason_to_wait
 from .job_file import new_run_folder, with_own_paths, write_job
 from .lock import RunLock
 from .memory import FreeMemory
+from .models import Model, Models
 from .paths import Paths
 from .place import requested
 from .process import Run
@@ -51,6 +52,7 @@ class Session:
         self.history: list[Entry] = []
         self.free_memory = FreeMemory()
         self.words = Words()
+        self.models = Models()
         self._scan: Task | None = None  # reads the history
         self._file_number = 0  # counts the files that were opened
         # Blender knows a timer by its identity, and a bound method is a new object each time.
@@ -267,6 +269,19 @@ class Session:
         if self.words.pending and not bpy.app.background:
             self.start_timer()
 
+    # The models on this machine: asked in the background, too
+
+    def found_models(self) -> Sequence[Model] | None:
+        """What is there; None: not yet known. The first call has the core look."""
+        if self.models.found is None and not self.models.pending:
+            self.find_models()
+        return self.models.found
+
+    def find_models(self) -> None:
+        """Have the core look at the models' folder; SetupError where there is no core."""
+        self.models.look(Paths(bpy.context).core)
+        self.start_timer()
+
     # From register to unregister
 
     def file_opened(self) -> None:
@@ -314,8 +329,9 @@ class Session:
             self._scan = None
             _update_list(self.history)
         self._ask_words()
+        self.models.tick()
         redraw()
-        working = (self.task and self.task.running) or self._scan
+        working = (self.task and self.task.running) or self._scan or self.models.pending
         working = working or (self.words.pending and not bpy.app.background)
         return TICK_SECONDS if self.busy or working else None
 

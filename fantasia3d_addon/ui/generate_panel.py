@@ -70,8 +70,15 @@ def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup
     column.prop(settings, "guidance")
     if settings.guidance == "folder":
         column.prop(settings, "model_folder")
+        column.menu("FANTASIA3D_MT_models", icon="FILE_FOLDER")
     elif settings.guidance == "hub":
         column.prop(settings, "hub_id", placeholder="owner/name")
+    if settings.guidance != "builtin":
+        column.prop(settings, "lora")
+        row = column.row()
+        row.active = bool(settings.lora.strip())
+        row.prop(settings, "lora_strength")
+        column.prop(settings, "embedding")
 
 
 def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
