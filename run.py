@@ -91,6 +91,7 @@ if TYPE_CHECKING:
     from core.command_line import Commands
 
 OWN = ("doctor", "setup", "package")
+IN_BLENDER = ("-b", "--python-exit-code", "1", "--python")  # then this file, --, a command line
 GROUPS = ("blender", "test", "ray")  # of packages beyond the core's
 PASS_ON = ("test", "python")  # whose arguments belong to another program
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
@@ -215,6 +216,9 @@ def launch(argv: list[str]) -> int:
     blender = route.runs_in_blender(args) or route.imports_asset(args)
     core = not route.runs_in_blender(args)
     clustered = args.command == "node" or getattr(args, "ray", None)
+    if blender and (version := environment.module_version(ROOT)):
+        command = [*environment.find_blender(version), *IN_BLENDER, Path(__file__).resolve()]
+        return hand_over([*command, "--", *argv])
     groups = ("blender",) if blender else ("ray",) if clustered else ()
     python_path = environment.ensure(ROOT, groups, say, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
@@ -234,7 +238,9 @@ def setup(args: Namespace) -> int:
 
 def test(arguments: list[str]) -> int:
     """Run pytest over the core's and the add-on's tests."""
-    python_path = environment.ensure(ROOT, ("blender", "test"), say)
+    # Without a bpy module Blender's tests are left out.
+    groups = ("test",) if environment.module_version(ROOT) else ("blender", "test")
+    python_path = environment.ensure(ROOT, groups, say)
     # The whole suite in a process for each core; a file's tests share what they made.
     shared = () if arguments else ("-n", str(test_processes()), "--dist", "loadfile")
     return hand_over([python_path, "-m", "pytest", *shared, *arguments], ROOT)
