@@ -14,8 +14,8 @@ import os
 import sys
 import time
 import traceback
-from collections.abc import Sequence
-from contextlib import redirect_stdout, suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -162,6 +162,16 @@ def add_core_commands(commands: Commands) -> None:
         "--ignore-unknown-words", action="store_true", help="as generate with this option"
     )
 
+    reproduce = add("reproduce", "The paper's figures again, on a page; continues if stopped.")
+    reproduce.add_argument("--out", type=Path, default=Path("out/reproduction"), metavar="FOLDER")
+    reproduce.add_argument("--page", type=Path, metavar="FILE.md", help="default: in --out")
+    reproduce.add_argument("--figure", action="append", default=[], metavar="NAME", help="only it")
+    reproduce.add_argument("--row", action="append", default=[], metavar="NAME", help="of a figure")
+    reproduce.add_argument("--list", action="store_true", help="the figures and what is made")
+    reproduce.add_argument("--quick", action="store_true", help="shortest settings, to try it")
+    reproduce.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    reproduce.add_argument("--at-once", type=int, metavar="N", help="runs; default: as many as fit")
+
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
@@ -306,7 +316,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
-    other |= {"batch": _batch, "node": _node}
+    other |= {"batch": _batch, "node": _node, "reproduce": _reproduce}
     other[args.command](args)
     return None
 
@@ -427,6 +437,15 @@ def _words(args: argparse.Namespace) -> None:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 
 
+def _reproduce(args: argparse.Namespace) -> None:
+    with _whole_project("reproduce"):
+        from core.reproduce.command import run_reproduce
+
+        if args.guidance and Path(args.guidance).exists():
+            args.guidance = _absolute(args.guidance)
+        run_reproduce(args, lambda words: job_of(parse(words)))
+
+
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
     from core.io.atomic import check_target
@@ -436,7 +455,7 @@ def _bench(args: argparse.Namespace) -> None:
     if args.seeds < 1:
         raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
     settings = dict(_setting(text) for text in args.set)
-    try:
+    with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several
             from core.benchmarks.bench_prior import bench_prior
 
@@ -451,10 +470,17 @@ def _bench(args: argparse.Namespace) -> None:
             bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
         else:
             bench(args.names, args.json)
+
+
+@contextmanager
+def _whole_project(command: str) -> Iterator[None]:
+    """For commands that need core/prior, which the extension's zip is without."""
+    try:
+        yield
     except ModuleNotFoundError as error:
         if not str(error.name).startswith("core.prior"):
             raise
-        raise MissingError(  # the extension's zip is without it
-            f"This copy of the project has no core/prior, which bench {args.names[0]} needs.",
+        raise MissingError(
+            f"This copy of the project has no core/prior, which {command} needs.",
             "Run it from the project's own folder.",
         ) from error
