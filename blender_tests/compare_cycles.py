@@ -45,8 +45,10 @@ KD = (0.8, 0.35, 0.1)
 RADIUS = 0.9
 
 
-def empty_scene(lit_by: Path, size: int, samples: int, bounces: int = 1) -> None:
-    """A new file with the light ``lit_by`` and CAMERA, as the add-on sets it up but for pixels."""
+def empty_scene(
+    lit_by: Path, size: int, samples: int, bounces: int = 1, seen_by: Cameras = CAMERA
+) -> None:
+    """A new file with a light and a camera, as the add-on sets it up but for pixels."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     here = bpy.context.scene
     render.set_up_cycles(here, size, samples)
@@ -60,9 +62,9 @@ def empty_scene(lit_by: Path, size: int, samples: int, bounces: int = 1) -> None
     light.set_world(here, lit_by)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     here.collection.objects.link(camera)
-    camera.data.sensor_fit, camera.data.angle = "VERTICAL", float(CAMERA.fovy)
+    camera.data.sensor_fit, camera.data.angle = "VERTICAL", float(seen_by.fovy)
     matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = CAMERA.rotation[0].T.numpy(), CAMERA.eye[0].numpy()
+    matrix[:3, :3], matrix[:3, 3] = seen_by.rotation[0].T.numpy(), seen_by.eye[0].numpy()
     camera.matrix_world = matrix.T.tolist()  # as columns, which is how bpy takes a flat matrix
     here.camera = camera
 
@@ -150,13 +152,17 @@ def ball_points(
 
 
 def asset_pixels(
-    folder: Path, size: int, environment: Environment, self_shadow: bool = False
+    folder: Path,
+    size: int,
+    environment: Environment,
+    self_shadow: bool = False,
+    seen_by: Cameras = CAMERA,
 ) -> tuple[Float[Tensor, "h w 3"], Bool[Tensor, "h w"]]:
     """The core's picture of an asset, and where it is."""
     asset = read_asset(folder)
     mesh = UvMesh.of(replace(asset.mesh, verts=asset.mesh.verts - middle_of(folder)))
-    fragments = rasterize(mesh.verts, mesh.faces, CAMERA.mvp, size, size, cull=mesh.closed)
-    surface = surface_at(mesh, fragments, CAMERA)
+    fragments = rasterize(mesh.verts, mesh.faces, seen_by.mvp, size, size, cull=mesh.closed)
+    surface = surface_at(mesh, fragments, seen_by)
     m = maps_source(asset.maps)(surface.points, surface.uv)
     occlusion = None
     if self_shadow:

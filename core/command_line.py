@@ -13,8 +13,8 @@ import json
 import os
 import sys
 import traceback
-from collections.abc import Sequence
-from contextlib import redirect_stdout, suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -195,6 +195,16 @@ def add_core_commands(commands: Commands) -> None:
     )
     models.add_argument("--json", action="store_true", help="for programs")
 
+    reproduce = add("reproduce", "The paper's figures again, on a page; continues if stopped.")
+    reproduce.add_argument("--out", type=Path, default=Path("out/reproduction"), metavar="FOLDER")
+    reproduce.add_argument("--page", type=Path, metavar="FILE.md", help="default: in --out")
+    reproduce.add_argument("--figure", action="append", default=[], metavar="NAME", help="only it")
+    reproduce.add_argument("--row", action="append", default=[], metavar="NAME", help="of a figure")
+    reproduce.add_argument("--list", action="store_true", help="the figures and what is made")
+    reproduce.add_argument("--quick", action="store_true", help="shortest settings, to try it")
+    reproduce.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    reproduce.add_argument("--at-once", type=int, metavar="N", help="runs; default: as many as fit")
+
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
@@ -373,7 +383,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
     other |= {"batch": _batch, "node": _node, "explore": _explore, "recolor": _recolor}
-    other |= {"models": _models}
+    other |= {"models": _models, "reproduce": _reproduce}
     other[args.command](args)
     return None
 
@@ -526,6 +536,15 @@ def _models(args: argparse.Namespace) -> None:
     put(json.dumps([m.as_json() for m in found], indent=1) if args.json else table(found))
 
 
+def _reproduce(args: argparse.Namespace) -> None:
+    with _whole_project("reproduce"):
+        from core.reproduce.command import run_reproduce
+
+        if args.guidance and Path(args.guidance).exists():
+            args.guidance = _absolute(args.guidance)
+        run_reproduce(args, lambda words: job_of(parse(words)))
+
+
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
     from core.io.atomic import check_target
@@ -535,7 +554,7 @@ def _bench(args: argparse.Namespace) -> None:
     if args.seeds < 1:
         raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
     settings = dict(_setting(text) for text in args.set)
-    try:
+    with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several
             from core.benchmarks.bench_prior import bench_prior
 
@@ -550,10 +569,17 @@ def _bench(args: argparse.Namespace) -> None:
             bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
         else:
             bench(args.names, args.json)
+
+
+@contextmanager
+def _whole_project(command: str) -> Iterator[None]:
+    """For commands that need core/prior, which the extension's zip is without."""
+    try:
+        yield
     except ModuleNotFoundError as error:
         if not str(error.name).startswith("core.prior"):
             raise
-        raise MissingError(  # the extension's zip is without it
-            f"This copy of the project has no core/prior, which bench {args.names[0]} needs.",
+        raise MissingError(
+            f"This copy of the project has no core/prior, which {command} needs.",
             "Run it from the project's own folder.",
         ) from error

@@ -118,7 +118,7 @@ ORDER = (
     "errors", "interrupt", "terminal", "ranges", "device", "camera", "kernels", "ops",
     "hash_grid", "geometry", "config", "io", "render", "appearance", "guidance", "texture",
     "simulation", "job_config", "stages", "provenance", "generate", "explore", "verify", "picture",
-    "report", "batch", "prior", "benchmarks", "command_line", "__main__",
+    "report", "batch", "prior", "benchmarks", "reproduce", "command_line", "__main__",
 )  # fmt: skip
 
 
