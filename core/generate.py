@@ -16,6 +16,7 @@ from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.config import Config
 from core.device import device_of
+from core.errors import Paused
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
 from core.guidance.builtin.physical import usual_of
@@ -38,6 +39,7 @@ from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
 from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
 from core.stages.training import Setup
+from core.stages.workload import cpu_notice
 from core.texture.look_up import maps_source
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -53,7 +55,7 @@ class Inputs:
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
-    warnings: tuple[str, ...] = ()  # what the user should know of the prompts, such as a cut
+    warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
 
 
 def prepare(job: Job) -> Inputs:
@@ -65,26 +67,43 @@ def prepare(job: Job) -> Inputs:
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(
-        job.guidance, device, ignore_unknown=job.ignore_unknown_words, config=config.guidance
+        job.guidance,
+        device,
+        ignore_unknown=job.ignore_unknown_words,
+        config=config.guidance,
+        loras=job.loras,
+        embeddings=job.embeddings,
     )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(job.prompt, job.negative_prompt)
-    texts = tuple(str(w.message) for w in caught)
+    notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
+    texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     return Inputs(config, device, prompted, light, shape, start, texts)
 
 
-def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
-    """Carry out the run from where it is; the path of its asset folder."""
+def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = "") -> Path:
+    """Carry out the run from where it is; the path of its asset folder.
+
+    Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
+    """
     job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
     progress.check_cancelled()
     for text in inputs.warnings:
         progress.warn(text)
 
     unwrapped = load_unwrapped(run)
+    if until == "shape" and (unwrapped is not None or job.command == "texture"):
+        raise paused(run, until)
     if unwrapped is None:
         # GEOMETRY (§4.2): Ψ learns the shape, unless the user brings one to texture
-        shape = inputs.shape if job.command == "texture" else learned_shape(run, inputs, progress)
+        shape = (
+            inputs.shape
+            if job.command == "texture"
+            else learned_shape(run, inputs, progress, early=until == "shape")
+        )
+        if until == "shape":
+            raise paused(run, until)
         assert shape is not None  # a job of "texture" has a mesh
 
         # UNWRAP: once, in the training's cube, within the face budget
@@ -94,7 +113,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
-    generator = torch.Generator().manual_seed(job.seed + 1)
+    generator = torch.Generator().manual_seed(job.color_seed or job.seed + 1)
     ranges = within(config.appearance, guidance.ranges())
     net = MaterialNet(ranges, generator).to(device)
     training = Training("appearance", net, generator, run)
@@ -103,10 +122,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
-    learn_appearance(Setup(training, guidance, ranges), mesh, light, progress)
+    setup = Setup(training, guidance, ranges)
+    learn_appearance(setup, mesh, light, progress, early=until == "color")
+    if until == "color":
+        raise paused(run, until)
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
-    named = {"surfaces": guidance.surfaces(), "seed": job.seed}
+    named = {"surfaces": guidance.surfaces(), "seed": job.color_seed or job.seed}
     maps = bake_maps(unwrapped, net, config, progress, **named)
     verts = mesh.verts.cpu()
     verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
@@ -115,8 +137,17 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
-def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
-    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide."""
+def paused(run: RunFolder, until: str) -> Paused:
+    """What ends a session that was to come only so far."""
+    what = {"shape": "The shape", "color": "The material"}[until]
+    return Paused(f"{what} can be looked at.", f"Finish it: run.py resume {run.path}")
+
+
+def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False) -> Mesh:
+    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide.
+
+    ``early``: as :func:`core.stages.geometry.learn_geometry` has it.
+    """
     guide, strength = inputs.shape, run.job.guide_strength
     if guide and strength == 1:
         return kept_guide(guide, run, progress)
@@ -131,7 +162,7 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
         else:
             fit_start_shape(training, config, progress)
     setup = Setup(training, inputs.guidance, config)
-    verts, faces = learn_geometry(setup, progress, lit)
+    verts, faces = learn_geometry(setup, progress, lit, early=early)
     return Mesh(verts.cpu(), faces.cpu())
 
 

@@ -52,16 +52,23 @@ class Phase(ABC):
 
 
 def train(
-    training: Training, phases: Sequence[Phase], progress: Progress, gradient_clip: float = 0.0
+    training: Training,
+    phases: Sequence[Phase],
+    progress: Progress,
+    gradient_clip: float = 0.0,
+    stop: int | None = None,
 ) -> None:
     """Take the steps of all ``phases``, one after another, from where ``training`` is.
 
     Args:
         gradient_clip: upper bound of the gradient's norm; 0 is none.
+        stop: the step to stop before, for now; None takes them all.
     """
     guard = Guard(training, progress)
     checkpoint, preview = Every(CHECKPOINT_SECONDS), Every(PREVIEW_SECONDS, at_once=True)
-    counts = [phase.steps for phase in phases]
+    # Only their number: a phase's rates and noise follow its whole length, so that a later session
+    # goes on as if there had been no stop.
+    counts = first_steps([phase.steps for phase in phases], stop)
 
     for step in progress.steps(training.name, training.step, counts):
         phase = phases[step.phase]
@@ -96,6 +103,14 @@ def train(
         if checkpoint.due() or step.last or progress.cancelled:
             training.save()
         progress.check_cancelled()
+
+
+def first_steps(counts: Sequence[int], stop: int | None) -> list[int]:
+    """Of phases with ``counts`` steps, how many steps of each come before step ``stop``."""
+    if stop is None:
+        return list(counts)
+    before = [sum(counts[:i]) for i in range(len(counts))]
+    return [max(0, min(n, stop - b)) for n, b in zip(counts, before, strict=True)]
 
 
 class Every:
