@@ -249,7 +249,7 @@ def test_training_lowers_the_loss(folder):
     training = Training(replace(TINY, stem=8), config, objective=restoring_loss)
     source = Restoring(folder)
     first = []
-    for _ in range(30):
+    for _ in range(60):
         training.advance(source)
         first.append(training.loss)
     held = restoring_loss(training, source.batch(16, _generator(9))).item()

@@ -38,6 +38,7 @@ class Reading:
         self._without = self._after_color = False
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
+        self._strange = False  # whether an unknown word was read in it
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, breaks = _tokens(prompt)
         at = 0
@@ -78,6 +79,9 @@ class Reading:
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
         the phrase's own noun."""
+        if self._strange:  # the accessory itself is unknown, and its colours are not the thing's
+            self.left_out += self._of_accessory()
+        self._strange = False
         self.parts += self._before
         self.refused += self._pending
         self.qualifiers += self._pending[:-1]
@@ -89,7 +93,7 @@ class Reading:
         entry = look_up(close, self.known) if close else None
         if entry is None:
             self.left_out.append(token)
-            self._of_accessory()
+            self._strange = self._accessory is not None
             # What goes with the thing may be unknown, the thing itself may not.
             if self._accessory is None:
                 self._pending.append(token)
@@ -116,6 +120,7 @@ class Reading:
                 color = self.found["color"].pop().word if self._after_color else ""
             # A material is the whole thing's: that of a part ("with golden bands") is left out.
             self.left_out += self._of_accessory()
+            self._strange = False
             self.parts.append((word, not self._without, color))
             self._end_phrase()
         else:

@@ -27,8 +27,8 @@ Point = tuple[float, float]
 def helicopter(draw: Draw) -> Parts:
     """A round cabin, a tail, a rotor, skids."""
     x, z, long = draw(0.38, 0.46), draw(0.8, 0.9), draw(0.55, 0.7)
-    top, tail, count = z + draw(0.52, 0.6), draw(1.25, 1.45), 3 + draw.chance(0.5)
-    reach = draw(1.15, 1.35)
+    top, tail, count = z + draw(0.52, 0.6), draw(1.1, 1.2), 3 + draw.chance(0.5)
+    reach = draw(1.1, 1.3)
     fin = [(tail - 0.3, z + 0.1), (tail + 0.1, z + 0.55), (tail + 0.2, z + 0.55)]
     blade = box((reach / 2, 0, top + 0.06), (reach / 2, 0.12, 0.06), 0.02)
     leg = capsule((x * 0.6, 0, z - 0.2), (x + 0.1, 0, 0.1), 0.08)
@@ -220,7 +220,7 @@ def space_shuttle(draw: Draw) -> Parts:
 def satellite(draw: Draw) -> Parts:
     """A box with two solar panels, a dish in front and an aerial."""
     x, z, high = draw(0.28, 0.36), 0.8, draw(0.34, 0.46)
-    wide, panel, count = draw(0.24, 0.3), draw(0.3, 0.4), 2
+    wide, panel, count = draw(0.2, 0.24), draw(0.3, 0.4), 2
     start = x + 0.22
     cells = [
         box((start + wide * (2 * k + 1), 0, z), (wide - 0.03, 0.08, panel)) for k in range(count)

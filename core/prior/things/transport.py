@@ -349,7 +349,7 @@ def wheelbarrow(draw: Draw) -> Parts:
 
 def skateboard(draw: Draw) -> Parts:
     """A board with raised ends on four small wheels."""
-    x, y, bend, r = draw(0.36, 0.44), draw(0.8, 0.95), draw(0.18, 0.34), draw(0.17, 0.21)
+    x, y, bend, r = draw(0.34, 0.4), draw(0.66, 0.78), draw(0.18, 0.34), draw(0.17, 0.21)
     z = 2 * r + 0.16
     end = moved(tube((0, 0, -0.1), (0, 0, 0.1), x, 0.04), (0, 0.4, 0))
     tip = turned(join(end, box((0, 0.16, 0), (x, 0.26, 0.1), 0.04)), 0, math.degrees(bend))
