@@ -4,7 +4,7 @@ Standard library only until a command is carried out: torch takes seconds to loa
 option must not wait for it.
 
 Exit codes: 0 done; 2 the user's input; 3 something is missing; 4 out of memory; 5 no surface could
-be kept; 6 some assets of a batch failed; 130 cancelled.
+be kept; 6 some assets of a batch failed; 7 another process of the same run ended; 130 cancelled.
 """
 
 import argparse
@@ -106,6 +106,7 @@ def add_core_commands(commands: Commands) -> None:
     for command in (generate, texture):
         command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
         _add_job_options(command)
+        _add_gpus(command)
 
     batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
     add_batch_options(batch)
@@ -114,6 +115,7 @@ def add_core_commands(commands: Commands) -> None:
 
     resume = add("resume", "Go on with a run that was cancelled or died.")
     resume.add_argument("run", type=Path)
+    _add_gpus(resume)
     resume.add_argument(
         "--end-with-stdin", action="store_true", help="end when the program that started it does"
     )
@@ -200,6 +202,12 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--set", action="append", default=[], metavar="stage.field=value")
 
 
+def _add_gpus(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--gpus", type=int, default=1, metavar="N", help="share each step's views among N GPUs"
+    )
+
+
 def parse(argv: Sequence[str]) -> argparse.Namespace:
     """The options of one of the core's commands."""
     commands = Commands(__doc__ or "")
@@ -249,22 +257,25 @@ def _setting(text: str) -> tuple[str, str]:
     return key.strip(), value.strip()
 
 
-def run_job(run: "RunFolder", inputs: "Inputs | None") -> Path:
+def run_job(run: "RunFolder", inputs: "Inputs | None", gpus: int = 1) -> Path:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
     from core.io.progress import Progress
 
     progress = Progress(run)
     with run_lock(run.path), asks_to_stop(progress.interrupt):
-        return _run_job(run, inputs, progress)
+        return _run_job(run, inputs, progress, gpus)
 
 
-def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") -> Path:
+def _run_job(
+    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", gpus: int = 1
+) -> Path:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
+    from core.together import place, together
 
     path, request = run.path, run.path / "cancel"
     run.remove_half_written()
@@ -272,7 +283,9 @@ def _run_job(run: "RunFolder", inputs: "Inputs | None", progress: "Progress") ->
         request.unlink()
     run.report("started", pid=os.getpid())
     try:
-        asset = generate(run, inputs or prepare(run.job), progress)
+        inputs = inputs or prepare(run.job, place(gpus, run.job.device))
+        with together(inputs, run.job, gpus) as shared:
+            asset = generate(run, shared, progress)
     except UserError as error:
         kind = "cancelled" if error.status == 130 else "error"
         with suppress(OSError):  # a full disk takes no last word
@@ -303,6 +316,8 @@ def main(argv: Sequence[str]) -> int:
 def carry_out(args: argparse.Namespace) -> Path | None:
     """Carry out a parsed command; the folder of the asset that it made, if it made one."""
     if args.command in JOBS:
+        if int(os.environ.get("RANK") or 0) > 0:
+            _follow()
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
@@ -326,10 +341,13 @@ def default_run_folder(prompt: str) -> Path:
 def _job(args: argparse.Namespace) -> Path:
     from core.generate import prepare
     from core.io.run_folder import RunFolder
+    from core.together import place
 
     job = job_of(args)
-    inputs = prepare(job)  # what is wrong is reported before anything is written
-    return run_job(RunFolder.create(args.out or default_run_folder(job.prompt), job), inputs)
+    # What is wrong is reported before anything is written.
+    inputs = prepare(job, place(args.gpus, job.device))
+    run = RunFolder.create(args.out or default_run_folder(job.prompt), job)
+    return run_job(run, inputs, args.gpus)
 
 
 def _resume(args: argparse.Namespace) -> Path:
@@ -338,7 +356,15 @@ def _resume(args: argparse.Namespace) -> Path:
 
     if args.end_with_stdin:
         end_with_stdin()
-    return run_job(RunFolder.open(args.run), None)
+    return run_job(RunFolder.open(args.run), None, args.gpus)
+
+
+def _follow() -> None:
+    """Of the processes that torchrun has started, all but the first take part and write nothing."""
+    from core.together import follow, place
+
+    if place():
+        sys.exit(follow())
 
 
 def _batch(args: argparse.Namespace) -> None:

@@ -48,6 +48,12 @@ class SomeFailedError(UserError):
     status = 6
 
 
+class RankLostError(UserError):
+    """One of the processes that make an asset together has ended; the run's folder resumes."""
+
+    status = 7
+
+
 class Cancelled(UserError):  # noqa: N818 - a request, not a fault
     """The user stopped the run; its folder resumes."""
 

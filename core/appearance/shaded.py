@@ -66,6 +66,7 @@ class Shaded(NamedTuple):
     p: Float[Tensor, "b h w 3"]  # what is seen, training units, weighted by coverage
     points: Float[Tensor, "p 3"]  # of the covered pixels
     material: Material  # there
+    view: Int[Tensor, " p"]  # the picture each is in, in order
 
 
 class SurfacePoints(NamedTuple):
@@ -134,7 +135,7 @@ def render_shaded(
     values = torch.cat([srgb, smooth, surface.points, torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
     srgb, n, p, o = picture.split([3, 3, 3, 1], -1)
-    return Shaded(srgb, o, n, p, surface.points, material)
+    return Shaded(srgb, o, n, p, surface.points, material, fragments.view)
 
 
 def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:

@@ -30,7 +30,7 @@ class Scene(ABC):
         """Gather the gradient of ``losses`` in the network; their sum.
 
         Raises:
-            NoSurfaceError: there is (nearly) nothing to see.
+            NoSurfaceError: there is nothing to see.
         """
 
     @abstractmethod

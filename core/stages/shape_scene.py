@@ -15,7 +15,6 @@ from core.guidance.guidance import PromptedGuidance, Views
 from core.io.run_folder import RunFolder
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
-from core.stages.guard import MIN_COVERAGE
 from core.stages.lit_scene import surface_picture
 from core.stages.lit_shape import LitShape
 from core.stages.preview import show_shape
@@ -70,7 +69,7 @@ class ShapeScene(Scene):
         # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
-        self.coverage: float = 0.0  # the largest of any part of the views
+        self.coverage: float = 0.0  # the largest of any part of the views; the training looks at it
 
     def render(
         self, cameras: Cameras, size: int
@@ -100,10 +99,6 @@ class ShapeScene(Scene):
         pairs = [(out, at.grad) for out, at in leaves if at is not None and at.grad is not None]
         # SDF and vertices together, since both come from one pass of Ψ.
         torch.autograd.backward([out for out, _ in pairs], [grad for _, grad in pairs])
-        # After the views: the coverage is known only now. Nearly nothing in view has nearly no
-        # gradient.
-        if self.coverage < MIN_COVERAGE:
-            raise NoSurfaceError("The surface had nearly vanished")
         return total
 
     def show(self, run: RunFolder) -> None:
