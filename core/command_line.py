@@ -174,6 +174,7 @@ def add_core_commands(commands: Commands) -> None:
         "--calls", type=int, default=60, help="of distillation: network calls of each view"
     )
     bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
+    _add_rehearsal_options(bench)
     bench.add_argument(
         "--set",
         action="append",
@@ -200,6 +201,17 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--max-faces", type=int, metavar="N")
     command.add_argument("--device", metavar="auto|cpu|cuda|mps")
     command.add_argument("--set", action="append", default=[], metavar="stage.field=value")
+
+
+def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
+    of = "of guidance --architecture"
+    bench.add_argument(
+        "--architecture", metavar="sd15|sd21", help="of guidance: its steps, with random weights"
+    )
+    bench.add_argument("--scale", default="full", metavar="full|tiny", help=f"{of}: its widths")
+    bench.add_argument("--batch", type=int, default=24, metavar="N", help=f"{of}: views of a step")
+    bench.add_argument("--chunk", type=int, default=4, metavar="N", help=f"{of}: views at a time")
+    bench.add_argument("--device", default="auto", metavar="auto|cpu|cuda", help=of)
 
 
 def _add_gpus(command: argparse.ArgumentParser) -> None:
@@ -453,6 +465,15 @@ def _words(args: argparse.Namespace) -> None:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 
 
+def _rehearse(args: argparse.Namespace) -> None:
+    from core.benchmarks.bench_rehearsal import Rehearsal, bench_rehearsal
+
+    if args.names != ["guidance"]:
+        raise UserError("--architecture belongs to bench guidance alone.", "Name no other bench.")
+    names = ("architecture", "scale", "batch", "chunk", "device")
+    bench_rehearsal(Rehearsal(**{name: getattr(args, name) for name in names}), args.json)
+
+
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
     from core.io.atomic import check_target
@@ -475,6 +496,8 @@ def _bench(args: argparse.Namespace) -> None:
             from core.benchmarks.bench_distillation import bench_distillation
 
             bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
+        elif args.architecture:
+            _rehearse(args)
         else:
             bench(args.names, args.json)
     except ModuleNotFoundError as error:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 from jaxtyping import Float
 from torch import Tensor
 
@@ -88,12 +89,12 @@ def write_asset(
     mesh: Mesh,
     maps: Maps,
     info: dict[str, Any],
-    preview: Float[Tensor, "h w c"] | None = None,
+    preview: np.ndarray | Float[Tensor, "h w c"] | None = None,
 ) -> Path:
     """Write the asset into a temporary folder and rename that; an older one goes only then.
 
     ``mesh`` is in world axes and metres; ``info`` is what asset.json reports of how it was made;
-    ``preview`` is sRGB in [0, 1].
+    ``preview`` is sRGB, bytes or in [0, 1].
 
     Raises UserError for a disk that is full or may not be written; nothing new is left then, and
     an older asset stays.
@@ -220,7 +221,7 @@ def _export_obj(asset: Asset, out: Path) -> None:
             images.write_png(temporary, orm[..., [channel] * 3])
 
 
-def _write_pictures(folder: Path, maps: Maps, preview: Tensor | None) -> None:
+def _write_pictures(folder: Path, maps: Maps, preview: np.ndarray | Tensor | None) -> None:
     images.write_png(folder / "base_color.png", images.srgb_bytes(maps.base_color))
     images.write_png(folder / "orm.png", images.unit_bytes(maps.orm))
     images.write_png(folder / "normal.png", images.normal_words(maps.normal))

@@ -88,7 +88,7 @@ class Distillation(Phase):
         draw = Draw.of(setup, self.phase, fraction(index, self.steps))
         failure: NotFiniteError | None = None
         try:
-            for part in draw.split(config.views_at_once, scene.device, setup.ranks):
+            for part in draw.split(setup.at_once, scene.device, setup.ranks):
                 z, views = scene.latents(part.cameras, self.phase.size)
                 yield distill(setup, self.phase, part, z, views)[0] / config.views
         except NotFiniteError as error:
@@ -124,7 +124,7 @@ class Fitting(Phase):
         # A part of the round's pictures in each step: the light turns between steps, the targets
         # stay.
         some = round_targets(setup, rounds, scene, label).some(rounds.batch, generator)
-        for part in some.split(setup.config.views_at_once, setup.ranks):
+        for part in some.split(setup.at_once, setup.ranks):
             z, _ = scene.latents(part.cameras, rounds.size)
             yield fit_loss(z, part.z) / len(some.z)
         yield from roughening(scene, generator, len(some.z), setup.ranks)

@@ -134,7 +134,7 @@ class Distillation(Phase):
     def _losses(self, scene: ShapeScene, index: int) -> Iterator[Tensor]:
         config = self.setup.config
         ranks = self.setup.ranks
-        for part in self.draw(index).split(config.views_at_once, scene.device, ranks):
+        for part in self.draw(index).split(self.setup.at_once, scene.device, ranks):
             loss = self._coarse(scene, part, index) if self.coarse else self._fine(scene, part)
             yield loss / config.views
         # The same in each process, whose gradients are added up: it counts once.
@@ -199,7 +199,7 @@ class Fitting(Phase):
         return band_about(net, self.grid, BAND)
 
     def _losses(self, scene: ShapeScene, label: str) -> Iterator[Tensor]:
-        setup, rounds, at_once = self.setup, self.rounds, self.setup.config.views_at_once
+        setup, rounds, at_once = self.setup, self.rounds, self.setup.at_once
         generator, ranks = setup.training.generator, setup.ranks
         also = scene.band._asdict() if scene.band else {}
         some = round_targets(setup, rounds, scene, label, **also).some(rounds.batch, generator)

@@ -75,7 +75,7 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
     cameras = sample_cameras(rounds.views, config.cameras, generator).to(scene.device)
     mine = cameras[ranks.share]
     with torch.no_grad():
-        parts = portions(len(mine), config.views_at_once)
+        parts = portions(len(mine), setup.at_once)
         seen = [scene.latents(mine[part], rounds.size) for part in parts]
     z = torch.cat([latents for latents, _ in seen])
     surfaces = [views.surface for _, views in seen if views.surface is not None]

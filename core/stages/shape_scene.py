@@ -69,7 +69,12 @@ class ShapeScene(Scene):
         # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
-        self.coverage: float = 0.0  # the largest of any part of the views; the training looks at it
+        self._covered: list[Tensor] = []  # of each part of the views
+
+    @property
+    def coverage(self) -> float:
+        """The largest of any part of the views; a GPU is waited for where it is asked for."""
+        return float(torch.stack(self._covered).amax()) if self._covered else 0.0
 
     def render(
         self, cameras: Cameras, size: int
@@ -77,7 +82,7 @@ class ShapeScene(Scene):
         """n and o of the views (Eq. 4)."""
         frame = self.guidance.normal_frame
         n, o = render_normals(self.verts, self.faces, cameras, size, frame, self.edges)
-        self.coverage = max(self.coverage, float(o.detach().mean()))
+        self._covered.append(o.detach().mean())
         return n, o
 
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
@@ -85,7 +90,7 @@ class ShapeScene(Scene):
         if self.lit is None:
             return self.guidance.encode_normals(*self.render(cameras, size)), Views(cameras)
         seen = self.lit.render(self.verts, self.faces, cameras, size, self.edges)
-        self.coverage = max(self.coverage, float(seen.o.detach().mean()))
+        self._covered.append(seen.o.detach().mean())
         surface = surface_picture(seen, self.guidance.latent_size).detach()
         return self.guidance.encode_color(seen.srgb, seen.o), Views(cameras, surface)
 

@@ -32,6 +32,7 @@ class Training(Generic[Net]):
         self.step = 0  # the next one
         self.extra: dict[str, Any] = {}  # small JSON values, such as the guard's
         self.healthy: dict[str, Tensor] = {}  # the state to go back to (guard.py)
+        self.at_once = 0  # views at a time, where memory did not hold the config's; 0: it did
         self._kept: dict[str, Tensor] = {}
 
     @property

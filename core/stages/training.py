@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from core.config import AppearanceConfig, GeometryConfig
-from core.errors import Cancelled, NoSurfaceError, RankLostError
+from core.errors import Cancelled, MemoryShortError, NoSurfaceError, RankLostError
 from core.guidance.guidance import PromptedGuidance
 from core.guidance.sds import NotFiniteError
 from core.io.progress import Progress, Step
@@ -34,6 +34,11 @@ class Setup(Generic[Net, Settings]):
     guidance: PromptedGuidance
     config: Settings
     ranks: Ranks = ALONE  # those that train it together
+
+    @property
+    def at_once(self) -> int:
+        """Views that are rendered together; the result does not depend on it."""
+        return self.training.at_once or self.config.views_at_once
 
 
 class Phase(ABC):
@@ -73,7 +78,7 @@ def train(
 
         # GRADIENT: of all views of the step
         with _kept_if_a_rank_is_lost(setup):
-            scene, failure, stop = _gradient(setup, phase, step, progress.cancelled)
+            scene, failure, stop = _gradient_that_fits(setup, phase, step, progress)
 
         # STEP: or back to the last healthy state
         if failure:
@@ -97,7 +102,35 @@ def train(
             raise Cancelled("Cancelled.")  # one that only follows does not see the request itself
 
 
-def _gradient(setup: Setup, phase: Phase, step: Step, stop: bool) -> tuple[Scene, str, bool]:
+def _gradient_that_fits(
+    setup: Setup, phase: Phase, step: Step, progress: Progress
+) -> tuple[Scene, str, bool]:
+    """:func:`gradient_of`; where memory does not hold its views, with half as many at a time."""
+    training = setup.training
+    before = training.mark()
+    while True:
+        half = min(setup.at_once, setup.config.views) // 2
+        try:
+            return gradient_of(setup, phase, step, progress.cancelled)
+        except (torch.OutOfMemoryError, MemoryShortError):
+            # Of several processes the others wait for what this one has begun.
+            if half == 0 or setup.ranks.world > 1:
+                raise
+        # Here, and not above: the error holds the step's tensors.
+        training.back_to(before)
+        training.at_once = half
+        if training.device.type == "cuda":
+            torch.cuda.empty_cache()
+        progress.warn(
+            f"There was not enough memory for a step's views; went on with {half} at a time.",
+            f"Nothing to do. --set {training.name}.views_at_once={half} starts with that.",
+            stage=training.name,
+        )
+
+
+def gradient_of(
+    setup: Setup, phase: Phase, step: Step, stop: bool = False
+) -> tuple[Scene, str, bool]:
     """Gather the gradient of a step; its scene, what went wrong with it, and ``stop`` of anyone.
 
     All ranks come to the same: the sums decide, and they are the same to the bit.
@@ -110,7 +143,8 @@ def _gradient(setup: Setup, phase: Phase, step: Step, stop: bool) -> tuple[Scene
         loss = scene.backward(losses)
     except (NotFiniteError, NoSurfaceError) as error:
         failure = error.text
-    covered = 1.0 if scene.coverage is None else scene.coverage
+    coverage = scene.coverage
+    covered = 1.0 if coverage is None else coverage
 
     # TOGETHER: one message says how it went everywhere
     rows = ranks.rows([loss, covered, float(bool(failure)), float(stop)])
@@ -119,7 +153,7 @@ def _gradient(setup: Setup, phase: Phase, step: Step, stop: bool) -> tuple[Scene
         failure = next(filter(None, ranks.texts(failure)))
         training.share_noise(ranks)  # who failed has drawn less than the others
         return scene, failure, stop
-    if scene.coverage is not None:
+    if coverage is not None:
         step.coverage = float(rows[:, 1].max())
     # After the views: the coverage is known only now. Nearly nothing in view has nearly no
     # gradient.

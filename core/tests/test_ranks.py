@@ -32,7 +32,7 @@ from core.io.run_folder import RunFolder
 from core.ranks import ALONE, Ranks, rank_in, require_gpus, require_views
 from core.stages.appearance import LitObject, appearance_phases, learn_appearance
 from core.stages.geometry import Distillation, Fitting
-from core.stages.training import Setup, _gradient
+from core.stages.training import Setup, gradient_of
 from core.tests.test_stages import (
     GREY,
     SHORT,
@@ -97,7 +97,7 @@ def test_alone_nothing_is_sent():
 
 def gradient(setup: Setup, phase, index: int) -> tuple[torch.Tensor, torch.Tensor]:
     """Of one step, as one vector; and the random generator's state after it."""
-    _, failure, _ = _gradient(setup, phase, Step(0, index, index, last=False), stop=False)
+    _, failure, _ = gradient_of(setup, phase, Step(0, index, index, last=False))
     assert not failure
     grads = [p.grad.flatten() for p in setup.training.module.parameters() if p.grad is not None]
     return torch.cat(grads), setup.training.generator.get_state()
