@@ -25,6 +25,7 @@ from core.device import device_of
 from core.errors import UserError
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.mesh import Mesh
+from core.geometry.sdf_net import FOURIER
 from core.geometry.tet_grid import tet_grid
 from core.guidance.guidance import Views
 from core.guidance.stable_diffusion.guidance import (
@@ -149,7 +150,7 @@ def config_of(rehearsal: Rehearsal) -> Config:
         return replace(PAPER, geometry=replace(g, **some), appearance=replace(a, **some))
     small = {name: replace(getattr(g, name), size=64) for name in ("coarse", "fine")}
     painted = {name: replace(getattr(a, name), size=64) for name in ("early", "late")}
-    some_shape = {"net": replace(g.net, log2_hash_size=10), "resolution": (12, 12)}
+    some_shape = {"net": FOURIER, "resolution": (12, 12)}
     return replace(
         PAPER,
         geometry=replace(g, **some, **small, **some_shape),

@@ -8,9 +8,9 @@ import torch
 from torch.utils._python_dispatch import TorchDispatchMode
 
 from core import kernels
+from core.appearance import shaded
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
-from core.appearance.shade import CHUNK
 from core.appearance.shaded import SurfacePoints, material_at
 from core.benchmarks.bench_rehearsal import PHASES, Rehearsal, bench_rehearsal
 from core.camera import Cameras
@@ -118,9 +118,10 @@ def test_a_step_waits_once_for_its_numbers(plain, tmp_path):
     assert totals[1] - totals[0] <= 2 * (RENDER_WAITS + 1)  # three parts, and one
 
 
-def test_many_points_of_a_material_are_not_kept():
+def test_many_points_of_a_material_are_not_kept(monkeypatch):
+    monkeypatch.setattr(shaded, "CHUNK", 1 << 10)
     net = MaterialNet(SHORT_COLOR, torch.Generator().manual_seed(0))
-    points = torch.rand(2 * CHUNK, 3) - 0.5
+    points = torch.rand(1 << 12, 3) - 0.5
     at = SurfacePoints(points, points[:, :2], *(points for _ in range(5)))
     peaks, grads = [], []
     for material in (lambda: net(points), lambda: material_at(net, at)):
@@ -131,7 +132,7 @@ def test_many_points_of_a_material_are_not_kept():
             kd.square().sum().backward()
         peaks.append(kept)
         grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
-    assert peaks[1] < peaks[0] / 8
+    assert peaks[1] < peaks[0] / 2.5  # of this small grid; the material itself stays
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-4, atol=1e-6)
 
 
@@ -158,10 +159,10 @@ def test_what_does_not_fit_is_halved_and_goes_on(tmp_path):
         made.append(setup.training.module(mesh.verts).kd)
         warnings = [e["text"] for e in read_events(run.path) if e["type"] == "warning"]
         assert len(warnings) == broken
+        assert not broken or "went on with 1 at a time" in warnings[0]
         assert tries[0] == (3 if broken else 1)
         assert set(tries[1:]) == {1}
     assert torch.equal(*made)
-    assert "with 1 at a time" in read_events(tmp_path / "True")[0].get("text", "with 1 at a time")
 
 
 def test_one_view_that_does_not_fit_ends_the_run(tmp_path):

@@ -93,7 +93,7 @@ class StableDiffusion(Guidance):
         vae: AutoencoderKL,
         scheduler: DDPMScheduler,
         encode_text: Callable[[list[list[int]]], Float[Tensor, "n l d"]],
-        tokenizer: CLIPTokenizer,
+        tokenizer: CLIPTokenizer | None,
         *,
         chunk: int = 4,
         config: GuidanceConfig = GUIDANCE,
