@@ -49,8 +49,26 @@ def pytest_configure(config: pytest.Config) -> None:
     And Ctrl-C is heard by what the tests start, in a background job too.
     """
     config.option.randomly_reset_seed = False
+    # pytest-xdist would begin with the files of the most tests; the longest have few.
+    config.option.loadscopereorder = False
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as a shell starts what is to go on
         signal.signal(signal.SIGINT, signal.default_int_handler)  # the tests' children inherit it
+
+
+# The files that take longest, by their CPU seconds: the processes end together if they come first.
+LONGEST = (
+    "test_generate.py", "test_faults.py", "test_shading_matches_cycles.py", "test_bad_inputs.py",
+    "test_stages.py", "test_guide.py", "test_asset_matches_cycles.py", "test_offline.py",
+    "test_bench_distillation.py", "test_fit.py", "test_hash_start.py", "test_file_failures.py",
+)  # fmt: skip
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """The longest files first, unless the order is to be a random one."""
+    if not config.pluginmanager.hasplugin("randomly"):
+        rank = {name: number for number, name in enumerate(LONGEST)}
+        items.sort(key=lambda item: rank.get(item.path.name, len(rank)))
 
 
 # By their ids: the states of the modules' own generators after the import.

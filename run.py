@@ -24,6 +24,7 @@ Commands:
     cornell ASSET... --render FILE
     report RUN --out FILE      a run as one HTML file that needs no network
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
+    models [FOLDER...]         the Stable Diffusion models there, and which can be used
     bench [NAME...]            measure this machine
     doctor                     what is here, what is missing, how to fix it; --report FILE
     setup [blender] [test] [ray]        make the Python environment now; --renew, --allow-cuda
@@ -90,6 +91,7 @@ if TYPE_CHECKING:
     from core.command_line import Commands
 
 OWN = ("doctor", "setup", "package")
+IN_BLENDER = ("-b", "--python-exit-code", "1", "--python")  # then this file, --, a command line
 GROUPS = ("blender", "test", "ray")  # of packages beyond the core's
 PASS_ON = ("test", "python")  # whose arguments belong to another program
 PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
@@ -144,6 +146,11 @@ def parse(argv: Sequence[str]) -> Namespace:
         path = getattr(args, name, None)
         if path:
             check_target(f"--{name}", path, endings)
+    if getattr(args, "until", None) and route.imports_asset(args):
+        raise UserError(
+            "--until pauses before there is an asset for --blend or --render.",
+            "Use them with the run.py resume that finishes it.",
+        )
     if route.saves_blend(args):
         check_target("--out", args.out, (".blend",))
     return args
@@ -209,6 +216,9 @@ def launch(argv: list[str]) -> int:
     blender = route.runs_in_blender(args) or route.imports_asset(args)
     core = not route.runs_in_blender(args)
     clustered = args.command == "node" or getattr(args, "ray", None)
+    if blender and (version := environment.module_version(ROOT)):
+        command = [*environment.find_blender(version), *IN_BLENDER, Path(__file__).resolve()]
+        return hand_over([*command, "--", *argv])
     groups = ("blender",) if blender else ("ray",) if clustered else ()
     python_path = environment.ensure(ROOT, groups, say, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
@@ -228,7 +238,9 @@ def setup(args: Namespace) -> int:
 
 def test(arguments: list[str]) -> int:
     """Run pytest over the core's and the add-on's tests."""
-    python_path = environment.ensure(ROOT, ("blender", "test"), say)
+    # Without a bpy module Blender's tests are left out.
+    groups = ("test",) if environment.module_version(ROOT) else ("blender", "test")
+    python_path = environment.ensure(ROOT, groups, say)
     # The whole suite in a process for each core; a file's tests share what they made.
     shared = () if arguments else ("-n", str(test_processes()), "--dist", "loadfile")
     return hand_over([python_path, "-m", "pytest", *shared, *arguments], ROOT)

@@ -28,6 +28,7 @@ from fantasia3d_addon.environment.files import write_text  # noqa: E402
 from fantasia3d_addon.environment.pip_output import pip_sources  # noqa: E402
 
 BUILDS = ("cpu", "cu130")  # cu130: the CUDA that the registry's own Linux build of 2.13 is for
+OLDEST = min(machine.PYTHONS)  # uv then resolves for this one and all newer ones
 CUDA = ("nvidia-", "cuda-", "triton")  # what torch requires for CUDA alone
 HASH = re.compile(r"--hash=(sha256:[0-9a-f]{64})")
 HEAD = """# Every package that the set-up may install, with the hashes of its files on every system.
@@ -63,7 +64,7 @@ def resolve(uv: Path, folder: Path) -> str:
         lines = [line for name in present if name != "torch" for line in present[name]]
         out.write_text("\n".join(dict.fromkeys(lines)) + "\n", encoding="utf-8")
     command = [uv, "pip", "compile", "pyproject.toml", "--all-extras", "--universal"]
-    command += ["--python-version", machine.PYTHON, "--generate-hashes", "--no-header"]
+    command += ["--python-version", OLDEST, "--generate-hashes", "--no-header"]
     command += ["--only-binary", ":all:", "--annotation-style", "line", "-o", out, *sys.argv[1:]]
     subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     return out.read_text(encoding="utf-8")
@@ -138,7 +139,7 @@ def indexed(uv: Path, folder: Path, pin: str, backend: str) -> set[str]:
     """The hashes that torch's own index has for a build; none where it cannot be reached."""
     (folder / "torch.in").write_text(pin + "\n", encoding="utf-8")
     command = [uv, "pip", "compile", "torch.in", "--no-deps", "--universal", "--generate-hashes"]
-    command += ["--python-version", machine.PYTHON, "--torch-backend", backend, "--quiet"]
+    command += ["--python-version", OLDEST, "--torch-backend", backend, "--quiet"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode:
         print(f"{pin}: torch's own index has no answer; hashes that are here are kept.")

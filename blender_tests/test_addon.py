@@ -167,6 +167,30 @@ def test_the_settings_come_back_from_their_job(addon, tmp_path):
     assert job_of(settings) == job
 
 
+def test_a_file_a_lora_and_an_embedding_come_back_from_their_job(addon, tmp_path):
+    settings = bpy.context.scene.fantasia3d
+    for name in ("model", "style", "word"):
+        (tmp_path / f"{name}.safetensors").touch()
+    settings.prompt, settings.guidance = "a chair", "folder"
+    settings.model_folder = str(tmp_path / "model.safetensors")
+    settings.lora, settings.lora_strength = str(tmp_path / "style.safetensors"), 0.7
+    settings.embedding = str(tmp_path / "word.safetensors")
+    job = job_of(settings)
+    assert job["guidance"] == str(tmp_path / "model.safetensors")
+    assert job["loras"] == {str(tmp_path / "style.safetensors"): 0.7}
+    assert job["embeddings"] == [str(tmp_path / "word.safetensors")]
+    apply_job(settings, {"prompt": "a chair"})
+    assert not {"loras", "embeddings"} & job_of(settings).keys()
+    apply_job(settings, job)
+    assert job_of(settings) == job
+    with pytest.raises(AddonError, match="several LoRA files"):
+        apply_job(settings, job | {"loras": {"a": 1.0, "b": 1.0}})
+    assert job_of(settings) == job
+    (tmp_path / "style.safetensors").unlink()
+    with pytest.raises(AddonError, match="There is no LoRA “style.safetensors”"):
+        job_of(settings)
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

@@ -14,10 +14,10 @@ from blender_tests.compare_cycles import (  # noqa: E402
     cycles_pixels,
     empty_scene,
     inner,
+    prefiltered,
     psnr,
 )
-from core.appearance.environment import Environment  # noqa: E402
-from core.appearance.lights import blender_light, load_light  # noqa: E402
+from core.appearance.lights import blender_light  # noqa: E402
 from core.appearance.material import Material  # noqa: E402
 from core.geometry.mesh import Mesh  # noqa: E402
 from core.io.asset import read_asset, write_asset  # noqa: E402
@@ -84,7 +84,7 @@ def in_cycles(folder: Path, samples: int = 192, bounces: int = 1) -> tuple[Tenso
 
 def likeness(folder: Path, theirs: Tensor, cover: Tensor, self_shadow: bool = False) -> float:
     """PSNR of the core's picture of an asset to Cycles' pixels, dB."""
-    environment = Environment.of(load_light(f"blender:{LIGHT}"))
+    environment = prefiltered(f"blender:{LIGHT}")
     ours, seen = asset_pixels(folder, SIZE, environment, self_shadow)
     assert float((cover != seen).float().mean()) < 0.005
     where = inner(cover & seen)

@@ -16,6 +16,7 @@ from blender_tests.compare_cycles import (  # noqa: E402
     ball_points,
     cycles_pixels,
     empty_scene,
+    prefiltered,
     psnr,
 )
 from core.appearance.environment import Environment  # noqa: E402
@@ -74,7 +75,7 @@ def test_ball_looks_as_in_cycles(
     empty_scene(light_file, 64, 96)
     add_ball(roughness, metallic)
     theirs = cycles_pixels(tmp_path / "cycles.exr")
-    environment = Environment.of(load_light(light_file))
+    environment = prefiltered(str(light_file))
     seen, points = ball(roughness, metallic, 64)
     result = psnr(*both(*theirs, seen, shade(*points, environment)))
     turned = psnr(*both(*theirs, seen, shade(*points, environment.rotated(math.pi))))
@@ -101,7 +102,7 @@ def test_no_fireflies_under_a_sun(tmp_path: Path) -> None:
     add_ball(0.1, 1.0)
     theirs, cover = cycles_pixels(tmp_path / "cycles.exr")
     seen, points = ball(0.1, 1.0, 64)
-    environment = Environment.of(load_light("blender:city"))
+    environment = prefiltered("blender:city")
     ours = torch.zeros(64, 64, 3)
     ours[seen] = shade(*points, environment)
     result = psnr(ours[seen & cover], theirs[seen & cover])

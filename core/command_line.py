@@ -12,16 +12,15 @@ import difflib
 import json
 import os
 import sys
-import time
 import traceback
-from collections.abc import Sequence
-from contextlib import redirect_stdout, suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from core.batch.options import add_batch_options, add_node_options
-from core.errors import MissingError, UserError
-from core.interrupt import asks_to_stop
+from core.errors import MissingError, Paused, UserError
+from core.interrupt import asks_to_stop, process_began
 from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
 
 
 # A request to cancel that is older than this was meant for an earlier session.
-START = time.time()
+START = process_began()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
 
 
@@ -105,8 +104,28 @@ def add_core_commands(commands: Commands) -> None:
     )
     for command in (generate, texture):
         command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
+        command.add_argument(
+            "--color-seed", type=int, metavar="N", help="another material on the same shape"
+        )
         _add_job_options(command)
         _add_gpus(command)
+
+    explore = add(
+        "explore", "Quick shapes of several seeds next to each other; resume finishes one."
+    )
+    explore.add_argument("prompt")
+    explore.add_argument("--count", type=int, default=4, metavar="N", help="shapes; default 4")
+    explore.add_argument("--out", type=Path, metavar="DIR", help="a run folder each, and a picture")
+    explore.add_argument(
+        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
+    )
+    _add_job_options(explore)
+    recolor = add("recolor", "Quick materials of several seeds for the shape of a run.")
+    recolor.add_argument("run", type=Path, metavar="RUN", help="its shape is finished")
+    recolor.add_argument("--count", type=int, default=4, metavar="N", help="materials; default 4")
+    recolor.add_argument(
+        "--out", type=Path, required=True, metavar="DIR", help="a run folder each, and a picture"
+    )
 
     batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
     add_batch_options(batch)
@@ -119,6 +138,10 @@ def add_core_commands(commands: Commands) -> None:
     resume.add_argument(
         "--end-with-stdin", action="store_true", help="end when the program that started it does"
     )
+    for command in (generate, texture, resume):
+        command.add_argument(
+            "--until", metavar="shape|color", help="pause at a first look at it; resume finishes it"
+        )
 
     render = add("render", "A picture of an asset under a light.")
     render.add_argument("asset", type=Path)
@@ -164,6 +187,26 @@ def add_core_commands(commands: Commands) -> None:
         "--ignore-unknown-words", action="store_true", help="as generate with this option"
     )
 
+    models = add("models", "The Stable Diffusion models in folders, and which can be used.")
+    models.add_argument(
+        "folders",
+        nargs="*",
+        type=Path,
+        metavar="FOLDER",
+        help="also a ComfyUI or A1111 folder; default: the hub's cache",
+    )
+    models.add_argument("--json", action="store_true", help="for programs")
+
+    reproduce = add("reproduce", "The paper's figures again, on a page; continues if stopped.")
+    reproduce.add_argument("--out", type=Path, default=Path("out/reproduction"), metavar="FOLDER")
+    reproduce.add_argument("--page", type=Path, metavar="FILE.md", help="default: in --out")
+    reproduce.add_argument("--figure", action="append", default=[], metavar="NAME", help="only it")
+    reproduce.add_argument("--row", action="append", default=[], metavar="NAME", help="of a figure")
+    reproduce.add_argument("--list", action="store_true", help="the figures and what is made")
+    reproduce.add_argument("--quick", action="store_true", help="shortest settings, to try it")
+    reproduce.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    reproduce.add_argument("--at-once", type=int, metavar="N", help="runs; default: as many as fit")
+
     bench = add("bench", "Measure this machine.")
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
@@ -190,7 +233,21 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
     )
-    command.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
+    command.add_argument("--guidance", metavar="builtin|FOLDER|FILE|HUB-ID")
+    command.add_argument(
+        "--lora",
+        action="append",
+        default=[],
+        metavar="FILE[:STRENGTH]",
+        help="over a Stable Diffusion checkpoint; strength 1 is as it was trained",
+    )
+    command.add_argument(
+        "--embedding",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="a textual inversion; write its file's name in the prompt",
+    )
     command.add_argument(
         "--ignore-unknown-words",
         action="store_true",
@@ -206,7 +263,9 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
 def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
     of = "of guidance --architecture"
     bench.add_argument(
-        "--architecture", metavar="sd15|sd21", help="of guidance: its steps, with random weights"
+        "--architecture",
+        metavar="sd15|sd21|sdxl",
+        help="of guidance: with random weights",
     )
     bench.add_argument("--scale", default="full", metavar="full|tiny", help=f"{of}: its widths")
     bench.add_argument("--batch", type=int, default=24, metavar="N", help=f"{of}: views of a step")
@@ -232,7 +291,7 @@ def job_of(args: argparse.Namespace) -> "Job":
     from core.io.job import Job
 
     given = {
-        "command": args.command,
+        "command": "texture" if args.command == "texture" else "generate",
         "prompt": args.prompt,
         "mesh": _absolute(getattr(args, "mesh", "")),
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
@@ -241,7 +300,10 @@ def job_of(args: argparse.Namespace) -> "Job":
         "size_m": getattr(args, "size", None),
         "ignore_unknown_words": args.ignore_unknown_words,
         "settings": dict(_setting(text) for text in args.set),
+        "loras": dict(_lora(text) for text in args.lora),
+        "embeddings": [_absolute(path) for path in args.embedding],
     }
+    given["color_seed"] = getattr(args, "color_seed", None)
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
     for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
@@ -262,6 +324,15 @@ def _absolute(path: str) -> str:
     return os.path.abspath(os.path.expanduser(path)) if path else ""  # noqa: PTH100, PTH111
 
 
+def _lora(text: str) -> tuple[str, float]:
+    """A LoRA's file and its strength; the colon after a drive's letter is no strength's."""
+    path, colon, strength = text.rpartition(":")
+    try:
+        return (_absolute(path), float(strength)) if colon else (_absolute(text), 1.0)
+    except ValueError:
+        return _absolute(text), 1.0
+
+
 def _setting(text: str) -> tuple[str, str]:
     key, equals, value = text.partition("=")
     if not equals:
@@ -269,21 +340,24 @@ def _setting(text: str) -> tuple[str, str]:
     return key.strip(), value.strip()
 
 
-def run_job(run: "RunFolder", inputs: "Inputs | None", gpus: int = 1) -> Path:
+def run_job(
+    run: "RunFolder", inputs: "Inputs | None", until: str = "", gpus: int = 1
+) -> Path | None:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
     from core.io.progress import Progress
 
     progress = Progress(run)
     with run_lock(run.path), asks_to_stop(progress.interrupt):
-        return _run_job(run, inputs, progress, gpus)
+        return _run_job(run, inputs, progress, until, gpus)
 
 
 def _run_job(
-    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", gpus: int = 1
-) -> Path:
+    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", until: str, gpus: int
+) -> Path | None:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
+    None where it paused, as ``until`` has it: a first look at the "shape" or at the "color".
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
@@ -296,8 +370,12 @@ def _run_job(
     run.report("started", pid=os.getpid())
     try:
         inputs = inputs or prepare(run.job, place(gpus, run.job.device))
-        with together(inputs, run.job, gpus) as shared:
-            asset = generate(run, shared, progress)
+        with together(inputs, run.job, gpus, until) as shared:
+            asset = generate(run, shared, progress, until)
+    except Paused as pause:
+        run.report("paused", text=pause.text, fix=pause.fix)
+        put(run.path)
+        return None
     except UserError as error:
         kind = "cancelled" if error.status == 130 else "error"
         with suppress(OSError):  # a full disk takes no last word
@@ -333,7 +411,8 @@ def carry_out(args: argparse.Namespace) -> Path | None:
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
-    other |= {"batch": _batch, "node": _node}
+    other |= {"batch": _batch, "node": _node, "explore": _explore, "recolor": _recolor}
+    other |= {"models": _models, "reproduce": _reproduce}
     other[args.command](args)
     return None
 
@@ -350,25 +429,34 @@ def default_run_folder(prompt: str) -> Path:
     return folder
 
 
-def _job(args: argparse.Namespace) -> Path:
+def _job(args: argparse.Namespace) -> Path | None:
     from core.generate import prepare
     from core.io.run_folder import RunFolder
     from core.together import place
 
+    _until(args)
     job = job_of(args)
     # What is wrong is reported before anything is written.
     inputs = prepare(job, place(args.gpus, job.device))
     run = RunFolder.create(args.out or default_run_folder(job.prompt), job)
-    return run_job(run, inputs, args.gpus)
+    return run_job(run, inputs, _until(args), args.gpus)
 
 
-def _resume(args: argparse.Namespace) -> Path:
+def _until(args: argparse.Namespace) -> str:
+    from core.io.job import UNTIL
+
+    if args.until and args.until not in UNTIL:
+        raise UserError(f"--until is {args.until!r}.", f"Use one of {', '.join(UNTIL)}.")
+    return args.until or ""
+
+
+def _resume(args: argparse.Namespace) -> Path | None:
     from core.batch.orphan import end_with_stdin
     from core.io.run_folder import RunFolder
 
     if args.end_with_stdin:
         end_with_stdin()
-    return run_job(RunFolder.open(args.run), None, args.gpus)
+    return run_job(RunFolder.open(args.run), None, _until(args), args.gpus)
 
 
 def _follow() -> None:
@@ -377,6 +465,19 @@ def _follow() -> None:
 
     if place():
         sys.exit(follow())
+
+
+def _explore(args: argparse.Namespace) -> None:
+    from core.explore import explore
+
+    job = job_of(args)
+    put(explore(args.out or default_run_folder(job.prompt), job, args.count, run_job))
+
+
+def _recolor(args: argparse.Namespace) -> None:
+    from core.explore import recolor
+
+    put(recolor(args.out, args.run, args.count, run_job))
 
 
 def _batch(args: argparse.Namespace) -> None:
@@ -389,6 +490,8 @@ def _batch(args: argparse.Namespace) -> None:
     defaults = [f"--{name}={value}" for name, value in given.items() if value is not None]
     defaults += ["--ignore-unknown-words"] * args.ignore_unknown_words
     defaults += [f"--set={text}" for text in args.set]
+    defaults += [f"--lora={text}" for text in args.lora]
+    defaults += [f"--embedding={path}" for path in args.embedding]
 
     def row_job(row: "Row") -> "Job":
         return job_of(parse(row.arguments(defaults)))
@@ -465,6 +568,22 @@ def _words(args: argparse.Namespace) -> None:
         understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
 
 
+def _models(args: argparse.Namespace) -> None:
+    from core.guidance.stable_diffusion.models import models_in, table
+
+    found = models_in(args.folders)
+    put(json.dumps([m.as_json() for m in found], indent=1) if args.json else table(found))
+
+
+def _reproduce(args: argparse.Namespace) -> None:
+    with _whole_project("reproduce"):
+        from core.reproduce.command import run_reproduce
+
+        if args.guidance and Path(args.guidance).exists():
+            args.guidance = _absolute(args.guidance)
+        run_reproduce(args, lambda words: job_of(parse(words)))
+
+
 def _rehearse(args: argparse.Namespace) -> None:
     from core.benchmarks.bench_rehearsal import Rehearsal, bench_rehearsal
 
@@ -483,7 +602,7 @@ def _bench(args: argparse.Namespace) -> None:
     if args.seeds < 1:
         raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
     settings = dict(_setting(text) for text in args.set)
-    try:
+    with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several
             from core.benchmarks.bench_prior import bench_prior
 
@@ -500,10 +619,17 @@ def _bench(args: argparse.Namespace) -> None:
             _rehearse(args)
         else:
             bench(args.names, args.json)
+
+
+@contextmanager
+def _whole_project(command: str) -> Iterator[None]:
+    """For commands that need core/prior, which the extension's zip is without."""
+    try:
+        yield
     except ModuleNotFoundError as error:
         if not str(error.name).startswith("core.prior"):
             raise
-        raise MissingError(  # the extension's zip is without it
-            f"This copy of the project has no core/prior, which bench {args.names[0]} needs.",
+        raise MissingError(
+            f"This copy of the project has no core/prior, which {command} needs.",
             "Run it from the project's own folder.",
         ) from error

@@ -30,6 +30,7 @@ from core.ranges import (
 
 SPHERE = CameraConfig()
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
+Prediction = Literal["auto", "epsilon", "v_prediction"]
 Distillation = Literal["sds", "csd", "sdi"]
 ShadingModel = Literal["lobes", "split_sum", "diffuse"]
 ShapePictures = Literal["normals", "shaded", "entangled"]
@@ -174,6 +175,8 @@ class GuidanceConfig:
     # three more U-Net runs a picture.
     perp_neg: Annotated[float, Range(0, 100)] = 0.0
     default_negative: bool = True  # an empty negative prompt is the default text, not none
+    # What the checkpoint predicts; auto: what its files state, or what a trial run shows.
+    prediction: Prediction = "auto"
 
 
 GUIDANCE = GuidanceConfig()

@@ -54,6 +54,12 @@ class RankLostError(UserError):
     status = 7
 
 
+class Paused(UserError):  # noqa: N818 - as the user asked
+    """The run has come as far as it was to; its folder resumes."""
+
+    status = 0
+
+
 class Cancelled(UserError):  # noqa: N818 - a request, not a fault
     """The user stopped the run; its folder resumes."""
 

@@ -16,6 +16,7 @@ from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.config import Config
 from core.device import device_of
+from core.errors import Paused
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
 from core.guidance.builtin.physical import usual_of
@@ -45,6 +46,7 @@ from core.stages.texturing import (
     unwrap_shape,
 )
 from core.stages.training import Setup
+from core.stages.workload import cpu_notice
 from core.texture.look_up import maps_source
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -60,7 +62,7 @@ class Inputs:
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
-    warnings: tuple[str, ...] = ()  # what the user should know of the prompts, such as a cut
+    warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
     ranks: Ranks = ALONE  # the processes that make the asset together
 
 
@@ -76,19 +78,27 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(
-        job.guidance, device, ignore_unknown=job.ignore_unknown_words, config=config.guidance
+        job.guidance,
+        device,
+        ignore_unknown=job.ignore_unknown_words,
+        config=config.guidance,
+        loras=job.loras,
+        embeddings=job.embeddings,
     )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(job.prompt, job.negative_prompt)
-    texts = tuple(str(w.message) for w in caught)
+    notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
+    texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     return Inputs(config, device, prompted, light, shape, start, texts)
 
 
-def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
+def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = "") -> Path:
     """Carry out the run from where it is; the path of its asset folder.
 
     Of several processes each calls this, with the same job; the first one writes.
+
+    Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
     """
     job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
     progress.check_cancelled()
@@ -98,10 +108,17 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     # The first process alone knows the run folder; what it finds is true for all.
     ranks = inputs.ranks
     unwrapped = load_unwrapped(run) if ranks.first else None
+    if until == "shape" and (unwrapped is not None or job.command == "texture"):
+        raise paused(run, until)
     if not ranks.rows([unwrapped is not None])[0].any():
         # GEOMETRY (§4.2): Ψ learns the shape, unless the user brings one to texture
-        texture = job.command == "texture"
-        shape = inputs.shape if texture else learned_shape(run, inputs, progress)
+        shape = (
+            inputs.shape
+            if job.command == "texture"
+            else learned_shape(run, inputs, progress, early=until == "shape")
+        )
+        if until == "shape":
+            raise paused(run, until)
 
         # UNWRAP: once, in the training's cube, within the face budget
         if ranks.first:
@@ -113,7 +130,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
-    generator = torch.Generator().manual_seed(job.seed + 1)
+    generator = torch.Generator().manual_seed(job.color_seed or job.seed + 1)
     ranges = within(config.appearance, guidance.ranges())
     net = MaterialNet(ranges, generator).to(device)
     training = Training("appearance", net, generator, run)
@@ -122,12 +139,15 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
-    learn_appearance(Setup(training, guidance, ranges, ranks), mesh, light, progress)
+    setup = Setup(training, guidance, ranges, ranks)
+    learn_appearance(setup, mesh, light, progress, early=until == "color")
+    if until == "color":
+        raise paused(run, until)
     if not ranks.first:
         return run.asset
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
-    named = {"surfaces": guidance.surfaces(), "seed": job.seed}
+    named = {"surfaces": guidance.surfaces(), "seed": job.color_seed or job.seed}
     maps = bake_maps(unwrapped, net, config, progress, **named)
     verts = mesh.verts.cpu()
     verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
@@ -136,10 +156,19 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
-def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh | None:
+def paused(run: RunFolder, until: str) -> Paused:
+    """What ends a session that was to come only so far."""
+    what = {"shape": "The shape", "color": "The material"}[until]
+    return Paused(f"{what} can be looked at.", f"Finish it: run.py resume {run.path}")
+
+
+def learned_shape(
+    run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False
+) -> Mesh | None:
     """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide.
 
-    None in a process that is not the first of several.
+    ``early``: as :func:`core.stages.geometry.learn_geometry` has it. None in a process that is not
+    the first of several.
     """
     guide, strength = inputs.shape, run.job.guide_strength
     if guide and strength == 1:
@@ -155,7 +184,7 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh | 
         else:
             fit_start_shape(training, config, progress)
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
-    learned = learn_geometry(setup, progress, lit)
+    learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))
 
 

@@ -5,15 +5,32 @@ Standard library only: torch takes seconds to load, and Ctrl-C must not wait for
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import Any
 
 CANCELLED = 130  # the exit code
 AGAIN_SECONDS = 1.0  # cleaning up, which may follow the first, takes less
+
+
+def process_began() -> float:
+    """When this process began, seconds since 1970; where the system does not tell, soon after.
+
+    A busy machine takes seconds to load Python, and a request that comes meanwhile counts.
+    """
+    now = time.time()
+    try:
+        fields = Path("/proc/self/stat").read_bytes().rpartition(b")")[2].split()
+        ticks = int(fields[19]) / os.sysconf("SC_CLK_TCK")  # after the boot, proc(5)
+        return now - time.clock_gettime(time.CLOCK_BOOTTIME) + ticks
+    except (OSError, AttributeError):  # not Linux
+        return now - time.process_time()
 
 
 class Interrupts:

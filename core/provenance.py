@@ -20,6 +20,8 @@ def recorded(job: Job) -> dict[str, Any]:
     for key in FILES:
         if Path(data[key]).is_absolute():
             data[key] = Path(data[key]).name
+    data["loras"] = {Path(path).name: strength for path, strength in job.loras.items()}
+    data["embeddings"] = [Path(path).name for path in job.embeddings]
     return data
 
 

@@ -50,15 +50,17 @@ def place(gpus: int = 1, device: str = "auto") -> int | None:
 
 
 @contextmanager
-def together(inputs: Inputs, job: Job, gpus: int = 1) -> Iterator[Inputs]:
+def together(inputs: Inputs, job: Job, gpus: int = 1, until: str = "") -> Iterator[Inputs]:
     """``inputs`` of the first process with the others at its side: for ``gpus``, or torchrun's.
 
     Raises:
-        UserError: there are more processes than views.
+        UserError: there are more processes than views, or it is for a first look (``until``).
     """
     if rank_in() is None and gpus == 1:
         yield inputs
         return
+    if until:
+        raise UserError(f"--until {until} is for one process.", "Leave --gpus out, or --until.")
     world = int(os.environ["WORLD_SIZE"]) if rank_in() is not None else gpus
     require_views(world, views_of(inputs.config))
     with _met(world, inputs.device) as ranks:

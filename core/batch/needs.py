@@ -38,11 +38,12 @@ def needs_of(job: Job, has_gpu: bool) -> Needs:
     return Needs(1, checkpoint_memory(Path(job.guidance)), 1.0 if on_gpu else 0.0)
 
 
-def checkpoint_memory(folder: Path) -> int:
-    """Bytes that a job with the Stable Diffusion checkpoint ``folder`` takes."""
-    if not folder.is_dir():
+def checkpoint_memory(path: Path) -> int:
+    """Bytes that a job with the Stable Diffusion checkpoint ``path`` takes, a folder or a file."""
+    if not path.exists():
         return int(UNKNOWN_CHECKPOINT)
-    weights = sum(file.stat().st_size for file in folder.glob("*/*.safetensors"))
+    files = [path] if path.is_file() else path.glob("*/*.safetensors")
+    weights = sum(file.stat().st_size for file in files)
     return int(CHECKPOINT_MEMORY + IN_MEMORY * weights)
 
 

@@ -71,6 +71,8 @@ def digest(job: Job) -> str:
     fields = dataclasses.asdict(job)
     del fields["device"], fields["settings"]
     fields |= {key: _content(fields[key]) for key in FILES}
+    fields["loras"] = {_content(path): value for path, value in job.loras.items()}
+    fields["embeddings"] = [_content(path) for path in job.embeddings]
     weights = _builtin_weights() if job.guidance == "builtin" else {}
     decides = [fields, _settings(config_of(job)), weights, __version__]
     text = json.dumps(decides, sort_keys=True, default=str)

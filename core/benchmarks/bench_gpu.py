@@ -9,7 +9,7 @@ from torch import Tensor
 from core.benchmarks import ball, row
 from core.camera import Cameras
 from core.guidance.guidance import coarse_latent
-from core.guidance.stable_diffusion.guidance import UNet2DConditionModel
+from core.guidance.stable_diffusion.networks import UNet2DConditionModel
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 

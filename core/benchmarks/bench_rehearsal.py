@@ -28,13 +28,17 @@ from core.geometry.mesh import Mesh
 from core.geometry.sdf_net import FOURIER
 from core.geometry.tet_grid import tet_grid
 from core.guidance.guidance import Views
-from core.guidance.stable_diffusion.guidance import (
+from core.guidance.stable_diffusion.checkpoint import read_json
+from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
+from core.guidance.stable_diffusion.conditions import takes_pooled
+from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion, StableDiffusion
+from core.guidance.stable_diffusion.networks import (
     AutoencoderKL,
     DDPMScheduler,
-    PromptedStableDiffusion,
-    StableDiffusion,
+    Networks,
     UNet2DConditionModel,
 )
+from core.guidance.stable_diffusion.texts import Encoder
 from core.io.job import Job
 from core.io.progress import Step
 from core.io.run_folder import RunFolder
@@ -48,20 +52,9 @@ TOKENS = 77
 STEPS = 3  # of each phase that are timed, after one that is not
 FACES = 20_000  # of the mesh that the appearance is learned on
 PHASES = ("coarse", "fine", "appearance")
-# Of each architecture what its size depends on; the rest is Stable Diffusion's in all of them.
-UNETS: dict[str, dict[str, Any]] = {
-    "sd15": {"cross_attention_dim": 768, "attention_head_dim": 8},
-    "sd21": {
-        "cross_attention_dim": 1024,
-        "attention_head_dim": (5, 10, 20, 20),
-        "use_linear_projection": True,
-    },
-}
-# Widths of the U-Net and of the VAE, groups of their norms, side of the latent.
-SCALES = {
-    "full": ((320, 640, 1280, 1280), (128, 256, 512, 512), 32, 64),
-    "tiny": ((8, 16, 16, 16), (8, 8, 16, 16), 4, 8),
-}
+# The shipped configuration of each architecture.
+ARCHITECTURES = {"sd15": "sd15", "sd21": "sd21_base", "sdxl": "sdxl"}
+SCALES = ("full", "tiny")
 
 
 @dataclass(frozen=True)
@@ -75,7 +68,7 @@ class Rehearsal:
     device: str = "auto"
 
     def __post_init__(self) -> None:
-        for name, known in (("architecture", UNETS), ("scale", SCALES)):
+        for name, known in (("architecture", ARCHITECTURES), ("scale", SCALES)):
             if getattr(self, name) not in known:
                 raise UserError(
                     f"There is no {name} {getattr(self, name)!r} to rehearse.",
@@ -112,34 +105,36 @@ def bench_rehearsal(rehearsal: Rehearsal, out: Path | None = None) -> list[dict]
 def random_guidance(rehearsal: Rehearsal, device: torch.device) -> PromptedStableDiffusion:
     """The architecture with random weights, in the precision that a checkpoint would have."""
     dtype = torch.float16 if device.type == "cuda" else torch.float32
-    widths, vae_widths, groups, side = SCALES[rehearsal.scale]
-    given = UNETS[rehearsal.architecture]
-    if rehearsal.scale == "tiny":
-        given = given | {"cross_attention_dim": 16, "attention_head_dim": 4}
+    unet_config, vae_config = configurations(rehearsal)
     with torch.device(device):
-        unet = UNet2DConditionModel(
-            sample_size=side, block_out_channels=widths, norm_num_groups=groups, **given
-        )
-        vae = AutoencoderKL(
-            down_block_types=("DownEncoderBlock2D",) * 4,
-            up_block_types=("UpDecoderBlock2D",) * 4,
-            block_out_channels=vae_widths,
-            layers_per_block=2,
-            norm_num_groups=groups,
-            sample_size=8 * side,
-        )
+        unet = UNet2DConditionModel.from_config(unet_config)
+        vae = AutoencoderKL.from_config(vae_config)
     vae.decoder = None
-    for net in (unet, vae):
-        torch.nn.Module.to(net, device, dtype)
-    scheduler = DDPMScheduler(beta_start=8.5e-4, beta_end=0.012, beta_schedule="scaled_linear")
-
-    def encode_text(tokens: list[list[int]]) -> Tensor:
-        width = int(unet.config["cross_attention_dim"])
-        return torch.randn(len(tokens), TOKENS, width, device=device, dtype=dtype)
-
-    model = StableDiffusion(unet, vae, scheduler, encode_text, None, chunk=rehearsal.chunk)
-    texts = encode_text([[]] * 7)  # the sides of the object, the negative prompt, no words
+    torch.nn.Module.to(unet, device, dtype)
+    # SDXL's encoder overflows in 16 bit.
+    torch.nn.Module.to(vae, device, torch.float32 if rehearsal.architecture == "sdxl" else dtype)
+    schedule = DDPMScheduler(beta_start=8.5e-4, beta_end=0.012, beta_schedule="scaled_linear")
+    networks = Networks(unet, vae, schedule, (Encoder(None, None),))
+    model = StableDiffusion(networks, chunk=rehearsal.chunk)
+    # The sides of the object, the negative prompt, no words; a row more holds SDXL's pooled text.
+    length = TOKENS + takes_pooled(unet.config)
+    texts = torch.randn(7, length, unet.config["cross_attention_dim"]).to(device, dtype)
     return PromptedStableDiffusion(model, texts[:5], texts[5], texts[6])
+
+
+def configurations(rehearsal: Rehearsal) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Of the U-Net and of the VAE: the shipped ones, or the same blocks with small widths."""
+    folder = CONFIGURATIONS / ARCHITECTURES[rehearsal.architecture]
+    unet, vae = (read_json(folder / part / "config.json") for part in ("unet", "vae"))
+    if rehearsal.scale == "full":
+        return unet, vae
+    blocks = len(unet["block_out_channels"])
+    small = {"norm_num_groups": 4, "sample_size": 8}
+    unet |= small | {"block_out_channels": [16] * blocks, "cross_attention_dim": 16}
+    unet |= {"attention_head_dim": 4, "transformer_layers_per_block": 1}
+    if unet.get("addition_time_embed_dim"):  # six numbers, and a pooled text of 16
+        unet |= {"addition_time_embed_dim": 8, "projection_class_embeddings_input_dim": 64}
+    return unet, vae | small | {"block_out_channels": [8, 8, 16, 16], "sample_size": 64}
 
 
 def config_of(rehearsal: Rehearsal) -> Config:

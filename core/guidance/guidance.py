@@ -75,6 +75,13 @@ class Predictions(NamedTuple):
     negative: Float[Tensor, "b 4 s s"] | None = None
 
 
+class Work(NamedTuple):
+    """Floating-point operations of one view."""
+
+    prediction: float  # guided: of all its texts
+    encoding: float  # with its gradient
+
+
 class Guidance(ABC):
     """A diffusion model over latents (B, 4, ``latent_size``, ``latent_size``)."""
 
@@ -83,6 +90,10 @@ class Guidance(ABC):
     ]  # the schedule; z_t = sqrt(alpha_bar) z + sqrt(1 - alpha_bar) eps
     latent_size: int
     normal_frame: NormalFrame  # the axes in which it wants its normals
+
+    def work(self) -> Work | None:
+        """What one view takes, where it is worth a notice; None: little."""
+        return None
 
     @abstractmethod
     def prompted(self, prompt: str, negative_prompt: str) -> "PromptedGuidance":

@@ -1,10 +1,15 @@
 """The guidance that a job names."""
 
+from collections.abc import Mapping, Sequence
+from typing import Final
+
 import torch
 
 from core.config import GUIDANCE, GuidanceConfig
 from core.errors import UserError
 from core.guidance.guidance import Guidance
+
+NO_LORAS: Final[Mapping[str, float]] = {}
 
 
 def make_guidance(
@@ -14,15 +19,19 @@ def make_guidance(
     chunk: int = 4,
     ignore_unknown: bool = False,
     config: GuidanceConfig = GUIDANCE,
+    loras: Mapping[str, float] = NO_LORAS,
+    embeddings: Sequence[str] = (),
 ) -> Guidance:
     """The guidance that the user names.
 
     Args:
-        spec: "builtin", or a Stable Diffusion checkpoint in diffusers' format: its folder, or its
-            hub id where it is in the local cache.
+        spec: "builtin", or a Stable Diffusion checkpoint: its folder in diffusers' format, its
+            .safetensors file, or its hub id where it is in the local cache.
         chunk: pictures that go through a large network at a time.
         ignore_unknown: whether words that "builtin" does not know are left out, not refused.
         config: how a checkpoint is used.
+        loras: LoRA files on top of a checkpoint, each with its strength.
+        embeddings: files of textual inversions.
 
     Raises:
         UserError: neither a known name nor a checkpoint, or settings that it does not take.
@@ -33,10 +42,17 @@ def make_guidance(
         from core.guidance.builtin.guidance import load_builtin
 
         _refuse_view_settings(config)
+        if loras or embeddings:
+            raise UserError(
+                "The built-in prior takes no LoRA and no embedding.",
+                "Leave them out, or name a Stable Diffusion checkpoint with --guidance.",
+            )
         return load_builtin(device, ignore_unknown=ignore_unknown)
     from core.guidance.stable_diffusion.guidance import StableDiffusion
+    from core.guidance.stable_diffusion.source import Additions
 
-    return StableDiffusion.load(spec, device, chunk=chunk, config=config)
+    additions = Additions(dict(loras), tuple(embeddings))
+    return StableDiffusion.load(spec, device, chunk=chunk, config=config, additions=additions)
 
 
 def _refuse_view_settings(config: GuidanceConfig) -> None:
@@ -47,3 +63,8 @@ def _refuse_view_settings(config: GuidanceConfig) -> None:
                 f"The built-in prior takes no guidance.{name}: it has no texts of views.",
                 "Leave it out, or name a Stable Diffusion checkpoint with --guidance.",
             )
+    if config.prediction != "auto":
+        raise UserError(
+            "The built-in prior takes no guidance.prediction: what it predicts is known.",
+            "Leave it out, or name a Stable Diffusion checkpoint with --guidance.",
+        )

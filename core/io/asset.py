@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, UInt8
 from torch import Tensor
 
 from core.errors import UserError
@@ -89,12 +89,12 @@ def write_asset(
     mesh: Mesh,
     maps: Maps,
     info: dict[str, Any],
-    preview: np.ndarray | Float[Tensor, "h w c"] | None = None,
+    preview: Float[Tensor, "h w c"] | UInt8[np.ndarray, "h w c"] | None = None,
 ) -> Path:
     """Write the asset into a temporary folder and rename that; an older one goes only then.
 
     ``mesh`` is in world axes and metres; ``info`` is what asset.json reports of how it was made;
-    ``preview`` is sRGB, bytes or in [0, 1].
+    ``preview`` is sRGB, in [0, 1] or of 8 bits.
 
     Raises UserError for a disk that is full or may not be written; nothing new is left then, and
     an older asset stays.
@@ -221,7 +221,7 @@ def _export_obj(asset: Asset, out: Path) -> None:
             images.write_png(temporary, orm[..., [channel] * 3])
 
 
-def _write_pictures(folder: Path, maps: Maps, preview: np.ndarray | Tensor | None) -> None:
+def _write_pictures(folder: Path, maps: Maps, preview: Tensor | np.ndarray | None) -> None:
     images.write_png(folder / "base_color.png", images.srgb_bytes(maps.base_color))
     images.write_png(folder / "orm.png", images.unit_bytes(maps.orm))
     images.write_png(folder / "normal.png", images.normal_words(maps.normal))

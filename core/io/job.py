@@ -20,10 +20,12 @@ from core.io.json_file import parse_object
 VERSION = 1
 COMMANDS = ("generate", "texture")
 UV_MODES = ("auto", "keep")
-EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
-LAST = ("done", "error", "cancelled")  # exactly one of these ends a stream
+EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled", "paused")
+LAST = ("done", "error", "cancelled", "paused")  # exactly one of these ends a session
+UNTIL = ("shape", "color")  # where a session may be told to pause: with a first look at either
 MAX_PROMPT = 2000  # characters
 MAX_LINE = 1 << 16  # bytes of an event: far more than any has
+MAX_STRENGTH = 5.0  # of a LoRA
 SIZES = (0.001, 1000.0)  # metres, of an asset's longest side
 
 
@@ -35,8 +37,11 @@ class Job:
     command: str = "generate"  # or "texture"
     negative_prompt: str = ""
     seed: int = 0
+    color_seed: int = 0  # of the material's training; 0: it follows ``seed``
     preset: str = "draft"
-    guidance: str = "builtin"  # or a folder, or a hub id
+    guidance: str = "builtin"  # or a folder, a .safetensors file, or a hub id
+    loras: dict[str, float] = field(default_factory=dict)  # {file: strength}, over a checkpoint
+    embeddings: list[str] = field(default_factory=list)  # files; each one's word is its name
     guide_mesh: str = ""  # a file whose shape the geometry starts from; "" is the ellipsoid
     guide_strength: float = 0.5  # 0 is a start only, 1 keeps the shape, or the base colour
     mesh: str = ""  # of "texture": the user's own mesh
@@ -96,6 +101,7 @@ def _check(job: Job) -> None:
         _check_text(f.name, getattr(job, f.name))
     for name in ("prompt", "negative_prompt"):
         check_prompt(name, getattr(job, name))
+    _check_additions(job)
     if job.command not in COMMANDS:
         raise UserError(
             f"There is no command {shown(job.command)}.", f"Take {' or '.join(COMMANDS)}."
@@ -112,10 +118,12 @@ def _check(job: Job) -> None:
         raise UserError(
             f"The size is {shown(job.size_m)} m.", "It takes {:g} to {:g} m.".format(*SIZES)
         )
-    if not 0 <= job.seed < 2**63:
-        raise UserError(
-            f"The seed is {shown(job.seed)}.", "It takes a whole number from 0 to 2**63 - 1."
-        )
+    for name in ("seed", "color_seed"):
+        if not 0 <= getattr(job, name) < 2**63:
+            raise UserError(
+                f"The {name.replace('_', ' ')} is {shown(getattr(job, name))}.",
+                "It takes a whole number from 0 to 2**63 - 1.",
+            )
     if job.texture_size and not 64 <= job.texture_size <= 8192:
         raise UserError(
             f"The texture size is {shown(job.texture_size)}.", "It takes 64 to 8192 texels."
@@ -124,6 +132,19 @@ def _check(job: Job) -> None:
         raise UserError(
             f"The face budget is {shown(job.max_faces)}.", "It takes 100 faces or more."
         )
+
+
+def _check_additions(job: Job) -> None:
+    for path, strength in job.loras.items():
+        number = isinstance(strength, int | float) and not isinstance(strength, bool)
+        if not number or not -MAX_STRENGTH <= strength <= MAX_STRENGTH:  # false for NaN too
+            raise UserError(
+                f"The strength of the LoRA {shown(path)} is {shown(strength)}.",
+                f"It takes {-MAX_STRENGTH:g} to {MAX_STRENGTH:g}; 1 is as it was trained.",
+            )
+    for path in (*job.loras, *job.embeddings):
+        if not isinstance(path, str) or not path.strip():
+            raise UserError(f"A file is named {shown(path)}.", "Give the .safetensors file.")
 
 
 def check_prompt(name: str, text: str) -> None:

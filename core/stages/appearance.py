@@ -23,14 +23,32 @@ ColorSetup = Setup[MaterialNet, AppearanceConfig]
 
 
 def learn_appearance(
-    setup: ColorSetup, mesh: UvMesh, environment: Environment, progress: Progress
+    setup: ColorSetup,
+    mesh: UvMesh,
+    environment: Environment,
+    progress: Progress,
+    *,
+    early: bool = False,
 ) -> None:
-    """Train Γ by score distillation on the finished shape."""
+    """Train Γ by score distillation on the finished shape.
+
+    ``early``: only so far that one sees the colours, which are then the preview too.
+    """
     setup.training.resume()
     # Once: the shape is final, only the light turns.
     visibility = VertexVisibility.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
     subject = LitObject(mesh, environment, visibility)
-    train(setup, appearance_phases(setup, subject), progress)
+    stop = early_steps(setup.config) if early else None
+    train(setup, appearance_phases(setup, subject), progress, stop=stop)
+    if early:
+        subject.scene(setup).show(setup.training.run)
+
+
+def early_steps(config: AppearanceConfig) -> int:
+    """Steps after which the colours are there: distilling's, and one round of refining."""
+    return (
+        config.early.steps + config.late.steps + min(1, config.refine.rounds) * config.refine.steps
+    )
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """The paper's first training: Ψ learns the shape from normals (§4.2, Eqs. 4, 5)."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -20,6 +21,7 @@ from core.guidance.sds import anneal
 from core.io.progress import Progress
 from core.stages.distill import Draw, distill
 from core.stages.lit_shape import LitShape
+from core.stages.preview import show_shape
 from core.stages.refine import Targets, fit_loss, round_targets
 from core.stages.regularisers import bending, eikonal, strays
 from core.stages.shape_scene import ShapeScene, use_lattice
@@ -31,28 +33,42 @@ RAY_PICTURE = 32  # side of the picture whose rays distilling follows through th
 # far from the surface, a third of a coarse cell at last, which places them.
 SHARPNESS = (10.0, 60.0)  # of the mask along the rays, 1 / training unit, first and at last
 RAY_SAMPLES = 40  # one for each cell of the draft's coarse lattice
+EARLY_ROUNDS = 0.5  # fraction of growing's rounds that a first look at the shape takes
 BAND = 4  # cells to either side that a surface may move in one round of refining
 
 ShapeSetup = Setup[SdfNet, GeometryConfig]
 
 
 def learn_geometry(
-    setup: ShapeSetup, progress: Progress, lit: LitShape | None = None
+    setup: ShapeSetup, progress: Progress, lit: LitShape | None = None, *, early: bool = False
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]] | None:
     """Train Ψ by score distillation; the mesh that its surface has in the end.
 
-    ``lit``: from shaded pictures, an ablation; None: from normals, the paper's way. Of several
-    processes the first one alone makes the mesh; the others get None.
+    ``lit``: from shaded pictures, an ablation; None: from normals, the paper's way. ``early``: only
+    so far that one recognises the shape, which is then the preview too. Of several processes the
+    first one alone makes the mesh; the others get None.
     """
     training, config = setup.training, setup.config
     training.resume()
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
-    train(setup, geometry_phases(setup, coarse, fine, lit), progress, config.gradient_clip)
+    phases = geometry_phases(setup, coarse, fine, lit)
+    stop = early_steps(config) if early else None
+    train(setup, phases, progress, config.gradient_clip, stop)
     if not setup.ranks.first:
         return None
+    if early:
+        verts, faces = final_mesh(training.module, coarse, config)
+        show_shape(training.run, verts, faces)
+        return verts, faces
     verts, faces = final_mesh(training.module, fine, config)
     with progress.timed("sharpen"):
         return sharpened(config, setup.guidance, verts, faces, progress), faces
+
+
+def early_steps(config: GeometryConfig) -> int:
+    """Steps after which the shape is recognisable: distilling's, and some rounds of growing."""
+    rounds = math.ceil(EARLY_ROUNDS * config.grow.rounds)
+    return config.coarse.steps + rounds * config.grow.steps
 
 
 def geometry_phases(

@@ -60,25 +60,32 @@ class Phase(ABC):
 
 
 def train(
-    setup: Setup, phases: Sequence[Phase], progress: Progress, gradient_clip: float = 0.0
+    setup: Setup,
+    phases: Sequence[Phase],
+    progress: Progress,
+    gradient_clip: float = 0.0,
+    stop: int | None = None,
 ) -> None:
     """Take the steps of all ``phases``, one after another, from where the training is.
 
     Args:
         gradient_clip: upper bound of the gradient's norm; 0 is none.
+        stop: the step to stop before, for now; None takes them all.
     """
     training, ranks = setup.training, setup.ranks
     training.share(ranks)
     guard = Guard(training, progress)
     checkpoint, preview = Every(CHECKPOINT_SECONDS), Every(PREVIEW_SECONDS, at_once=True)
-    counts = [phase.steps for phase in phases]
+    # Only their number: a phase's rates and noise follow its whole length, so that a later session
+    # goes on as if there had been no stop.
+    counts = first_steps([phase.steps for phase in phases], stop)
 
     for step in progress.steps(training.name, training.step, counts):
         phase = phases[step.phase]
 
         # GRADIENT: of all views of the step
         with _kept_if_a_rank_is_lost(setup):
-            scene, failure, stop = _gradient_that_fits(setup, phase, step, progress)
+            scene, failure, asked = _gradient_that_fits(setup, phase, step, progress)
 
         # STEP: or back to the last healthy state
         if failure:
@@ -94,10 +101,10 @@ def train(
 
         # CHECKPOINT: now and then, at the end, and before a cancelled run stops
         training.step = step.at + 1
-        stop = stop if ranks.world > 1 else progress.cancelled
-        if ranks.first and (checkpoint.due() or step.last or stop):
+        asked = asked if ranks.world > 1 else progress.cancelled
+        if ranks.first and (checkpoint.due() or step.last or asked):
             training.save()
-        if stop:
+        if asked:
             progress.check_cancelled()
             raise Cancelled("Cancelled.")  # one that only follows does not see the request itself
 
@@ -178,6 +185,14 @@ def _kept_if_a_rank_is_lost(setup: Setup) -> Iterator[None]:
         if setup.ranks.first:
             training.save()
         raise
+
+
+def first_steps(counts: Sequence[int], stop: int | None) -> list[int]:
+    """Of phases with ``counts`` steps, how many steps of each come before step ``stop``."""
+    if stop is None:
+        return list(counts)
+    before = [sum(counts[:i]) for i in range(len(counts))]
+    return [max(0, min(n, stop - b)) for n, b in zip(counts, before, strict=True)]
 
 
 class Every:

@@ -26,15 +26,17 @@ def shared(tmp_path_factory) -> Path:
 @pytest.fixture(scope="session")
 def checkpoints(shared):
     """Read only: both processes use the same ones."""
-    names = {"1.x": "one", "2.x": "two"}
+    names = {"1.x": "one", "2.x": "two", "xl": "xl"}
     done = shared / "checkpoints" / "done"
     with FileLock(shared / "checkpoints.lock"):  # the first one makes them, the others wait
         if not done.exists():
-            from core.tests.tiny_checkpoints import write_checkpoint  # diffusers takes seconds
+            # Imported here: diffusers takes seconds.
+            from core.tests.tiny_checkpoints import write_checkpoint, write_xl_checkpoint
 
             kinds = {"1.x": ("epsilon", False), "2.x": ("v_prediction", True)}
             for name, (kind, two) in kinds.items():
                 folder = done.parent / names[name]
                 write_checkpoint(folder, prediction_type=kind, two=two)
+            write_xl_checkpoint(done.parent / names["xl"])
             done.touch()
     return {name: done.parent / folder for name, folder in names.items()}

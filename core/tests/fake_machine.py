@@ -25,7 +25,8 @@ def call(kind):
         print(kind, *args[-2:], file=file)
 
 if args[0] == "-c" and "path if path" in args[1]:
-    print({python_version!r} + "|" + os.environ.get("FAKE_LACKS", ""))
+    lacks = "|" + os.environ.get("FAKE_LACKS", "") if "find_spec" in args[1] else ""
+    print({python_version!r} + lacks)
     sys.exit()
 if args[:3] != ["-I", "-X", "utf8"]:
     sys.exit("not isolated: " + " ".join(args))
@@ -34,6 +35,8 @@ if args[:2] == ["-m", "venv"]:
     call("venv")
     os.makedirs(args[2] + "/bin", exist_ok=True)
     shutil.copy(sys.argv[0], args[2] + "/bin/python")
+    with open(args[2] + "/pyvenv.cfg", "w") as file:
+        file.write("version = " + {python_version!r} + ".7")
 elif args[:1] == ["-c"]:
     print({probe!r} if "version_info" in args[1] else "loads")
 elif "--version" in args:
@@ -88,8 +91,8 @@ class Machine:
         self.calls = self.folder / "calls"
         self.python = self.folder / "bin" / "python3.11"
         self.python.parent.mkdir(parents=True)
-        self.python.write_text(self.source(f"3.11|True|True|{self.python}"), encoding="utf-8")
-        self.python.chmod(0o755)
+        self.be("3.11")
+        monkeypatch.delitem(sys.modules, "bpy", raising=False)  # the launcher, not Blender
         for name in ("FANTASIA3D_ENV", "FANTASIA3D_PYTHON", "FANTASIA3D_WHEELS"):
             monkeypatch.delenv(name, raising=False)
         monkeypatch.setenv("XDG_DATA_HOME", str(self.folder / "data"))
@@ -103,11 +106,17 @@ class Machine:
         self.pin("torch==2.13.0")
         self.said: list[str] = []
 
-    def source(self, probe: str) -> str:
+    def be(self, version: str) -> None:
+        """Make the machine's one Python be of this version."""
+        probe = f"{version}|True|True|{self.python}"
+        self.python.write_text(self.source(probe, version), encoding="utf-8")
+        self.python.chmod(0o755)
+
+    def source(self, probe: str, version: str = "3.11") -> str:
         return FAKE.format(
             python=sys.executable,
             calls=str(self.calls),
-            python_version="3.11",
+            python_version=version,
             probe=probe,
             report=json.dumps(CPU),
         )
@@ -120,7 +129,8 @@ class Machine:
     ) -> None:
         """Write a pyproject.toml with these requirements, and its lock file."""
         text = f"[project]\ndependencies = {list(core)}\n[project.optional-dependencies]\n"
-        text += f"blender = ['{blender}']\ntest = ['pytest==9']\nsetup = ['uv==1', 'pip==26']\n"
+        text += f"blender = [{json.dumps(blender)}]\ntest = ['pytest==9']\n"
+        text += "setup = ['uv==1', 'pip==26']\n"
         (self.root / "pyproject.toml").write_text(text)
         groups = {"core": core, "blender": [blender], "test": ["pytest==9"], "torch": torch}
         groups["setup"] = ["uv==1", "pip==26"]

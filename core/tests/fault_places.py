@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from core.tests.fault_sessions import Faults, Session, unfit
+from core.tests.fault_sessions import Faults, Session, Task, unfit
 from core.tests.permissions import permissions_count
 from core.tests.tiny_runs import STAGES, generate
 
@@ -20,20 +20,31 @@ PLACES = ("removed", "a file", "read-only", "full")
 DISK = "size=32m"  # far more than a run takes
 
 
-def places(faults: Faults, count: int, seed: int) -> Iterator[dict]:
+def places(faults: Faults, task: Task) -> Iterator[dict]:
     """Runs whose folder is removed, replaced by a file, made read-only, or on a disk that fills.
 
     Each place at a moment of each stage; the last one wants a user who may mount.
     """
-    dice = random.Random(seed)
     both = [(place, stage) for place in PLACES for stage in STAGES]
-    for place, stage in both if not count else dice.sample(both, count):
-        disk = faults.folder / f"{place} {stage}"
+    for i in chosen_places(task):
+        place, stage = both[i]
+        disk, dice = faults.folder / f"{place} {stage}", random.Random(f"{task.seed} {i}")
         disk.mkdir()
         with contextlib.ExitStack() as stack:
             if place == "full" and not mounted(disk, stack):
                 continue
-            yield {"place": f"{place}, {stage}", **_misplaced(faults, disk, place, stage, dice)}
+            result = _misplaced(faults, disk, place, stage, dice)
+            yield {"number": i, "place": f"{place}, {stage}", **result}
+
+
+def chosen_places(task: Task) -> list[int]:
+    """The numbers of all places and stages, of so many, or of one place in each stage."""
+    numbers = list(range(len(PLACES) * len(STAGES)))
+    if task.kind:
+        numbers = numbers[PLACES.index(task.kind) * len(STAGES) :][: len(STAGES)]
+    elif task.count:
+        numbers = random.Random(task.seed).sample(numbers, task.count)
+    return [i for i in numbers if i not in task.done]
 
 
 def mounted(disk: Path, stack: contextlib.ExitStack) -> bool:

@@ -3,7 +3,9 @@
     python -m core.tests.fault_runs --kills 50 --kills-at-files all --failures all --places all
 
 It prints one JSON object a line: what was done to a run, and what was wrong after it ("" where
-nothing was). A session of the core is a fork of this process, so that none of them loads torch.
+nothing was). With ``--log FILE`` the lines are added to FILE, and what stands there is not done
+again: a long walk may be cut off and started again (the random kills alone start anew).
+A session of the core is a fork of this process, so that none of them loads torch.
 Run it with OMP_NUM_THREADS=1: the order of sums is then the same each time, and a fork is safe.
 """
 
@@ -21,36 +23,35 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from core.tests.fault_places import places
-from core.tests.fault_sessions import Faults, unfit
+from core.tests.fault_places import PLACES, places
+from core.tests.fault_sessions import Faults, Task, unfit
 from core.tests.file_operations import Operations
 from core.tests.tiny_runs import STAGES, generate
 
 
-def kills(faults: Faults, count: int, seed: int) -> Iterator[dict]:
-    """``count`` runs killed at random moments, every stage in its turn."""
-    dice = random.Random(seed)
-    for i in range(count):
+def kills(faults: Faults, task: Task) -> Iterator[dict]:
+    """Runs killed at random moments, every stage in its turn."""
+    dice = random.Random(task.seed)
+    for i in range(task.count):
         run = faults.folder / f"killed {i}"
         where = faults.killed(run, STAGES[i % len(STAGES)], dice)
         yield {"killed": where, "wrong": faults.wrong(run)}
         shutil.rmtree(run, ignore_errors=True)
 
 
-def chosen(operations: list[str], count: int, seed: int) -> list[int]:
-    """The numbers of all operations, or of ``count`` of them: no kind and file twice if it can."""
-    if not count:
-        return list(range(len(operations)))
+def chosen(operations: list[str], task: Task) -> list[int]:
+    """The numbers of all operations, or of so many: each kind and file once, then the others."""
     numbers = list(range(len(operations)))
-    random.Random(seed).shuffle(numbers)
+    random.Random(task.seed).shuffle(numbers)
     first = {operations[i]: i for i in numbers}
     kept = set(first.values())
-    return sorted([*kept, *(i for i in numbers if i not in kept)][:count])
+    order = [*sorted(kept), *sorted(set(numbers) - kept)]
+    return [i for i in order[: task.count or None] if i not in task.done]
 
 
-def kills_at_files(faults: Faults, count: int, seed: int) -> Iterator[dict]:
+def kills_at_files(faults: Faults, task: Task) -> Iterator[dict]:
     """Runs killed just before an operation on a file, each operation in its turn."""
-    for i in chosen(faults.operations, count, seed):
+    for i in chosen(faults.operations, task):
         run = faults.folder / f"killed at {i}"
 
         def before(run: Path = run, i: int = i) -> None:
@@ -63,14 +64,14 @@ def kills_at_files(faults: Faults, count: int, seed: int) -> Iterator[dict]:
 
         code = faults.session(generate(run), before)
         wrong = faults.wrong(run) if code == -signal.SIGKILL else f"it ended with {code}"
-        yield {"killed": f"before {faults.operations[i]}", "wrong": wrong}
+        yield {"number": i, "killed": f"before {faults.operations[i]}", "wrong": wrong}
         shutil.rmtree(run, ignore_errors=True)
 
 
-def failures(faults: Faults, count: int, seed: int) -> Iterator[dict]:
+def failures(faults: Faults, task: Task) -> Iterator[dict]:
     """Runs of which one operation on a file fails, each operation in its turn."""
-    for i in chosen(faults.operations, count, seed):
-        number = (errno.ENOSPC, errno.EACCES)[(i + seed) % 2]
+    for i in chosen(faults.operations, task):
+        number = (errno.ENOSPC, errno.EACCES)[(i + task.seed) % 2]
         run = faults.folder / f"failed at {i}"
 
         def before(run: Path = run, i: int = i, number: int = number) -> None:
@@ -79,6 +80,7 @@ def failures(faults: Faults, count: int, seed: int) -> Iterator[dict]:
         code = faults.session(generate(run), before)
         said = faults.log.read_text().strip().splitlines()[-1:]
         yield {
+            "number": i,
             "failed": f"{errno.errorcode[number]} at {faults.operations[i]}",
             "code": code,
             "said": "".join(said) if code else "",
@@ -96,17 +98,31 @@ def walk(argv: list[str]) -> None:
     """Carry out the command line above."""
     parser = argparse.ArgumentParser(description=__doc__)
     for name in WALKS:
-        parser.add_argument(f"--{name}", metavar="COUNT", help="or all")
+        kinds = f", {', '.join(PLACES)}" if name == "places" else ""
+        parser.add_argument(f"--{name}", metavar="COUNT", help=f"or all{kinds}")
     parser.add_argument("--seed", type=int, default=0)
-    args = vars(parser.parse_args(argv))
-    with tempfile.TemporaryDirectory() as folder:
+    parser.add_argument("--log", type=Path, default=Path(os.devnull))
+    args = parser.parse_args(argv)
+    rows = [json.loads(line) for line in told(args.log)]
+    with tempfile.TemporaryDirectory() as folder, args.log.open("a", encoding="utf-8") as log:
         faults = Faults(Path(folder))
+        same = {"seed": args.seed, "of": len(faults.operations)}
         for name, do in WALKS.items():
-            count = args[name.replace("-", "_")]
-            for result in (
-                do(faults, 0 if count == "all" else int(count), args["seed"]) if count else ()
-            ):
-                print(json.dumps({"walk": name, **result}, ensure_ascii=False), flush=True)
+            if not (wanted := getattr(args, name.replace("-", "_"))):
+                continue
+            if not wanted.isdigit() and wanted not in ("all", *(PLACES if do is places else ())):
+                parser.error(f"--{name} {wanted}: neither all nor a number")
+            named = {"walk": name, **same}
+            done = {row.get("number") for row in rows if named.items() <= row.items()}
+            for result in do(faults, Task.of(wanted, args.seed, done)):
+                line = json.dumps({**named, **result}, ensure_ascii=False)
+                print(line, flush=True)
+                print(line, file=log, flush=True)
+
+
+def told(log: Path) -> list[str]:
+    """The lines of earlier walks."""
+    return log.read_text(encoding="utf-8").splitlines() if log.exists() else []
 
 
 if __name__ == "__main__":

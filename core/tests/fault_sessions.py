@@ -13,7 +13,7 @@ import signal
 import struct
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -29,6 +29,21 @@ class Moment(NamedTuple):
 
     event: int
     seconds: float
+
+
+class Task(NamedTuple):
+    """What of a walk is to be done."""
+
+    count: int  # 0: all
+    seed: int
+    done: Collection[int] = ()  # the numbers of what need not be done again
+    kind: str = ""  # the one place that is wanted
+
+    @classmethod
+    def of(cls, wanted: str, seed: int, done: Collection[int]) -> Task:
+        """From an option of the command line: "all", a number or a place."""
+        kind = "" if wanted == "all" or wanted.isdigit() else wanted
+        return cls(int(wanted) if wanted.isdigit() else 0, seed, done, kind)
 
 
 @dataclass

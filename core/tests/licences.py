@@ -35,6 +35,7 @@ SPDX = {  # other names of the same licences
 }
 BY_HAND = {
     "attrs": "MIT",
+    "cattrs": "MIT",  # bpy 5.2's, for Python 3.13
     "colorama": "BSD-3-Clause",
     "cuda-bindings": "NVIDIA",
     "cuda-pathfinder": "Apache-2.0",

@@ -5,6 +5,7 @@ import json
 import pytest
 import torch
 
+from core.appearance.environment import Environment
 from core.benchmarks.bench_distillation import (
     INVERSION_STEPS,
     METHODS,
@@ -14,6 +15,8 @@ from core.benchmarks.bench_distillation import (
 )
 from core.errors import UserError
 from core.guidance.builtin.guidance import PromptedBuiltin
+from core.tests.tiny_runs import remembered
+from core.texture import packing
 
 
 def test_every_method_gets_the_same_number_of_network_calls():
@@ -38,6 +41,10 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
         return Predictions(torch.zeros_like(z_t), torch.zeros_like(z_t))
 
     monkeypatch.setattr(PromptedBuiltin, "predict", nothing)
+    # The three appearances are of one solid under one light.
+    light = remembered(Environment.of.__func__)
+    monkeypatch.setattr(Environment, "of", classmethod(light))
+    monkeypatch.setattr(packing, "pack", remembered(packing.pack))
     small = ["geometry.resolution=12,12", "geometry.fit_steps=20", "geometry.views=2"]
     small += ["appearance.views=2", "appearance.log2_hash_size=8"]
     out = tmp_path / "table.json"

@@ -117,8 +117,8 @@ def plain(name: str) -> str:
 ORDER = (
     "errors", "interrupt", "terminal", "ranges", "device", "camera", "ranks", "kernels", "ops",
     "hash_grid", "geometry", "config", "io", "render", "appearance", "guidance", "texture",
-    "simulation", "job_config", "stages", "provenance", "generate", "verify", "picture", "report",
-    "batch", "together", "prior", "benchmarks", "command_line", "__main__",
+    "simulation", "job_config", "stages", "provenance", "generate", "explore", "verify", "picture",
+    "report", "batch", "together", "prior", "benchmarks", "reproduce", "command_line", "__main__",
 )  # fmt: skip
 
 

@@ -40,13 +40,6 @@ def test_a_folder_that_is_no_checkpoint_is_refused(tmp_path):
         load(tmp_path)
 
 
-def test_a_single_file_is_refused_with_the_conversion(tmp_path):
-    (tmp_path / "model.safetensors").write_bytes(b"x")
-    with pytest.raises(UserError, match="is a file") as error:
-        load(tmp_path / "model.safetensors")
-    assert "from_single_file" in error.value.fix
-
-
 @pytest.mark.parametrize("spec", ["/no/such/folder", "./no", "~/no-such-folder-there"])
 def test_a_missing_folder_is_missing(spec):
     with pytest.raises(MissingError, match="no folder") as error:
@@ -73,7 +66,7 @@ def test_the_hub_is_asked_only_where_the_user_allows_it(offline, local, monkeypa
         return str(checkpoints["1.x"])
 
     monkeypatch.setattr(huggingface_hub, "snapshot_download", download)
-    assert find_checkpoint("someone/something") == checkpoints["1.x"]
+    assert find_checkpoint("someone/something").folder == checkpoints["1.x"]
     assert asked["hub_id"] == "someone/something"
     assert asked["local_files_only"] is local
 
@@ -153,15 +146,25 @@ def test_other_encoders_inpainting_and_sample_prediction_are_refused_by_name(bro
         load(broken)
 
 
-def test_sdxl_is_refused_by_its_second_encoder_and_by_its_unet(broken):
-    """The two entries that the published SDXL folders have and Stable Diffusion 1.x has not."""
+def test_sdxl_without_its_second_tokenizer_and_its_refiner_are_refused(broken):
+    """What makes a folder SDXL's must be there whole; a refiner has the second encoder alone."""
     second = ["transformers", "CLIPTextModelWithProjection"]
     edit(broken / "model_index.json", text_encoder_2=second)
-    with pytest.raises(UserError, match="SDXL, which has a second text encoder") as error:
+    with pytest.raises(UserError, match="tokenizer_2 is missing; expected CLIPTokenizer") as error:
         load(broken)
-    assert "Stable Diffusion 1.x or 2.x" in error.value.fix
-    edit(broken / "model_index.json", text_encoder_2=[None, None])
-    assert find_checkpoint(str(broken)) == broken
+    assert "Stable Diffusion 1.x, 2.x or XL" in error.value.fix
+    edit(broken / "model_index.json", tokenizer_2=["transformers", "CLIPTokenizer"])
+    with pytest.raises(UserError, match="U-Net does not fit its text encoders"):
+        load(broken)
+    edit(broken / "model_index.json", text_encoder=[None, None])
+    with pytest.raises(UserError, match="text_encoder is missing"):
+        load(broken)
+    edit(
+        broken / "model_index.json",
+        text_encoder=["transformers", "CLIPTextModel"],
+        text_encoder_2=[None, None],
+    )
+    assert find_checkpoint(str(broken)).folder == broken
     # As in SDXL: projection_class_embeddings_input_dim goes with it.
     edit(
         broken / "unet" / "config.json",
@@ -169,7 +172,7 @@ def test_sdxl_is_refused_by_its_second_encoder_and_by_its_unet(broken):
         addition_time_embed_dim=256,
         projection_class_embeddings_input_dim=2816,
     )
-    with pytest.raises(UserError, match="SDXL, whose U-Net"):
+    with pytest.raises(UserError, match="SDXL's refiner"):
         load(broken)
 
 

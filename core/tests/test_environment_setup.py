@@ -120,22 +120,140 @@ def test_the_first_python_of_the_right_version_is_taken(box):
     with pytest.raises(environment.SetupError, match=r"bare cannot make .*python3\.11-venv"):
         environment.find_python()
     box.patch.setattr(machine, "python_candidates", lambda: iter(candidates[:3]))
-    with pytest.raises(environment.SetupError, match=r"Python 3\.11 is not on this machine"):
+    with pytest.raises(environment.SetupError, match=r"Python 3\.11, 3\.12 or 3\.13 is not on"):
         environment.find_python()
+
+
+def interpreter(box, name: str, version: str) -> str:
+    """A stand-in of another version, next to the machine's own."""
+    path = box.folder / name
+    path.write_text(box.source(f"{version}|True|True|{path}", version), encoding="utf-8")
+    path.chmod(0o755)
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("versions", "taken"),
+    [
+        (["3.13", "3.11"], "3.11"),
+        (["3.12", "3.13", "3.14"], "3.13"),
+        (["3.10", "3.12"], "3.12"),
+        (["3.13"], "3.13"),
+    ],
+)
+def test_of_several_pythons_the_best_tested_is_taken(box, versions, taken):
+    candidates = [interpreter(box, f"python{version}", version) for version in versions]
+    box.patch.setattr(machine, "python_candidates", lambda: iter(candidates))
+    assert environment.find_python().name == f"python{taken}"
+
+
+def test_blenders_own_python_makes_the_environment_where_there_is_no_other(box):
+    own, other = interpreter(box, "blenders", "3.13"), interpreter(box, "other", "3.12")
+    box.patch.setitem(sys.modules, "bpy", None)
+    box.patch.setattr(sys, "executable", own)
+    box.patch.setattr(machine, "python_candidates", lambda: iter([other, own]))
+    assert environment.find_python() == Path(other), "it outlives this Blender"
+    box.patch.setattr(machine, "python_candidates", lambda: iter([own]))
+    assert environment.find_python() == Path(own)
+
+
+# Blender's module, which is not there for every Python
+
+BPY = "bpy==5; python_version == '3.13'"
+
+
+def test_a_python_without_a_blender_module_is_refused_before_anything_is_written(box):
+    box.pin("torch==2.13.0", blender=BPY)
+    box.be("3.12")
+    with pytest.raises(environment.SetupError, match=r"no Blender module \(bpy\) for Python 3\.12"):
+        box.ensure("blender")
+    assert not box.log
+    box.ensure()
+    with pytest.raises(environment.SetupError, match=r"no Blender module"):
+        box.ensure("blender")
+    assert environment.lacking(box.env, box.root) == [], "the core stays"
+
+
+def test_the_same_environment_has_it_where_there_is_a_wheel(box):
+    box.pin("torch==2.13.0", blender=BPY)
+    box.be("3.13")
+    assert environment.module_version(box.root) == ""
+    box.ensure("blender")
+    assert environment.module_version(box.root) == ""
+
+
+@pytest.fixture
+def blender(box):
+    """A stand-in for an installed Blender, which records its command line."""
+    path = box.folder / "my blender"
+    path.write_text(
+        f"#!/bin/sh\necho 'a warning'\necho \"Blender ${{FAKE_BLENDER:-5.2.1}}\"\n"
+        f"echo \"$@\" >> '{box.folder}/blender-calls'\n"
+    )
+    path.chmod(0o755)
+    box.patch.setenv("FANTASIA3D_BLENDER", str(path))
+    box.pin("torch==2.13.0", blender=BPY)
+    box.be("3.12")
+    return path
+
+
+def test_an_installed_blender_is_used_where_there_is_no_module(box, blender):
+    box.patch.setattr(run, "ROOT", box.root)
+    called = []
+    box.patch.setattr(run, "hand_over", lambda command, *_: called.append(command) or 0)
+    line = ["generate", "a chair", "--out", str(box.folder / "o"), "--blend", "a.blend"]
+    assert run.main(line) == 0
+    ((program, *words),) = called
+    assert program == str(blender)
+    assert words == ["-b", "--python-exit-code", "1", "--python", ROOT / "run.py", "--", *line]
+    assert not box.log, "the environment is made by what runs in that Blender"
+
+
+@pytest.mark.parametrize(
+    ("version", "words"), [("3.6.2", "is Blender 3.6"), ("of oats", "is no Blender")]
+)
+def test_a_program_that_is_no_blender_of_use_is_refused(box, blender, version, words):
+    box.patch.setenv("FAKE_BLENDER", version)
+    with pytest.raises(environment.SetupError, match=words):
+        environment.find_blender("3.12")
+
+
+def test_without_a_module_and_without_blender_a_sentence_names_what_helps(box, blender, capsys):
+    box.patch.setattr(run, "ROOT", box.root)
+    box.patch.setenv("FANTASIA3D_BLENDER", "no-such-blender")
+    assert run.main(["relight", "asset", "--render", "a.png"]) == 3
+    said = capsys.readouterr().err
+    assert "no Blender module (bpy) for Python 3.12, and no program no-such-blender" in said
+    assert "Install Blender 4.2 or later" in said
+
+
+def test_doctor_names_the_blender_that_is_used_instead_of_a_module(box, blender):
+    box.ensure()
+    lines = {line.name: line for line in environment.examine(box.root)}
+    assert lines["Python"].text.startswith("3.12, ")
+    assert lines["Blender"].text == f"{blender} (no bpy for 3.12)"
+    assert "Blender module" not in lines
+    box.patch.setenv("FAKE_BLENDER", "4.1.0")
+    assert (
+        "is Blender 4.1"
+        in {line.name: line for line in environment.examine(box.root)}["Blender"].text
+    )
 
 
 def test_pythons_are_sought_on_the_path_and_in_pyenv_and_blenders_own_comes_last(
     tmp_path, monkeypatch
 ):
     (tmp_path / "versions" / "3.11.9").mkdir(parents=True)
-    (tmp_path / "versions" / "3.12.1").mkdir()
+    (tmp_path / "versions" / "3.10.1").mkdir()
+    (tmp_path / "versions" / "3.13.2").mkdir()
     monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
     monkeypatch.setattr(shutil, "which", lambda name: None if name == "uv" else f"/path/{name}")
     monkeypatch.delitem(sys.modules, "bpy", raising=False)
     found = list(machine.python_candidates())
     assert found[:2] == [sys.executable, "/path/python3.11"]
     assert str(tmp_path / "versions" / "3.11.9" / "bin" / "python3.11") in found
-    assert not any("3.12" in path for path in found)
+    assert str(tmp_path / "versions" / "3.13.2" / "bin" / "python3.13") in found
+    assert not any("3.10" in path for path in found)
     monkeypatch.setitem(sys.modules, "bpy", None)
     found = list(machine.python_candidates())
     assert found[0] == "/path/python3.11"
@@ -146,8 +264,8 @@ def test_no_python_is_status_3(box, capsys):
     box.patch.setattr(machine, "python_candidates", lambda: iter(()))
     assert run.main(["setup"]) == 3
     said = capsys.readouterr().err
-    assert "Python 3.11 is not on this machine" in said
-    assert "Install it" in said
+    assert "Python 3.11, 3.12 or 3.13 is not on this machine" in said
+    assert "Install one" in said
     assert "Traceback" not in said
 
 
@@ -336,6 +454,22 @@ def test_a_cuda_build_is_not_fetched_where_there_is_no_gpu(box):
     assert "registry cannot be reached" in caught.value.text
     assert box.count("install") == 0
     assert not box.env.exists()
+
+
+def test_a_panel_names_no_command_line(box):
+    box.patch.setenv("FAKE_REPORT", json.dumps(CUDA))
+    box.patch.setenv("FAKE_UV", "echo 'error sending request: dns error'; exit 1")
+    box.patch.setitem(sys.modules, "bpy", None)
+    found = []
+    with pytest.raises(environment.SetupError) as caught:
+        box.ensure()
+    found.append(caught.value.fix)
+    box.patch.setattr(machine, "python_candidates", lambda: iter(()))
+    with pytest.raises(environment.SetupError) as caught:
+        box.ensure()
+    found.append(caught.value.fix)
+    assert "Wheels Folder" in found[0] and "python.org" in found[1]
+    assert not [text for text in found if "run.py" in text or "`" in text]
 
 
 UV = 'for last; do :; done; echo "$UV_OFFLINE $UV_FIND_LINKS $@" | cat - "$last" > "{0}/uv-call"'

@@ -13,6 +13,7 @@ import pytest
 import torch
 from PIL import Image
 
+from core.command_line import main
 from core.config import preset
 from core.generate import back
 from core.geometry.marching_tets import marching_tets
@@ -24,6 +25,7 @@ from core.io.job import LAST, Job, read_events
 from core.io.obj import obj_text
 from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
+from core.tests import tiny_runs
 from core.tests.offline import attempts, cut_off, recorder
 
 ROOT = Path(__file__).parents[2]
@@ -151,29 +153,43 @@ def test_the_events_tell_the_story(whole):
             assert (whole / event["path"]).is_file()
 
 
-def test_a_cancel_while_the_core_loads_is_heard(tmp_path):
+def test_a_cancel_is_heard_while_the_core_loads_and_over_once_it_was_carried_out(tmp_path):
     run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus", settings=SHORT))
-    (run.path / "cancel").touch()
-    os.utime(run.path / "cancel", (0, 0))  # one of an earlier session
+    cancel = run.path / "cancel"
+    cancel.touch()
+    os.utime(cancel, (0, 0))  # one of an earlier session
     process = core("resume", run.path)
     wait_for(run.path, "fit", 1)
-    process.send_signal(signal.SIGINT)
+    future = time.time() + 3600
+    cancel.touch()
+    os.utime(cancel, (future, future))  # as seen after the clock was set back
     assert finished(process)[0] == 130
+    assert not cancel.exists()
     process = core("resume", run.path)
-    time.sleep(0.5)  # it is busy loading torch
-    (run.path / "cancel").touch()
+    time.sleep(0.05)  # not even Python is loaded, on a busy machine; files' clocks are coarse
+    cancel.touch()
     assert finished(process)[0] == 130
     assert [e["type"] for e in read_events(run.path)][-2:] == ["started", "cancelled"]
 
 
+KILLED = "import os, core.generate\ncore.generate.unwrap_shape = lambda *a, **k: os._exit(9)"
+
+
 def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
-    """Killed in the geometry, cancelled in the appearance, and still the same."""
+    """Killed in the geometry, killed after it, cancelled in the appearance, and still the same.
+
+    After the second kill no step of the geometry is left, so that nothing may depend on one having
+    been taken: such a run once extracted with the coarse lattice's cell, another mesh.obj.
+    """
     run = tmp_path / "run"
     process = core("generate", "a red torus", "--out", run, *OPTIONS)
     wait_for(run, "geometry", 3)
     process.kill()
     process.communicate()
     assert not (run / "asset").exists()
+
+    assert finished(core("resume", run, before=KILLED))[0] == 9
+    assert {path.stem for path in (run / "checkpoint").iterdir()} == {"geometry"}
 
     process = core("resume", run)
     wait_for(run, "appearance", 1)
@@ -189,30 +205,14 @@ def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
 
 
-KILLED = "import os, core.generate\ncore.generate.unwrap_shape = lambda *a, **k: os._exit(9)"
-
-
-def test_a_run_killed_between_geometry_and_unwrap_extracts_the_same_mesh(whole, tmp_path):
-    """No step of the geometry is left then, so that nothing may depend on one having been taken:
-    the resumed run once extracted with the coarse lattice's cell, another mesh.obj."""
-    run = tmp_path / "run"
-    process = core("generate", "a red torus", "--out", run, *OPTIONS, before=KILLED)
-    assert finished(process)[0] == 9
-    assert {path.stem for path in (run / "checkpoint").iterdir()} == {"geometry"}
-    status, said = finished(core("resume", run))
-    assert status == 0, said
-    for name in ("mesh.obj", "base_color.png", "orm.png", "normal.png"):
-        assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
-
-
-# The last of 22 steps carries the whole lattice outside.
+# The last of 9 steps carries the whole lattice outside.
 VANISHED = """
 from core.stages.guard import Guard
 remember = Guard.remember
 def last(guard, step):
     remember(guard, step)
     bias = guard._training.module.mlp[-1].bias.data
-    if step == 21:
+    if step == 8:
         guard._training.optimizer.step = lambda: bias[0].add_(100)
 Guard.remember = last
 """
@@ -220,9 +220,7 @@ Guard.remember = last
 
 def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(tmp_path):
     run = tmp_path / "run"
-    status, said = finished(
-        core("generate", "a red torus", "--out", run, *OPTIONS, before=VANISHED)
-    )
+    status, said = finished(core(*tiny_runs.generate(run), before=VANISHED))
     assert status == 5, said
     assert "Traceback" not in said
     assert "vanished" in said
@@ -230,22 +228,10 @@ def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(tmp_path):
     assert finished(core("resume", run))[0] == 5
 
 
-def test_a_cancel_is_over_once_it_was_carried_out_even_if_the_clock_is_set_back(tmp_path):
-    run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus", settings=SHORT))
-    process = core("resume", run.path)
-    wait_for(run.path, "fit", 1)
-    (run.path / "cancel").touch()
-    future = time.time() + 3600
-    os.utime(run.path / "cancel", (future, future))  # as seen after the clock was set back
-    assert finished(process)[0] == 130
-    assert not (run.path / "cancel").exists()
-
-
 def test_pictures_of_the_asset(whole, tmp_path):
     shaded, mask = tmp_path / "shaded.png", tmp_path / "mask.png"
     for name, path in (("shaded", shaded), ("mask", mask)):
-        process = core("render", whole, "--out", path, "--map", name, "--size", 48)
-        assert finished(process)[0] == 0
+        assert main(["render", str(whole), f"--out={path}", "--map", name, "--size", "48"]) == 0
     picture, inside = (np.asarray(Image.open(p).convert("RGB"), float) for p in (shaded, mask))
     assert picture.shape == (48, 48, 3)
     body = picture[inside[..., 0] == inside[..., 0].max()]
@@ -317,7 +303,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 
 def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(small_disk):
     run = small_disk / "run"
-    status, said = finished(core("generate", "a red torus", "--out", run, *OPTIONS))
+    status, said = finished(core(*tiny_runs.generate(run)))
     assert status == 2, said
     assert "Traceback" not in said
     assert "No space" in said or "full" in said

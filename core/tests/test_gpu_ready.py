@@ -178,8 +178,9 @@ def test_one_view_that_does_not_fit_ends_the_run(tmp_path):
         learn_appearance(setup, mesh, light, Progress(run))
 
 
-def test_the_rehearsal_times_each_part_and_foretells_the_schedule(tmp_path, capsys):
-    lines = bench_rehearsal(Rehearsal("sd15", "tiny", batch=2, chunk=2, device="cpu"))
+@pytest.mark.parametrize("architecture", ["sd15", "sdxl"])
+def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, capsys):
+    lines = bench_rehearsal(Rehearsal(architecture, "tiny", batch=2, chunk=2, device="cpu"))
     names = [line["name"] for line in lines]
     for phase in PHASES:
         parts = [n.split(": ")[1].split(",")[0] for n in names if n.startswith(f"{phase}: ")]
@@ -196,7 +197,7 @@ def test_the_rehearsal_times_each_part_and_foretells_the_schedule(tmp_path, caps
 
 def test_an_unknown_architecture_is_one_sentence(capsys):
     assert main(["bench", "guidance", "--architecture", "sd99", "--device", "cpu"]) == 2
-    assert "Use one of sd15, sd21." in capsys.readouterr().err
+    assert "Use one of sd15, sd21, sdxl." in capsys.readouterr().err
     with pytest.raises(UserError, match="--batch is 0"):
         Rehearsal("sd15", batch=0)
     assert main(["bench", "render", "--architecture", "sd15"]) == 2

@@ -44,9 +44,61 @@ def test_it_names_every_pin_of_a_group_at_its_version(group):
         assert f"{canonical(name.partition('[')[0])}=={version}" in locked, FIX
 
 
+@pytest.mark.parametrize("python", environment.PYTHONS)
+def test_each_python_has_each_package_once_and_blenders_module_where_there_is_a_wheel(python):
+    """What pip is given for this one, by packaging's reading of the lock file's markers."""
+    from packaging.requirements import Requirement
+
+    system = {"python_version": python, "python_full_version": f"{python}.9"}
+    found = {}
+    for group in ("core", "blender", "test"):
+        for line in SECTIONS[group]:
+            need = Requirement(line.partition(" --hash")[0])
+            if need.marker is None or need.marker.evaluate(system):
+                assert found.setdefault(need.name, str(need.specifier)) == str(need.specifier)
+    pins = [pin for group in ("core", "blender", "test") for pin in GROUPS[group]]
+    for pin in pins:
+        name, _, version = pin.partition(";")[0].partition("==")
+        name = canonical(name.partition("[")[0])
+        same = found.get(name) == f"=={version.strip()}"
+        assert same == lock_file.applies(pin, python), pin
+    modules = {"3.11": "==4.5.15", "3.13": "==5.2.3"}
+    assert found.get("bpy") == modules.get(python)
+
+
+def test_the_pythons_are_those_that_the_project_names():
+    from packaging.specifiers import SpecifierSet
+
+    allowed = SpecifierSet(PROJECT["requires-python"])
+    near = [f"3.{minor}" for minor in range(8, 20)]
+    assert {version for version in near if f"{version}.5" in allowed} == set(environment.PYTHONS)
+    assert all(version in environment.ANY_PYTHON for version in environment.PYTHONS)
+
+
+@pytest.mark.parametrize(
+    ("pin", "version", "truth"),
+    [
+        ("numpy==1", "3.12", True),
+        ("numpy==1; python_version < '3.13'", "3.12", True),
+        ("numpy==1; python_version < '3.13'", "3.13", False),
+        ("numpy==1; python_version < '3.9'", "3.13", False),
+        ("numpy==1 ; python_version >= '3.9'", "3.13", True),
+        ("bpy==4.5.15; python_version == '3.11'", "3.11", True),
+        ("bpy==4.5.15; python_version == '3.11'", "3.12", False),
+    ],
+)
+def test_a_pin_applies_to_the_pythons_of_its_marker(pin, version, truth):
+    assert lock_file.applies(pin, version) is truth
+
+
+def test_a_marker_of_another_form_is_refused():
+    with pytest.raises(ValueError, match="marker of"):
+        lock_file.applies("pywin32==1; sys_platform == 'win32'", "3.11")
+
+
 def test_every_requirement_is_pinned_and_has_hashes_and_nothing_else():
     form = re.compile(
-        r"[a-z0-9.-]+==[\w.+]+( ; [\w.<>=!'() ]+?)?( --hash=sha256:[0-9a-f]{64})+", re.ASCII
+        r"[a-z0-9.-]+==[\w.+]+( ; [\w.<>=!'()* ]+?)?( --hash=sha256:[0-9a-f]{64})+", re.ASCII
     )
     assert [line for line in EVERY if not form.fullmatch(line)] == []
 

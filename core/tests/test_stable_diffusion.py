@@ -12,9 +12,11 @@ from core.generate import config_of, prepare
 from core.guidance import sds
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
-from core.guidance.stable_diffusion.guidance import StableDiffusion, estimate_memory
+from core.guidance.stable_diffusion.fit import estimate_memory
+from core.guidance.stable_diffusion.guidance import StableDiffusion
 from core.guidance.stable_diffusion.memory import peak_bytes
 from core.guidance.stable_diffusion.prompts import DEFAULT_NEGATIVE_PROMPT, PromptCutWarning
+from core.guidance.stable_diffusion.source import Checkpoint
 from core.io.job import Job
 
 
@@ -143,8 +145,8 @@ def test_an_empty_negative_prompt_is_the_default_text_or_none_at_all(checkpoints
     folder = str(checkpoints["1.x"])
     usual = StableDiffusion.load(folder, "cpu")
     none = StableDiffusion.load(folder, "cpu", config=GuidanceConfig(default_negative=False))
-    empty = usual._encode_text([usual._tokens("", "")[0]])[0]
-    default = usual._encode_text([usual._tokens(DEFAULT_NEGATIVE_PROMPT, "")[0]])[0]
+    empty = usual.texts.encode([usual.texts.tokens("", "")[0]])[0]
+    default = usual.texts.encode([usual.texts.tokens(DEFAULT_NEGATIVE_PROMPT, "")[0]])[0]
     torch.testing.assert_close(usual.prompted("a chair", "").negative, default)
     torch.testing.assert_close(none.prompted("a chair", " ").negative, empty)
     assert difference(default, empty) > 1e-3
@@ -306,9 +308,9 @@ def test_a_long_prompt_is_cut_with_a_warning_and_keeps_its_view_words(one):
     long = "very " * 80 + "red"
     with pytest.warns(PromptCutWarning, match='the text encoder.*"very very.*red"'):
         prompted = one.prompted(long, "")
-    tokens, _ = one._tokens(long, ", back view")
+    tokens, _ = one.texts.tokens(long, ", back view")
     assert len(tokens) == 77
-    assert one._tokenizer.decode(tokens[1:-1]).strip().endswith(", back view")
+    assert one.texts.tokenizer.decode(tokens[1:-1]).strip().endswith(", back view")
     z_t, t = noise(1).expand(2, -1, -1, -1), torch.full((2,), 600)
     eps = predict_eps(prompted, z_t, t, views([0.0, 180.0]), 1.0)
     assert difference(eps[0], eps[1]) > 1e-4
@@ -347,17 +349,20 @@ def test_peak_bytes_of_a_sum_by_hand():
 
 
 def test_the_estimate_grows_with_the_chunk_and_knows_the_weights(checkpoints, one):
-    sizes = [estimate_memory(checkpoints["1.x"], chunk=c, dtype=torch.float32) for c in (1, 4)]
+    sizes = [
+        estimate_memory(Checkpoint(checkpoints["1.x"]), chunk=c, dtype=torch.float32)
+        for c in (1, 4)
+    ]
     weights = sum(p.nbytes for m in (one.unet, one.vae.encoder) for p in m.parameters())
     assert weights < sizes[0] < sizes[1] < 4 * sizes[0]
-    half = estimate_memory(checkpoints["1.x"], chunk=1, dtype=torch.float16)
+    half = estimate_memory(Checkpoint(checkpoints["1.x"]), chunk=1, dtype=torch.float16)
     assert half == pytest.approx(sizes[0] / 2, rel=0.05)
 
 
 def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkpoints, monkeypatch):
     folder = checkpoints["1.x"]
-    one_view = estimate_memory(folder, chunk=1, dtype=torch.float32)
-    name = "core.guidance.stable_diffusion.guidance.available_bytes"
+    one_view = estimate_memory(Checkpoint(folder), chunk=1, dtype=torch.float32)
+    name = "core.guidance.stable_diffusion.fit.available_bytes"
     monkeypatch.setattr(name, lambda _: one_view)
     assert StableDiffusion.load(str(folder), "cpu").chunk == 1
     monkeypatch.setattr(name, lambda _: one_view - 1)
@@ -369,7 +374,10 @@ def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkp
 def test_perp_negs_other_predictions_are_in_the_estimate(checkpoints, monkeypatch):
     """Five predictions of a picture run together; a small U-Net needs more to outdo the encoder."""
     folder = checkpoints["1.x"]
-    sizes = [estimate_memory(folder, chunk=4, dtype=torch.float32, texts=n) for n in (2, 5, 50)]
+    sizes = [
+        estimate_memory(Checkpoint(folder), chunk=4, dtype=torch.float32, texts=n)
+        for n in (2, 5, 50)
+    ]
     assert sizes[0] <= sizes[1] < sizes[2]
     asked = []
 
@@ -377,7 +385,7 @@ def test_perp_negs_other_predictions_are_in_the_estimate(checkpoints, monkeypatc
         asked.append(texts)
         return 0
 
-    monkeypatch.setattr("core.guidance.stable_diffusion.guidance.estimate_memory", estimate)
+    monkeypatch.setattr("core.guidance.stable_diffusion.fit.estimate_memory", estimate)
     for weight in (0.0, 1.0):
         StableDiffusion.load(str(folder), "cpu", config=GuidanceConfig(perp_neg=weight))
     assert asked == [2, 5]

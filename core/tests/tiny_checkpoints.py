@@ -3,9 +3,14 @@
 import json
 
 import torch
-from diffusers import AutoencoderKL, DDIMScheduler, UNet2DConditionModel
+from diffusers import AutoencoderKL, DDIMScheduler, StableDiffusionXLPipeline, UNet2DConditionModel
 from diffusers import StableDiffusionPipeline as Pipeline
-from transformers import CLIPTextConfig, CLIPTextModel, CLIPTokenizer
+from transformers import (
+    CLIPTextConfig,
+    CLIPTextModel,
+    CLIPTextModelWithProjection,
+    CLIPTokenizer,
+)
 
 WORDS = ("a", "the", "red", "chair", ",", "front", "side", "back", "view", "very", "x")
 
@@ -36,6 +41,9 @@ def write_checkpoint(folder, *, prediction_type, two):
     torch.manual_seed(0)
     tokenizer = write_tokenizer(folder.with_name(folder.name + "_tokenizer"))
     width, end = 16, tokenizer.eos_token_id
+    if two:  # 2.x fills with another token than its end
+        own = folder.with_name(folder.name + "_tokenizer")
+        tokenizer = CLIPTokenizer.from_pretrained(own, model_max_length=77, pad_token="!")
     text_encoder = CLIPTextModel(
         CLIPTextConfig(
             vocab_size=len(tokenizer),
@@ -45,7 +53,7 @@ def write_checkpoint(folder, *, prediction_type, two):
             num_attention_heads=2,
             bos_token_id=tokenizer.bos_token_id,
             eos_token_id=end,
-            pad_token_id=end,
+            pad_token_id=tokenizer.pad_token_id,
             hidden_act="gelu" if two else "quick_gelu",
         )
     )
@@ -86,5 +94,76 @@ def write_checkpoint(folder, *, prediction_type, two):
         safety_checker=None,
         feature_extractor=None,
         requires_safety_checker=False,
+    ).save_pretrained(folder)
+    return folder
+
+
+def write_xl_checkpoint(folder):
+    """Stable Diffusion XL in small: two text encoders, transformers of several layers."""
+    torch.manual_seed(1)
+    tokenizer = write_tokenizer(folder.with_name(folder.name + "_tokenizer"))
+    second = CLIPTokenizer.from_pretrained(
+        folder.with_name(folder.name + "_tokenizer"), model_max_length=77, pad_token="!"
+    )
+    end = tokenizer.eos_token_id
+    numbers = {"vocab_size": len(tokenizer), "num_hidden_layers": 3, "num_attention_heads": 2}
+    numbers |= {"bos_token_id": tokenizer.bos_token_id, "intermediate_size": 32}
+    encoders = [
+        CLIPTextModel(
+            CLIPTextConfig(hidden_size=16, eos_token_id=end, pad_token_id=end, **numbers)
+        ),
+        CLIPTextModelWithProjection(
+            CLIPTextConfig(
+                hidden_size=24,
+                projection_dim=20,
+                hidden_act="gelu",
+                eos_token_id=end,
+                pad_token_id=second.pad_token_id,
+                **numbers,
+            )
+        ),
+    ]
+    for encoder in encoders:
+        torch.nn.init.normal_(encoder.get_input_embeddings().weight, std=1.0)
+    unet = UNet2DConditionModel(
+        sample_size=8,
+        block_out_channels=(16, 32),
+        layers_per_block=1,
+        down_block_types=("DownBlock2D", "CrossAttnDownBlock2D"),
+        up_block_types=("CrossAttnUpBlock2D", "UpBlock2D"),
+        transformer_layers_per_block=[1, 2],
+        cross_attention_dim=40,
+        attention_head_dim=[2, 4],
+        use_linear_projection=True,
+        norm_num_groups=8,
+        addition_embed_type="text_time",
+        addition_time_embed_dim=8,
+        projection_class_embeddings_input_dim=6 * 8 + 20,
+    )
+    vae = AutoencoderKL(
+        down_block_types=("DownEncoderBlock2D",) * 4,
+        up_block_types=("UpDecoderBlock2D",) * 4,
+        block_out_channels=(8, 8, 16, 16),
+        norm_num_groups=4,
+        sample_size=64,
+        scaling_factor=0.13025,
+    )
+    scheduler = DDIMScheduler(
+        beta_start=0.00085,
+        beta_end=0.012,
+        beta_schedule="scaled_linear",
+        clip_sample=False,
+        steps_offset=1,
+    )
+    StableDiffusionXLPipeline(
+        vae=vae,
+        text_encoder=encoders[0],
+        text_encoder_2=encoders[1],
+        tokenizer=tokenizer,
+        tokenizer_2=second,
+        unet=unet,
+        scheduler=scheduler,
+        force_zeros_for_empty_prompt=True,
+        add_watermarker=False,
     ).save_pretrained(folder)
     return folder

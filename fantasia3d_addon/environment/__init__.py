@@ -9,14 +9,24 @@ core's section of the lock file. It is complete when its marker exists, which is
 a killed set-up leaves is created again by the next one. Nothing is installed into Blender.
 
 Variables: FANTASIA3D_ENV (another folder), FANTASIA3D_PYTHON (an interpreter to use as it is),
-FANTASIA3D_WHEELS (a folder of wheels instead of the registry).
+FANTASIA3D_WHEELS (a folder of wheels instead of the registry), FANTASIA3D_BLENDER (an installed
+Blender, used where the environment's Python can have no bpy module).
 """
 
+from .blender_program import find_blender, module_version
 from .builder import find_builder
 from .doctor import Line, examine
 from .install import Progress, ensure
 from .lock_file import locked, read_lock
-from .machine import PYTHON, SetupError, clean_environ, find_python, has_nvidia, try_lock
+from .machine import (
+    ANY_PYTHON,
+    PYTHONS,
+    SetupError,
+    clean_environ,
+    find_python,
+    has_nvidia,
+    try_lock,
+)
 from .paths import (
     Place,
     data_folder,
@@ -31,7 +41,8 @@ from .removal import remove, tidy
 from .report import write_report
 
 __all__ = [
-    "PYTHON",
+    "ANY_PYTHON",
+    "PYTHONS",
     "Line",
     "Place",
     "Progress",
@@ -42,12 +53,14 @@ __all__ = [
     "env_folder",
     "env_python",
     "examine",
+    "find_blender",
     "find_builder",
     "find_python",
     "has_nvidia",
     "lacking",
     "locked",
     "log_file",
+    "module_version",
     "project_root",
     "read_lock",
     "remove",

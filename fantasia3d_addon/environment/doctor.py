@@ -12,9 +12,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from . import machine, paths
+from .blender_program import find_blender, has_module
 from .machine import SetupError
 
 ANSWER_SECONDS = 120  # torch may load from a cold disk
+OLDEST = min(machine.PYTHONS)
 OK, MISSING, NOTE = "ok", "MISSING", "-"
 
 # Run by the environment's own Python; its arguments are the pinned requirements.
@@ -72,18 +74,23 @@ def _python(root: Path, folder: Path, given: str) -> list[Line]:
     lines = [Line("launcher", NOTE, f"Python {sys.version.split()[0]}, {root}")]
     if "bpy" in sys.modules:
         lines.append(Line("Blender", OK, sys.modules["bpy"].app.version_string))
-    name = f"Python {machine.PYTHON}"
     try:
-        return [*lines, Line(name, OK, str(machine.find_python()))]
+        python = machine.find_python()
+        return [*lines, Line("Python", OK, f"{machine.version_of(python)}, {python}")]
     except SetupError as error:
         needed = "core" in paths.lacking(folder, root) and not given
-        return [*lines, Line(name, MISSING if needed else NOTE, str(error))]
+        return [*lines, Line("Python", MISSING if needed else NOTE, str(error))]
 
 
 def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     groups, make = ["blender"], "generate creates it, and so does: python3 run.py setup blender"
     if "bpy" in sys.modules:
         groups, make = [], 'press "Install"'
+    python = Path(given) if given else paths.env_python(folder)
+    version = machine.version_of(python) if python.exists() or given else ""
+    elsewhere: list[Line] = []
+    if groups and not given and not has_module(root, version):
+        groups, elsewhere = [], [_installed_blender(version)]
     lacking = [] if given else paths.lacking(folder, root, groups)
     if "core" in lacking:
         return [Line("environment", MISSING, f"{folder} does not exist yet; {make}")]
@@ -91,8 +98,17 @@ def _environment(root: Path, folder: Path, given: str) -> list[Line]:
     if lacking:
         lines.append(Line("Blender module", MISSING, f"it is not in the environment yet; {make}"))
     present = [group for group in ("core", *groups) if group not in lacking]
-    pins = [pin for group in present for pin in paths.requirements(root, group)]
-    return lines + _packages(given or str(paths.env_python(folder)), pins, bool(given))
+    # A given interpreter that does not answer is reported by what follows.
+    pins = [p for group in present for p in paths.requirements(root, group, version or OLDEST)]
+    return lines + elsewhere + _packages(str(python), pins, bool(given))
+
+
+def _installed_blender(version: str) -> Line:
+    """The Blender that is used where the environment's Python can have no bpy module."""
+    try:
+        return Line("Blender", OK, f"{' '.join(find_blender(version))} (no bpy for {version})")
+    except SetupError as error:
+        return Line("Blender", NOTE, str(error))
 
 
 def _packages(python: str, pins: Sequence[str], given: bool = False) -> list[Line]:

@@ -36,11 +36,11 @@ def given_python(given: str, groups: Sequence[str]) -> Path:
     code = machine.NOT_FROM_HERE + LOOK
     version, _, absent = machine.output([found, "-c", code, *wanted]).partition("|")
     numbers = re.fullmatch(r"(\d+)\.(\d+)", version)
-    # A newer one is the user's choice: Blender 5.2's module has wheels for 3.13 alone.
-    oldest = tuple(map(int, machine.PYTHON.split(".")))
+    # A newer one is the user's choice, who has the packages for it.
+    oldest = min(tuple(map(int, version.split("."))) for version in machine.PYTHONS)
     if not numbers or (int(numbers[1]), int(numbers[2])) < oldest:
         what = f"Python {version}" if numbers else "no Python"
-        need = f"it must be Python {machine.PYTHON} or newer"
+        need = f"it must be Python {min(machine.PYTHONS)} or newer"
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is {what}; {need}.", fix)
     if absent:
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which has no {absent}.", fix)

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import IO, Any, Protocol
 
 from . import machine, paths
+from .blender_program import FIX, NO_MODULE, has_module
 from .given import given_python
 from .lock_file import digest, locked, package_of
 from .machine import SetupError
@@ -145,6 +146,9 @@ class _SetUp:
     def carry_out(self, todo: Sequence[str], allow_cuda: bool) -> None:
         """Install the groups ``todo``; all from nothing if ``core`` is among them."""
         fresh, base, gpu = "core" in todo, machine.find_python(self.base), machine.has_nvidia()
+        version = machine.version_of(base) if fresh else paths.env_version(self.folder)
+        if "blender" in todo and not has_module(self.root, version):
+            raise SetupError(f"{NO_MODULE.format(version=version)}.", FIX)
         self.expected = sum(SIZES.get(group, 1e8) for group in todo)
         self.expected += CUDA_SIZE if fresh and (gpu or allow_cuda) else 0
         # Before anything is written; 1.5: until they are unpacked, the downloads need space too.
@@ -228,12 +232,14 @@ class _SetUp:
             try:
                 self._uv("cpu", self._build("+cpu"))
             except SetupError as error:
+                fix = "Set PIP_FIND_LINKS to a folder with the CPU build's wheel, or use the CUDA "
+                fix += "build anyway: python3 run.py setup --allow-cuda."
+                if "bpy" in sys.modules:
+                    fix = "Choose a Wheels Folder that has the CPU build and all other packages."
                 raise SetupError(
                     f"This machine has no NVIDIA GPU, pip finds only the CUDA build of {pin} (3 GB "
                     f"to download, 6 GB on disk), and uv cannot fetch the CPU build: {error.text}",
-                    "Set PIP_FIND_LINKS to a folder with the CPU build's wheel, or use the CUDA "
-                    "build anyway: python3 run.py setup --allow-cuda. The log is "
-                    f"{paths.log_file(self.folder)}.",
+                    f"{fix} The log is {paths.log_file(self.folder)}.",
                 ) from None
         elif gpu and not cuda and sys.platform != "darwin":
             try:

@@ -23,6 +23,7 @@ from .machine import SetupError
 
 NAME = "requirements.lock"
 SECTION = re.compile(r"# \[(\w+)\]")
+MARKER = re.compile(r" *python_version (<|==|>=) '(\d+)\.(\d+)' *")  # of pyproject.toml's pins
 
 
 def read_lock(root: Path) -> dict[str, list[str]]:
@@ -58,6 +59,23 @@ def package_of(requirement: str) -> str:
     """The package's name in a requirement: ``torch`` of ``torch==2.13.0 --hash=...``."""
     found = re.match(r"[\w.-]*\w", requirement)
     return found.group() if found else ""
+
+
+def applies(pin: str, version: str) -> bool:
+    """Whether a pin of pyproject.toml is for the Python of ``version``, such as ``3.11``.
+
+    Raises:
+        ValueError: its marker is of another form than MARKER.
+    """
+    _, semicolon, marker = pin.partition(";")
+    if not semicolon:
+        return True
+    found = MARKER.fullmatch(marker)
+    if not found:
+        raise ValueError(f"The marker of {pin!r} is not python_version <, == or >= 'X.Y'.")
+    sign, limit = found[1], (int(found[2]), int(found[3]))
+    ours = tuple(map(int, version.split(".")))
+    return {"<": ours < limit, "==": ours == limit, ">=": ours >= limit}[sign]
 
 
 def digest(lines: Sequence[str]) -> str:

@@ -10,7 +10,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import IO, Any
 
-PYTHON = "3.11"  # bpy 4.5's wheel is for this one alone
+# The best tested first: bpy 4.5's wheel is for 3.11 alone, 5.2's for 3.13 alone; 3.12 has none.
+PYTHONS = ("3.11", "3.13", "3.12")
+ANY_PYTHON = "3.11, 3.12 or 3.13"  # the same in a sentence
 LONGEST, DEEPEST = 259, 190  # characters: of a path under Windows; of torch's files in the folder
 CLEAN = (
     "PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
@@ -79,13 +81,21 @@ print("%d.%d" % sys.version_info[:2], sys.maxsize > 2**32,
 
 
 def python_candidates() -> Iterator[str]:
-    """Interpreters that may have the right version, the likeliest first; some may not exist."""
-    version, name = PYTHON, f"python{PYTHON}"
-    home, in_blender = Path.home(), "bpy" in sys.modules
-    if not in_blender and sys.executable:
+    """Interpreters that may have a right version, the best first; some may not exist."""
+    if not _in_blender() and sys.executable:
         yield sys.executable
-    for word in (name, "python3", "python"):
+    for version in PYTHONS:
+        yield from _pythons_of_version(version)
+    for word in ("python3", "python"):
         yield which(word) or ""
+    if _in_blender():  # the last resort: the environment stops working with this Blender
+        yield sys.executable
+
+
+def _pythons_of_version(version: str) -> Iterator[str]:
+    """Where interpreters of ``version`` are by their name or their folder's."""
+    home, name = Path.home(), f"python{version}"
+    yield which(name) or ""
     pyenv = Path(os.environ.get("PYENV_ROOT") or home / ".pyenv")
     uv_folder = Path(os.environ.get("UV_PYTHON_INSTALL_DIR") or home / ".local/share/uv/python")
     for folder, pattern in (
@@ -114,41 +124,66 @@ def python_candidates() -> Iterator[str]:
     uv = which("uv")
     if uv:  # --no-config: a uv.toml in the current folder names no interpreter
         yield output([uv, "--no-config", "python", "find", "--no-python-downloads", version])
-    if in_blender:  # the last resort: the environment stops working with this Blender
-        yield sys.executable
+
+
+def _in_blender() -> bool:
+    return "bpy" in sys.modules
 
 
 def find_python(given: Path | None = None) -> Path:
-    """A Python of the required version that can create environments: ``given``, or the first found.
+    """A Python of PYTHONS that can create environments: ``given``, or the best on this machine.
 
     Raises:
         SetupError: there is none.
     """
-    version, without_venv = PYTHON, ""
-    # The first of the right version that can create environments; each is asked itself.
+    found: dict[str, Path] = {}  # by version
+    without_venv: dict[str, str] = {}
+    # Each is asked itself: a name promises no version.
     for candidate in [str(given)] if given else dict.fromkeys(python_candidates()):
+        if found and _in_blender() and candidate == sys.executable:
+            continue
         answer = output([candidate, *ISOLATED, "-c", PROBE]) if candidate else ""
-        found, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
-        if found == version and wide == "True":
-            if makes_envs == "True":
-                return Path(base)
-            without_venv = candidate
-    if without_venv:
-        raise SetupError(
-            f"{without_venv} cannot make environments: its venv or ensurepip module is missing.",
-            f"Install it (on Debian and Ubuntu: apt install python{version}-venv).",
+        version, wide, makes_envs, base = (answer.split("|", 3) + [""] * 3)[:4]
+        if version not in PYTHONS or wide != "True":
+            continue
+        if makes_envs != "True":
+            without_venv.setdefault(version, candidate)
+            continue
+        found.setdefault(version, Path(base))
+        if version == PYTHONS[0]:
+            break
+    for version in PYTHONS:
+        if version in found:
+            return found[version]
+    raise _no_python(given, without_venv)
+
+
+def _no_python(given: Path | None, without_venv: dict[str, str]) -> SetupError:
+    """Why no interpreter can create an environment; ``without_venv`` are those that almost can."""
+    for version, candidate in without_venv.items():
+        return SetupError(
+            f"{candidate} cannot make environments: its venv or ensurepip module is missing.",
+            f"Install it (on Debian and Ubuntu it is the package python{version}-venv).",
         )
     if given:
-        raise SetupError(
-            f"{given} is no Python {version} of 64 bits.",
-            f"Choose the program python{version} itself, or leave the field empty.",
+        return SetupError(
+            f"{given} is no Python {ANY_PYTHON} of 64 bits.",
+            f"Choose the program python{PYTHONS[0]} itself, or leave the field empty.",
         )
-    raise SetupError(
-        f"Python {version} is not on this machine (this one is {sys.version.split()[0]}), "
-        "and Blender's Python module is made for that version alone.",
-        f"Install it next to the Python you have: from python.org, from your system's packages, or "
-        f"with `uv python install {version}`.",
+    fix = "Install one next to the Python you have: from python.org or from your system's packages"
+    fix += "." if _in_blender() else f", or with `uv python install {PYTHONS[0]}`."
+    return SetupError(
+        f"Python {ANY_PYTHON} is not on this machine (this one is {sys.version.split()[0]}), "
+        "and the method's packages are made for these versions alone.",
+        fix,
     )
+
+
+def version_of(python: Path) -> str:
+    """The version of an interpreter, as ``3.11``; empty if it is none."""
+    code = NOT_FROM_HERE + 'print("%d.%d" % sys.version_info[:2])'
+    answer = output([str(python), "-c", code])
+    return answer if answer.count(".") == 1 else ""
 
 
 def try_lock(file: IO[bytes]) -> bool:

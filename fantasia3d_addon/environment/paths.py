@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from .files import write_text
-from .lock_file import digest, locked
+from .lock_file import applies, digest, locked
 from .machine import SetupError
 
 MARKER = "fantasia3d.json"  # in a complete environment, written last
@@ -27,12 +28,19 @@ def project_root() -> Path:
     raise SetupError(f"There is no core next to {addon}.", "Install the whole package again.")
 
 
-def requirements(root: Path, group: str) -> list[str]:
-    """The pinned requirements of ``group``: ``core``, or an optional one of pyproject.toml."""
+def requirements(root: Path, group: str, version: str = "") -> list[str]:
+    """The pinned requirements of ``group``: ``core``, or an optional one of pyproject.toml.
+
+    With a Python's ``version``, only what is for that one, and without its marker.
+    """
     import tomllib  # not in Python 3.8 to 3.10, under which run.py still starts
 
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    return project["dependencies"] if group == "core" else project["optional-dependencies"][group]
+    core = group == "core"
+    pins = project["dependencies"] if core else project["optional-dependencies"].get(group, [])
+    if not version:
+        return pins
+    return [pin.partition(";")[0].strip() for pin in pins if applies(pin, version)]
 
 
 def data_folder() -> Path:
@@ -87,6 +95,16 @@ def read_marker(folder: Path) -> dict[str, Any]:
 def write_marker(folder: Path, marker: dict[str, Any]) -> None:
     """Record, in one step, what ``folder`` contains."""
     write_text(folder / MARKER, json.dumps(marker, indent=1) + "\n")
+
+
+def env_version(folder: Path) -> str:
+    """The Python of the environment ``folder``, as ``3.11``; empty where there is none."""
+    try:
+        text = (folder / "pyvenv.cfg").read_text(encoding="utf-8")
+    except OSError:
+        return ""
+    found = re.search(r"^version(?:_info)? = (\d+\.\d+)", text, re.MULTILINE)
+    return found[1] if found else ""
 
 
 def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:

@@ -168,6 +168,7 @@ def _run(folder: Path) -> dict[str, Any]:
     jobs = _objects(folder / "job.json", whole=True)
     job = jobs[0] if jobs else {}
     private = [str(job.get(key) or "") for key in (*PRIVATE_FIELDS, *FILE_FIELDS)]
+    private += [str(path) for key in ("loras", "embeddings") for path in _each(job.get(key))]
     events = [event for event in _objects(folder / "events.jsonl") if "type" in event]
     failures = [event for event in events if event["type"] in ("warning", "error")]
     return {
@@ -179,6 +180,10 @@ def _run(folder: Path) -> dict[str, Any]:
         "ended": next((e["type"] for e in reversed(events) if e["type"] != "progress"), ""),
         "log": [_without(line, private) for line in _errors(_last_lines(folder / "log.txt"))],
     }
+
+
+def _each(value: object) -> list[object]:
+    return list(value) if isinstance(value, (dict, list)) else []
 
 
 def _kind_of_file(text: str) -> str:

@@ -13,8 +13,13 @@ from typing import Any
 
 from .untrusted import has_types, is_inside, is_number, is_text, is_whole
 
-EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled")
-END_EVENTS = ("done", "error", "cancelled")  # exactly one of these ends a session of the core
+EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled", "paused")
+END_EVENTS = (
+    "done",
+    "error",
+    "cancelled",
+    "paused",
+)  # exactly one of these ends a session of the core
 
 STAGES = {  # in the order in which they run: the core's name, and the name in the panel
     "fit": "First shape",  # the ellipsoid or the guide mesh, as a signed distance field

@@ -15,8 +15,13 @@ def _before_save(*_: object) -> None:
 
 
 @persistent
+def _after_save(*_: object) -> None:
+    session.show_candidates()  # a run that goes on shows its preview again by itself
+
+
+@persistent
 def _after_undo(*_: object) -> None:
-    live_preview.remove(keep=session.names)  # an undo step may hold the preview of an ended run
+    live_preview.remove(keep=session.shown)  # an undo step may hold the preview of an ended run
 
 
 @persistent
@@ -27,6 +32,7 @@ def _after_load(*_: object) -> None:
 
 HANDLERS = (
     (bpy.app.handlers.save_pre, _before_save),
+    (bpy.app.handlers.save_post, _after_save),
     (bpy.app.handlers.undo_post, _after_undo),
     (bpy.app.handlers.redo_post, _after_undo),
     (bpy.app.handlers.load_post, _after_load),

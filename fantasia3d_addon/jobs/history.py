@@ -7,25 +7,27 @@ import json
 import random
 import shutil
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..blender.input_file import require_file
 from ..errors import JobError
-from . import target
+from . import candidates, target
+from .candidates import Candidate
 from .events import END_EVENTS, event_object
 from .job_file import FILES, IMPORTED, NAME, read_job
 from .process import START_SECONDS, is_core
 
-WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED = (
+WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED, PAUSED = (
     "waiting",  # its job is written, but it was never started
     "running",
     "done",
     "failed",
     "cancelled",
     "stopped",  # its process ended without a last event
+    "paused",  # a candidate that can be looked at
 )
 ADOPTABLE = (RUNNING, WAITING, DONE)  # what a new Blender takes over
 SEEDS = 2**31  # as many as an IntProperty of Blender holds
@@ -45,6 +47,7 @@ class Entry:
     requested: float = 0.0  # seconds since the epoch; when job.json was written
     seconds: float = 0.0  # of the last session
     size_m: float = 0.0  # the longest side of a finished asset; 0: unknown
+    candidate: Candidate = field(default_factory=Candidate)
     stamp: float = 0.0  # when the last event was written, as the file system has it
 
     @property
@@ -62,7 +65,7 @@ class Entry:
     def resumable(self) -> bool:
         """Whether the core may continue it; what failed before a checkpoint would fail again."""
         failed_midway = self.state == FAILED and (self.folder / "checkpoint").is_dir()
-        return failed_midway or self.state in (CANCELLED, STOPPED)
+        return failed_midway or self.state in (CANCELLED, STOPPED, PAUSED)
 
 
 def scan(runs: Path, known: Mapping[Path, Entry] | None = None) -> list[Entry]:
@@ -77,15 +80,15 @@ def scan(runs: Path, known: Mapping[Path, Entry] | None = None) -> list[Entry]:
     found = []
     for folder in folders:
         old = (known or {}).get(folder)
-        ended = old is not None and old.state in (DONE, FAILED, CANCELLED)
+        ended = old is not None and old.state in (DONE, FAILED, CANCELLED, PAUSED)
         entry = old if ended and _is_current(folder, old) else read_entry(folder)
         found += [entry] if entry else []
     return sorted(found, key=lambda entry: entry.requested, reverse=True)
 
 
 def _is_current(folder: Path, entry: Entry) -> bool:
-    """Whether no event was written since ``entry`` was read."""
-    return _stamp(folder) == entry.stamp
+    """Whether no event was written since ``entry`` was read, and no candidate was chosen."""
+    return _stamp(folder) == entry.stamp and candidates.read(folder) == entry.candidate
 
 
 def _stamp(folder: Path) -> float:
@@ -104,7 +107,13 @@ def read_entry(folder: Path) -> Entry | None:
     job = read_job(folder)
     if not job:
         return None
-    entry = Entry(folder=folder, job=job, requested=requested, stamp=_stamp(folder))
+    entry = Entry(
+        folder=folder,
+        job=job,
+        requested=requested,
+        stamp=_stamp(folder),
+        candidate=candidates.read(folder),
+    )
     events = _events(folder / "events.jsonl")
     if not events:
         return dataclasses.replace(entry, state=_state_without_events(folder))
@@ -135,7 +144,7 @@ def _size(folder: Path) -> float:
 
 
 def _state(folder: Path, last: Mapping[str, Any], pid: int) -> str:
-    ends = {"done": DONE, "error": FAILED, "cancelled": CANCELLED}
+    ends = {"done": DONE, "error": FAILED, "cancelled": CANCELLED, "paused": PAUSED}
     if last.get("type") in ends:
         return ends[last["type"]]
     return RUNNING if pid and is_core(pid, folder) else STOPPED
@@ -175,6 +184,13 @@ def _parse(chunk: bytes, whole: bool) -> list[dict[str, Any]]:
         event = event_object(line)  # None: a line that was cut by a full disk
         events += [event] if event is not None else []
     return events
+
+
+def open_candidates(entries: Sequence[Entry]) -> list[Entry]:
+    """The newest group that has candidates to choose from, the chosen one included, in order."""
+    group = next((e.candidate.group for e in entries if e.candidate.is_open), "")
+    found = [entry for entry in entries if group and entry.candidate.group == group]
+    return sorted(found, key=lambda entry: (entry.job.get("color_seed", 0), entry.job["seed"]))
 
 
 def copy_of_job(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], dict[str, Path]]:

@@ -25,7 +25,7 @@ KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a job ho
          "base_color", "light", "device"),
         is_text,
     ),
-    **dict.fromkeys(("seed", "texture_size", "max_faces", "version"), is_whole),
+    **dict.fromkeys(("seed", "color_seed", "texture_size", "max_faces", "version"), is_whole),
     "guide_strength": is_number,
     "settings": is_settings,
 }  # fmt: skip

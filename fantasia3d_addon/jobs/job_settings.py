@@ -29,6 +29,7 @@ def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
         "seed": settings.seed,
         "preset": settings.preset,
         "guidance": guidance_of(settings),
+        **additions_of(settings),
         "light": light_of(settings),
         "texture_size": int(settings.texture_size),
         "max_faces": settings.max_faces,
@@ -77,6 +78,7 @@ def _apply(settings: Settings, job: Mapping[str, Any]) -> None:
     settings.use_present_color = bool(job.get("base_color"))
     settings.overrides = " ".join(f"{k}={v}" for k, v in job.get("settings", {}).items())
     _apply_guidance(settings, str(job.get("guidance", "builtin")))
+    _apply_additions(settings, job)
     _apply_light(settings, str(job.get("light", light.STUDIO)))
 
 
@@ -103,13 +105,39 @@ def guidance_of(settings: Settings) -> str:
         if not settings.hub_id.strip():
             raise AddonError("No model is chosen.", "Enter its hub id: owner/name.")
         return settings.hub_id.strip()
-    folder = Path(bpy.path.abspath(settings.model_folder.strip())).expanduser()
-    if not settings.model_folder.strip() or not (folder / "model_index.json").is_file():
+    path = Path(bpy.path.abspath(settings.model_folder.strip())).expanduser()
+    is_file = path.suffix.lower() == ".safetensors" and path.is_file()
+    is_folder = (path / "model_index.json").is_file()
+    if not settings.model_folder.strip() or not (is_file or is_folder):
         raise AddonError(
-            "The model folder is no Stable Diffusion model.",
-            "Choose the folder that contains model_index.json.",
+            "What is chosen is no Stable Diffusion model.",
+            "Choose a .safetensors file, or the folder that contains model_index.json.",
         )
-    return str(folder.resolve())
+    return str(path.resolve())
+
+
+def additions_of(settings: Settings) -> dict[str, Any]:
+    """The LoRA and the embedding over a Stable Diffusion model, as job.json has them.
+
+    Raises:
+        AddonError: a file that is not there or of another kind.
+    """
+    found: dict[str, Any] = {}
+    if settings.guidance == "builtin":
+        return found
+    if settings.lora.strip():
+        strength = round(settings.lora_strength, 4)
+        found["loras"] = {str(_safetensors(settings.lora, "LoRA")): strength}
+    if settings.embedding.strip():
+        found["embeddings"] = [str(_safetensors(settings.embedding, "embedding"))]
+    return found
+
+
+def _safetensors(text: str, what: str) -> Path:
+    path = Path(bpy.path.abspath(text.strip())).expanduser()
+    if path.suffix.lower() != ".safetensors" or not path.is_file():
+        raise AddonError(f"There is no {what} “{path.name}”.", "Choose a .safetensors file.")
+    return path.resolve()
 
 
 def overrides_of(settings: Settings) -> dict[str, str]:
@@ -132,6 +160,14 @@ def _apply_guidance(settings: Settings, name: str) -> None:
         settings.guidance, settings.model_folder = "folder", name
     else:
         settings.guidance, settings.hub_id = "hub", name
+
+
+def _apply_additions(settings: Settings, job: Mapping[str, Any]) -> None:
+    loras, embeddings = dict(job.get("loras") or {}), list(job.get("embeddings") or [])
+    if len(loras) > 1 or len(embeddings) > 1:
+        raise ValueError("several LoRA files or embeddings; it takes one of each")
+    settings.lora, settings.lora_strength = next(iter(loras.items()), ("", 1.0))
+    settings.embedding = next(iter(embeddings), "")
 
 
 def _apply_light(settings: Settings, name: str) -> None:

@@ -39,8 +39,11 @@ def show(scene: bpy.types.Scene, path: Path, followed: FollowedRun) -> bpy.types
         return None  # it is being replaced or removed at this moment: the next one comes soon
     if not _is_mesh(verts, faces):
         return None
+    obj = find(followed.name)
+    if obj and followed.place is None:  # of an earlier session, such as a candidate's
+        followed.place = tuple(obj.location)
     is_first = followed.place is None
-    obj = find(followed.name) or _add(scene.collection, followed.name, followed.prompt)
+    obj = obj or _add(scene.collection, followed.name, followed.prompt)
     _fill(obj.data, to_metres(verts, size), faces)
     if followed.place is None:
         followed.place = place_of(scene, followed.target, _room(obj), ignored=(obj,))

@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 from ..blender.input_file import require_file
 from ..environment import clean_environ
 from ..errors import JobError
+from . import candidates
 from .events import Event, parse_event
 from .job_file import unwritable, write_job
 from .lock import worker
@@ -241,8 +242,10 @@ def _spawn(folder: Path, core: Core, log: Any) -> subprocess.Popen[bytes]:
     flags = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # Windows: no console window opens
     # UTF-8 for the log wherever it runs; unbuffered, so that the log is complete after a crash.
     more = {"PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
+    until = candidates.read(folder).until
+    options = ["--until", until] if until else []
     return subprocess.Popen(
-        [str(core.python), "-m", "core", "resume", str(folder.resolve())],
+        [str(core.python), "-m", "core", "resume", *options, str(folder.resolve())],
         cwd=core.root,
         env=clean_environ() | more | dict(core.environ),
         stdin=subprocess.DEVNULL,

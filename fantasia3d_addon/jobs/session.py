@@ -23,6 +23,7 @@ from .import_result import import_result, mark_imported, reason_to_wait
 from .job_file import new_run_folder, with_own_paths, write_job
 from .lock import RunLock
 from .memory import FreeMemory
+from .models import Model, Models
 from .paths import Paths
 from .place import requested
 from .process import Run
@@ -41,6 +42,7 @@ class Session:
         self.running: list[FollowedRun] = []  # one, and those that earlier Blenders left running
         self.waiting: list[tuple[Path, RunLock | None]] = []  # the queue, first in first out
         self.paused = False  # the queue waits for the user
+        self.candidates: dict[str, FollowedRun] = {}  # paused runs whose previews stay, by name
         self.importing: list[tuple[FollowedRun, Task]] = []  # done, being read, not in the scene
         self.missed: list[Entry] = []  # done while no Blender, or another file, was open
         self.last: FollowedRun | None = None  # the last run that ended
@@ -50,6 +52,7 @@ class Session:
         self.history: list[Entry] = []
         self.free_memory = FreeMemory()
         self.words = Words()
+        self.models = Models()
         self._scan: Task | None = None  # reads the history
         self._file_number = 0  # counts the files that were opened
         # Blender knows a timer by its identity, and a bound method is a new object each time.
@@ -70,6 +73,11 @@ class Session:
     def names(self) -> list[str]:
         """The run folders' names of the running jobs."""
         return [followed.name for followed in self.running]
+
+    @property
+    def shown(self) -> list[str]:
+        """The run folders' names of the runs whose previews stay."""
+        return [*self.names, *self.candidates]
 
     @property
     def log(self) -> Path | None:
@@ -99,6 +107,7 @@ class Session:
         folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
         try:
             for name, path in (files or {}).items():
+                (folder / name).parent.mkdir(exist_ok=True)
                 shutil.copyfile(path, folder / name)
             target.write(folder)
             # job.json is last: a folder without it is no run, whatever else is in it.
@@ -260,6 +269,19 @@ class Session:
         if self.words.pending and not bpy.app.background:
             self.start_timer()
 
+    # The models on this machine: asked in the background, too
+
+    def found_models(self) -> Sequence[Model] | None:
+        """What is there; None: not yet known. The first call has the core look."""
+        if self.models.found is None and not self.models.pending:
+            self.find_models()
+        return self.models.found
+
+    def find_models(self) -> None:
+        """Have the core look at the models' folder; SetupError where there is no core."""
+        self.models.look(Paths(bpy.context).core)
+        self.start_timer()
+
     # From register to unregister
 
     def file_opened(self) -> None:
@@ -307,8 +329,9 @@ class Session:
             self._scan = None
             _update_list(self.history)
         self._ask_words()
+        self.models.tick()
         redraw()
-        working = (self.task and self.task.running) or self._scan
+        working = (self.task and self.task.running) or self._scan or self.models.pending
         working = working or (self.words.pending and not bpy.app.background)
         return TICK_SECONDS if self.busy or working else None
 
@@ -325,7 +348,11 @@ class Session:
     def _end(self, followed: FollowedRun) -> None:
         self.running.remove(followed)
         self.last = followed
-        live_preview.remove(keep=self.names)
+        self.candidates.pop(followed.name, None)
+        if followed.end and followed.end.type == "paused":
+            self.candidates[followed.name] = followed
+            self.show_candidates()  # its last shape may not have been shown
+        live_preview.remove(keep=self.shown)
         if followed.end and followed.end.type == "done":
             folder = followed.run.folder
             # In a thread: reading a mesh of 200,000 faces takes longer than a tick may.
@@ -336,6 +363,17 @@ class Session:
             if followed.end and followed.end.type == "error":
                 self.error = (followed.end.text, followed.end.fix)
         self.refresh()
+
+    def show_candidates(self) -> None:
+        """Show the shapes of the candidates that can be looked at, each in its place."""
+        for followed in self.candidates.values():
+            followed.shape = followed.run.folder / "preview" / "shape.npz"
+            self._show_shape(followed)
+
+    def forget_candidate(self, folder: Path) -> None:
+        """Remove the preview of a candidate that was discarded."""
+        self.candidates.pop(folder.name, None)
+        live_preview.remove(keep=self.shown)
 
     def _show_shape(self, followed: FollowedRun) -> None:
         """Show the newest preview mesh of ``followed``, in the file that requested it."""

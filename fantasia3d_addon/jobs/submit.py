@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 import tempfile
+import uuid
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import bpy
 
@@ -11,14 +16,18 @@ from ..asset import bake_base_color, texture_object
 from ..asset.export_shape import export_shape
 from ..environment import SetupError
 from ..errors import AddonError
-from . import history
+from . import candidates, history
+from .candidates import Candidate
 from .history import Entry
+from .job_file import unwritable
 from .job_settings import job_of
 from .paths import Paths
 from .session import session
-from .target import Target
+from .target import FREE, Target
 from .words import Report, unknown
 
+# What a run with another material starts from; the last says that the shape is finished.
+SHAPE_PARTS = ("checkpoint/geometry.safetensors", "checkpoint/mesh.safetensors")
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
 
@@ -29,15 +38,124 @@ def generate(context: bpy.types.Context) -> Path:
         AddonError: it can't be made; nothing is left on the disk then.
         SetupError: the core is missing.
     """
+    job = job_of(context.scene.fantasia3d)
+    with tempfile.TemporaryDirectory() as folder:
+        files = _guide(context, job, Path(folder))
+        return session.submit(context, job, session.target_here(context), files)
+
+
+def _guide(context: bpy.types.Context, job: dict[str, Any], folder: Path) -> dict[str, Path]:
+    """The guide mesh as a file in ``folder``, where the settings have one; named in ``job``."""
+    guide = context.scene.fantasia3d.guide
+    if not guide:
+        return {}
+    path = folder / "guide.obj"
+    export_shape(guide, path, context.evaluated_depsgraph_get())
+    job["guide_mesh"] = path.name
+    return {path.name: path}
+
+
+def explore(context: bpy.types.Context) -> Path:
+    """Request first looks at several shapes, of the seed and the next; the first run folder.
+
+    Raises:
+        AddonError: as :func:`generate`.
+        SetupError: the core is missing.
+    """
     settings = context.scene.fantasia3d
     job = job_of(settings)
+    seeds = [(job["seed"] + n) % history.SEEDS for n in range(settings.candidates)]
     with tempfile.TemporaryDirectory() as folder:
-        files = {}
-        if settings.guide:
-            files["guide.obj"] = Path(folder) / "guide.obj"
-            export_shape(settings.guide, files["guide.obj"], context.evaluated_depsgraph_get())
-            job["guide_mesh"] = "guide.obj"
-        return session.submit(context, job, session.target_here(context), files)
+        files = _guide(context, job, Path(folder))
+        # Next to each other: of several, only one could be exactly at the cursor.
+        target = dataclasses.replace(session.target_here(context), place=FREE)
+        jobs = [job | {"seed": seed} for seed in seeds]
+        return _submit_candidates(context, jobs, target, files, candidates.SHAPE)
+
+
+def recolor(context: bpy.types.Context, entry: Entry) -> Path:
+    """Request first looks at several materials for the shape of ``entry``; the first run folder.
+
+    Raises:
+        AddonError: its shape is not finished, or a file that it needs no longer exists.
+    """
+    reason = reason_against_recolor(entry)
+    if reason:
+        raise AddonError(reason, "Resume it, or choose another job.")
+    job, files = history.copy_of_job(entry)
+    for name in SHAPE_PARTS:
+        if (entry.folder / name).is_file():
+            files[name] = entry.folder / name
+    first = job.get("color_seed") or job.get("seed", 0) + 1  # the run's own material has it
+    count = context.scene.fantasia3d.candidates
+    jobs = [job | {"color_seed": first + n} for n in range(1, count + 1)]
+    old = Target.read(entry.folder)
+    target = session.target_here(context, object=old.object, uv_map=old.uv_map, assign=old.assign)
+    return _submit_candidates(context, jobs, target, files, candidates.COLOR)
+
+
+def reason_against_recolor(entry: Entry) -> str:
+    """Why no other materials can be made for the shape of ``entry``; empty if they can."""
+    return "" if (entry.folder / SHAPE_PARTS[-1]).is_file() else "Its shape is not finished."
+
+
+def _submit_candidates(
+    context: bpy.types.Context,
+    jobs: Sequence[dict[str, Any]],
+    target: Target,
+    files: Mapping[str, Path],
+    until: str,
+) -> Path:
+    candidate = Candidate(group=uuid.uuid4().hex, until=until)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / candidates.NAME
+        candidates.write(path, candidate)
+        all_files = {**files, candidates.NAME: path}
+        runs = [session.submit(context, job, target, all_files) for job in jobs]
+    return runs[0]
+
+
+def finish(context: bpy.types.Context, entry: Entry) -> None:
+    """Finish the candidate ``entry``, from its checkpoint.
+
+    Raises:
+        AddonError: it is still being made, or its folder can't be written.
+    """
+    if entry.folder.name in session.names:
+        raise AddonError("This candidate is still being made.", "Wait until it is ready.")
+    try:
+        chosen = dataclasses.replace(entry.candidate, until="")
+        candidates.write(entry.folder / candidates.NAME, chosen)
+    except OSError as error:
+        raise unwritable(entry.folder, error) from None
+    if all(entry.folder != folder for folder, _ in session.waiting):
+        session.enqueue(context, entry.folder)
+    session.refresh()
+
+
+def discard(entries: Sequence[Entry]) -> None:
+    """Delete those of the candidates ``entries`` that were not chosen; one that runs is cancelled.
+
+    Raises:
+        AddonError: a folder can't be removed.
+    """
+    for entry in entries:
+        if not entry.candidate.is_open:
+            continue
+        session.remove_from_queue(entry.folder)
+        if entry.folder.name in session.names:
+            session.cancel(entry.folder.name)
+            _forget_group(entry)
+        else:
+            history.remove(entry)
+            session.forget_candidate(entry.folder)
+    session.refresh()
+
+
+def _forget_group(entry: Entry) -> None:
+    """Leave a run that is being cancelled in the history, but no longer as a candidate."""
+    with suppress(OSError):
+        candidates.write(entry.folder / candidates.NAME, Candidate())
 
 
 def texture(context: bpy.types.Context) -> Path:
@@ -92,7 +210,10 @@ def resume(context: bpy.types.Context, entry: Entry) -> None:
             f"“{entry.prompt}” can't be resumed: it is {now.state if now else 'deleted'}.",
             "Use Repeat instead.",
         )
-    session.enqueue(context, entry.folder)
+    if now.state == history.PAUSED and now.candidate.is_open:  # or it would pause again at once
+        finish(context, now)
+    else:
+        session.enqueue(context, entry.folder)
 
 
 def report_of(settings: bpy.types.PropertyGroup) -> Report | None:

@@ -13,6 +13,7 @@ from ..jobs.progress import FollowedRun
 from ..jobs.session import session
 from ..scene import view
 from . import icons
+from .candidates import draw_candidates
 from .presets import FANTASIA3D_PT_presets
 from .setup_panel import FANTASIA3D_PT_set_up, draw_set_up
 from .text import TAB, collapsible, error_and_fix, wrapped_label
@@ -54,6 +55,7 @@ class FANTASIA3D_PT_generate(bpy.types.Panel):
         _draw_button(layout, context)
         for followed in session.running:
             _draw_run(layout, context, followed)
+        draw_candidates(layout)
         _draw_result(layout, context)
 
 
@@ -68,8 +70,15 @@ def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup
     column.prop(settings, "guidance")
     if settings.guidance == "folder":
         column.prop(settings, "model_folder")
+        column.menu("FANTASIA3D_MT_models", icon="FILE_FOLDER")
     elif settings.guidance == "hub":
         column.prop(settings, "hub_id", placeholder="owner/name")
+    if settings.guidance != "builtin":
+        column.prop(settings, "lora")
+        row = column.row()
+        row.active = bool(settings.lora.strip())
+        row.prop(settings, "lora_strength")
+        column.prop(settings, "embedding")
 
 
 def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
@@ -145,6 +154,10 @@ def _draw_button(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
         row.operator(operator, text="Add to Queue", icon="ADD")
     else:
         row.operator(operator, text=label, icon="SHADERFX")
+    if context.scene.fantasia3d.task == "generate":
+        row = column.row(align=True)
+        row.operator("fantasia3d.explore", text="Explore", icon="IMGDISPLAY")
+        row.prop(context.scene.fantasia3d, "candidates", text="")
     if reason:
         wrapped_label(column, context, reason, "INFO", dimmed=True)
     text, is_enough = _memory_line(context.scene.fantasia3d)

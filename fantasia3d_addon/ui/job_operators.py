@@ -32,7 +32,7 @@ def entry_of(folder: str) -> Entry | None:
     return next((e for e in session.history if str(e.folder) == folder), None)
 
 
-class _RunOperator:
+class RunOperator:
     """Mixin: an operator on the run in ``folder``, or else on the selected one."""
 
     # SKIP_SAVE: a button without a folder must not act on the folder of the last press.
@@ -59,7 +59,7 @@ class _RunOperator:
         return self.act(context, entry)
 
 
-class FANTASIA3D_OT_job_repeat(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_repeat(RunOperator, bpy.types.Operator):
     """Run this job again, with the same settings"""
 
     bl_idname = "fantasia3d.job_repeat"
@@ -79,7 +79,7 @@ class FANTASIA3D_OT_job_repeat(_RunOperator, bpy.types.Operator):
         return queue_job(self, lambda: submit.repeat(context, entry, self.vary_seed))
 
 
-class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_resume(RunOperator, bpy.types.Operator):
     """Continue this job from its last checkpoint"""
 
     bl_idname = "fantasia3d.job_resume"
@@ -93,7 +93,7 @@ class FANTASIA3D_OT_job_resume(_RunOperator, bpy.types.Operator):
         return queue_job(self, resume)
 
 
-class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_import(RunOperator, bpy.types.Operator):
     """Import this job's asset into the scene, or its material onto its object"""
 
     bl_idname = "fantasia3d.job_import"
@@ -105,7 +105,7 @@ class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
         if bpy.context.mode != "OBJECT":
             return EDIT_MODE
         if entry.state != history.DONE:
-            return _RunOperator.reason_against(entry) or "It has no asset yet."
+            return RunOperator.reason_against(entry) or "It has no asset yet."
         exists = (entry.folder / "asset" / "asset.json").is_file()
         return "" if exists else "Its asset no longer exists. Press Repeat to generate it again."
 
@@ -123,7 +123,7 @@ class FANTASIA3D_OT_job_import(_RunOperator, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class FANTASIA3D_OT_job_settings(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_settings(RunOperator, bpy.types.Operator):
     """Set the panel's fields to those of this job"""
 
     bl_idname = "fantasia3d.job_settings"
@@ -138,7 +138,7 @@ class FANTASIA3D_OT_job_settings(_RunOperator, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class FANTASIA3D_OT_job_folder(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_folder(RunOperator, bpy.types.Operator):
     """Open this job's folder"""
 
     bl_idname = "fantasia3d.job_folder"
@@ -148,7 +148,7 @@ class FANTASIA3D_OT_job_folder(_RunOperator, bpy.types.Operator):
         return bpy.ops.wm.path_open(filepath=str(entry.folder))
 
 
-class FANTASIA3D_OT_job_remove(_RunOperator, bpy.types.Operator):
+class FANTASIA3D_OT_job_remove(RunOperator, bpy.types.Operator):
     """Delete this job and its asset from the disk; what was imported stays in its scene"""
 
     bl_idname = "fantasia3d.job_remove"
@@ -166,6 +166,7 @@ class FANTASIA3D_OT_job_remove(_RunOperator, bpy.types.Operator):
         try:
             session.remove_from_queue(entry.folder)
             history.remove(entry)
+            session.forget_candidate(entry.folder)
         except USER_ERRORS as error:
             return report_error(self, error)
         session.refresh()

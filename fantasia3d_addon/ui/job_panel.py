@@ -22,6 +22,7 @@ ICONS = {
     history.FAILED: "ERROR",
     history.CANCELLED: "CANCEL",
     history.STOPPED: "ERROR",
+    history.PAUSED: "PAUSE",
 }
 STATES = {history.WAITING: "Queued"}  # as the panel names them where it differs
 PICTURE = 6.0  # height in rows
@@ -122,6 +123,9 @@ def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: E
     row.operator("fantasia3d.job_repeat", text="Repeat", icon="LOOP_BACK").folder = path
     vary = row.operator("fantasia3d.job_repeat", text="Vary Seed", icon="FILE_REFRESH")
     vary.folder, vary.vary_seed = path, True
+    if entry.state == history.DONE:
+        button = box.operator("fantasia3d.recolor", text="Explore Materials", icon="COLOR")
+        button.folder = path
     row = box.row(align=True)
     row.operator("fantasia3d.job_folder", text="Open Folder", icon="FILE_FOLDER").folder = path
     row.operator("fantasia3d.job_remove", text="Delete", icon="TRASH").folder = path

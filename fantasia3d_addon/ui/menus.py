@@ -48,6 +48,7 @@ TOOLS: tuple[tuple[str, tuple[Entry, ...]], ...] = (  # by section
 )
 JOBS: tuple[Entry, ...] = (
     ("generate", "SHADERFX"),
+    ("explore", "IMGDISPLAY"),
     ("new_seed", "FILE_REFRESH"),
     ("guide_from_selection", "RESTRICT_SELECT_OFF"),
     ("local_view", "HIDE_OFF"),
@@ -59,6 +60,9 @@ JOBS: tuple[Entry, ...] = (
     ("job_import", "IMPORT"),
     ("job_resume", "PLAY"),
     ("job_repeat", "LOOP_BACK"),
+    ("recolor", "COLOR"),
+    ("finish_candidate", "CHECKMARK"),
+    ("discard_candidates", "TRASH"),
     ("job_settings", "COPYDOWN"),
     ("job_folder", "FILE_FOLDER"),
     ("job_remove", "TRASH"),

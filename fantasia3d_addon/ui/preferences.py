@@ -22,7 +22,7 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
     )
     base_python: StringProperty(
         name="Base Python",
-        description=f"The Python {environment.PYTHON} that Install makes the environment from; "
+        description=f"The Python {environment.ANY_PYTHON} that Install makes the environment from; "
         "empty: the first that is found",
         subtype="FILE_PATH",
     )

@@ -38,7 +38,7 @@ PRESETS = (
 )
 GUIDANCE = (
     ("builtin", "Built-in", "The small model that comes with the add-on: some nouns and colours"),
-    ("folder", "Folder", "A Stable Diffusion model in a folder on this machine"),
+    ("folder", "On Disk", "A Stable Diffusion model on this machine: a folder or a file"),
     ("hub", "Hugging Face", "A Stable Diffusion model by its id on the Hugging Face hub"),
 )
 SIZES = (
@@ -120,13 +120,45 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     seed: IntProperty(
         name="Seed", description="Start of the random numbers: another seed, another asset", min=0
     )
+    candidates: IntProperty(
+        name="Candidates",
+        description="How many quick shapes Explore makes, or how many materials",
+        default=4,
+        min=2,
+        max=8,
+    )
     guidance: EnumProperty(
         name="Model", description="The diffusion model that guides the run", items=GUIDANCE
     )
     model_folder: StringProperty(
-        name="Folder",
-        description="The folder of a Stable Diffusion model: it contains model_index.json",
-        subtype="DIR_PATH",
+        name="Model",
+        description=(
+            "A Stable Diffusion model: one .safetensors file, or a folder that contains "
+            "model_index.json"
+        ),
+        subtype="FILE_PATH",
+    )
+    lora: StringProperty(
+        name="LoRA",
+        description="A .safetensors file that changes the model's style or subject",
+        subtype="FILE_PATH",
+    )
+    lora_strength: FloatProperty(
+        name="Strength",
+        description="How much of the LoRA is added; 1: as it was trained",
+        default=1.0,
+        min=-5.0,
+        max=5.0,
+        soft_min=0.0,
+        soft_max=1.5,
+    )
+    embedding: StringProperty(
+        name="Embedding",
+        description=(
+            "A textual inversion, a .safetensors file: write the file's name in the prompt or the "
+            "negative prompt"
+        ),
+        subtype="FILE_PATH",
     )
     hub_id: StringProperty(name="Hub ID", description="owner/name of a Stable Diffusion model")
     guide: PointerProperty(

@@ -7,6 +7,7 @@ import bpy
 from ..jobs import handlers
 from ..jobs.session import session
 from . import (
+    candidates,
     drop_files,
     export_operators,
     generate_operators,
@@ -17,6 +18,7 @@ from . import (
     material_operators,
     menus,
     mesh_operators,
+    models_menu,
     physics_operators,
     preferences,
     presets,
@@ -36,7 +38,9 @@ MODULES = (  # each has its CLASSES
     presets,
     generate_operators,
     job_operators,
+    candidates,
     setup_operators,
+    models_menu,
     words_menu,
     generate_panel,
     job_panel,

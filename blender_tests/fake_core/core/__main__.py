@@ -95,6 +95,10 @@ elif prompt == "brief":  # as long as another Blender needs to find it
     train("geometry", 60, 0.05, shows=False)
 else:
     train("geometry", 10_000 if prompt in ("long", "deaf") else 5, 0.01, shows=False)
+if "--until" in sys.argv:
+    preview(0.5)
+    report("paused", text="The shape can be looked at.", fix="Finish it.")
+    sys.exit(0)
 if prompt == "nonsense":
     with events.open("a", encoding="utf-8") as file:
         file.write("not json\n[1]\n")

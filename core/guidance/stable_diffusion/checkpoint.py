@@ -1,7 +1,8 @@
-"""Find a Stable Diffusion checkpoint in diffusers' format; any other folder is refused unloaded.
+"""Find a Stable Diffusion checkpoint; any other file or folder is refused unloaded.
 
-A checkpoint is a folder with model_index.json and one folder per part. It is named by its path or
-by its hub id. The hub is reached only where the user allows it with HF_HUB_OFFLINE=0.
+A checkpoint is a folder in diffusers' format, with model_index.json and one folder per part, or one
+.safetensors file. It is named by its path or by its hub id. The hub is reached only where the user
+allows it with HF_HUB_OFFLINE=0.
 """
 
 import json
@@ -11,6 +12,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from core.errors import MissingError, UserError
+from core.guidance.stable_diffusion.header import PICKLES
+from core.guidance.stable_diffusion.single_file import find_single_file
+from core.guidance.stable_diffusion.source import Checkpoint
 
 # What Stable Diffusion 1.x and 2.x are made of; SD 3 and Flux differ in one of them.
 PARTS: Final = {
@@ -24,42 +28,45 @@ WEIGHTS: Final = {
     "unet": "diffusion_pytorch_model",
     "vae": "diffusion_pytorch_model",
     "text_encoder": "model",
+    "text_encoder_2": "model",
 }
+SECOND: Final = {"text_encoder_2": "CLIPTextModelWithProjection", "tokenizer_2": "CLIPTokenizer"}
 # What other families' U-Nets take in addition to time and text, by its entry in the configuration.
 OTHER_CONDITIONS: Final = {
-    "addition_embed_type": "SDXL, whose U-Net also takes a pooled text and sizes",
     "class_embed_type": "unCLIP, whose U-Net also takes a picture's embedding",
     "time_cond_proj_dim": "a latent consistency model (LCM), whose U-Net takes a guidance scale",
 }
 # Schedulers of models distilled to a few steps.
 DISTILLED: Final = {"LCMScheduler": "latent consistency model (LCM)", "TCDScheduler": "TCD model"}
-_EXPECTED: Final = "a Stable Diffusion 1.x or 2.x text-to-image checkpoint in diffusers' format"
+_EXPECTED: Final = "a Stable Diffusion 1.x, 2.x or XL text-to-image checkpoint in diffusers' format"
 _HUB_ID: Final = re.compile(r"[\w.-]+/[\w.-]+")
 
 
-def find_checkpoint(spec: str) -> Path:
-    """The folder of the checkpoint that ``spec`` names by path or by hub id.
+def find_checkpoint(spec: str) -> Checkpoint:
+    """The checkpoint that ``spec`` names by path or by hub id.
 
     Raises:
-        UserError: neither, or the folder holds something else.
-        MissingError: no such folder, or a hub id that is not on this machine.
+        UserError: neither, or the file or folder holds something else.
+        MissingError: no such file or folder, or a hub id that is not on this machine.
     """
     path = Path(spec).expanduser()
     if path.is_dir():
         return _require_text_to_image(path)
     if path.is_file():
-        raise UserError(
-            f'"{spec}" is a file; expected the folder of {_EXPECTED}.',
-            "Convert it with diffusers: StableDiffusionPipeline.from_single_file(FILE)"
-            ".save_pretrained(FOLDER).",
+        return find_single_file(path)
+    # Written as a path: what is missing is a file or folder, not a repository of the hub.
+    is_file = path.suffix.lower() in (".safetensors", *PICKLES)
+    if is_file or spec.startswith((".", "~", os.sep)) or path.is_absolute():
+        what = "file" if is_file else "folder"
+        raise MissingError(
+            f'There is no {what} "{spec}".',
+            f"Give the folder of {_EXPECTED}, or a .safetensors file of one.",
         )
-    # Written as a path: what is missing is a folder, not a repository of the hub.
-    if spec.startswith((".", "~", os.sep)) or path.is_absolute():
-        raise MissingError(f'There is no folder "{spec}".', f"Give the folder of {_EXPECTED}.")
     if not _HUB_ID.fullmatch(spec):
         raise UserError(
             f'"{spec}" is no guidance.',
-            'Give "builtin", a checkpoint\'s folder, or its hub id such as "owner/name".',
+            'Give "builtin", a checkpoint\'s folder or .safetensors file, or its hub id such as '
+            '"owner/name".',
         )
     return _require_text_to_image(_from_hub(spec))
 
@@ -109,15 +116,24 @@ def weight_variant(folder: Path, part: str, *, half: bool) -> str | None:
     )
 
 
-def _require_text_to_image(folder: Path) -> Path:
+def _require_text_to_image(folder: Path) -> Checkpoint:
     index = folder / "model_index.json"
     if not index.is_file():
         raise UserError(
             f'"{folder}" is no checkpoint: it has no model_index.json.',
-            f"Give the folder of {_EXPECTED}.",
+            f"Give the folder of {_EXPECTED}, or a .safetensors file of one.",
         )
     parts = read_json(index)
-    for part, expected in PARTS.items():
+    is_xl = bool((parts.get("text_encoder_2") or [None, None])[1])
+    _require_parts(folder, parts, PARTS | SECOND if is_xl else PARTS)
+    _require_unet(folder, is_xl)
+    _require_no_distilled(folder)
+    zero_empty = is_xl and bool(parts.get("force_zeros_for_empty_prompt", True))
+    return Checkpoint(folder, family="sdxl" if is_xl else "sd", zero_empty=zero_empty)
+
+
+def _require_parts(folder: Path, parts: dict[str, Any], wanted: dict[str, str]) -> None:
+    for part, expected in wanted.items():
         # An entry is [library, class], and null where the pipeline has no such part.
         found = (parts.get(part) or [None, None])[1]
         # CLIPTokenizerFast is the same tokenizer in another language.
@@ -127,15 +143,13 @@ def _require_text_to_image(folder: Path) -> Path:
                 f"{found or 'missing'}; expected {expected or 'one'}.",
                 f"Give {_EXPECTED}.",
             )
-    if (parts.get("text_encoder_2") or [None, None])[1]:
-        raise _other_family(folder, "SDXL, which has a second text encoder")
-    _require_plain_unet(folder)
-    _require_no_distilled(folder)
-    return folder
 
 
-def _require_plain_unet(folder: Path) -> None:
-    """Refuse a U-Net that takes more than a noisy latent, the time and CLIP's states."""
+def _require_unet(folder: Path, is_xl: bool) -> None:
+    """Refuse a U-Net that takes more than a noisy latent, the time and CLIP's states.
+
+    SDXL's takes a pooled text and sizes, too, and nothing else.
+    """
     unet = read_json(folder / "unet" / "config.json")
     channels = unet.get("in_channels", 4)
     if channels != 4:
@@ -144,6 +158,10 @@ def _require_plain_unet(folder: Path) -> None:
             "not 4.",
             f"Give {_EXPECTED}.",
         )
+    added = unet.get("addition_embed_type")
+    if added != ("text_time" if is_xl else None):
+        which = "SDXL's refiner" if added == "text_time" else f"a model of {added or 'two texts'}"
+        raise _other_family(folder, f"{which}, whose U-Net does not fit its text encoders")
     for key, family in OTHER_CONDITIONS.items():
         if unet.get(key) is not None:
             raise _other_family(folder, family)
@@ -190,7 +208,7 @@ def _from_hub(hub_id: str) -> Path:
     online = os.environ.get("HF_HUB_OFFLINE", "").lower() in ("0", "false", "no", "off")
     # Only the parts that are used, without pickles and other frameworks' copies of the same
     # weights.
-    folders = [f"{part}/*" for part in PARTS]
+    folders = [f"{part}/*" for part in PARTS | SECOND]
     try:
         return Path(
             snapshot_download(

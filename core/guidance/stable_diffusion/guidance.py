@@ -1,49 +1,53 @@
-"""Stable Diffusion 1.x and 2.x as guidance: the only file that imports diffusers and transformers.
+"""Stable Diffusion 1.x, 2.x and XL as guidance.
 
 The latent is the mean of the encoder's posterior, times the checkpoint's scaling factor. The mean,
 not a sample: the posterior's spread is far below the noise that SDS adds, and a step then depends
 on its seed through that noise alone.
 """
 
-import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 import torch
-from diffusers import AutoencoderKL, DDPMScheduler, UNet2DConditionModel
 from jaxtyping import Float, Int
-from safetensors import SafetensorError
 from torch import Tensor
 from torch.nn.functional import interpolate
-from transformers import CLIPTextModel, CLIPTokenizer
 
 from core.config import GUIDANCE, GuidanceConfig
 from core.errors import UserError
-from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views
+from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views, Work
 from core.guidance.sds import eps_from_v
-from core.guidance.stable_diffusion.checkpoint import find_checkpoint, read_json, weight_variant
-from core.guidance.stable_diffusion.memory import available_bytes, memory_short, peak_bytes
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint
+from core.guidance.stable_diffusion.conditions import conditions, downscale
+from core.guidance.stable_diffusion.embedding import read_embedding
+from core.guidance.stable_diffusion.fit import chunk_that_fits
+from core.guidance.stable_diffusion.lora import add_lora
+from core.guidance.stable_diffusion.memory import memory_short
+from core.guidance.stable_diffusion.networks import Networks, load_networks
 from core.guidance.stable_diffusion.prompts import (
     AROUND,
     DEFAULT_NEGATIVE_PROMPT,
     VIEWS,
     clean_prompt,
-    fit_tokens,
     opposing_weights,
     require_prompt,
     view_weights,
     view_words,
     warn_cut,
+    warn_unused,
 )
+from core.guidance.stable_diffusion.source import Additions, Checkpoint
+from core.guidance.stable_diffusion.texts import Texts
+from core.guidance.stable_diffusion.work import work_of
 
 # Grey is a normal of length 0, so an empty picture states no direction; white is what a
 # text-to-image model's object shots have behind them.
 NORMAL_BACKGROUND: Final = 0.5
 COLOR_BACKGROUND: Final = 1.0
-
-_RESERVE: Final = 1.25  # fragments, the kernels' work space, the renderer
+NOTHING: Final = Additions()
 
 
 class _Encode(torch.autograd.Function):
@@ -89,28 +93,29 @@ class StableDiffusion(Guidance):
 
     def __init__(
         self,
-        unet: UNet2DConditionModel,
-        vae: AutoencoderKL,
-        scheduler: DDPMScheduler,
-        encode_text: Callable[[list[list[int]]], Float[Tensor, "n l d"]],
-        tokenizer: CLIPTokenizer | None,
+        networks: Networks,
         *,
+        zero_empty: bool = False,
         chunk: int = 4,
         config: GuidanceConfig = GUIDANCE,
     ) -> None:
         """Wire the parts together; ``load`` is the usual way.
 
         Args:
+            zero_empty: see ``Texts``.
             chunk: pictures that go through the U-Net or the encoder at a time. The result does
                 not depend on it.
         """
         # Frozen: the encoder's gradient is needed at its input alone.
-        self.unet, self.vae = unet.requires_grad_(False).eval(), vae.requires_grad_(False).eval()
-        self.prediction_type = _prediction_type(scheduler)
-        self.alpha_bar = scheduler.alphas_cumprod.float()
-        self.latent_size = int(unet.config.sample_size)
-        self._encode_text, self._tokenizer = encode_text, tokenizer
+        self.unet = networks.unet.requires_grad_(False).eval()
+        self.vae = networks.vae.requires_grad_(False).eval()
+        self.prediction_type = _prediction_type(networks.scheduler)
+        self.alpha_bar = networks.scheduler.alphas_cumprod.float()
+        self._unet_config = self.unet.config
+        self.latent_size = int(self._unet_config.sample_size)
+        self.texts = Texts(networks.encoders, zero_empty=zero_empty)
         self.chunk, self.config = chunk, config
+        self._checkpoint: Checkpoint | None = None  # where it was loaded from
 
     @classmethod
     def load(
@@ -120,6 +125,7 @@ class StableDiffusion(Guidance):
         *,
         chunk: int = 4,
         config: GuidanceConfig = GUIDANCE,
+        additions: Additions = NOTHING,
     ) -> "StableDiffusion":
         """The checkpoint that ``spec`` names: in 16 bit on CUDA, in 32 bit elsewhere.
 
@@ -131,30 +137,25 @@ class StableDiffusion(Guidance):
             MissingError: a hub id that is not on this machine.
             MemoryShortError: not even one picture at a time fits.
         """
-        folder, device = find_checkpoint(spec), torch.device(device)
+        checkpoint, device = find_checkpoint(spec), torch.device(device)
+        if config.prediction != "auto":
+            checkpoint = replace(checkpoint, prediction=config.prediction)
         dtype = torch.float16 if device.type == "cuda" else torch.float32
         # FIT: estimated from the configuration, before any weights are read
-        texts = 2 + AROUND if config.perp_neg else 2
-        chunk = _chunk_that_fits(folder, device, dtype, chunk, texts)
-        # PARTS: networks in the precision they run in; the text encoder runs once, on the CPU
-        unet = _load(UNet2DConditionModel, folder, "unet", dtype)
-        vae = _load(AutoencoderKL, folder, "vae", dtype)
-        text_encoder = _load(CLIPTextModel, folder, "text_encoder", torch.float32).eval()
-        with _readable(folder / "tokenizer"):
-            tokenizer = CLIPTokenizer.from_pretrained(folder / "tokenizer", local_files_only=True)
-        with _readable(folder / "scheduler"):
-            # Whatever the checkpoint samples with: only its noise schedule and prediction type are
-            # read.
-            scheduler = DDPMScheduler.from_pretrained(folder / "scheduler", local_files_only=True)
-
-        def encode_text(tokens: list[list[int]]) -> Tensor:
-            with torch.no_grad():
-                return text_encoder(torch.tensor(tokens)).last_hidden_state.to(device, dtype)
-
-        vae.decoder = None  # pictures are never decoded
+        chunk = chunk_that_fits(checkpoint, device, dtype, chunk, _texts(config))
+        # PARTS: networks in the precision they run in; the text encoders run once, on the CPU
+        networks = load_networks(checkpoint, dtype)
+        models = tuple(encoder.model for encoder in networks.encoders)
+        for path, strength in additions.loras.items():
+            add_lora(Path(path), strength, networks.unet, models)
         with _out_of_memory("the checkpoint"):
-            unet, vae = unet.to(device), vae.to(device)
-        return cls(unet, vae, scheduler, encode_text, tokenizer, chunk=chunk, config=config)
+            networks.unet.to(device)
+            networks.vae.to(device)
+        guidance = cls(networks, zero_empty=checkpoint.zero_empty, chunk=chunk, config=config)
+        guidance._checkpoint = checkpoint
+        for path in additions.embeddings:
+            guidance.texts.add_words(*read_embedding(Path(path), guidance.texts.widths))
+        return guidance
 
     def prompted(self, prompt: str, negative_prompt: str) -> "PromptedStableDiffusion":
         """CLIP's states of the prompt seen from each side, and of the negative prompt.
@@ -167,17 +168,26 @@ class StableDiffusion(Guidance):
         negative = clean_prompt(negative_prompt, "negative prompt")
         if not negative and self.config.default_negative:
             negative = DEFAULT_NEGATIVE_PROMPT
+        for word in self.texts.unused(prompt, negative):
+            warn_unused(word)
         # One text for each side of the object: the weights of each camera mix them later.
-        tokens, cuts = zip(*(self._tokens(prompt, view_words(view)) for view in VIEWS), strict=True)
-        negative_tokens, negative_cut = self._tokens(negative, "")
+        tokens, cuts = zip(
+            *(self.texts.tokens(prompt, view_words(view)) for view in VIEWS), strict=True
+        )
+        negative_tokens, negative_cut = self.texts.tokens(negative, "")
         if any(cuts):
             warn_cut(max(cuts, key=len))
         if negative_cut:
             warn_cut(negative_cut, "negative prompt")
         # Once for all steps: the prompt does not change during a training.
-        states = self._encode_text([*tokens, negative_tokens])
-        empty = self._encode_text([self._tokens("", "")[0]])[0]
-        return PromptedStableDiffusion(self, states[:-1], states[-1], empty)
+        empty_tokens, _ = self.texts.tokens("", "")
+        states = self.texts.encode([*tokens, negative_tokens, empty_tokens])
+        *views, negative, empty = states.to(self.unet.device, self.unet.dtype)
+        return PromptedStableDiffusion(self, torch.stack(views), negative, empty)
+
+    def work(self) -> Work | None:
+        """From the checkpoint's configuration."""
+        return work_of(self._checkpoint, _texts(self.config)) if self._checkpoint else None
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -195,15 +205,21 @@ class StableDiffusion(Guidance):
         self, z_t: Float[Tensor, "b 4 s s"], t: Int[Tensor, " b"], text: Float[Tensor, "b l d"]
     ) -> Float[Tensor, "b 4 s s"]:
         """ε̂ of the U-Net for a text of each picture."""
-        out = self.unet(z_t.to(self.unet.dtype), t, encoder_hidden_states=text).sample.to(z_t)
+        given = conditions(self._unet_config, text, self._side)
+        out = self.unet(z_t.to(self.unet.dtype), t, **given).sample.to(z_t)
         if self.prediction_type == "epsilon":
             return out
         return eps_from_v(out, z_t, self.alpha_bar.to(z_t)[t])
 
+    @property
+    def _side(self) -> int:
+        """Of the pictures that the model was trained with, pixels."""
+        return self.latent_size * downscale(self.vae.config)
+
     def _encode(self, picture: Float[Tensor, "b h w 3"]) -> Float[Tensor, "b 4 s s"]:
         """``picture`` in [0, 1], of any size."""
         picture = picture.permute(0, 3, 1, 2) * 2 - 1
-        side = self.latent_size * _downscale(self.vae.config)
+        side = self._side
         if picture.shape[-2:] != (side, side):
             # Antialiased, so that a larger render is averaged and every pixel gets a gradient.
             picture = interpolate(picture, (side, side), mode="bilinear", antialias=True)
@@ -228,22 +244,6 @@ class StableDiffusion(Guidance):
         # SD 1 and 2 have none.
         shift = getattr(self.vae.config, "shift_factor", None) or 0.0
         return ((posterior.mean - shift) * self.vae.config.scaling_factor).to(picture.dtype)
-
-    def _tokens(self, text: str, suffix: str) -> tuple[list[int], str]:
-        """The tokens of ``text`` and ``suffix``, and the end of ``text`` that did not fit."""
-        tokenizer = self._tokenizer
-        ids = [
-            tokenizer(part, add_special_tokens=False, verbose=False).input_ids
-            for part in (text, suffix)
-        ]
-        tokens, cut = fit_tokens(
-            *ids,
-            tokenizer.model_max_length,
-            bos=tokenizer.bos_token_id,
-            eos=tokenizer.eos_token_id,
-            pad=tokenizer.pad_token_id,
-        )
-        return tokens, tokenizer.decode(cut).strip()
 
 
 class PromptedStableDiffusion(PromptedGuidance):
@@ -310,75 +310,12 @@ class PromptedStableDiffusion(PromptedGuidance):
         return self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
 
 
-def estimate_memory(folder: Path, *, chunk: int, dtype: torch.dtype, texts: int = 2) -> int:
-    """Bytes that guidance by this checkpoint takes, from its configuration alone.
-
-    The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
-    encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
-    kernels know.
-
-    Args:
-        texts: predictions of a picture that run together; Perp-Neg has more than two.
-    """
-    with _readable(folder), torch.device("meta"):
-        unet = UNet2DConditionModel.from_config(read_json(folder / "unet" / "config.json"))
-        vae = AutoencoderKL.from_config(read_json(folder / "vae" / "config.json"))
-    vae.decoder = None
-    for part in (unet, vae):
-        torch.nn.Module.to(part.requires_grad_(False), dtype)  # diffusers' own warns of this
-    size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
-    side = size * _downscale(vae.config)
-
-    # The two largest loads of a step; they do not run at the same time, so the larger one counts.
-    def predict() -> None:
-        batch = texts * chunk
-        z = torch.empty(batch, 4, size, size, dtype=dtype)
-        text = torch.empty(batch, 77, width, dtype=dtype)
-        with torch.no_grad():
-            unet(z, torch.empty(batch), encoder_hidden_states=text)
-
-    def encode() -> None:
-        picture = torch.empty(chunk, 3, side, side, dtype=dtype, requires_grad=True)
-        vae.encode(picture).latent_dist.mean.sum().backward()
-
-    weights = sum(p.nbytes for part in (unet, vae) for p in part.parameters())
-    return int(_RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
+def _texts(config: GuidanceConfig) -> int:
+    """Predictions of a picture that run together."""
+    return 2 + AROUND if config.perp_neg else 2
 
 
-def _chunk_that_fits(
-    folder: Path, device: torch.device, dtype: torch.dtype, chunk: int, texts: int
-) -> int:
-    available, needed = available_bytes(device), 0
-    while chunk >= 1:
-        needed = estimate_memory(folder, chunk=chunk, dtype=dtype, texts=texts)
-        if needed <= available:
-            return chunk
-        chunk //= 2
-    raise memory_short(f'the checkpoint "{folder}"', needed, available)
-
-
-def _load(kind: Any, folder: Path, part: str, dtype: torch.dtype) -> Any:
-    variant = weight_variant(folder, part, half=dtype == torch.float16)
-    with _readable(folder / part):
-        model, report = kind.from_pretrained(
-            folder / part,
-            dtype=dtype,
-            variant=variant,
-            use_safetensors=True,
-            local_files_only=True,
-            output_loading_info=True,
-        )
-    # diffusers and transformers fill missing weights at random and only log it.
-    if report["missing_keys"]:
-        raise UserError(
-            f'"{folder / part}" is incomplete: {len(report["missing_keys"])} of its weights are '
-            f"missing, the first {min(report['missing_keys'])}.",
-            "Download the checkpoint again.",
-        )
-    return model
-
-
-def _prediction_type(scheduler: DDPMScheduler) -> str:
+def _prediction_type(scheduler: Any) -> str:
     kind = scheduler.config.prediction_type
     if kind not in ("epsilon", "v_prediction"):
         raise UserError(
@@ -386,33 +323,6 @@ def _prediction_type(scheduler: DDPMScheduler) -> str:
             "Use another checkpoint, or correct prediction_type in scheduler_config.json.",
         )
     return kind
-
-
-def _downscale(config: Any) -> int:
-    return 2 ** (len(config.block_out_channels) - 1)
-
-
-@contextmanager
-def _readable(path: Path) -> Iterator[None]:
-    """Turn what a broken file raises into a sentence."""
-    try:
-        yield
-    except (
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-        RuntimeError,
-        SafetensorError,
-        json.JSONDecodeError,
-    ) as error:
-        if isinstance(error, torch.OutOfMemoryError):
-            raise memory_short(f'reading "{path}"') from error
-        reason = str(error).strip().splitlines()
-        raise UserError(
-            f'"{path}" cannot be loaded ({reason[0] if reason else type(error).__name__}).',
-            "Download or convert the checkpoint again.",
-        ) from error
 
 
 @contextmanager

@@ -130,6 +130,15 @@ def warn_cut(cut: str, what: str = "prompt") -> None:
     )
 
 
+def warn_unused(word: str) -> None:
+    """Warn that an embedding has no effect."""
+    warnings.warn(
+        f'The embedding "{word}" is not used. Write its name in the prompt or the negative prompt.',
+        PromptWarning,
+        stacklevel=2,
+    )
+
+
 def _wrapped_deg(azimuth: Float[Tensor, " b"]) -> Float[Tensor, " b"]:
     """Degrees in [-180, 180]."""
     # By atan2, so that any number of turns comes out in one range.

@@ -1,0 +1,62 @@
+"""How many pictures at a time fit into the memory, from a checkpoint's configuration alone."""
+
+import torch
+
+from core.guidance.stable_diffusion.conditions import conditions, downscale, takes_pooled
+from core.guidance.stable_diffusion.memory import available_bytes, memory_short, peak_bytes
+from core.guidance.stable_diffusion.networks import empty_networks, vae_dtype
+from core.guidance.stable_diffusion.source import Checkpoint
+
+RESERVE = 1.25  # fragments, the kernels' work space, the renderer
+
+
+def estimate_memory(
+    checkpoint: Checkpoint, *, chunk: int, dtype: torch.dtype, texts: int = 2
+) -> int:
+    """Bytes that guidance by this checkpoint takes.
+
+    The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
+    encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
+    kernels know.
+
+    Args:
+        texts: predictions of a picture that run together; Perp-Neg has more than two.
+    """
+    unet, vae = empty_networks(checkpoint)
+    kinds = {unet: dtype, vae: vae_dtype(checkpoint, dtype)}
+    for part, kind in kinds.items():
+        torch.nn.Module.to(part.requires_grad_(False), kind)  # diffusers' own warns of this
+    size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
+    side = size * downscale(vae.config)
+
+    # The two largest loads of a step; they do not run at the same time, so the larger one counts.
+    def predict() -> None:
+        batch = texts * chunk
+        z = torch.empty(batch, 4, size, size, dtype=dtype)
+        text = torch.empty(batch, 77 + takes_pooled(unet.config), width, dtype=dtype)
+        with torch.no_grad():
+            unet(z, torch.empty(batch), **conditions(unet.config, text, side))
+
+    def encode() -> None:
+        picture = torch.empty(chunk, 3, side, side, dtype=kinds[vae], requires_grad=True)
+        vae.encode(picture).latent_dist.mean.sum().backward()
+
+    weights = sum(p.nbytes for part in (unet, vae) for p in part.parameters())
+    return int(RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
+
+
+def chunk_that_fits(
+    checkpoint: Checkpoint, device: torch.device, dtype: torch.dtype, chunk: int, texts: int
+) -> int:
+    """The most pictures at a time, ``chunk`` or a half of it, a quarter ..., that fit.
+
+    Raises:
+        MemoryShortError: not even one does.
+    """
+    available, needed = available_bytes(device), 0
+    while chunk >= 1:
+        needed = estimate_memory(checkpoint, chunk=chunk, dtype=dtype, texts=texts)
+        if needed <= available:
+            return chunk
+        chunk //= 2
+    raise memory_short(f'the checkpoint "{checkpoint.name}"', needed, available)

@@ -1,0 +1,219 @@
+"""The paper's figures: what is made stays, what failed is said, the page shows what there is."""
+
+import dataclasses
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import torch
+from PIL import Image
+
+from core.command_line import job_of, main, parse
+from core.config import preset, with_settings
+from core.errors import UserError
+from core.geometry.mesh import health
+from core.geometry.signed_distance import SolidMesh
+from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.palette import COLOR_VALUES
+from core.guidance.builtin.vocabulary import understood
+from core.reproduce import make as making
+from core.reproduce.figures import ASSETS, FIGURES
+from core.reproduce.guides import GUIDES, guide_file, triangle_volume
+from core.reproduce.make import QUICK, Order, command_words, words_of
+from core.reproduce.numbers import LABELS, guide_distance
+from core.reproduce.page import write_page
+
+ROOT = Path(__file__).parents[2]
+
+
+def order(out, **more):
+    return Order(out, lambda words: job_of(parse(words)), **more)
+
+
+# The figures
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_every_asset_is_a_job_of_words_that_the_prior_knows(name, tmp_path):
+    asset = ASSETS[name]
+    job = job_of(parse(words_of(name, order(tmp_path))))
+    understood(job.prompt)
+    assert bool(job.guide_mesh) == bool(asset.guide)
+    assert asset.noun in offered_words()["noun"]
+    assert not asset.color or (asset.color in COLOR_VALUES and asset.color in job.prompt)
+
+
+def test_a_checkpoint_gets_the_papers_own_prompt(tmp_path):
+    words = words_of("bust", order(tmp_path, guidance="/models/sd"))
+    assert "Theodoros" in words[-1]
+    assert "--preset=standard" in words and "--guidance=/models/sd" in words
+    assert words_of("guided-bus", order(tmp_path, guidance="/models/sd"))[-1] == "a red bus"
+
+
+def test_every_row_names_what_there_is():
+    for figure in FIGURES:
+        for row in figure.rows:
+            assert {row.asset, *row.others} <= ASSETS.keys()
+            assert set(row.numbers) <= LABELS.keys()
+            assert ("guide_distance" in row.numbers) <= bool(ASSETS[row.asset].guide)
+    assert len({figure.name for figure in FIGURES}) == len(FIGURES)
+
+
+def test_every_command_is_one_that_run_py_parses(tmp_path):
+    sys.path.insert(0, str(ROOT))
+    from run import parse as parse_all
+
+    places = dict.fromkeys(ASSETS, tmp_path) | {"asset": tmp_path, "file": tmp_path / "a.png"}
+    commands = {c for f in FIGURES for row in f.rows for _, c in row.shots if c != making.GUIDE}
+    for command in commands:
+        assert parse_all([*command_words(command, places), "--size", "64"]).command
+
+
+def test_a_place_with_a_blank_stays_one_word():
+    places = {"asset": Path("a b"), "file": Path("c")}
+    assert command_words("render {asset} --out {file}", places) == ["render", "a b", "--out", "c"]
+
+
+def test_the_shortest_settings_exist():
+    with_settings(preset("draft"), dict(text.split("=") for text in QUICK))
+
+
+# The guides
+
+
+@pytest.mark.parametrize("name", GUIDES)
+def test_a_guide_is_closed_and_faces_outwards(name):
+    mesh = GUIDES[name]()
+    assert health(mesh.verts, mesh.faces)["closed"]
+    assert triangle_volume(mesh.verts, mesh.faces) > 0
+
+
+def test_the_frame_has_five_openings():
+    mesh = GUIDES["frame"]()
+    middle = torch.tensor([[0.0, 0.0, z] for z in (0.25, 0.62, 1.0, 1.38, 1.75)])
+    boards = torch.tensor([[0.0, 0.0, z] for z in (0.06, 0.436, 0.812, 1.188, 1.564, 1.94)])
+    solid = SolidMesh(mesh.verts, mesh.faces)
+    assert (solid.sdf(middle) > 0).all()
+    assert (solid.sdf(boards) < 0).all()
+
+
+def test_a_guide_is_at_no_distance_from_itself_and_a_larger_box_by_what_it_lacks():
+    mesh = GUIDES["seat"]()
+    assert guide_distance(dataclasses.replace(mesh, verts=3 * mesh.verts + 5), mesh) < 0.35
+    ball, cube = GUIDES["person"](), GUIDES["bus"]()
+    assert guide_distance(ball, cube) > 5
+
+
+def test_an_unknown_guide_is_refused(tmp_path):
+    with pytest.raises(UserError, match="no guide mesh 'cow'"):
+        guide_file(tmp_path, "cow")
+
+
+# The command
+
+
+def test_list_says_what_is_made_and_writes_nothing(tmp_path, capsys):
+    assert main(["reproduce", "--list", "--out", str(tmp_path / "out")]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == [figure.name for figure in FIGURES]
+    assert all(" 0 of " in line for line in lines)
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["--figure=cow"], "no figure 'cow'"),
+        (["--figure=sds", "--guidance=stabilityai/x"], "no figure 'sds'"),
+        (["--page=a.html"], "ends in .md"),
+        (["--row=cow"], "no row 'cow'"),
+    ],
+)
+def test_what_cannot_be_made_is_refused_first(words, text, tmp_path, capsys):
+    assert main(["reproduce", "--out", str(tmp_path / "out"), *words]) == 2
+    assert text in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+ROW = "genus 5 wanted"
+PLACE = "figures/genus/genus-5-wanted-*"
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """One row made for real by the shortest settings, in a process as a user starts it."""
+    out = tmp_path_factory.mktemp("reproduce")
+    command = [sys.executable, "-m", "core", "reproduce", "--quick", "--figure=genus"]
+    done = subprocess.run(
+        [*command, "--row", ROW, "--out", str(out)],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return out, done
+
+
+def again(out):
+    return main(["reproduce", "--quick", "--figure=genus", "--row", ROW, "--out", str(out)])
+
+
+def times(out, pattern):
+    return {path: path.stat().st_mtime_ns for path in out.glob(pattern)}
+
+
+def test_a_row_is_made_and_the_page_shows_it(made):
+    out, done = made
+    page = (out / "reproduction.md").read_text()
+    assert done.stdout.splitlines()[-1].endswith("reproduction.md")
+    section = page.partition("## Genus")[2].partition("\n## ")[0]
+    (row,) = [line for line in section.splitlines() if line.startswith("| **")]
+    assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-5-wanted.jpg)" in row
+    assert "distance to the guide, %: " in row and "genus: " in row
+    assert "Not made yet: genus 0 wanted, genus 1 wanted, genus 2 wanted." in section
+    assert "`python3 run.py reproduce --figure physics` makes them" in page
+    with Image.open(out / "reproduction" / "genus-genus-5-wanted.jpg") as picture:
+        assert picture.size == (2 * 48 + 4, 48)
+        assert len(picture.getcolors(1 << 16)) > 50
+
+
+def test_what_is_there_is_not_made_again(made):
+    out, _ = made
+    before = times(out, "runs/*/asset/*") | times(out, "figures/*/*/*")
+    assert len(before) > 3
+    assert again(out) == 0
+    assert times(out, "runs/*/asset/*") | times(out, "figures/*/*/*") == before
+
+
+def test_a_row_is_continued_at_its_missing_picture(made):
+    out, _ = made
+    (place,) = out.glob(PLACE)
+    kept = times(place, "0.png")
+    (place / "1.png").unlink()
+    (place / "row.json").unlink()
+    assert again(out) == 0
+    assert (place / "row.json").exists() and (place / "1.png").exists()
+    assert times(place, "0.png") == kept
+
+
+def test_a_row_that_failed_is_on_the_page_and_is_tried_again(made, tmp_path):
+    out, _ = made
+    (place,) = out.glob(f"{PLACE}/row.json")
+    before = json.loads(place.read_text())
+    place.write_text(json.dumps({"failure": "It vanished.", "pictures": [], "numbers": {}}))
+    page = write_page(tmp_path / "page.md", order(out, quick=True)).read_text()
+    assert f"**{ROW}** failed: It vanished." in page
+    assert again(out) == 0
+    assert json.loads(place.read_text()) == before
+
+
+@pytest.mark.slow
+def test_pictures_in_cycles_are_made_by_run_py(tmp_path):
+    pytest.importorskip("bpy")
+    words = ["reproduce", "--quick", "--figure=material", "--out", str(tmp_path)]
+    assert main(words) == 0
+    page = (tmp_path / "reproduction.md").read_text()
+    assert "as generated · wood · gold · marble" in page
+    with Image.open(tmp_path / "reproduction" / "material-bust.jpg") as strip:
+        tiles = [strip.crop((52 * i, 0, 52 * i + 48, 48)).tobytes() for i in range(4)]
+    assert len(set(tiles)) == 4
