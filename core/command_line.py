@@ -4,7 +4,7 @@ Standard library only until a command is carried out: torch takes seconds to loa
 option must not wait for it.
 
 Exit codes: 0 done; 2 the user's input; 3 something is missing; 4 out of memory; 5 no surface could
-be kept; 6 some assets of a batch failed; 130 cancelled.
+be kept; 6 some assets of a batch failed; 7 another process of the same run ended; 130 cancelled.
 """
 
 import argparse
@@ -108,6 +108,7 @@ def add_core_commands(commands: Commands) -> None:
             "--color-seed", type=int, metavar="N", help="another material on the same shape"
         )
         _add_job_options(command)
+        _add_gpus(command)
 
     explore = add(
         "explore", "Quick shapes of several seeds next to each other; resume finishes one."
@@ -133,6 +134,7 @@ def add_core_commands(commands: Commands) -> None:
 
     resume = add("resume", "Go on with a run that was cancelled or died.")
     resume.add_argument("run", type=Path)
+    _add_gpus(resume)
     resume.add_argument(
         "--end-with-stdin", action="store_true", help="end when the program that started it does"
     )
@@ -215,6 +217,7 @@ def add_core_commands(commands: Commands) -> None:
         "--calls", type=int, default=60, help="of distillation: network calls of each view"
     )
     bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
+    _add_rehearsal_options(bench)
     bench.add_argument(
         "--set",
         action="append",
@@ -255,6 +258,25 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--max-faces", type=int, metavar="N")
     command.add_argument("--device", metavar="auto|cpu|cuda|mps")
     command.add_argument("--set", action="append", default=[], metavar="stage.field=value")
+
+
+def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
+    of = "of guidance --architecture"
+    bench.add_argument(
+        "--architecture",
+        metavar="sd15|sd21|sdxl",
+        help="of guidance: with random weights",
+    )
+    bench.add_argument("--scale", default="full", metavar="full|tiny", help=f"{of}: its widths")
+    bench.add_argument("--batch", type=int, default=24, metavar="N", help=f"{of}: views of a step")
+    bench.add_argument("--chunk", type=int, default=4, metavar="N", help=f"{of}: views at a time")
+    bench.add_argument("--device", default="auto", metavar="auto|cpu|cuda", help=of)
+
+
+def _add_gpus(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--gpus", type=int, default=1, metavar="N", help="share each step's views among N GPUs"
+    )
 
 
 def parse(argv: Sequence[str]) -> argparse.Namespace:
@@ -318,18 +340,20 @@ def _setting(text: str) -> tuple[str, str]:
     return key.strip(), value.strip()
 
 
-def run_job(run: "RunFolder", inputs: "Inputs | None", until: str = "") -> Path | None:
+def run_job(
+    run: "RunFolder", inputs: "Inputs | None", until: str = "", gpus: int = 1
+) -> Path | None:
     """:func:`_run_job` under the run's lock, taken before anything is written to its folder."""
     from core.io.lock import run_lock
     from core.io.progress import Progress
 
     progress = Progress(run)
     with run_lock(run.path), asks_to_stop(progress.interrupt):
-        return _run_job(run, inputs, progress, until)
+        return _run_job(run, inputs, progress, until, gpus)
 
 
 def _run_job(
-    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", until: str
+    run: "RunFolder", inputs: "Inputs | None", progress: "Progress", until: str, gpus: int
 ) -> Path | None:
     """Carry out ``run`` from where it stopped, until its events end; the folder of its asset.
 
@@ -337,6 +361,7 @@ def _run_job(
     ``inputs`` are loaded here where they are None, so that what is wrong with them is an event.
     """
     from core.generate import generate, prepare
+    from core.together import place, together
 
     path, request = run.path, run.path / "cancel"
     run.remove_half_written()
@@ -344,7 +369,9 @@ def _run_job(
         request.unlink()
     run.report("started", pid=os.getpid())
     try:
-        asset = generate(run, inputs or prepare(run.job), progress, until)
+        inputs = inputs or prepare(run.job, place(gpus, run.job.device))
+        with together(inputs, run.job, gpus, until) as shared:
+            asset = generate(run, shared, progress, until)
     except Paused as pause:
         run.report("paused", text=pause.text, fix=pause.fix)
         put(run.path)
@@ -379,6 +406,8 @@ def main(argv: Sequence[str]) -> int:
 def carry_out(args: argparse.Namespace) -> Path | None:
     """Carry out a parsed command; the folder of the asset that it made, if it made one."""
     if args.command in JOBS:
+        if int(os.environ.get("RANK") or 0) > 0:
+            _follow()
         return _resume(args) if args.command == "resume" else _job(args)
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
@@ -403,12 +432,14 @@ def default_run_folder(prompt: str) -> Path:
 def _job(args: argparse.Namespace) -> Path | None:
     from core.generate import prepare
     from core.io.run_folder import RunFolder
+    from core.together import place
 
     _until(args)
     job = job_of(args)
-    inputs = prepare(job)  # what is wrong is reported before anything is written
+    # What is wrong is reported before anything is written.
+    inputs = prepare(job, place(args.gpus, job.device))
     run = RunFolder.create(args.out or default_run_folder(job.prompt), job)
-    return run_job(run, inputs, _until(args))
+    return run_job(run, inputs, _until(args), args.gpus)
 
 
 def _until(args: argparse.Namespace) -> str:
@@ -425,7 +456,15 @@ def _resume(args: argparse.Namespace) -> Path | None:
 
     if args.end_with_stdin:
         end_with_stdin()
-    return run_job(RunFolder.open(args.run), None, _until(args))
+    return run_job(RunFolder.open(args.run), None, _until(args), args.gpus)
+
+
+def _follow() -> None:
+    """Of the processes that torchrun has started, all but the first take part and write nothing."""
+    from core.together import follow, place
+
+    if place():
+        sys.exit(follow())
 
 
 def _explore(args: argparse.Namespace) -> None:
@@ -545,6 +584,15 @@ def _reproduce(args: argparse.Namespace) -> None:
         run_reproduce(args, lambda words: job_of(parse(words)))
 
 
+def _rehearse(args: argparse.Namespace) -> None:
+    from core.benchmarks.bench_rehearsal import Rehearsal, bench_rehearsal
+
+    if args.names != ["guidance"]:
+        raise UserError("--architecture belongs to bench guidance alone.", "Name no other bench.")
+    names = ("architecture", "scale", "batch", "chunk", "device")
+    bench_rehearsal(Rehearsal(**{name: getattr(args, name) for name in names}), args.json)
+
+
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
     from core.io.atomic import check_target
@@ -567,6 +615,8 @@ def _bench(args: argparse.Namespace) -> None:
             from core.benchmarks.bench_distillation import bench_distillation
 
             bench_distillation(args.nouns, args.set, args.calls, args.out, args.json)
+        elif args.architecture:
+            _rehearse(args)
         else:
             bench(args.names, args.json)
 

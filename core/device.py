@@ -5,8 +5,24 @@ import torch
 from core.errors import MissingError, UserError, shown
 
 
-def device_of(name: str) -> torch.device:
-    """The torch device ``name``; "auto" is a CUDA GPU, or else the CPU."""
+def device_of(name: str, place: int | None = None) -> torch.device:
+    """The torch device ``name``; "auto" is a CUDA GPU, or else the CPU.
+
+    ``place``: of a process among those on this machine that make one asset together; each takes
+    the GPU of that number, and on a CPU all share it.
+    """
+    device = _device_of(name)
+    if place is None or device.type != "cuda":
+        return device
+    if device.index is not None:
+        raise UserError(
+            f"Several processes cannot share the device {shown(name)}.",
+            "Use --device cuda: each of them then takes a GPU of its own.",
+        )
+    return _device_of(f"cuda:{place}")
+
+
+def _device_of(name: str) -> torch.device:
     found = {"cuda": torch.cuda.is_available(), "mps": torch.backends.mps.is_available()}
     if name == "auto":
         # Not mps: Apple GPUs have no float64, which visibility, tangents and meshes compute in, so

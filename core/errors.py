@@ -48,6 +48,12 @@ class SomeFailedError(UserError):
     status = 6
 
 
+class RankLostError(UserError):
+    """One of the processes that make an asset together has ended; the run's folder resumes."""
+
+    status = 7
+
+
 class Paused(UserError):  # noqa: N818 - as the user asked
     """The run has come as far as it was to; its folder resumes."""
 

@@ -29,6 +29,7 @@ from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import config_of, within
 from core.provenance import made_by, recorded
+from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
@@ -37,7 +38,13 @@ from core.stages.preview import show_shape, size_of
 from core.stages.start_color import fit_start_color, start_picture
 from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
-from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unwrap_shape
+from core.stages.texturing import (
+    bake_maps,
+    load_unwrapped,
+    save_unwrapped,
+    shared_unwrapped,
+    unwrap_shape,
+)
 from core.stages.training import Setup
 from core.stages.workload import cpu_notice
 from core.texture.look_up import maps_source
@@ -56,12 +63,16 @@ class Inputs:
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
     warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
+    ranks: Ranks = ALONE  # the processes that make the asset together
 
 
-def prepare(job: Job) -> Inputs:
-    """Load what ``job`` names; UserError for the first thing that is not right."""
+def prepare(job: Job, place: int | None = None) -> Inputs:
+    """Load what ``job`` names; UserError for the first thing that is not right.
+
+    ``place``: this process's among those of this machine that make the asset together.
+    """
     config = config_of(job)
-    device = device_of(job.device)
+    device = device_of(job.device, place)
     path = job.mesh or job.guide_mesh
     shape = load_mesh(Path(path)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
@@ -85,6 +96,8 @@ def prepare(job: Job) -> Inputs:
 def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = "") -> Path:
     """Carry out the run from where it is; the path of its asset folder.
 
+    Of several processes each calls this, with the same job; the first one writes.
+
     Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
     """
     job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
@@ -92,10 +105,12 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     for text in inputs.warnings:
         progress.warn(text)
 
-    unwrapped = load_unwrapped(run)
+    # The first process alone knows the run folder; what it finds is true for all.
+    ranks = inputs.ranks
+    unwrapped = load_unwrapped(run) if ranks.first else None
     if until == "shape" and (unwrapped is not None or job.command == "texture"):
         raise paused(run, until)
-    if unwrapped is None:
+    if not ranks.rows([unwrapped is not None])[0].any():
         # GEOMETRY (§4.2): Ψ learns the shape, unless the user brings one to texture
         shape = (
             inputs.shape
@@ -104,12 +119,14 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         )
         if until == "shape":
             raise paused(run, until)
-        assert shape is not None  # a job of "texture" has a mesh
 
         # UNWRAP: once, in the training's cube, within the face budget
-        shape = replace(shape, verts=normalise(shape.verts)[0])
-        unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
-        save_unwrapped(run, unwrapped)
+        if ranks.first:
+            assert shape is not None  # a job of "texture" has a mesh
+            shape = replace(shape, verts=normalise(shape.verts)[0])
+            unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
+            save_unwrapped(run, unwrapped)
+    unwrapped = shared_unwrapped(unwrapped, ranks)
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
@@ -122,10 +139,12 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     if inputs.start is not None and inputs.shape and not run.has(training.name):
         fit_start_color(training, inputs.shape, inputs.start, progress)
     light = Environment.of(inputs.light, config.appearance.shading).to(device)
-    setup = Setup(training, guidance, ranges)
+    setup = Setup(training, guidance, ranges, ranks)
     learn_appearance(setup, mesh, light, progress, early=until == "color")
     if until == "color":
         raise paused(run, until)
+    if not ranks.first:
+        return run.asset
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
     named = {"surfaces": guidance.surfaces(), "seed": job.color_seed or job.seed}
@@ -143,10 +162,13 @@ def paused(run: RunFolder, until: str) -> Paused:
     return Paused(f"{what} can be looked at.", f"Finish it: run.py resume {run.path}")
 
 
-def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False) -> Mesh:
+def learned_shape(
+    run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False
+) -> Mesh | None:
     """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide.
 
-    ``early``: as :func:`core.stages.geometry.learn_geometry` has it.
+    ``early``: as :func:`core.stages.geometry.learn_geometry` has it. None in a process that is not
+    the first of several.
     """
     guide, strength = inputs.shape, run.job.guide_strength
     if guide and strength == 1:
@@ -161,9 +183,9 @@ def learned_shape(run: RunFolder, inputs: Inputs, progress: Progress, early: boo
             fit_guide(training, config, guide, strength, progress)
         else:
             fit_start_shape(training, config, progress)
-    setup = Setup(training, inputs.guidance, config)
-    verts, faces = learn_geometry(setup, progress, lit, early=early)
-    return Mesh(verts.cpu(), faces.cpu())
+    setup = Setup(training, inputs.guidance, config, inputs.ranks)
+    learned = learn_geometry(setup, progress, lit, early=early)
+    return learned and Mesh(*(x.cpu() for x in learned))
 
 
 def kept_guide(guide: Mesh, run: RunFolder, progress: Progress) -> Mesh:
@@ -182,6 +204,19 @@ def back(verts: Float[Tensor, "v 3"], mesh: Mesh | None) -> Float[Tensor, "v 3"]
         return mesh.verts
     _, center, scale = normalise(mesh.verts)
     return verts / scale + center
+
+
+def views_of(config: Config) -> dict[str, int]:
+    """How many views a step has, by the setting that says so: no more processes can share them."""
+    views = {}
+    for stage, rounds in (("geometry", ("grow", "refine")), ("appearance", ("refine",))):
+        settings = getattr(config, stage)
+        views[f"{stage}.views"] = settings.views
+        for name in rounds:
+            one = getattr(settings, name)
+            if one.rounds * one.steps:
+                views |= {f"{stage}.{name}.{of}": getattr(one, of) for of in ("batch", "views")}
+    return views
 
 
 def info_of(job: Job, run: RunFolder) -> dict:

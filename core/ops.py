@@ -1,10 +1,26 @@
 """Small vector and colour formulas that several modules share."""
 
+from collections.abc import Callable
+from typing import TypeVar
+
 import torch
 from jaxtyping import Float
 from torch import Tensor
+from torch.utils.checkpoint import checkpoint
 
 from core import kernels
+
+Result = TypeVar("Result")
+
+
+def recomputed(function: Callable[..., Result], *given: object) -> Result:
+    """``function`` of ``given``, whose backward computes it again instead of keeping what it made.
+
+    Nothing in it may be drawn at random.
+    """
+    if not torch.is_grad_enabled():
+        return function(*given)
+    return checkpoint(function, *given, use_reentrant=False, preserve_rng_state=False)
 
 
 def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b 1"]:

@@ -14,11 +14,12 @@ from torch import Tensor
 from core.appearance.brdf import lookup_albedo
 from core.appearance.environment import Environment, Incoming
 from core.appearance.occlusion import occluded
-from core.ops import dot, normalize
+from core.ops import dot, normalize, recomputed
 
 # Below this n·v, which smooth normals reach at the rim, the view counts as grazing.
 MIN_COS = 1e-3
-# Points at a time: it bounds the memory of the lookups, and nothing else depends on it.
+# Points at a time: it bounds the memory of the lookups, and nothing else depends on it. Where there
+# are more, the backward computes each part again: 24 views of 512² would else keep gigabytes.
 CHUNK = 1 << 17
 
 
@@ -39,8 +40,10 @@ def shade(
     """
     given = [normal, view, kd, roughness, metallic]
     given += [] if occlusion is None else [occlusion]
+    if len(normal) <= CHUNK:
+        return shade_chunk(environment, *given)
     parts = zip(*(x.split(CHUNK) for x in given), strict=True)
-    return torch.cat([shade_chunk(environment, *part) for part in parts])
+    return torch.cat([recomputed(shade_chunk, environment, *part) for part in parts])
 
 
 def shade_chunk(

@@ -10,11 +10,11 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import Material
-from core.appearance.shade import lifted, perturb, shade
+from core.appearance.shade import CHUNK, lifted, perturb, shade
 from core.camera import Cameras
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import corner_tangents, smooth_normals
-from core.ops import dot, linear_to_srgb, normalize
+from core.ops import dot, linear_to_srgb, normalize, recomputed
 from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
 
@@ -66,6 +66,7 @@ class Shaded(NamedTuple):
     p: Float[Tensor, "b h w 3"]  # what is seen, training units, weighted by coverage
     points: Float[Tensor, "p 3"]  # of the covered pixels
     material: Material  # there
+    view: Int[Tensor, " p"]  # the picture each is in, in order
 
 
 class SurfacePoints(NamedTuple):
@@ -119,7 +120,7 @@ def render_shaded(
     """
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
-    material = source(surface.points, surface.uv)
+    material = material_at(source, surface)
     normal = surface.shading_normal(material.kn)
     color = shade(
         normal,
@@ -134,7 +135,19 @@ def render_shaded(
     values = torch.cat([srgb, smooth, surface.points, torch.ones_like(srgb[:, :1])], -1)
     picture = antialias(scatter(values, fragments), fragments, mesh.faces, mesh.edges)
     srgb, n, p, o = picture.split([3, 3, 3, 1], -1)
-    return Shaded(srgb, o, n, p, surface.points, material)
+    return Shaded(srgb, o, n, p, surface.points, material, fragments.view)
+
+
+def material_at(source: MaterialSource, surface: SurfacePoints) -> Material:
+    """The material at the covered pixels; where they are many, the backward computes it again.
+
+    A hash grid keeps 1.5 kB of indices and weights for each point.
+    """
+    if len(surface.points) <= CHUNK:
+        return source(surface.points, surface.uv)
+    both = zip(surface.points.split(CHUNK), surface.uv.split(CHUNK), strict=True)
+    parts = [recomputed(source, points, uv) for points, uv in both]
+    return Material(*(torch.cat(part) for part in zip(*parts, strict=True)))
 
 
 def saturate(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:

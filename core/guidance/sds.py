@@ -239,8 +239,6 @@ def sds_grad(
     """
     # The network's Jacobian is left out (Eq. 1): nothing behind the latent needs a graph.
     z = z.detach()
-    # Checked on both sides of the network, so that the message names where the fault lies.
-    _require_finite(z, t, "The picture that goes to the guidance")
     alpha_bar = guidance.alpha_bar.to(z)[t.to(z.device)]
     if method.name == "sdi":
         eps = inverted_noise(guidance, z, t, views, -guidance_scale, method.inversion_steps)
@@ -252,7 +250,11 @@ def sds_grad(
             score = guidance_scale * classifier_score(predictions, method.negative)
         else:
             score = predict_eps(guidance, z_t, t, views, guidance_scale) - eps
-    _require_finite(score, t, "The guidance's noise prediction")
+    # Checked on both sides of the network, so that the message names where the fault lies; and
+    # together, so that a GPU is waited for once.
+    if not bool(z.isfinite().all() & score.isfinite().all()):
+        _require_finite(z, t, "The picture that goes to the guidance")
+        _require_finite(score, t, "The guidance's noise prediction")
     # Capped after the weighting: the bound is on what reaches the latent.
     grad = weight(alpha_bar, weighting)[:, None, None, None] * score
     return grad if cap is None else cap_rms(grad, cap)

@@ -12,6 +12,7 @@ from core.appearance.material import MaterialNet
 from core.appearance.occlusion import VertexVisibility
 from core.appearance.shaded import UvMesh
 from core.config import AppearanceConfig, PhaseConfig
+from core.guidance.sds import NotFiniteError
 from core.io.progress import Progress
 from core.stages.distill import Draw, distill
 from core.stages.lit_scene import LitScene, roughening
@@ -38,7 +39,7 @@ def learn_appearance(
     visibility = VertexVisibility.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
     subject = LitObject(mesh, environment, visibility)
     stop = early_steps(setup.config) if early else None
-    train(setup.training, appearance_phases(setup, subject), progress, stop=stop)
+    train(setup, appearance_phases(setup, subject), progress, stop=stop)
     if early:
         subject.scene(setup).show(setup.training.run)
 
@@ -103,11 +104,18 @@ class Distillation(Phase):
     def _losses(self, scene: LitScene, index: int) -> Iterator[Tensor]:
         setup, config = self.setup, self.setup.config
         draw = Draw.of(setup, self.phase, fraction(index, self.steps))
-        for part in draw.split(config.views_at_once, scene.device):
-            z, views = scene.latents(part.cameras, self.phase.size)
-            yield distill(setup, self.phase, part, z, views)[0] / config.views
-        # Last: it takes the points that the views above have seen.
-        yield from roughening(scene, setup.training.generator)
+        failure: NotFiniteError | None = None
+        try:
+            for part in draw.split(setup.at_once, scene.device, setup.ranks):
+                z, views = scene.latents(part.cameras, self.phase.size)
+                yield distill(setup, self.phase, part, z, views)[0] / config.views
+        except NotFiniteError as error:
+            failure = error
+        # Last: it takes the points that the views above have seen. In any case: it counts those of
+        # all processes, which wait for this one's.
+        yield from roughening(scene, setup.training.generator, config.views, setup.ranks)
+        if failure:
+            raise failure
 
 
 class Fitting(Phase):
@@ -134,7 +142,7 @@ class Fitting(Phase):
         # A part of the round's pictures in each step: the light turns between steps, the targets
         # stay.
         some = round_targets(setup, rounds, scene, label).some(rounds.batch, generator)
-        for part in some.split(setup.config.views_at_once):
+        for part in some.split(setup.at_once, setup.ranks):
             z, _ = scene.latents(part.cameras, rounds.size)
             yield fit_loss(z, part.z) / len(some.z)
-        yield from roughening(scene, generator)
+        yield from roughening(scene, generator, len(some.z), setup.ranks)

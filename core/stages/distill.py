@@ -11,6 +11,7 @@ from core.camera import Cameras, sample_cameras
 from core.config import PhaseConfig
 from core.guidance.guidance import Views
 from core.guidance.sds import Method, anneal, sample_t, sds_grad, sds_loss
+from core.ranks import ALONE, Ranks
 from core.stages.scene import portions
 from core.stages.training import Setup
 
@@ -49,12 +50,14 @@ class Draw:
             negative=negative if phase.distillation == "csd" else None,
         )
 
-    def split(self, views_at_once: int, device: torch.device) -> "Iterator[Draw]":
-        """Parts of ``views_at_once`` views, the last one smaller, on ``device``."""
+    def split(
+        self, views_at_once: int, device: torch.device, ranks: Ranks = ALONE
+    ) -> "Iterator[Draw]":
+        """This process's views on ``device``, ``views_at_once`` at a time, the last part less."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
-        given = {name: value for name, value in values.items() if value is not None}
-        for part in portions(len(self.t), views_at_once):
-            yield Draw(**{name: value[part].to(device) for name, value in given.items()})
+        mine = {name: value[ranks.share] for name, value in values.items() if value is not None}
+        for part in portions(len(mine["t"]), views_at_once):
+            yield Draw(**{name: value[part].to(device) for name, value in mine.items()})
 
 
 def distill(

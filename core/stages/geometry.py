@@ -41,18 +41,21 @@ ShapeSetup = Setup[SdfNet, GeometryConfig]
 
 def learn_geometry(
     setup: ShapeSetup, progress: Progress, lit: LitShape | None = None, *, early: bool = False
-) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]] | None:
     """Train Ψ by score distillation; the mesh that its surface has in the end.
 
     ``lit``: from shaded pictures, an ablation; None: from normals, the paper's way. ``early``: only
-    so far that one recognises the shape, which is then the preview too.
+    so far that one recognises the shape, which is then the preview too. Of several processes the
+    first one alone makes the mesh; the others get None.
     """
     training, config = setup.training, setup.config
     training.resume()
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
     phases = geometry_phases(setup, coarse, fine, lit)
     stop = early_steps(config) if early else None
-    train(training, phases, progress, config.gradient_clip, stop)
+    train(setup, phases, progress, config.gradient_clip, stop)
+    if not setup.ranks.first:
+        return None
     if early:
         verts, faces = final_mesh(training.module, coarse, config)
         show_shape(training.run, verts, faces)
@@ -146,10 +149,12 @@ class Distillation(Phase):
 
     def _losses(self, scene: ShapeScene, index: int) -> Iterator[Tensor]:
         config = self.setup.config
-        for part in self.draw(index).split(config.views_at_once, scene.device):
+        ranks = self.setup.ranks
+        for part in self.draw(index).split(self.setup.at_once, scene.device, ranks):
             loss = self._coarse(scene, part, index) if self.coarse else self._fine(scene, part)
             yield loss / config.views
-        yield from smoothness(scene, config)
+        # The same in each process, whose gradients are added up: it counts once.
+        yield from (loss / ranks.world for loss in smoothness(scene, config))
 
     def _coarse(self, scene: ShapeScene, part: Draw, index: int) -> Tensor:
         """z = [n R, 2o - 1], downsampled (§4.2)."""
@@ -210,23 +215,24 @@ class Fitting(Phase):
         return band_about(net, self.grid, BAND)
 
     def _losses(self, scene: ShapeScene, label: str) -> Iterator[Tensor]:
-        setup, rounds, at_once = self.setup, self.rounds, self.setup.config.views_at_once
-        generator = setup.training.generator
+        setup, rounds, at_once = self.setup, self.rounds, self.setup.at_once
+        generator, ranks = setup.training.generator, setup.ranks
         also = scene.band._asdict() if scene.band else {}
         some = round_targets(setup, rounds, scene, label, **also).some(rounds.batch, generator)
         rays, mask = rounds.ray_mask > 0, some.z[:, 3]
         # Drawn for all views at once, as a Draw is.
         shifts = torch.rand(mask.shape, generator=generator) if rays else torch.zeros(mask.shape)
-        for part, shift in zip(some.split(at_once), shifts.split(at_once), strict=True):
+        parts = zip(some.split(at_once, ranks), shifts[ranks.share].split(at_once), strict=True)
+        for part, shift in parts:
             z, _ = scene.latents(part.cameras, rounds.size)
             loss = fit_loss(z, part.z)
             if rays:
                 loss = loss + rounds.ray_mask * ray_fit(scene, part, shift)
             yield loss / len(some.z)
         if scene.band is None:
-            yield from smoothness(scene, setup.config)
+            yield from (loss / ranks.world for loss in smoothness(scene, setup.config))
         else:  # the shape is nearly there, and the pictures say all; but only of the band
-            yield strays(scene.net, self.grid, scene.band, generator)
+            yield strays(scene.net, self.grid, scene.band, generator) / ranks.world
 
 
 def smoothness(scene: ShapeScene, config: GeometryConfig) -> Iterator[Tensor]:

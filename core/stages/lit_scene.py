@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import torch
-from jaxtyping import Float, UInt8
+from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
 from core.appearance.environment import Environment
@@ -13,6 +13,7 @@ from core.appearance.shaded import MaterialSource, Shaded, UvMesh, render_shaded
 from core.camera import Cameras
 from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
 from core.io.run_folder import RunFolder
+from core.ranks import ALONE, Ranks
 from core.stages.preview import SIZE, VIEW, over_grey, show_color
 from core.stages.scene import Scene, gather
 
@@ -41,7 +42,10 @@ class LitScene(Scene):
         self.net, self.mesh, self.lit, self.guidance = net, mesh, lit, guidance
         self.still, self.occlusion = still, occlusion
         self.device = mesh.verts.device
-        self.points: list[Float[Tensor, "_p 3"]] = []  # seen with gradient, part by part
+        # Seen with gradient, part by part; and the view of each, counted through all parts.
+        self.points: list[Float[Tensor, "_p 3"]] = []
+        self.views: list[Int[Tensor, " _p"]] = []
+        self._seen = 0
 
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
         """The colours, encoded; and the geometry, for a guidance that can use it."""
@@ -49,6 +53,8 @@ class LitScene(Scene):
         # A round's targets are rendered without gradient; their points are no part of the step.
         if torch.is_grad_enabled():
             self.points.append(shaded.points)
+            self.views.append(shaded.view + self._seen)
+            self._seen += len(cameras)
         z = self.guidance.encode_color(shaded.srgb, shaded.o)
         return z, Views(cameras, surface_picture(shaded, self.guidance.latent_size))
 
@@ -68,17 +74,18 @@ def surface_picture(shaded: Shaded, size: int) -> Float[Tensor, "b 7 {size} {siz
     return torch.cat([normals, points], 1)
 
 
-def roughening(scene: LitScene, generator: torch.Generator) -> Iterator[Float[Tensor, ""]]:
+def roughening(
+    scene: LitScene, generator: torch.Generator, views: int, ranks: Ranks = ALONE
+) -> Iterator[Float[Tensor, ""]]:
     """Mean change of the material over a short way from the points seen, part by part.
 
-    The ways are drawn for the points of all parts at once, so that they do not depend on how many
-    views are rendered together.
+    The ways are drawn for the points of all ``views`` at once, so that they do not depend on how
+    many are rendered together, or in which process.
     """
     weight, net = scene.net.config.smooth, scene.net
     if weight == 0:
         return
-    count = sum(len(points) for points in scene.points)
-    ways = torch.randn(count, 3, generator=generator).to(scene.device) * SMOOTH_REACH
+    ways, count = _ways(scene, generator, views, ranks)
     for here, way in zip(
         scene.points, ways.split([len(points) for points in scene.points]), strict=True
     ):
@@ -86,6 +93,19 @@ def roughening(scene: LitScene, generator: torch.Generator) -> Iterator[Float[Te
         change = sum((a - b).abs().mean() for a, b in pairs)
         # Weighed by the number of points: a part with few pixels counts for less.
         yield weight * change * len(here) / count
+
+
+def _ways(
+    scene: LitScene, generator: torch.Generator, views: int, ranks: Ranks
+) -> tuple[Float[Tensor, "p 3"], int]:
+    """A way for each of this process's points, and the number of all processes' points."""
+    counts = torch.zeros(views, dtype=torch.long)
+    mine = counts[ranks.share]  # a view of it; fewer are filled where a picture was not finite
+    for view in scene.views:
+        mine += torch.bincount(view.cpu(), minlength=len(mine))
+    sizes = ranks.sum(counts).tolist()
+    ways = torch.randn(sum(sizes), 3, generator=generator).split(sizes)
+    return torch.cat(ways[ranks.share]).to(scene.device) * SMOOTH_REACH, sum(sizes)
 
 
 @torch.no_grad()

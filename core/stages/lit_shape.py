@@ -68,7 +68,7 @@ class LitShape:
         picture = antialias(picture, fragments, faces, edges, rim=values)
         srgb, n, p, o = picture.split([3, 3, 3, 1], -1)
         seen = interpolate(verts, fragments).detach()
-        return Shaded(srgb, o, n, p, seen, self.material(seen))
+        return Shaded(srgb, o, n, p, seen, self.material(seen), fragments.view)
 
 
 def clay(points: Float[Tensor, "p 3"]) -> Material:

@@ -17,6 +17,7 @@ from core.config import RefineConfig
 from core.guidance.denoise import denoise
 from core.guidance.guidance import PromptedGuidance, Views
 from core.guidance.sds import add_noise, anneal
+from core.ranks import ALONE, Ranks
 from core.stages.scene import Scene, portions
 from core.stages.training import Setup, fraction
 
@@ -44,10 +45,10 @@ class Targets:
         index = torch.randperm(len(self.z), generator=generator)[:count].to(self.z.device)
         return Targets(self.cameras[index], self.z[index])
 
-    def split(self, views_at_once: int) -> "list[Targets]":
-        """Parts of ``views_at_once`` views, the last one smaller."""
-        parts = portions(len(self.z), views_at_once)
-        return [Targets(self.cameras[part], self.z[part]) for part in parts]
+    def split(self, views_at_once: int, ranks: Ranks = ALONE) -> "list[Targets]":
+        """This process's views in parts of ``views_at_once``, the last one smaller."""
+        cameras, z = self.cameras[ranks.share], self.z[ranks.share]
+        return [Targets(cameras[part], z[part]) for part in portions(len(z), views_at_once)]
 
 
 def round_targets(
@@ -68,17 +69,20 @@ def round_targets(
 def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> Targets:
     """Pictures of what there is, cleaned."""
     config, guidance, generator = setup.config, setup.guidance, setup.training.generator
+    ranks = setup.ranks
 
-    # PICTURES: of what there is, all round
+    # PICTURES: of what there is, all round; this process's share of them
     cameras = sample_cameras(rounds.views, config.cameras, generator).to(scene.device)
+    mine = cameras[ranks.share]
     with torch.no_grad():
-        parts = portions(rounds.views, config.views_at_once)
-        seen = [scene.latents(cameras[part], rounds.size) for part in parts]
+        parts = portions(len(mine), setup.at_once)
+        seen = [scene.latents(mine[part], rounds.size) for part in parts]
     z = torch.cat([latents for latents, _ in seen])
     surfaces = [views.surface for _, views in seen if views.surface is not None]
-    views = Views(cameras, torch.cat(surfaces) if surfaces else None)
+    views = Views(mine, torch.cat(surfaces) if surfaces else None)
 
-    return Targets(cameras, cleaned(z, guidance, views, rounds, number, generator=generator))
+    clean = cleaned(z, guidance, views, rounds, number, generator=generator, ranks=ranks)
+    return Targets(cameras, ranks.whole(clean, rounds.views))
 
 
 def cleaned(
@@ -89,8 +93,12 @@ def cleaned(
     number: int,
     *,
     generator: torch.Generator,
+    ranks: Ranks = ALONE,
 ) -> Float[Tensor, "b 4 s s"]:
-    """What the guidance makes of the pictures in the round ``number``: restored or denoised."""
+    """What the guidance makes of the pictures in the round ``number``: restored or denoised.
+
+    ``ranks``: those that have the round's other pictures.
+    """
     # RESTORED: a guidance with its own network for it gets the pictures as they are
     if rounds.restore and (crisp := guidance.restore(z, views)) is not None:
         return crisp
@@ -98,7 +106,8 @@ def cleaned(
     # NOISE: less from round to round: first for what is missing, at last for the details
     level = anneal(*rounds.t, fraction(number, rounds.rounds))
     t = min(round(level * len(guidance.alpha_bar)), len(guidance.alpha_bar) - 1)
-    eps = torch.randn(z.shape, generator=generator).to(z)
+    count = len(z) if ranks.world == 1 else rounds.views  # drawn for all of the round
+    eps = torch.randn(count, *z.shape[1:], generator=generator)[ranks.share].to(z)
     z_t = add_noise(z, eps, guidance.alpha_bar.to(z)[t].expand(len(z)))
 
     # DENOISED: what the guidance means by them

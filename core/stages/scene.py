@@ -19,7 +19,11 @@ class Scene(ABC):
     """
 
     device: torch.device
-    coverage: float | None = None  # fraction of the picture; None where the shape is final
+
+    @property
+    def coverage(self) -> float | None:
+        """Fraction of the picture that is covered; None where the shape is final."""
+        return None
 
     @abstractmethod
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
@@ -30,7 +34,7 @@ class Scene(ABC):
         """Gather the gradient of ``losses`` in the network; their sum.
 
         Raises:
-            NoSurfaceError: there is (nearly) nothing to see.
+            NoSurfaceError: there is nothing to see.
         """
 
     @abstractmethod
@@ -43,12 +47,13 @@ def gather(losses: Iterator[Tensor]) -> float:
 
     Each is computed, and its graph freed, before the next: memory is that of one part's views.
     """
-    total = 0.0
+    values: list[Tensor] = []
     for loss in losses:
         if loss.requires_grad:  # a regulariser may have nothing to say
             loss.backward()
-        total += loss.item()
-    return total
+        values.append(loss.detach().double())
+    # Asked for once, at the end: a GPU is not waited for between the parts.
+    return float(torch.stack(values).sum()) if values else 0.0
 
 
 def portions(count: int, at_once: int) -> list[slice]:

@@ -15,7 +15,6 @@ from core.guidance.guidance import PromptedGuidance, Views
 from core.io.run_folder import RunFolder
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
-from core.stages.guard import MIN_COVERAGE
 from core.stages.lit_scene import surface_picture
 from core.stages.lit_shape import LitShape
 from core.stages.preview import show_shape
@@ -70,7 +69,12 @@ class ShapeScene(Scene):
         # Leaves: the views' backward ends here, and Ψ's graph is walked once for all of them.
         self.verts = self._verts.detach().requires_grad_()
         self.edges = edge_table(self.faces)
-        self.coverage: float = 0.0  # the largest of any part of the views
+        self._covered: list[Tensor] = []  # of each part of the views
+
+    @property
+    def coverage(self) -> float:
+        """The largest of any part of the views; a GPU is waited for where it is asked for."""
+        return float(torch.stack(self._covered).amax()) if self._covered else 0.0
 
     def render(
         self, cameras: Cameras, size: int
@@ -78,7 +82,7 @@ class ShapeScene(Scene):
         """n and o of the views (Eq. 4)."""
         frame = self.guidance.normal_frame
         n, o = render_normals(self.verts, self.faces, cameras, size, frame, self.edges)
-        self.coverage = max(self.coverage, float(o.detach().mean()))
+        self._covered.append(o.detach().mean())
         return n, o
 
     def latents(self, cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 4 s s"], Views]:
@@ -86,7 +90,7 @@ class ShapeScene(Scene):
         if self.lit is None:
             return self.guidance.encode_normals(*self.render(cameras, size)), Views(cameras)
         seen = self.lit.render(self.verts, self.faces, cameras, size, self.edges)
-        self.coverage = max(self.coverage, float(seen.o.detach().mean()))
+        self._covered.append(seen.o.detach().mean())
         surface = surface_picture(seen, self.guidance.latent_size).detach()
         return self.guidance.encode_color(seen.srgb, seen.o), Views(cameras, surface)
 
@@ -100,10 +104,6 @@ class ShapeScene(Scene):
         pairs = [(out, at.grad) for out, at in leaves if at is not None and at.grad is not None]
         # SDF and vertices together, since both come from one pass of Ψ.
         torch.autograd.backward([out for out, _ in pairs], [grad for _, grad in pairs])
-        # After the views: the coverage is known only now. Nearly nothing in view has nearly no
-        # gradient.
-        if self.coverage < MIN_COVERAGE:
-            raise NoSurfaceError("The surface had nearly vanished")
         return total
 
     def show(self, run: RunFolder) -> None:

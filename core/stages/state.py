@@ -1,11 +1,13 @@
 """The state of a training, which its checkpoints hold."""
 
+import json
 from typing import Any, Generic, TypeVar
 
 import torch
 from torch import Tensor
 
 from core.io.run_folder import RunFolder
+from core.ranks import Ranks
 
 Net = TypeVar("Net", bound=torch.nn.Module)
 HEALTHY = "healthy."  # in a checkpoint's names: of the state to go back to
@@ -30,6 +32,7 @@ class Training(Generic[Net]):
         self.step = 0  # the next one
         self.extra: dict[str, Any] = {}  # small JSON values, such as the guard's
         self.healthy: dict[str, Tensor] = {}  # the state to go back to (guard.py)
+        self.at_once = 0  # views at a time, where memory did not hold the config's; 0: it did
         self._kept: dict[str, Tensor] = {}
 
     @property
@@ -92,6 +95,35 @@ class Training(Generic[Net]):
             self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
             self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
             self.step, self.extra = int(meta["step"]), dict(meta["extra"])
+
+    def share(self, ranks: Ranks) -> None:
+        """Take over the first process's state, whatever the others have computed of their own.
+
+        Their fits, or the order of a GPU's sums in them, may differ in the last bits.
+        """
+        if ranks.world == 1:
+            return
+        healthy = {f"{HEALTHY}{key}": value for key, value in self.healthy.items()}
+        meta = json.loads(ranks.texts(json.dumps([self.step, self.extra]))[0])
+        tensors, start = ranks.from_first(self.state() | healthy), len(HEALTHY)
+        self.step, self.extra = meta
+        self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
+        self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
+
+    def share_noise(self, ranks: Ranks) -> None:
+        """Take over the state of the first process's random generator."""
+        if ranks.world > 1:
+            state = ranks.from_first({"generator": self.generator.get_state()})
+            self.generator.set_state(state["generator"])
+
+    def mark(self) -> tuple[Tensor, dict[str, Tensor]]:
+        """What a step changes before the parameters: the random generator, and what is kept."""
+        return self.generator.get_state(), self._kept
+
+    def back_to(self, mark: tuple[Tensor, dict[str, Tensor]]) -> None:
+        """Put a :meth:`mark` of the same step back."""
+        self.generator.set_state(mark[0])
+        self._kept = mark[1]
 
     @property
     def _parameters(self) -> list[torch.nn.Parameter]:

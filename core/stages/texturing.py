@@ -16,6 +16,7 @@ from core.guidance.guidance import Surface
 from core.io.asset import Maps
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
+from core.ranks import Ranks
 from core.texture.bake import bake
 from core.texture.fine_surface import FineSurface
 from core.texture.finish import Finish, detail_of
@@ -85,19 +86,33 @@ def load_unwrapped(run: RunFolder) -> Unwrapped | None:
     found = run.load("mesh")
     if found is None:
         return None
-    tensors = found[0]
     with run.whole_checkpoint("mesh"):
-        fine = Mesh(*(tensors[name] for name in FINE)) if FINE[0] in tensors else None
-        return Unwrapped(UvMesh.of(Mesh(*(tensors[name] for name in PARTS))), fine)
+        return _of_tensors(found[0])
 
 
 def save_unwrapped(run: RunFolder, unwrapped: Unwrapped) -> None:
     """Keep the unwrapped mesh: from here on the geometry is not trained again."""
+    run.save("mesh", _tensors(unwrapped), {})
+
+
+def shared_unwrapped(unwrapped: Unwrapped | None, ranks: Ranks) -> Unwrapped:
+    """The first process's mesh, in each of those that make the asset together."""
+    if ranks.world == 1 and unwrapped is not None:
+        return unwrapped
+    return _of_tensors(ranks.from_first(_tensors(unwrapped) if unwrapped else {}))
+
+
+def _tensors(unwrapped: Unwrapped) -> dict[str, Tensor]:
     mesh, fine = unwrapped
     tensors = {name: getattr(mesh, name) for name in PARTS}
     if fine is not None:
         tensors |= dict(zip(FINE, (fine.verts, fine.faces), strict=True))
-    run.save("mesh", tensors, {})
+    return tensors
+
+
+def _of_tensors(tensors: dict[str, Tensor]) -> Unwrapped:
+    fine = Mesh(*(tensors[name] for name in FINE)) if FINE[0] in tensors else None
+    return Unwrapped(UvMesh.of(Mesh(*(tensors[name] for name in PARTS))), fine)
 
 
 def bake_maps(

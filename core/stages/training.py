@@ -3,6 +3,7 @@
 import time
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
@@ -10,11 +11,12 @@ import torch
 from torch import Tensor
 
 from core.config import AppearanceConfig, GeometryConfig
-from core.errors import NoSurfaceError
+from core.errors import Cancelled, MemoryShortError, NoSurfaceError, RankLostError
 from core.guidance.guidance import PromptedGuidance
 from core.guidance.sds import NotFiniteError
-from core.io.progress import Progress
-from core.stages.guard import Guard, healthy_gradients
+from core.io.progress import Progress, Step
+from core.ranks import ALONE, Ranks
+from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
 from core.stages.scene import Scene
 from core.stages.state import Net, Training
 
@@ -31,6 +33,12 @@ class Setup(Generic[Net, Settings]):
     training: Training[Net]
     guidance: PromptedGuidance
     config: Settings
+    ranks: Ranks = ALONE  # those that train it together
+
+    @property
+    def at_once(self) -> int:
+        """Views that are rendered together; the result does not depend on it."""
+        return self.training.at_once or self.config.views_at_once
 
 
 class Phase(ABC):
@@ -52,18 +60,20 @@ class Phase(ABC):
 
 
 def train(
-    training: Training,
+    setup: Setup,
     phases: Sequence[Phase],
     progress: Progress,
     gradient_clip: float = 0.0,
     stop: int | None = None,
 ) -> None:
-    """Take the steps of all ``phases``, one after another, from where ``training`` is.
+    """Take the steps of all ``phases``, one after another, from where the training is.
 
     Args:
         gradient_clip: upper bound of the gradient's norm; 0 is none.
         stop: the step to stop before, for now; None takes them all.
     """
+    training, ranks = setup.training, setup.ranks
+    training.share(ranks)
     guard = Guard(training, progress)
     checkpoint, preview = Every(CHECKPOINT_SECONDS), Every(PREVIEW_SECONDS, at_once=True)
     # Only their number: a phase's rates and noise follow its whole length, so that a later session
@@ -74,17 +84,8 @@ def train(
         phase = phases[step.phase]
 
         # GRADIENT: of all views of the step
-        training.optimizer.zero_grad()
-        scene, losses = phase.begin(step.index)
-        failure = ""
-        try:
-            step.loss = scene.backward(losses)
-            step.coverage = scene.coverage
-        except (NotFiniteError, NoSurfaceError) as error:
-            failure = error.text
-        # A finite loss may have an infinite slope; one step with it would spoil every parameter.
-        if not failure and not healthy_gradients(training.module):
-            failure = "The gradient was not finite"
+        with _kept_if_a_rank_is_lost(setup):
+            scene, failure, asked = _gradient_that_fits(setup, phase, step, progress)
 
         # STEP: or back to the last healthy state
         if failure:
@@ -95,14 +96,95 @@ def train(
                 torch.nn.utils.clip_grad_norm_(training.module.parameters(), gradient_clip)
             training.set_learning_rate(guard.rate(step.at) * phase.learning_rate(step.index))
             training.optimizer.step()
-            if preview.due():
+            if ranks.first and preview.due():
                 scene.show(training.run)
 
         # CHECKPOINT: now and then, at the end, and before a cancelled run stops
         training.step = step.at + 1
-        if checkpoint.due() or step.last or progress.cancelled:
+        asked = asked if ranks.world > 1 else progress.cancelled
+        if ranks.first and (checkpoint.due() or step.last or asked):
             training.save()
-        progress.check_cancelled()
+        if asked:
+            progress.check_cancelled()
+            raise Cancelled("Cancelled.")  # one that only follows does not see the request itself
+
+
+def _gradient_that_fits(
+    setup: Setup, phase: Phase, step: Step, progress: Progress
+) -> tuple[Scene, str, bool]:
+    """:func:`gradient_of`; where memory does not hold its views, with half as many at a time."""
+    training = setup.training
+    before = training.mark()
+    while True:
+        half = min(setup.at_once, setup.config.views) // 2
+        try:
+            return gradient_of(setup, phase, step, progress.cancelled)
+        except (torch.OutOfMemoryError, MemoryShortError):
+            # Of several processes the others wait for what this one has begun.
+            if half == 0 or setup.ranks.world > 1:
+                raise
+        # Here, and not above: the error holds the step's tensors.
+        training.back_to(before)
+        training.at_once = half
+        if training.device.type == "cuda":
+            torch.cuda.empty_cache()
+        progress.warn(
+            f"There was not enough memory for a step's views; went on with {half} at a time.",
+            f"Nothing to do. --set {training.name}.views_at_once={half} starts with that.",
+            stage=training.name,
+        )
+
+
+def gradient_of(
+    setup: Setup, phase: Phase, step: Step, stop: bool = False
+) -> tuple[Scene, str, bool]:
+    """Gather the gradient of a step; its scene, what went wrong with it, and ``stop`` of anyone.
+
+    All ranks come to the same: the sums decide, and they are the same to the bit.
+    """
+    training, ranks = setup.training, setup.ranks
+    training.optimizer.zero_grad()
+    scene, losses = phase.begin(step.index)
+    loss, failure = 0.0, ""
+    try:
+        loss = scene.backward(losses)
+    except (NotFiniteError, NoSurfaceError) as error:
+        failure = error.text
+    coverage = scene.coverage
+    covered = 1.0 if coverage is None else coverage
+
+    # TOGETHER: one message says how it went everywhere
+    rows = ranks.rows([loss, covered, float(bool(failure)), float(stop)])
+    total, stop = float(rows[:, 0].sum()), bool(rows[:, 3].any())
+    if bool(rows[:, 2].any()):
+        failure = next(filter(None, ranks.texts(failure)))
+        training.share_noise(ranks)  # who failed has drawn less than the others
+        return scene, failure, stop
+    if coverage is not None:
+        step.coverage = float(rows[:, 1].max())
+    # After the views: the coverage is known only now. Nearly nothing in view has nearly no
+    # gradient.
+    if float(rows[:, 1].max()) < MIN_COVERAGE:
+        return scene, "The surface had nearly vanished", stop
+    step.loss = total
+    ranks.sum_gradients(training.module)
+    # A finite loss may have an infinite slope; one step with it would spoil every parameter.
+    healthy = healthy_gradients(training.module)
+    return scene, "" if healthy else "The gradient was not finite", stop
+
+
+@contextmanager
+def _kept_if_a_rank_is_lost(setup: Setup) -> Iterator[None]:
+    """A checkpoint from before the step, where another process ends within it."""
+    training = setup.training
+    before = training.mark()
+    try:
+        yield
+    except RankLostError:
+        training.back_to(before)
+        if setup.ranks.first:
+            training.save()
+        raise
 
 
 def first_steps(counts: Sequence[int], stop: int | None) -> list[int]:

@@ -82,7 +82,7 @@ def take(count: int, folder: Path) -> None:
 
     phase.begin = counted
     with run_lock(run.path):
-        training.train(one, [phase], Progress(run))
+        training.train(training.Setup(one, None, None), [phase], Progress(run))
         print(json.dumps({"steps": count, **held(run.path)}), flush=True)
 
 

@@ -69,10 +69,21 @@ class _Encode(torch.autograd.Function):
         # ``tiny`` keeps a gradient of nothing at 0 / tiny = 0.
         size = grads[0].abs().amax().clamp(min=torch.finfo(grads[0].dtype).tiny)
         with torch.enable_grad(), _out_of_memory("the gradient of the encoder"):
-            picture = picture.detach().requires_grad_()
-            z = ctx.encode(picture)
-            (grad,) = torch.autograd.grad(z, picture, grads[0] / size)
+            grad = _encoder_gradient(ctx.encode, picture.detach(), grads[0] / size)
         return grad * size, None
+
+
+def _encoder_gradient(encode: Callable[[Tensor], Tensor], picture: Tensor, grad: Tensor) -> Tensor:
+    """The gradient at the pictures; half of them at a time where memory does not hold all."""
+    try:
+        picture.requires_grad_()
+        return torch.autograd.grad(encode(picture), picture, grad)[0]
+    except torch.OutOfMemoryError:
+        if len(picture) == 1:
+            raise
+    picture, half = picture.detach(), len(picture) // 2
+    parts = zip(picture.split(half), grad.split(half), strict=True)
+    return torch.cat([_encoder_gradient(encode, *part) for part in parts])
 
 
 class StableDiffusion(Guidance):
@@ -213,7 +224,20 @@ class StableDiffusion(Guidance):
             # Antialiased, so that a larger render is averaged and every pixel gets a gradient.
             picture = interpolate(picture, (side, side), mode="bilinear", antialias=True)
         with _out_of_memory("the encoder"):
-            return torch.cat([_Encode.apply(x, self._mean) for x in picture.split(self.chunk)])
+            return torch.cat(self.by_chunk(lambda x: _Encode.apply(x, self._mean), picture))
+
+    def by_chunk(self, run: Callable[..., Any], *given: Tensor) -> list[Any]:
+        """What ``run`` makes of ``chunk`` pictures at a time; of half as many from where memory
+        does not hold them."""
+        while True:
+            try:
+                return [run(*x) for x in zip(*(y.split(self.chunk) for y in given), strict=True)]
+            except torch.OutOfMemoryError:
+                if self.chunk == 1:
+                    raise
+            self.chunk //= 2
+            if given[0].device.type == "cuda":
+                torch.cuda.empty_cache()
 
     def _mean(self, picture: Tensor) -> Tensor:
         posterior = self.vae.encode(picture.to(self.vae.dtype)).latent_dist
@@ -254,10 +278,9 @@ class PromptedStableDiffusion(PromptedGuidance):
     ) -> Predictions:
         """The U-Net's predictions, ``chunk`` pictures at a time."""
         weights = view_weights(views.cameras, soft=self._soft_views).to(z_t.device)
-        chunks = (x.split(self.diffusion.chunk) for x in (z_t, t.to(z_t.device), weights))
-        others = self._others(cond_only, apart)
+        given, others = (z_t, t.to(z_t.device), weights), self._others(cond_only, apart)
         with _out_of_memory("the U-Net"):
-            parts = [self._predict(*chunk, others) for chunk in zip(*chunks, strict=True)]
+            parts = self.diffusion.by_chunk(lambda *x: self._predict(*x, others), *given)
         cond, *rest = (torch.cat(part) for part in zip(*parts, strict=True))
         if not rest:
             return Predictions(cond)
