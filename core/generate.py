@@ -31,6 +31,7 @@ from core.job_config import config_of, within
 from core.provenance import made_by, recorded
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
+from core.stages.distill import require_groups
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
@@ -85,6 +86,7 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
         loras=job.loras,
         embeddings=job.embeddings,
     )
+    require_groups(config, guidance.views_together, job.command)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(job.prompt, job.negative_prompt)
