@@ -137,8 +137,8 @@ def test_what_cannot_be_made_is_refused_first(words, text, tmp_path, capsys):
     assert not (tmp_path / "out").exists()
 
 
-ROW = "genus 5 wanted"
-PLACE = "figures/genus/genus-5-wanted-*"
+ROW = "genus 1 wanted"
+PLACE = "figures/genus/genus-1-wanted-*"
 
 
 @pytest.fixture(scope="module")
@@ -168,11 +168,11 @@ def test_a_row_is_made_and_the_page_shows_it(made):
     assert done.stdout.splitlines()[-1].endswith("reproduction.md")
     section = page.partition("## Genus")[2].partition("\n## ")[0]
     (row,) = [line for line in section.splitlines() if line.startswith("| **")]
-    assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-5-wanted.jpg)" in row
-    assert "distance to the guide, %: " in row and "genus: " in row
-    assert "Not made yet: genus 0 wanted, genus 1 wanted, genus 2 wanted." in section
+    assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-1-wanted.jpg)" in row
+    assert "components: " in row and "genus: " in row
+    assert "Not made yet: genus 0 wanted, genus 2 wanted, genus 5 wanted." in section
     assert "`python3 run.py reproduce --figure physics` makes them" in page
-    with Image.open(out / "reproduction" / "genus-genus-5-wanted.jpg") as picture:
+    with Image.open(out / "reproduction" / "genus-genus-1-wanted.jpg") as picture:
         assert picture.size == (2 * 48 + 4, 48)
         assert len(picture.getcolors(1 << 16)) > 50
 
@@ -208,9 +208,19 @@ def test_a_row_that_failed_is_on_the_page_and_is_tried_again(made, tmp_path):
 
 
 @pytest.mark.slow
+def test_a_guided_row_says_how_far_it_is_from_its_guide(tmp_path):
+    words = ["reproduce", "--quick", "--figure=genus", "--row=genus 5 wanted"]
+    assert main([*words, "--out", str(tmp_path)]) == 0
+    (place,) = tmp_path.glob("figures/genus/*/row.json")
+    distance = json.loads(place.read_text())["numbers"]["guide_distance"]
+    assert 0 < distance < 10
+    assert "distance to the guide, %: " in (tmp_path / "reproduction.md").read_text()
+
+
+@pytest.mark.slow
 def test_pictures_in_cycles_are_made_by_run_py(tmp_path):
     pytest.importorskip("bpy")
-    words = ["reproduce", "--quick", "--figure=material", "--out", str(tmp_path)]
+    words = ["reproduce", "--quick", "--figure=material", "--row=bust", "--out", str(tmp_path)]
     assert main(words) == 0
     page = (tmp_path / "reproduction.md").read_text()
     assert "as generated · wood · gold · marble" in page
