@@ -62,6 +62,11 @@ def together(inputs: Inputs, job: Job, gpus: int = 1, until: str = "") -> Iterat
     if until:
         raise UserError(f"--until {until} is for one process.", "Leave --gpus out, or --until.")
     world = int(os.environ["WORLD_SIZE"]) if rank_in() is not None else gpus
+    if inputs.guidance.views_together > 1:
+        raise UserError(
+            f"This model denoises {inputs.guidance.views_together} views together, in one process.",
+            "Leave --gpus and torchrun out.",
+        )
     require_views(world, views_of(inputs.config))
     with _met(world, inputs.device) as ranks:
         ranks.texts(job.to_json())

@@ -258,9 +258,10 @@ class StableDiffusion(Guidance):
             try:
                 return [run(*x) for x in zip(*(y.split(self.chunk) for y in given), strict=True)]
             except torch.OutOfMemoryError:
-                if self.chunk == 1:
+                # MVDream's views of a group stay together.
+                if self.chunk <= self.views_together:
                     raise
-            self.chunk //= 2
+            self.chunk = max(self.chunk // 2, self.views_together)
             if given[0].device.type == "cuda":
                 torch.cuda.empty_cache()
 
