@@ -261,7 +261,8 @@ class StableDiffusion(Guidance):
                 # MVDream's views of a group stay together.
                 if self.chunk <= self.views_together:
                     raise
-            self.chunk = max(self.chunk // 2, self.views_together)
+            k = self.views_together
+            self.chunk = max(self.chunk // 2 // k * k, k)
             if given[0].device.type == "cuda":
                 torch.cuda.empty_cache()
 
