@@ -138,3 +138,15 @@ def sample_cameras(n: int, config: CameraConfig, generator: torch.Generator) -> 
     return Cameras(
         azimuth, elevation, uniform(*config.distance), torch.deg2rad(uniform(*config.fovy_deg))
     )
+
+
+def sample_groups(
+    n: int, together: int, config: CameraConfig, generator: torch.Generator
+) -> Cameras:
+    """``n`` cameras in groups of ``together``, one after another: the same but for the azimuth,
+    whose steps fill the circle. Groups of one are :func:`sample_cameras`."""
+    first = sample_cameras(n // together, config, generator)
+    index = torch.arange(n // together).repeat_interleave(together)
+    turn = 2 * math.pi / together * (torch.arange(n) % together)
+    group = first[index]
+    return Cameras(group.azimuth + turn, group.elevation, group.distance, group.fovy)

@@ -30,6 +30,7 @@ from core.io.run_folder import RunFolder
 from core.job_config import config_of, within
 from core.provenance import made_by, recorded
 from core.stages.appearance import learn_appearance
+from core.stages.distill import require_groups
 from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
@@ -74,6 +75,7 @@ def prepare(job: Job) -> Inputs:
         loras=job.loras,
         embeddings=job.embeddings,
     )
+    require_groups(config, guidance.views_together, job.command)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(job.prompt, job.negative_prompt)

@@ -90,6 +90,8 @@ class Guidance(ABC):
     ]  # the schedule; z_t = sqrt(alpha_bar) z + sqrt(1 - alpha_bar) eps
     latent_size: int
     normal_frame: NormalFrame  # the axes in which it wants its normals
+    # Views that it predicts together: a batch then holds whole groups, their azimuths evenly apart.
+    views_together: int = 1
 
     def work(self) -> Work | None:
         """What one view takes, where it is worth a notice; None: little."""
@@ -135,6 +137,7 @@ class PromptedGuidance(ABC):
         self.alpha_bar = guidance.alpha_bar
         self.latent_size = guidance.latent_size
         self.normal_frame: NormalFrame = guidance.normal_frame
+        self.views_together = guidance.views_together
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]

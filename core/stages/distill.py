@@ -7,8 +7,9 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.camera import Cameras, sample_cameras
-from core.config import PhaseConfig
+from core.camera import Cameras, sample_groups
+from core.config import Config, PhaseConfig
+from core.errors import UserError
 from core.guidance.guidance import Views
 from core.guidance.sds import Method, anneal, sample_t, sds_grad, sds_loss
 from core.stages.scene import portions
@@ -41,10 +42,15 @@ class Draw:
         # sdi follows one trajectory of DDIM from noise to picture: its t falls, and is not drawn.
         low = high if phase.distillation == "sdi" else phase.t_low
         negative = torch.full((views,), anneal(*phase.csd_negative, progress))
+        together = guidance.views_together
+        groups = views // together
         # The order is part of every result: a seed stands for this stream of numbers.
         return cls(
-            sample_cameras(views, config.cameras, generator),
-            sample_t(views, low, high, len(guidance.alpha_bar), generator),
+            sample_groups(views, together, config.cameras, generator),
+            # Views that are denoised together are at one time.
+            sample_t(groups, low, high, len(guidance.alpha_bar), generator).repeat_interleave(
+                together
+            ),
             torch.randn(views, 4, size, size, generator=generator),
             negative=negative if phase.distillation == "csd" else None,
         )
@@ -55,6 +61,32 @@ class Draw:
         given = {name: value for name, value in values.items() if value is not None}
         for part in portions(len(self.t), views_at_once):
             yield Draw(**{name: value[part].to(device) for name, value in given.items()})
+
+
+def require_groups(config: Config, together: int, command: str) -> None:
+    """Refuse settings that tear apart views which a guidance predicts together.
+
+    Raises:
+        UserError: the first of them, and what it takes.
+    """
+    stages = {"appearance": config.appearance}
+    stages |= {"geometry": config.geometry} if command == "generate" else {}
+    for stage, settings in stages.items() if together > 1 else ():
+        for name in ("views", "views_at_once"):
+            if (value := getattr(settings, name)) % together:
+                raise UserError(
+                    f"{stage}.{name} is {value}; this checkpoint predicts {together} views "
+                    "together.",
+                    f"Set it to a multiple of {together}, such as --set {stage}.{name}={together}.",
+                )
+        rounds = {name: getattr(settings, name, None) for name in ("grow", "refine")}
+        for name, part in rounds.items():
+            if part and part.rounds:
+                raise UserError(
+                    f"{stage}.{name} fits to single views; this checkpoint predicts {together} "
+                    "together.",
+                    f"Use --preset standard, or --set {stage}.{name}.rounds=0.",
+                )
 
 
 def distill(

@@ -13,6 +13,7 @@ from typing import Any, Final
 
 from core.errors import MissingError, UserError
 from core.guidance.stable_diffusion.header import PICKLES
+from core.guidance.stable_diffusion.multi_view_names import CAMERA, CLASS
 from core.guidance.stable_diffusion.single_file import find_single_file
 from core.guidance.stable_diffusion.source import Checkpoint
 
@@ -124,12 +125,30 @@ def _require_text_to_image(folder: Path) -> Checkpoint:
             f"Give the folder of {_EXPECTED}, or a .safetensors file of one.",
         )
     parts = read_json(index)
+    if (parts.get("unet") or [None, None])[1] == CLASS:
+        return _require_multi_view(folder, parts)
     is_xl = bool((parts.get("text_encoder_2") or [None, None])[1])
     _require_parts(folder, parts, PARTS | SECOND if is_xl else PARTS)
     _require_unet(folder, is_xl)
     _require_no_distilled(folder)
     zero_empty = is_xl and bool(parts.get("force_zeros_for_empty_prompt", True))
     return Checkpoint(folder, family="sdxl" if is_xl else "sd", zero_empty=zero_empty)
+
+
+def _require_multi_view(folder: Path, parts: dict[str, Any]) -> Checkpoint:
+    """MVDream's folder, whose U-Net has a configuration of its own."""
+    _require_parts(folder, parts, PARTS | {"unet": CLASS})
+    unet = read_json(folder / "unet" / "config.json")
+    if unet.get("ip_dim"):
+        raise _other_family(folder, "ImageDream, which starts from a picture")
+    wanted = ("image_size", "in_channels", "out_channels", "model_channels", "channel_mult",
+              "num_res_blocks", "attention_resolutions", "context_dim")  # fmt: skip
+    missing = [key for key in wanted if key not in unet]
+    if missing or unet.get("camera_dim") != CAMERA:
+        raise _other_family(
+            folder, f"a multi-view model of another kind ({', '.join(missing) or 'its cameras'})"
+        )
+    return Checkpoint(folder, family="mvdream")
 
 
 def _require_parts(folder: Path, parts: dict[str, Any], wanted: dict[str, str]) -> None:

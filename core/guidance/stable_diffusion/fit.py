@@ -46,17 +46,27 @@ def estimate_memory(
 
 
 def chunk_that_fits(
-    checkpoint: Checkpoint, device: torch.device, dtype: torch.dtype, chunk: int, texts: int
+    checkpoint: Checkpoint,
+    device: torch.device,
+    dtype: torch.dtype,
+    chunk: int,
+    *,
+    texts: int,
+    least: int = 1,
 ) -> int:
     """The most pictures at a time, ``chunk`` or a half of it, a quarter ..., that fit.
 
+    Args:
+        least: a multiple of it is returned: pictures that go together.
+
     Raises:
-        MemoryShortError: not even one does.
+        MemoryShortError: not even ``least`` do.
     """
     available, needed = available_bytes(device), 0
-    while chunk >= 1:
+    chunk = max(least, chunk // least * least)
+    while chunk >= least:
         needed = estimate_memory(checkpoint, chunk=chunk, dtype=dtype, texts=texts)
         if needed <= available:
             return chunk
-        chunk //= 2
+        chunk = chunk // 2 // least * least
     raise memory_short(f'the checkpoint "{checkpoint.name}"', needed, available)

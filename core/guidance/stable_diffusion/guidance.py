@@ -16,6 +16,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 from torch.nn.functional import interpolate
 
+from core.camera import Cameras
 from core.config import GUIDANCE, GuidanceConfig
 from core.errors import UserError
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Views, Work
@@ -26,6 +27,8 @@ from core.guidance.stable_diffusion.embedding import read_embedding
 from core.guidance.stable_diffusion.fit import chunk_that_fits
 from core.guidance.stable_diffusion.lora import add_lora
 from core.guidance.stable_diffusion.memory import memory_short
+from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numbers, inner_unet
+from core.guidance.stable_diffusion.multi_view_names import TOGETHER
 from core.guidance.stable_diffusion.networks import Networks, load_networks
 from core.guidance.stable_diffusion.prompts import (
     AROUND,
@@ -100,6 +103,8 @@ class StableDiffusion(Guidance):
         self.vae = networks.vae.requires_grad_(False).eval()
         self.prediction_type = _prediction_type(networks.scheduler)
         self.alpha_bar = networks.scheduler.alphas_cumprod.float()
+        self.takes_cameras = isinstance(self.unet, MultiViewUNet)
+        self.views_together = TOGETHER if self.takes_cameras else 1
         self._unet_config = self.unet.config
         self.latent_size = int(self._unet_config.sample_size)
         self.texts = Texts(networks.encoders, zero_empty=zero_empty)
@@ -131,12 +136,18 @@ class StableDiffusion(Guidance):
             checkpoint = replace(checkpoint, prediction=config.prediction)
         dtype = torch.float16 if device.type == "cuda" else torch.float32
         # FIT: estimated from the configuration, before any weights are read
-        chunk = chunk_that_fits(checkpoint, device, dtype, chunk, _texts(config))
+        if checkpoint.family == "mvdream" and (config.perp_neg or config.soft_views):
+            raise UserError(
+                "MVDream takes the cameras themselves: it has no texts of views to weight.",
+                "Leave guidance.perp_neg and guidance.soft_views out.",
+            )
+        least = TOGETHER if checkpoint.family == "mvdream" else 1
+        chunk = chunk_that_fits(checkpoint, device, dtype, chunk, texts=_texts(config), least=least)
         # PARTS: networks in the precision they run in; the text encoders run once, on the CPU
         networks = load_networks(checkpoint, dtype)
         models = tuple(encoder.model for encoder in networks.encoders)
         for path, strength in additions.loras.items():
-            add_lora(Path(path), strength, networks.unet, models)
+            add_lora(Path(path), strength, inner_unet(networks.unet), models)
         with _out_of_memory("the checkpoint"):
             networks.unet.to(device)
             networks.vae.to(device)
@@ -161,7 +172,7 @@ class StableDiffusion(Guidance):
             warn_unused(word)
         # One text for each side of the object: the weights of each camera mix them later.
         tokens, cuts = zip(
-            *(self.texts.tokens(prompt, view_words(view)) for view in VIEWS), strict=True
+            *(self.texts.tokens(prompt, self._view_words(view)) for view in VIEWS), strict=True
         )
         negative_tokens, negative_cut = self.texts.tokens(negative, "")
         if any(cuts):
@@ -173,6 +184,14 @@ class StableDiffusion(Guidance):
         states = self.texts.encode([*tokens, negative_tokens, empty_tokens])
         *views, negative, empty = states.to(self.unet.device, self.unet.dtype)
         return PromptedStableDiffusion(self, torch.stack(views), negative, empty)
+
+    def of_views(self, cameras: Cameras, *, soft: bool) -> Float[Tensor, "b v"]:
+        """What depends on the camera alone: the weights of ``VIEWS``, then MVDream's 16 numbers."""
+        weights = view_weights(cameras, soft=soft)
+        return torch.cat([weights, camera_numbers(cameras)], -1) if self.takes_cameras else weights
+
+    def _view_words(self, view: str) -> str:
+        return "" if self.takes_cameras else view_words(view)
 
     def work(self) -> Work | None:
         """From the checkpoint's configuration."""
@@ -191,10 +210,16 @@ class StableDiffusion(Guidance):
         return self._encode(srgb + (1 - o) * COLOR_BACKGROUND)
 
     def eps(
-        self, z_t: Float[Tensor, "b 4 s s"], t: Int[Tensor, " b"], text: Float[Tensor, "b l d"]
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        text: Float[Tensor, "b l d"],
+        cameras: Float[Tensor, "b 16"] | None = None,
     ) -> Float[Tensor, "b 4 s s"]:
-        """ε̂ of the U-Net for a text of each picture."""
+        """ε̂ of the U-Net for a text of each picture, and its camera where it takes cameras."""
         given = conditions(self._unet_config, text, self._side)
+        if self.takes_cameras:
+            given["cameras"] = cameras
         out = self.unet(z_t.to(self.unet.dtype), t, **given).sample.to(z_t)
         if self.prediction_type == "epsilon":
             return out
@@ -253,7 +278,7 @@ class PromptedStableDiffusion(PromptedGuidance):
         apart: bool = False,
     ) -> Predictions:
         """The U-Net's predictions, ``chunk`` pictures at a time."""
-        weights = view_weights(views.cameras, soft=self._soft_views).to(z_t.device)
+        weights = self.diffusion.of_views(views.cameras, soft=self._soft_views).to(z_t.device)
         chunks = (x.split(self.diffusion.chunk) for x in (z_t, t.to(z_t.device), weights))
         others = self._others(cond_only, apart)
         with _out_of_memory("the U-Net"):
@@ -265,7 +290,7 @@ class PromptedStableDiffusion(PromptedGuidance):
         if not self._perp_neg:
             return Predictions(cond, rest[0], negative=negative)
         # Only the sides around the vertical have predictions.
-        opposing_weight = self._perp_neg * opposing_weights(weights)[:, :AROUND].T
+        opposing_weight = self._perp_neg * opposing_weights(weights[:, : len(VIEWS)])[:, :AROUND].T
         return Predictions(cond, rest[0], torch.stack(rest[1:]), opposing_weight, negative)
 
     def _others(self, cond_only: bool, apart: bool) -> list[Tensor]:
@@ -280,11 +305,15 @@ class PromptedStableDiffusion(PromptedGuidance):
         self, z_t: Tensor, t: Tensor, weights: Tensor, others: list[Tensor]
     ) -> tuple[Tensor, ...]:
         """For the prompt, then for each of the ``others``."""
-        texts = [torch.einsum("bv,vld->bld", weights.to(self.views), self.views)]
+        weights, cameras = weights.to(self.views).split(
+            [len(VIEWS), weights.shape[1] - len(VIEWS)], 1
+        )
+        texts = [torch.einsum("bv,vld->bld", weights, self.views)]
         texts += [text.expand_as(texts[0]) for text in others]
         # All texts of a picture in one batch: the U-Net's weights are read once.
         n = len(texts)
-        return self.diffusion.eps(z_t.repeat(n, 1, 1, 1), t.repeat(n), torch.cat(texts)).chunk(n)
+        z_t, t, cameras = z_t.repeat(n, 1, 1, 1), t.repeat(n), cameras.repeat(n, 1)
+        return self.diffusion.eps(z_t, t, torch.cat(texts), cameras).chunk(n)
 
 
 def _texts(config: GuidanceConfig) -> int:

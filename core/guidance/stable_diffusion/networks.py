@@ -23,6 +23,8 @@ from core.guidance.stable_diffusion.checkpoint import read_json, weight_variant
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS, END, merges, vocabulary
 from core.guidance.stable_diffusion.keys import UNET, VAE, Place, clip_place, unet_key, vae_key
 from core.guidance.stable_diffusion.memory import memory_short
+from core.guidance.stable_diffusion.multi_view import MultiViewUNet
+from core.guidance.stable_diffusion.multi_view_names import unet_config
 from core.guidance.stable_diffusion.single_file import SECOND_BASE
 from core.guidance.stable_diffusion.source import Checkpoint
 from core.guidance.stable_diffusion.texts import Encoder, Texts
@@ -34,7 +36,7 @@ _CLIP_LENGTH = 77  # tokens
 class Networks(NamedTuple):
     """What score distillation uses of a checkpoint, frozen."""
 
-    unet: UNet2DConditionModel
+    unet: UNet2DConditionModel | MultiViewUNet
     vae: AutoencoderKL  # without its decoder: pictures are never decoded
     scheduler: DDPMScheduler
     encoders: tuple[Encoder, ...]  # SDXL has two
@@ -47,7 +49,12 @@ def load_networks(checkpoint: Checkpoint, dtype: torch.dtype) -> Networks:
         UserError: a part is missing, incomplete or broken.
     """
     load = _from_file if checkpoint.file else _from_folder
-    unet = load(UNet2DConditionModel, checkpoint, "unet", dtype)
+    is_multi_view = checkpoint.family == "mvdream"
+    unet = (
+        _multi_view(checkpoint, dtype)
+        if is_multi_view
+        else load(UNet2DConditionModel, checkpoint, "unet", dtype)
+    )
     vae = load(AutoencoderKL, checkpoint, "vae", vae_dtype(checkpoint, dtype))
     vae.decoder = None
     encoders = [_encoder(load, checkpoint, "text_encoder", CLIPTextModel)]
@@ -95,10 +102,32 @@ def noise_schedule(checkpoint: Checkpoint) -> DDPMScheduler:
 def empty_networks(checkpoint: Checkpoint) -> tuple[UNet2DConditionModel, AutoencoderKL]:
     """The U-Net and the encoder on the meta device: shapes without numbers."""
     with readable(checkpoint.folder), torch.device("meta"):
-        unet = UNet2DConditionModel.from_config(read_json(checkpoint.folder / "unet/config.json"))
+        config = read_json(checkpoint.folder / "unet" / "config.json")
+        if checkpoint.family == "mvdream":
+            config = unet_config(config)
+        unet = UNet2DConditionModel.from_config(config)
         vae = AutoencoderKL.from_config(read_json(checkpoint.folder / "vae/config.json"))
     vae.decoder = None
     return unet, vae
+
+
+def _multi_view(checkpoint: Checkpoint, dtype: torch.dtype) -> MultiViewUNet:
+    """MVDream's U-Net; its file has CompVis' names."""
+    inner, _ = empty_networks(checkpoint)
+    with torch.device("meta"):
+        model = MultiViewUNet(inner)
+    folder = checkpoint.folder / "unet"
+    variant = weight_variant(checkpoint.folder, "unet", half=dtype == torch.float16)
+    path = folder / f"diffusion_pytorch_model{f'.{variant}' if variant else ''}.safetensors"
+
+    def place_of(name: str) -> Place:
+        plain = name.removeprefix("unet.")
+        return Place(name if plain == name else unet_key(plain, inner.config))
+
+    with readable(path), safe_open(path, "pt") as file:
+        weights = _read(file, path, model, place_of, dtype)
+    model.load_state_dict(weights, assign=True)
+    return model.eval()
 
 
 def vae_dtype(checkpoint: Checkpoint, dtype: torch.dtype) -> torch.dtype:
@@ -166,7 +195,8 @@ def _from_file(kind: Any, checkpoint: Checkpoint, part: str, dtype: torch.dtype)
         model.decoder = model.post_quant_conv = None
     assert checkpoint.file is not None
     with readable(checkpoint.file), safe_open(checkpoint.file, "pt") as file:
-        weights = _read(file, checkpoint, part, model, dtype)
+        place_of = _places(checkpoint, part, model, set(file.keys()))
+        weights = _read(file, checkpoint.file, model, place_of, dtype)
     model.load_state_dict(weights, assign=True)
     for name, buffer in list(model.named_buffers()):
         if buffer.is_meta:  # CLIP's position_ids, which no file holds
@@ -177,7 +207,11 @@ def _from_file(kind: Any, checkpoint: Checkpoint, part: str, dtype: torch.dtype)
 
 
 def _read(
-    file: Any, checkpoint: Checkpoint, part: str, model: torch.nn.Module, dtype: torch.dtype
+    file: Any,
+    path: Path,
+    model: torch.nn.Module,
+    place_of: Callable[[str], Place],
+    dtype: torch.dtype,
 ) -> dict[str, Tensor]:
     """Each of the model's weights, from the file.
 
@@ -185,7 +219,6 @@ def _read(
         UserError: one is missing, or of another shape than the model's.
     """
     names, weights, missing = set(file.keys()), {}, []
-    place_of = _places(checkpoint, part, model, names)
     for name, expected in model.state_dict().items():
         place = place_of(name)
         if place.key not in names:
@@ -197,13 +230,13 @@ def _read(
             found = found.flatten(1)
         if found.shape != expected.shape:
             raise UserError(
-                f'"{checkpoint.file}" is another model than its parts say: {place.key} is '
+                f'"{path}" is another model than its parts say: {place.key} is '
                 f"{tuple(found.shape)}, expected {tuple(expected.shape)}.",
                 "Give a checkpoint of Stable Diffusion 1.x, 2.x or XL.",
             )
         weights[name] = found.to(dtype)
     if missing:
-        raise _incomplete(checkpoint.name, sorted(missing))
+        raise _incomplete(path, sorted(missing))
     return weights
 
 
