@@ -132,6 +132,8 @@ class PromptedGuidance(ABC):
     """A guidance with its prompts: what the trainings use. The schedule, the latents and their
     encoders are the guidance's own."""
 
+    views_together: int = 1
+
     def __init__(self, guidance: Guidance) -> None:
         self._guidance = guidance
         self.alpha_bar = guidance.alpha_bar
