@@ -24,6 +24,7 @@ SAVED = (  # what a preset holds: everything but the prompt, the seed and the ob
     "ignore_unknown",
     "size",
     "placement",
+    "candidates",
     "device",
     "overrides",
     "uv",
