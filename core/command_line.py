@@ -109,6 +109,15 @@ def add_core_commands(commands: Commands) -> None:
         )
         _add_job_options(command)
 
+    edit = add("edit", "Another material on a part of an asset; all the rest stays bit for bit.")
+    edit.add_argument("asset", type=Path, metavar="ASSET")
+    edit.add_argument("prompt", help="the whole thing in the new material, or a part of it")
+    edit.add_argument(
+        "--faces", required=True, metavar="FILE", help="of mesh.obj: a number a line, from 0 on"
+    )
+    edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
+    _add_job_options(edit)
+
     explore = add(
         "explore", "Quick shapes of several seeds next to each other; resume finishes one."
     )
@@ -269,7 +278,7 @@ def job_of(args: argparse.Namespace) -> "Job":
     from core.io.job import Job
 
     given = {
-        "command": "texture" if args.command == "texture" else "generate",
+        "command": "generate" if args.command == "explore" else args.command,
         "prompt": args.prompt,
         "mesh": _absolute(getattr(args, "mesh", "")),
         "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
@@ -383,7 +392,7 @@ def carry_out(args: argparse.Namespace) -> Path | None:
     other = {"render": _render, "inspect": _inspect, "export": _export, "bench": _bench}
     other |= {"words": _words, "verify": _verify, "report": _report}
     other |= {"batch": _batch, "node": _node, "explore": _explore, "recolor": _recolor}
-    other |= {"models": _models, "reproduce": _reproduce}
+    other |= {"models": _models, "reproduce": _reproduce, "edit": _edit}
     other[args.command](args)
     return None
 
@@ -401,14 +410,17 @@ def default_run_folder(prompt: str) -> Path:
 
 
 def _job(args: argparse.Namespace) -> Path | None:
+    until = _until(args)
+    return _run_new(args.out, job_of(args), until)
+
+
+def _run_new(out: Path | None, job: "Job", until: str) -> Path | None:
     from core.generate import prepare
     from core.io.run_folder import RunFolder
 
-    _until(args)
-    job = job_of(args)
     inputs = prepare(job)  # what is wrong is reported before anything is written
-    run = RunFolder.create(args.out or default_run_folder(job.prompt), job)
-    return run_job(run, inputs, _until(args))
+    run = RunFolder.create(out or default_run_folder(job.prompt), job)
+    return run_job(run, inputs, until)
 
 
 def _until(args: argparse.Namespace) -> str:
@@ -426,6 +438,30 @@ def _resume(args: argparse.Namespace) -> Path | None:
     if args.end_with_stdin:
         end_with_stdin()
     return run_job(RunFolder.open(args.run), None, _until(args))
+
+
+def _edit(args: argparse.Namespace) -> None:
+    from dataclasses import replace
+
+    from core.io.asset import read_asset
+
+    asset = read_asset(args.asset)
+    args.command, args.mesh, args.uv = "texture", str(asset.folder / "mesh.obj"), "keep"
+    kept = {"kept_asset": _absolute(str(asset.folder)), "region": _absolute(args.faces)}
+    size = args.texture_size or len(asset.maps.base_color)
+    prompt = _of_whole(args.prompt, str(asset.info.get("prompt", "")), args.guidance)
+    job = job_of(args)
+    _run_new(args.out, replace(job, prompt=prompt, texture_size=size, **kept), "")
+
+
+def _of_whole(words: str, whole: str, guidance: str | None) -> str:
+    """``words``; or where they name a part alone, such as "a red seat", ``whole`` with it."""
+    from core.guidance.builtin.vocabulary import words_report
+
+    if guidance not in (None, "builtin") or words_report(words)[1] == 0:
+        return words
+    both = f"{whole} with {words}"
+    return both if words_report(both)[1] == 0 else words
 
 
 def _explore(args: argparse.Namespace) -> None:

@@ -164,6 +164,8 @@ class TextureConfig:
     # The mesh is simplified to this before the unwrap.
     max_faces: Annotated[int, Range(100, 100_000_000)] = 20000
     samples: Annotated[int, Range(1, 64)] = 4  # of one texel
+    # Width of the border inside an edited region, of the longest side.
+    feather: Annotated[float, Range(0, 1)] = 0.02
 
 
 @dataclass(frozen=True, kw_only=True)

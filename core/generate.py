@@ -16,13 +16,13 @@ from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
 from core.config import Config
 from core.device import device_of
-from core.errors import Paused
+from core.errors import Paused, UserError
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
-from core.io.asset import place, write_asset
+from core.io.asset import Asset, place, read_asset, write_asset
 from core.io.job import Job
 from core.io.mesh_file import load_mesh
 from core.io.progress import Progress
@@ -41,6 +41,7 @@ from core.stages.texturing import bake_maps, load_unwrapped, save_unwrapped, unw
 from core.stages.training import Setup
 from core.stages.workload import cpu_notice
 from core.texture.look_up import maps_source
+from core.texture.region import Region, edited, read_faces
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
 
@@ -55,6 +56,7 @@ class Inputs:
     light: Tensor  # lat-long, linear
     shape: Mesh | None  # the guide mesh, or the mesh to texture
     start: Tensor | None = None  # the base colour that the material starts from, linear
+    region: Region | None = None  # the part that gets the material; None: all of it
     warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
 
 
@@ -63,7 +65,9 @@ def prepare(job: Job) -> Inputs:
     config = config_of(job)
     device = device_of(job.device)
     path = job.mesh or job.guide_mesh
-    shape = load_mesh(Path(path)) if path else None
+    kept = read_asset(Path(job.kept_asset)) if job.region else None
+    # Of the asset itself: a reader of any OBJ may order its faces otherwise.
+    shape = kept.mesh if kept else load_mesh(Path(path)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(
@@ -79,7 +83,8 @@ def prepare(job: Job) -> Inputs:
         prompted = guidance.prompted(job.prompt, job.negative_prompt)
     notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
     texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
-    return Inputs(config, device, prompted, light, shape, start, texts)
+    region = region_of(job, kept) if kept else None
+    return Inputs(config, device, prompted, light, shape, start, region, texts)
 
 
 def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = "") -> Path:
@@ -110,6 +115,9 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         shape = replace(shape, verts=normalise(shape.verts)[0])
         unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
         save_unwrapped(run, unwrapped)
+    region = inputs.region
+    if region is not None:  # its normals keep the relief of the shape before it was simplified
+        unwrapped = unwrapped._replace(fine=region.fine)
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
@@ -130,11 +138,28 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
     named = {"surfaces": guidance.surfaces(), "seed": job.color_seed or job.seed}
     maps = bake_maps(unwrapped, net, config, progress, **named)
+    if region is not None:
+        verts = unwrapped.mesh.verts
+        feather = config.texture.feather * float((verts.amax(0) - verts.amin(0)).max())
+        maps = edited(unwrapped.mesh.mesh, region, maps, feather, config.texture.samples)
     verts = mesh.verts.cpu()
     verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
+
+
+def region_of(job: Job, asset: Asset) -> Region:
+    """What ``job`` keeps of its asset, and the faces that it changes."""
+    size = len(asset.maps.base_color)
+    if config_of(job).texture.size != size:
+        raise UserError(
+            f"The asset's maps have {size} texels a side.", f"Use --texture-size {size}."
+        )
+    made = load_unwrapped(RunFolder(asset.folder.parent))
+    faces = asset.mesh.faces
+    fine = made.fine if made and torch.equal(made.mesh.faces, faces) else None
+    return Region(asset.maps, read_faces(Path(job.region), len(faces)), fine)
 
 
 def paused(run: RunFolder, until: str) -> Paused:

@@ -10,7 +10,15 @@ from core.guidance.builtin.offered import NETWORKS, PARTS, RESTORER, WEIGHTS
 from core.io.job import Job
 from core.io.provenance import SOFTWARE, file_hash
 
-FILES = ("mesh", "guide_mesh", "base_color", "light", "guidance")  # of a job: may be paths
+FILES = (
+    "mesh",
+    "guide_mesh",
+    "base_color",
+    "kept_asset",
+    "region",
+    "light",
+    "guidance",
+)  # of a job: may be paths
 LIBRARIES = ("torch", "numpy", "numba")  # whose versions decide the last bits
 
 

@@ -47,6 +47,8 @@ class Job:
     mesh: str = ""  # of "texture": the user's own mesh
     uv: str = "auto"  # of "texture": "keep" takes the mesh's own, even where faces share texels
     base_color: str = ""  # of "texture": a picture over the mesh's uv to start from; or "mesh"
+    kept_asset: str = ""  # of "texture": the asset of ``mesh``, whose maps hold outside ``region``
+    region: str = ""  # a text file with the faces that get the material, a number a line
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
@@ -112,6 +114,10 @@ def _check(job: Job) -> None:
         raise UserError(f"There is no uv mode {shown(job.uv)}.", f"Take {' or '.join(UV_MODES)}.")
     if job.base_color and job.command != "texture":
         raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
+    if bool(job.region) != bool(job.kept_asset) or (job.region and job.uv != "keep"):
+        raise UserError(
+            "A region needs the asset that it is a part of, and its UV map.", "Use run.py edit."
+        )
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
         raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
     if job.size_m and not SIZES[0] <= job.size_m <= SIZES[1]:

@@ -1,0 +1,107 @@
+"""A region's new material: outside of it no bit changes, inside it is the new one."""
+
+from pathlib import Path
+
+import pytest
+import torch
+
+from core.command_line import main
+from core.errors import UserError
+from core.geometry.mesh import Mesh
+from core.io.asset import Maps, read_asset
+from core.ops import normalize
+from core.tests.tiny_runs import OPTIONS
+from core.texture.region import Region, edited, read_faces, region_weight
+from core.texture.texels import texel_points
+
+SIZE = 64
+
+
+def grid(n: int = 8) -> Mesh:
+    """A square of the plane, x and y from 0 to 1, whose uv is (x, y) within a margin of 1/8."""
+    at = torch.linspace(0, 1, n + 1)
+    xy = torch.stack(torch.meshgrid(at, at, indexing="ij"), -1).reshape(-1, 2)
+    index = torch.arange((n + 1) ** 2).view(n + 1, n + 1)
+    a, b, c, d = (
+        index[i : n + i, j : n + j].reshape(-1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
+    )
+    faces = torch.cat([torch.stack([a, b, c], 1), torch.stack([a, c, d], 1)])
+    verts = torch.cat([xy, torch.zeros(len(xy), 1)], 1)
+    return Mesh(verts, faces, 0.125 + 0.75 * xy, faces)
+
+
+def left_half(mesh: Mesh) -> torch.Tensor:
+    return mesh.verts[mesh.faces].mean(1)[:, 0] < 0.5
+
+
+def some_maps(seed: int) -> Maps:
+    generator = torch.Generator().manual_seed(seed)
+    a, b, c = (torch.rand(SIZE, SIZE, 3, generator=generator) for _ in range(3))
+    return Maps(a, b, normalize(c - 0.5))
+
+
+def test_the_weight_is_the_smooth_step_of_the_distance_to_the_border():
+    mesh = grid()
+    weight = region_weight(mesh, left_half(mesh), SIZE, feather=0.25)
+    # A texel's middle in x, by its column.
+    x = ((torch.arange(SIZE) + 0.5) / SIZE - 0.125) / 0.75
+    t = ((0.5 - x) / 0.25).clamp(0, 1)
+    row = weight[SIZE // 2]
+    on = (x > 0.02) & (x < 0.98)
+    torch.testing.assert_close(row[on], (t * t * (3 - 2 * t))[on], atol=0.01, rtol=0)
+    assert (row[x > 0.5] == 0).all()
+
+
+def test_all_other_texels_stay_bit_for_bit_and_their_padding_too():
+    mesh, kept, new = grid(), some_maps(0), some_maps(1)
+    faces = left_half(mesh)
+    got = edited(mesh, Region(kept, faces), new, feather=0.1)
+    texels = texel_points(*mesh.atlas, SIZE)
+    outside = torch.zeros(SIZE * SIZE, dtype=torch.bool)
+    outside[texels.index[~faces[texels.face]]] = True  # any point of it is of another face
+    outside = outside.view(SIZE, SIZE)
+    outside[:, SIZE - 7 :] = True  # the margin at the right is padding of the right half
+    for g, k, n in zip(got, kept, new, strict=True):
+        assert torch.equal(g[outside], k[outside])
+        deep = slice(8, 24)  # columns: past the margin, and more than a feather from the border
+        assert torch.equal(g[8:-8, deep], n[8:-8, deep])
+        assert torch.equal(g[8:-8, :8], n[8:-8, :8])  # the margin at the left is the region's
+    torch.testing.assert_close(got.normal.norm(dim=-1), torch.ones(SIZE, SIZE))
+
+
+def test_without_a_border_the_whole_component_is_new():
+    mesh = grid()
+    every = torch.ones(len(mesh.faces), dtype=torch.bool)
+    assert (region_weight(mesh, every, SIZE, feather=0.3) == 1).all()
+
+
+@pytest.mark.parametrize("text", ["", "3 x", "-1", "8", "1.5", "\xff"])
+def test_a_wrong_file_of_faces_is_refused(tmp_path: Path, text: str):
+    (tmp_path / "faces.txt").write_text(text, "latin-1")
+    with pytest.raises(UserError, match="a number a line"):
+        read_faces(tmp_path / "faces.txt", 8)
+
+
+def test_the_faces_of_a_file(tmp_path: Path):
+    (tmp_path / "faces.txt").write_text("2\n0\n2\n")
+    assert read_faces(tmp_path / "faces.txt", 4).tolist() == [True, False, True, False]
+
+
+def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(tmp_path: Path):
+    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
+    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+    faces.write_text("\n".join(map(str, range(50))))
+    more = [f"--faces={faces}", f"--out={out}", *OPTIONS[:-2], "--set=texture.feather=0.0"]
+    assert main(["edit", str(whole), "a blue metal torus", *more]) == 0
+    before, after = read_asset(whole), read_asset(out)
+    text = [(run / "asset" / "mesh.obj").read_text().splitlines() for run in (whole, out)]
+    # All lines but the remarks and the material's name: positions, UVs, normals, faces.
+    lines = [[x for x in t if x.split()[:1] in (["v"], ["vt"], ["vn"], ["f"])] for t in text]
+    assert lines[0] == lines[1]
+    texels = texel_points(*before.mesh.atlas, SIZE)
+    outside = torch.zeros(SIZE * SIZE, dtype=torch.bool)
+    outside[texels.index[texels.face >= 50]] = True
+    outside = outside.view(SIZE, SIZE)
+    for old, new in zip(before.maps, after.maps, strict=True):
+        assert torch.equal(old[outside], new[outside])
+    assert (before.maps.base_color != after.maps.base_color).any()
