@@ -449,31 +449,18 @@ def default_run_folder(prompt: str) -> Path:
 
 def _job(args: argparse.Namespace) -> Path | None:
     until = _until(args)
-<<<<<<< HEAD
     return _run_new(args.out, job_of(args), until, args.gpus)
 
 
 def _run_new(out: Path | None, job: "Job", until: str, gpus: int = 1) -> Path | None:
-=======
-    return _run_new(args.out, job_of(args), until)
-
-
-def _run_new(out: Path | None, job: "Job", until: str) -> Path | None:
->>>>>>> a6448dc6167fd6b2298c10ea1fdee231506d16fb
     from core.generate import prepare
     from core.io.run_folder import RunFolder
     from core.together import place
 
-<<<<<<< HEAD
     # What is wrong is reported before anything is written.
     inputs = prepare(job, place(gpus, job.device))
     run = RunFolder.create(out or default_run_folder(job.prompt), job)
     return run_job(run, inputs, until, gpus)
-=======
-    inputs = prepare(job)  # what is wrong is reported before anything is written
-    run = RunFolder.create(out or default_run_folder(job.prompt), job)
-    return run_job(run, inputs, until)
->>>>>>> a6448dc6167fd6b2298c10ea1fdee231506d16fb
 
 
 def _until(args: argparse.Namespace) -> str:

@@ -128,18 +128,12 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
             raise paused(run, until)
 
         # UNWRAP: once, in the training's cube, within the face budget
-<<<<<<< HEAD
         if ranks.first:
             assert shape is not None  # a job of "texture" has a mesh
             shape = replace(shape, verts=normalise(shape.verts)[0])
             unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
             save_unwrapped(run, unwrapped)
     unwrapped = shared_unwrapped(unwrapped, ranks)
-=======
-        shape = replace(shape, verts=normalise(shape.verts)[0])
-        unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
-        save_unwrapped(run, unwrapped)
->>>>>>> a6448dc6167fd6b2298c10ea1fdee231506d16fb
     region = inputs.region
     if region is not None:  # its normals keep the relief of the shape before it was simplified
         unwrapped = unwrapped._replace(fine=region.fine)
