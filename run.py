@@ -23,6 +23,7 @@ Commands:
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE
     report RUN --out FILE      a run as one HTML file that needs no network
+    reproduce [--figure NAME]  the paper's figures again, on a page; --list, --quick, --page FILE
     words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
     models [FOLDER...]         the Stable Diffusion models there, and which can be used
     bench [NAME...]            measure this machine

@@ -187,14 +187,14 @@ FIGURES = (
         "Relighting",
         "Fig. 12: one asset under several environment maps in Blender.",
         "The lights are three of Blender's own.",
-        (Row("crown", "crown", LIGHTS, ()), Row("bust", "bust", LIGHTS, ())),
+        tuple(Row(name, name, LIGHTS, ()) for name in ("crown", "bust", "chair")),
     ),
     Figure(
         "material",
         "The material replaced",
         "Fig. 1: the stone bust with a material of wood.",
         "The materials are the add-on's own, made of Blender's nodes.",
-        (Row("bust", "bust", MATERIALS, ()),),
+        (Row("bust", "bust", MATERIALS, ()), Row("chair", "chair", MATERIALS, ())),
     ),
     Figure(
         "cornell",
