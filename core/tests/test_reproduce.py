@@ -137,8 +137,8 @@ def test_what_cannot_be_made_is_refused_first(words, text, tmp_path, capsys):
     assert not (tmp_path / "out").exists()
 
 
-ROW = "genus 5 wanted"
-PLACE = "figures/genus/genus-5-wanted-*"
+ROW = "genus 1 wanted"
+PLACE = "figures/genus/genus-1-wanted-*"
 
 
 @pytest.fixture(scope="module")
@@ -168,11 +168,11 @@ def test_a_row_is_made_and_the_page_shows_it(made):
     assert done.stdout.splitlines()[-1].endswith("reproduction.md")
     section = page.partition("## Genus")[2].partition("\n## ")[0]
     (row,) = [line for line in section.splitlines() if line.startswith("| **")]
-    assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-5-wanted.jpg)" in row
-    assert "distance to the guide, %: " in row and "genus: " in row
-    assert "Not made yet: genus 0 wanted, genus 1 wanted, genus 2 wanted." in section
+    assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-1-wanted.jpg)" in row
+    assert "components: " in row and "genus: " in row
+    assert "Not made yet: genus 0 wanted, genus 2 wanted, genus 5 wanted." in section
     assert "`python3 run.py reproduce --figure physics` makes them" in page
-    with Image.open(out / "reproduction" / "genus-genus-5-wanted.jpg") as picture:
+    with Image.open(out / "reproduction" / "genus-genus-1-wanted.jpg") as picture:
         assert picture.size == (2 * 48 + 4, 48)
         assert len(picture.getcolors(1 << 16)) > 50
 
@@ -205,6 +205,16 @@ def test_a_row_that_failed_is_on_the_page_and_is_tried_again(made, tmp_path):
     assert f"**{ROW}** failed: It vanished." in page
     assert again(out) == 0
     assert json.loads(place.read_text()) == before
+
+
+@pytest.mark.slow
+def test_a_guided_row_says_how_far_it_is_from_its_guide(tmp_path):
+    words = ["reproduce", "--quick", "--figure=genus", "--row=genus 5 wanted"]
+    assert main([*words, "--out", str(tmp_path)]) == 0
+    (place,) = tmp_path.glob("figures/genus/*/row.json")
+    distance = json.loads(place.read_text())["numbers"]["guide_distance"]
+    assert 0 < distance < 10
+    assert "distance to the guide, %: " in (tmp_path / "reproduction.md").read_text()
 
 
 @pytest.mark.slow
