@@ -92,32 +92,6 @@ def require_groups(config: Config, together: int, command: str) -> None:
                 )
 
 
-def require_groups(config: Config, together: int, command: str) -> None:
-    """Refuse settings that tear apart views which a guidance predicts together.
-
-    Raises:
-        UserError: the first of them, and what it takes.
-    """
-    stages = {"appearance": config.appearance}
-    stages |= {"geometry": config.geometry} if command == "generate" else {}
-    for stage, settings in stages.items() if together > 1 else ():
-        for name in ("views", "views_at_once"):
-            if (value := getattr(settings, name)) % together:
-                raise UserError(
-                    f"{stage}.{name} is {value}; this checkpoint predicts {together} views "
-                    "together.",
-                    f"Set it to a multiple of {together}, such as --set {stage}.{name}={together}.",
-                )
-        rounds = {name: getattr(settings, name, None) for name in ("grow", "refine")}
-        for name, part in rounds.items():
-            if part and part.rounds:
-                raise UserError(
-                    f"{stage}.{name} fits to single views; this checkpoint predicts {together} "
-                    "together.",
-                    f"Use --preset standard, or --set {stage}.{name}.rounds=0.",
-                )
-
-
 def distill(
     setup: Setup,
     phase: PhaseConfig,
