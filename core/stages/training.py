@@ -116,7 +116,9 @@ def _gradient_that_fits(
     training = setup.training
     before = training.mark()
     while True:
-        half = min(setup.at_once, setup.config.views) // 2
+        # Views that a guidance predicts together stay together.
+        group = setup.guidance.views_together
+        half = min(setup.at_once, setup.config.views) // 2 // group * group
         try:
             return gradient_of(setup, phase, step, progress.cancelled)
         except (torch.OutOfMemoryError, MemoryShortError):
