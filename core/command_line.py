@@ -119,15 +119,6 @@ def add_core_commands(commands: Commands) -> None:
     edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     _add_job_options(edit)
 
-    edit = add("edit", "Another material on a part of an asset; all the rest stays bit for bit.")
-    edit.add_argument("asset", type=Path, metavar="ASSET")
-    edit.add_argument("prompt", help="the whole thing in the new material, or a part of it")
-    edit.add_argument(
-        "--faces", required=True, metavar="FILE", help="of mesh.obj: a number a line, from 0 on"
-    )
-    edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
-    _add_job_options(edit)
-
     explore = add(
         "explore", "Quick shapes of several seeds next to each other; resume finishes one."
     )
@@ -486,30 +477,6 @@ def _follow() -> None:
 
     if place():
         sys.exit(follow())
-
-
-def _edit(args: argparse.Namespace) -> None:
-    from dataclasses import replace
-
-    from core.io.asset import read_asset
-
-    asset = read_asset(args.asset)
-    args.command, args.mesh, args.uv = "texture", str(asset.folder / "mesh.obj"), "keep"
-    kept = {"kept_asset": _absolute(str(asset.folder)), "region": _absolute(args.faces)}
-    size = args.texture_size or len(asset.maps.base_color)
-    prompt = _of_whole(args.prompt, str(asset.info.get("prompt", "")), args.guidance)
-    job = job_of(args)
-    _run_new(args.out, replace(job, prompt=prompt, texture_size=size, **kept), "")
-
-
-def _of_whole(words: str, whole: str, guidance: str | None) -> str:
-    """``words``; or where they name a part alone, such as "a red seat", ``whole`` with it."""
-    from core.guidance.builtin.vocabulary import words_report
-
-    if guidance not in (None, "builtin") or words_report(words)[1] == 0:
-        return words
-    both = f"{whole} with {words}"
-    return both if words_report(both)[1] == 0 else words
 
 
 def _edit(args: argparse.Namespace) -> None:
