@@ -14,7 +14,7 @@ OPERATORS = {
     cls.bl_idname.partition(".")[2]: cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)
 }
 # Buttons of one word, one file or one preset: they need what only their place knows.
-IN_PLACE = {"add_word", "replace_word", "import_file", "preset_add"}
+IN_PLACE = {"add_word", "replace_word", "import_file", "preset_add", "choose_model"}
 
 
 class Layout:

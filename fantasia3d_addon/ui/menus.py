@@ -73,6 +73,7 @@ JOBS: tuple[Entry, ...] = (
 INSTALLATION: tuple[Entry, ...] = (
     ("set_up", "IMPORT"),
     ("check", "VIEWZOOM"),
+    ("find_models", "FILE_REFRESH"),
     ("repair", "FILE_REFRESH"),
     ("remove_environment", "TRASH"),
     ("cancel_set_up", "CANCEL"),
