@@ -146,7 +146,9 @@ def learned_mesh(run: RunFolder, guidance: PromptedGuidance, config: Config) -> 
     training = Training("geometry", net, generator, run)
     if not run.has(training.name):
         fit_start_shape(training, config.geometry, progress)
-    return Mesh(*learn_geometry(Setup(training, guidance, config.geometry), progress))
+    mesh = learn_geometry(Setup(training, guidance, config.geometry), progress)
+    assert mesh is not None  # one process alone
+    return Mesh(*mesh)
 
 
 def shape_score(mesh: Mesh, noun: str, references: dict) -> dict[str, Any]:

@@ -114,7 +114,9 @@ def fitted(
         run = RunFolder.create(Path(place) / "run", Job(prompt="a known solid"))
         training, progress = Training("geometry", net, generator, run), Progress(run)
         fit_start_shape(training, config, progress)
-        verts, faces = learn_geometry(Setup(training, Oracle(shape).prompted(), config), progress)
+        mesh = learn_geometry(Setup(training, Oracle(shape).prompted(), config), progress)
+    assert mesh is not None  # one process alone
+    verts, faces = mesh
     return verts.detach(), faces
 
 

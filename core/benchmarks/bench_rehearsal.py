@@ -107,8 +107,8 @@ def random_guidance(rehearsal: Rehearsal, device: torch.device) -> PromptedStabl
     dtype = torch.float16 if device.type == "cuda" else torch.float32
     unet_config, vae_config = configurations(rehearsal)
     with torch.device(device):
-        unet = UNet2DConditionModel.from_config(unet_config)
-        vae = AutoencoderKL.from_config(vae_config)
+        unet: Any = UNet2DConditionModel.from_config(unet_config)
+        vae: Any = AutoencoderKL.from_config(vae_config)
     vae.decoder = None
     torch.nn.Module.to(unet, device, dtype)
     # SDXL's encoder overflows in 16 bit.

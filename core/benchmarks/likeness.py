@@ -150,7 +150,7 @@ def _slices() -> Float[Tensor, "n 3"]:
 def _pieces(inside: np.ndarray) -> Int[np.ndarray, " _"]:
     counts = []
     for one in inside.reshape(HEIGHTS, SLICE, SLICE):
-        pieces, _ = label(one, np.ones((3, 3)))
+        pieces = np.asarray(label(one, np.ones((3, 3)))[0])  # pyright: ignore[reportIndexIssue]
         counts.append(int((np.bincount(pieces.ravel())[1:] >= SPECK).sum()))
     return np.array(counts)
 

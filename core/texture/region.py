@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from jaxtyping import Bool, Float
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.errors import UserError, shown
@@ -101,7 +101,7 @@ def _rise(
     """From 0 at the border to 1 at ``feather`` from it, smoothly; 1 where there is no border."""
     if not len(border) or not feather:
         return torch.ones(len(points))
-    distance = torch.from_numpy(cKDTree(border).query(points.numpy())[0]).float()
+    distance = torch.from_numpy(KDTree(border).query(points.numpy())[0]).float()
     x = (distance / feather).clamp(0, 1)
     return x * x * (3 - 2 * x)
 

@@ -183,7 +183,9 @@ def _run(folder: Path) -> dict[str, Any]:
 
 
 def _each(value: object) -> list[object]:
-    return list(value) if isinstance(value, (dict, list)) else []
+    if isinstance(value, dict):
+        value = list(cast("dict[object, object]", value))
+    return list(cast("list[object]", value)) if isinstance(value, list) else []
 
 
 def _kind_of_file(text: str) -> str:

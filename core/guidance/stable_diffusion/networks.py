@@ -36,8 +36,8 @@ _CLIP_LENGTH = 77  # tokens
 class Networks(NamedTuple):
     """What score distillation uses of a checkpoint, frozen."""
 
-    unet: UNet2DConditionModel | MultiViewUNet
-    vae: AutoencoderKL  # without its decoder: pictures are never decoded
+    unet: Any  # UNet2DConditionModel or MultiViewUNet: diffusers types its attributes too widely
+    vae: Any  # AutoencoderKL without its decoder: pictures are never decoded
     scheduler: DDPMScheduler
     encoders: tuple[Encoder, ...]  # SDXL has two
 
@@ -99,7 +99,7 @@ def noise_schedule(checkpoint: Checkpoint) -> DDPMScheduler:
         )
 
 
-def empty_networks(checkpoint: Checkpoint) -> tuple[UNet2DConditionModel, AutoencoderKL]:
+def empty_networks(checkpoint: Checkpoint) -> tuple[Any, Any]:
     """The U-Net and the encoder on the meta device: shapes without numbers."""
     with readable(checkpoint.folder), torch.device("meta"):
         config = read_json(checkpoint.folder / "unet" / "config.json")
