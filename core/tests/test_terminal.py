@@ -155,6 +155,19 @@ def launched(*argv: str, **more: object) -> "subprocess.Popen[str]":
     )  # fmt: skip
 
 
+@LINUX
+def test_a_process_knows_when_it_began_however_late_it_asks():
+    """Before the loading of its modules: a cancel that comes meanwhile is of this session."""
+    code = (
+        "import time; time.sleep(0.5); loaded = time.time()\n"
+        "from core.interrupt import process_began; print(process_began(), loaded)"
+    )
+    before = time.time()
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    began, loaded = map(float, done.stdout.split())
+    assert before - 0.02 <= began <= loaded - 0.5  # the system counts in hundredths
+
+
 @POSIX
 def test_ctrl_c_while_python_starts_is_one_line_and_130():
     process = launched("--inside", "words", preexec_fn=pending)

@@ -225,9 +225,10 @@ class StableDiffusion(Guidance):
         z_t: Float[Tensor, "b 4 s s"],
         t: Int[Tensor, " b"],
         text: Float[Tensor, "b l d"],
-        cameras: Float[Tensor, "b 16"] | None = None,
+        cameras: Float[Tensor, "b camera"] | None = None,
     ) -> Float[Tensor, "b 4 s s"]:
-        """ε̂ of the U-Net for a text of each picture, and its camera where it takes cameras."""
+        """ε̂ of the U-Net for a text of each picture, and its camera (16 numbers) where it takes
+        cameras."""
         given = conditions(self._unet_config, text, self._side)
         if self.takes_cameras:
             given["cameras"] = cameras
