@@ -25,6 +25,9 @@ def scripts(tmp_path, monkeypatch):
         return str(place)
 
     monkeypatch.setattr(bpy.utils, "user_resource", folder)
+    # Blender names the menu after the preset that was saved last.
+    menu = presets.FANTASIA3D_PT_presets
+    monkeypatch.setattr(menu, "bl_label", menu.bl_label)
     return tmp_path / "scripts" / "presets" / presets.FOLDER
 
 

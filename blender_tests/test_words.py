@@ -75,13 +75,13 @@ def settings(ready):
 
 
 def test_an_unknown_word_disables_generate_until_it_is_replaced_or_ignored(settings):
-    prompt = settings("a red Chest")
+    prompt = settings("a red Ferry")
     assert submit.reason_against_generate(bpy.context) == "The prompt has unknown words."
     assert not bpy.ops.fantasia3d.generate.poll()
-    assert words.unknown(submit.report_of(prompt)) == {"chest": ["cube"]}
-    bpy.ops.fantasia3d.replace_word(old="chest", new="cube")
-    assert prompt.prompt == "a red cube"
-    settings("a red cube")
+    assert words.unknown(submit.report_of(prompt)) == {"ferry": ["boat"]}
+    bpy.ops.fantasia3d.replace_word(old="ferry", new="boat")
+    assert prompt.prompt == "a red boat"
+    settings("a red boat")
     assert submit.reason_against_generate(bpy.context) == ""
     settings("a red wombat, a cube")
     prompt.ignore_unknown = True
@@ -149,7 +149,7 @@ class Recorder:
         self.__dict__[name] = value
 
 
-@pytest.mark.parametrize("prompt", ["a red wooden office chair", "a chest and a wombat", "red"])
+@pytest.mark.parametrize("prompt", ["a red wooden office chair", "a ferry and a panther", "red"])
 def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
     from fantasia3d_addon.ui import text
 
@@ -161,6 +161,6 @@ def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
     assert sum(map(len, layout.texts)) < 260
     assert not any("--" in shown for shown in layout.texts)
     if "chair" in prompt:
-        assert "chair, red, wooden: 90 cm" in layout.texts
-    if "chest" in prompt:
-        assert layout.operators == ["fantasia3d.replace_word"] * 3
+        assert "office chair, red, wooden: 1.1 m" in layout.texts
+    if "ferry" in prompt:
+        assert layout.operators == ["fantasia3d.replace_word"] * 4

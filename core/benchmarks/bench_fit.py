@@ -21,6 +21,8 @@ from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig, with_settings
 from core.errors import UserError
+from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.prompt_errors import known_things
 from core.io.job import Job, write_text
 from core.io.png import write_png
 from core.io.progress import Progress
@@ -68,7 +70,7 @@ def bench_fit(
     config = with_settings(DRAFT, settings).geometry
     for noun in nouns:
         if noun not in FAMILIES:
-            raise UserError(f"There is no noun {noun!r}.", f"Use one of {', '.join(FAMILIES)}.")
+            raise UserError(f"There is no noun {noun!r}.", known_things(offered_words()))
     folder = folder or FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     found = []

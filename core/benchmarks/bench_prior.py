@@ -22,6 +22,7 @@ from core.generate import generate, prepare
 from core.geometry.mesh import health
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks
+from core.guidance.builtin.prompt_errors import known_things
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
 from core.io.progress import Progress
@@ -56,10 +57,7 @@ def bench_prior(
     known = offered_words()
     unknown = [noun for noun in nouns if noun not in known["noun"]]
     if unknown:
-        raise UserError(
-            f"The built-in prior has no noun {unknown[0]!r}.",
-            f"Use one of: {', '.join(known['noun'])}.",
-        )
+        raise UserError(f"The built-in prior has no noun {unknown[0]!r}.", known_things(known))
     torch.set_num_threads(1)
     references = reference_clouds(known["noun"])
     scores = []

@@ -14,6 +14,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import torch
@@ -82,7 +83,8 @@ def take(count: int, folder: Path) -> None:
 
     phase.begin = counted
     with run_lock(run.path):
-        training.train(training.Setup(one, None, None), [phase], Progress(run))
+        alone = SimpleNamespace(views_together=1), SimpleNamespace(views=1, views_at_once=1)
+        training.train(training.Setup(one, *alone), [phase], Progress(run))
         print(json.dumps({"steps": count, **held(run.path)}), flush=True)
 
 

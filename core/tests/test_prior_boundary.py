@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-USERS = ("core/prior/", "core/benchmarks/", "core/tests/")
+USERS = ("core/prior/", "core/benchmarks/", "core/reproduce/", "core/tests/")
 PREPARE = """
 import json, sys
 from core.generate import generate, prepare
