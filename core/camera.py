@@ -5,7 +5,8 @@ World: right-handed, +Z up, the object's front faces -Y. Camera: x right, y up, 
 """
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
 import torch
@@ -25,6 +26,9 @@ class Cameras:
     elevation: Float[Tensor, " b"]
     distance: Float[Tensor, " b"]
     fovy: Float[Tensor, " b"]
+    # Where the origin lies in a square picture, x right and y up, its edges at -1 and 1 (a lens
+    # shift). None: in the middle.
+    shift: Float[Tensor, "b 2"] | None = None
 
     @classmethod
     def orbit(
@@ -45,18 +49,25 @@ class Cameras:
         return len(self.azimuth)
 
     def __getitem__(self, index: "slice | Tensor") -> "Cameras":
-        return Cameras(
-            self.azimuth[index], self.elevation[index], self.distance[index], self.fovy[index]
-        )
+        return self._each(lambda tensor: tensor[index])
 
     def to(self, device: "torch.device | str") -> "Cameras":
         """The same cameras on ``device``."""
-        return Cameras(
-            self.azimuth.to(device),
-            self.elevation.to(device),
-            self.distance.to(device),
-            self.fovy.to(device),
-        )
+        return self._each(lambda tensor: tensor.to(device))
+
+    def _each(self, change: Callable[[Tensor], Tensor]) -> "Cameras":
+        return Cameras(**{name: change(tensor) for name, tensor in self.tensors().items()})
+
+    def tensors(self) -> dict[str, Tensor]:
+        """What there is of the fields, by name."""
+        return {name: tensor for name, tensor in vars(self).items() if tensor is not None}
+
+    def close_up(self, center: Float[Tensor, "b 2"], zoom: Float[Tensor, " b"]) -> "Cameras":
+        """The part of each picture about ``center`` (as ``shift``), ``zoom`` times as large: from
+        the same place, so in the same perspective."""
+        fovy = 2 * ((self.fovy / 2).tan() / zoom).atan()
+        before = 0 if self.shift is None else self.shift
+        return replace(self, fovy=fovy, shift=(before - center) * zoom[:, None])
 
     @property
     def back(self) -> Float[Tensor, "b 3"]:
@@ -95,6 +106,8 @@ class Cameras:
         matrix[:, 2, 2] = -(FAR + NEAR) / (FAR - NEAR)
         matrix[:, 2, 3] = -2 * FAR * NEAR / (FAR - NEAR)
         matrix[:, 3, 2] = -1
+        if self.shift is not None:  # times z, which the division by w = -z turns round
+            matrix[:, :2, 2] = -self.shift
         return matrix
 
     @property
@@ -150,3 +163,19 @@ def sample_groups(
     turn = 2 * math.pi / together * (torch.arange(n) % together)
     group = first[index]
     return Cameras(group.azimuth + turn, group.elevation, group.distance, group.fovy)
+
+
+ZOOM = (1.4, 3.5)  # of close-ups; a whole object fills about half of a picture's side
+
+
+def aimed(
+    cameras: Cameras, coverage: Float[Tensor, "b s s"], generator: torch.Generator
+) -> Cameras:
+    """Close-ups of what the ``coverage`` of whole pictures shows, each about a random place."""
+    count, size, _ = coverage.shape
+    zoom = ZOOM[0] * (ZOOM[1] / ZOOM[0]) ** torch.rand(count, generator=generator)
+    weight = coverage.flatten(1).cpu() + 1e-9  # nothing in sight: anywhere
+    place = torch.multinomial(weight, 1, generator=generator)[:, 0]
+    column, row = place % size, place // size
+    center = torch.stack([column + 0.5, size - row - 0.5], 1) / size * 2 - 1
+    return cameras.close_up(center.to(cameras.azimuth), zoom.to(cameras.azimuth))

@@ -74,6 +74,7 @@ class SharpenConfig:
     """Beyond the paper: the finished mesh follows its own renders made crisp by the guidance."""
 
     rounds: Steps = 0  # 0 leaves it out
+    close_rounds: Steps = 0  # the last ones of these, which look closely at parts
     views: Count = 40  # pictures of one round
     passes: Count = 2  # of the guidance's restoring over each picture
     steps: Count = 30  # of descent on the vertices, in one round

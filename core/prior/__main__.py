@@ -61,6 +61,7 @@ def parser() -> argparse.ArgumentParser:
     data = commands.add_parser("data", help="render shards of the families")
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
     data.add_argument("--pairs", type=int, default=0, help="files of 256 soft and crisp views each")
+    data.add_argument("--close-pairs", type=int, default=0, help="the same, of close-ups")
     data.add_argument("--workers", type=int, default=2)
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
@@ -83,6 +84,7 @@ def parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--weights", type=Path, help="others than the shipped ones")
     evaluate.add_argument("--views", type=int, default=16, help="of each noun")
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
+    evaluate.add_argument("--close", action="store_true", help="the restorer on close-ups")
     evaluate.add_argument("--seed", type=int, default=1_000_000, help="the data's end at 100,000")
 
     ship = commands.add_parser("ship", help="put the trained weights into the project")
@@ -112,8 +114,9 @@ def data(options: argparse.Namespace) -> None:
         print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
     for path in write_shards(options.out, range(options.shards), options.workers):
         print(path, flush=True)
-    for path in write_pair_files(options.out, range(options.pairs), options.workers):
-        print(path, flush=True)
+    for count, close in ((options.pairs, False), (options.close_pairs, True)):
+        for path in write_pair_files(options.out, range(count), options.workers, close=close):
+            print(path, flush=True)
 
 
 def train(options: argparse.Namespace) -> None:
@@ -158,7 +161,7 @@ def evaluate(options: argparse.Namespace) -> None:
     """Print each noun's scores and their means."""
     net = load_weights(options.weights or WEIGHTS / f"{options.network}.safetensors")
     if options.network == "restorer":
-        report(net, options.nouns, options.views, options.seed)
+        report(net, options.nouns, options.views, options.seed, close=options.close)
         return
     if options.network == "parts":
         report_parts(net, options.nouns, options.views, options.seed)

@@ -54,7 +54,7 @@ class Samples:
     noun: Tensor  # (N,) index into NOUNS
     adjective: Tensor  # (N,) index into ADJECTIVES
     part_state: Tensor  # (N,) index into PART_STATES
-    camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy
+    camera: Tensor  # (N, 4) azimuth, elevation, distance, fovy; (N, 6) with a lens shift
 
     @classmethod
     def of(
@@ -63,6 +63,7 @@ class Samples:
         """One object's pictures; ``noun``, ``adjective`` and ``part_state`` are indices."""
         count = len(cameras)
         facts = [cameras.azimuth % (2 * math.pi), cameras.elevation, cameras.distance, cameras.fovy]
+        shift = [] if cameras.shift is None else [cameras.shift]
         return cls(
             normal=(seen.normal * 127).round().to(torch.int8),
             coverage=(seen.coverage * 255).round().to(torch.uint8),
@@ -72,7 +73,7 @@ class Samples:
             noun=torch.full((count,), noun),
             adjective=torch.full((count,), adjective),
             part_state=torch.full((count,), part_state),
-            camera=torch.stack(facts, 1),
+            camera=torch.cat([torch.stack(facts, 1), *shift], 1),
         )
 
     def __len__(self) -> int:
@@ -80,7 +81,9 @@ class Samples:
 
     def cameras(self, index: "Tensor | slice" = slice(None)) -> Cameras:
         """The views' cameras."""
-        return Cameras(*self.camera[index].unbind(1))
+        camera = self.camera[index]
+        shift = camera[:, 4:] if camera.shape[1] > 4 else None
+        return Cameras(*camera[:, :4].unbind(1), shift)
 
     def pictures(self, index: "Tensor | slice" = slice(None)) -> Tensor:
         """The geometry pictures (N, 4, s, s): [n * o, 2o - 1]."""

@@ -12,7 +12,7 @@ from torch import Tensor
 from core.guidance.builtin.network import BLOCK, camera_map
 from core.guidance.builtin.restore import restored
 from core.prior.data import SIZE
-from core.prior.soft_pairs import PAIRS, read_pairs
+from core.prior.soft_pairs import CLOSE_PAIRS, PAIRS, Pairs, read_pairs
 from core.prior.soften import soft_pictures
 from core.prior.train import GEOMETRY, Batch, Geometry, TrainConfig, Training
 
@@ -46,7 +46,8 @@ def restoring_loss(training: Training, batch: Batch) -> Tensor:
 
 class Restoring(Geometry):
     """Batches of geometry pictures, with the renders of soft solids in the place of the surface:
-    they belong to the last of the pictures, the others are to be softened."""
+    they belong to the last of the pictures, the others are to be softened. Half of each batch are
+    close-ups, once there are any."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
@@ -58,25 +59,34 @@ class Restoring(Geometry):
         self._read_pairs()
 
     def _read_pairs(self) -> None:
-        paths = sorted(self.folder.glob(PAIRS))
-        self.pairs = read_pairs(paths) if paths else None
+        self.pairs, self.close = (pairs_of(self.folder, name) for name in (PAIRS, CLOSE_PAIRS))
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
         """Pictures, words, camera maps, soft pictures of the last ones."""
-        solids = round(count * FROM_SOLIDS) if self.pairs else 0
-        pictures, words, camera, _ = super().batch(count - solids, generator)
-        if not solids:
-            return pictures, words, camera, pictures[:0]
-        *more, soft = self._soft_solids(solids, generator)
-        both = zip((pictures, words, camera), more, strict=True)
-        pictures, words, camera = (torch.cat(pair) for pair in both)
+        close = count // 2 if self.close else 0
+        whole = count - close
+        solids = round(whole * FROM_SOLIDS) if self.pairs else 0
+        drawn, words, camera, _ = super().batch(whole - solids, generator)
+        # The close-ups' own softness for half of them, for the others one of the pictures alone.
+        rows = [(drawn, words, camera, drawn[:0])]
+        rows += [(*some(self.close, close // 2, generator)[:3], drawn[:0])] if self.close else []
+        rows += [some(self.pairs, solids, generator)] if self.pairs else []
+        rows += [some(self.close, close - close // 2, generator)] if self.close else []
+        pictures, words, camera, soft = (torch.cat(part) for part in zip(*rows, strict=True))
         return pictures, words, camera, soft
 
-    def _soft_solids(
-        self, count: int, generator: torch.Generator
-    ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-        assert self.pairs is not None
-        s, index = self.pairs.samples, torch.randint(len(self.pairs), (count,), generator=generator)
-        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
-        camera = camera_map(s.cameras(index), SIZE // BLOCK)
-        return s.pictures(index), words, camera, self.pairs.soft_pictures(index)
+
+def pairs_of(folder: Path, name: str) -> Pairs | None:
+    """What the folder has of the files ``name``, a pattern."""
+    paths = sorted(folder.glob(name))
+    return read_pairs(paths) if paths else None
+
+
+def some(
+    pairs: Pairs, count: int, generator: torch.Generator
+) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """``count`` random ones: pictures, words, camera maps, soft pictures."""
+    s, index = pairs.samples, torch.randint(len(pairs), (count,), generator=generator)
+    words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
+    camera = camera_map(s.cameras(index), SIZE // BLOCK)
+    return s.pictures(index), words, camera, pairs.soft_pictures(index)

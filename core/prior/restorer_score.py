@@ -41,9 +41,11 @@ def mean_angle(pictures: Float[Tensor, "b 4 s s"], true: Float[Tensor, "b 4 s s"
 
 
 @torch.no_grad()
-def score_restoring(net: UNet, noun: str, views: int, seed: int) -> RestoreScore:
-    """Of ``views`` views of fresh objects; the same seed is the same objects."""
-    pairs = make_pairs(seed, -(-views // VIEWS), noun)
+def score_restoring(
+    net: UNet, noun: str, views: int, seed: int, *, close: bool = False
+) -> RestoreScore:
+    """Of ``views`` views, or close-ups, of fresh objects; the same seed is the same objects."""
+    pairs = make_pairs(seed, -(-views // VIEWS), noun, close=close)
     s, soft = pairs.samples, pairs.soft_pictures()
     words = torch.stack([s.noun + 1, s.adjective, s.part_state], 1)
     camera, true = camera_map(s.cameras(), SIZE // BLOCK), s.pictures()
@@ -53,11 +55,13 @@ def score_restoring(net: UNet, noun: str, views: int, seed: int) -> RestoreScore
     )
 
 
-def report(net: UNet, nouns: list[str], views: int, seed: int) -> list[RestoreScore]:
+def report(
+    net: UNet, nouns: list[str], views: int, seed: int, *, close: bool = False
+) -> list[RestoreScore]:
     """Print each noun's score and the means."""
     scores = []
     for noun in nouns:
-        scores.append(score_restoring(net, noun, views, seed + NOUNS.index(noun)))
+        scores.append(score_restoring(net, noun, views, seed + NOUNS.index(noun), close=close))
         print(scores[-1], flush=True)
     soft, after, exact = (
         sum(getattr(score, name) for score in scores) / len(scores)

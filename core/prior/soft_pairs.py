@@ -9,17 +9,20 @@ import torch
 from jaxtyping import Float
 from safetensors.torch import load_file, save_file
 from torch import Tensor
+from torch.nn.functional import pad
 
-from core.camera import sample_cameras
+from core.camera import aimed, sample_cameras
 from core.io.atomic import atomic_file
 from core.prior.data import CAMERAS, NOUNS, SIZE, VIEWS, Samples, joined, samples_of
 from core.prior.draw import Draw
 from core.prior.families import build
-from core.prior.soften import draw_softness, soft_shape
+from core.prior.soften import CELLS, draw_softness, soft_shape
 from core.prior.tracer import Pictures, render
 
 PAIRS = "pairs_*.safetensors"
+CLOSE_PAIRS = "close_*.safetensors"
 OBJECTS = 64  # of one file
+FINDER = 32  # side, pixels, of the pictures that tell where an object is
 FIRST_SEED = 500_000  # away from the shards' seeds and the evaluation's
 
 
@@ -43,48 +46,60 @@ def as_picture(seen: Pictures) -> Float[Tensor, "b 4 s s"]:
     return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
 
 
-def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "") -> Pairs:
-    """``objects`` random objects, of one ``noun`` if it is given, and a soft form of each."""
+def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "", *, close: bool = False) -> Pairs:
+    """``objects`` random objects, of one ``noun`` if it is given, and a soft form of each.
+
+    ``close``: close-ups, which show what is smaller than a pixel of the whole.
+    """
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
     rows, soft = [], []
     for _ in range(objects):
         kind = NOUNS.index(noun) if noun else int(draw(0, len(NOUNS)))
         shape = build(NOUNS[kind], "", Draw(generator))
-        melted = soft_shape(shape.sdf, draw_softness(draw), generator)
+        # A close-up shows the lattice's facets too, whatever their size.
+        cells = int(draw(CELLS, 1.5 * CELLS)) if close else CELLS
+        melted = soft_shape(shape.sdf, draw_softness(draw), generator, cells)
         # The same cameras for both: a pair differs in softness alone.
         cameras = sample_cameras(VIEWS, CAMERAS, generator)
+        if close:
+            cameras = aimed(cameras, render(melted, cameras, FINDER, 1).coverage[:, 0], generator)
         rows.append(Samples.of(render(shape, cameras, SIZE), cameras, kind))
         soft.append((as_picture(render(melted, cameras, SIZE)) * 127).round().to(torch.int8))
     return Pairs(joined(rows), torch.cat(soft))
 
 
-def write_pairs(folder: Path, number: int, objects: int = OBJECTS) -> Path:
+def write_pairs(folder: Path, number: int, objects: int = OBJECTS, *, close: bool = False) -> Path:
     """Make the file ``number`` unless the folder has it; whole or not at all."""
-    path = folder / f"pairs_{number:05d}.safetensors"
+    path = folder / (CLOSE_PAIRS if close else PAIRS).replace("*", f"{number:05d}")
     if not path.exists():
-        pairs = make_pairs(FIRST_SEED + number, objects)
+        pairs = make_pairs(FIRST_SEED + number, objects, close=close)
         tensors = vars(pairs.samples) | {"soft": pairs.soft}
         with atomic_file(path) as temporary:
             save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)
     return path
 
 
-def _work(job: tuple[Path, int]) -> Path:
+def _work(job: tuple[Path, int, bool]) -> Path:
     torch.set_num_threads(1)
-    return write_pairs(*job)
+    folder, number, close = job
+    return write_pairs(folder, number, close=close)
 
 
-def write_pair_files(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+def write_pair_files(
+    folder: Path, numbers: range, workers: int, *, close: bool = False
+) -> Iterator[Path]:
     """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
     if not numbers:
         return
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
-        yield from pool.imap(_work, [(folder, number) for number in numbers])
+        yield from pool.imap(_work, [(folder, number, close) for number in numbers])
 
 
 def read_pairs(paths: list[Path]) -> Pairs:
     """Files of pairs, joined."""
     parts = [load_file(path) for path in paths]
     soft = torch.cat([part.pop("soft") for part in parts])
+    for part in parts:  # no lens shift is one of 0
+        part["camera"] = pad(part["camera"], (0, 6 - part["camera"].shape[1]))
     return Pairs(joined([samples_of(part) for part in parts]), soft)

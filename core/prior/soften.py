@@ -75,18 +75,21 @@ class LatticeShape:
 
 
 def soft_shape(
-    sdf: Callable[[Tensor], Tensor], soft: Softness, generator: torch.Generator
+    sdf: Callable[[Tensor], Tensor],
+    soft: Softness,
+    generator: torch.Generator,
+    cells: int = CELLS,
 ) -> LatticeShape:
     """The solid of that ``sdf`` as a fit of that softness may have it."""
     # WARP: the solid read at displaced nodes; x runs fastest, as grid_sample has it
-    side = torch.linspace(-HALF, HALF, CELLS + 1)
+    side = torch.linspace(-HALF, HALF, cells + 1)
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
     if soft.warp > 0:
         field = soft.warp * noise_field(3, 5, len(side), generator)
         points = points + field[0].permute(1, 2, 3, 0)
     # BLUR: of the distances, which rounds edges and loses thin parts
     values = torch.cat([sdf(p) for p in points.view(-1, 3).split(CHUNK)])
-    values = blur3(values.view(1, 1, *points.shape[:3]), soft.blur * CELLS / (2 * HALF))
+    values = blur3(values.view(1, 1, *points.shape[:3]), soft.blur * cells / (2 * HALF))
     # DENTS: at three scales; what is added to the distance moves the surface by as much
     for nodes, slope in soft.dents:
         # A wave of length 4 node distances and slope s is s / k high.

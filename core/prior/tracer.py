@@ -49,8 +49,12 @@ def rays(cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
     # Cameras look along their own -Z, with +Y up; row 0 is the top.
     ndc = (torch.arange(size, dtype=torch.float32) + 0.5) / size * 2 - 1
     slope = (cameras.fovy / 2).tan()[:, None, None]
-    x = (ndc[None, None, :] * slope).expand(-1, size, -1)
-    y = (-ndc[None, :, None] * slope).expand(-1, -1, size)
+    x, y = (
+        axis.expand(len(cameras), size, size) for axis in (ndc[None, None], -ndc[None, :, None])
+    )
+    if cameras.shift is not None:
+        x, y = (axis - s[:, None, None] for axis, s in zip((x, y), cameras.shift.T, strict=True))
+    x, y = x * slope, y * slope
     local = torch.stack([x, y, -torch.ones_like(x)], -1).flatten(1, 2)
     return cameras.eye, normalize(local @ cameras.rotation, dim=-1)
 

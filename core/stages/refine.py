@@ -31,13 +31,13 @@ class Targets:
 
     def tensors(self) -> dict[str, Tensor]:
         """For a checkpoint."""
-        return {"z": self.z} | vars(self.cameras)
+        return {"z": self.z} | self.cameras.tensors()
 
     @classmethod
     def of(cls, tensors: dict[str, Tensor]) -> "Targets":
         """Back from :meth:`tensors`."""
-        names = [field.name for field in fields(Cameras)]
-        return cls(Cameras(*(tensors[name] for name in names)), tensors["z"])
+        names = tensors.keys() & {field.name for field in fields(Cameras)}
+        return cls(Cameras(**{name: tensors[name] for name in names}), tensors["z"])
 
     def some(self, count: int, generator: torch.Generator) -> "Targets":
         """``count`` of them at random, all where there are fewer."""

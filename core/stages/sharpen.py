@@ -15,7 +15,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 from torch.nn.functional import grid_sample, normalize
 
-from core.camera import Cameras, sample_cameras
+from core.camera import Cameras, aimed, sample_cameras
 from core.config import GeometryConfig, SharpenConfig
 from core.geometry.bilateral import following, without_folds
 from core.geometry.large_steps import SmoothVertices
@@ -29,6 +29,7 @@ from core.stages.scene import portions
 
 SEED = 0  # of the cameras and of their order
 RATE_END = 0.2  # fraction of the rate at a round's last step
+FINDER = 64  # side of the pictures that tell where the mesh is
 SEEN_SIZE = 192  # side of the picture that finds each face's pixels
 MEDIAN_ROUNDS = 3  # of reweighting: from the mean towards the median of a face's normals
 MEDIAN_FLOOR = 0.1  # difference of unit normals below which all count alike
@@ -53,9 +54,11 @@ def sharpened(
     """The mesh's vertices after ``config.sharpen``; as they are where the guidance cannot."""
     generator = torch.Generator().manual_seed(SEED)
     verts = verts.detach()
-    for _ in range(config.sharpen.rounds):
+    for index in range(config.sharpen.rounds):
         progress.check_cancelled()
         cameras = sample_cameras(config.sharpen.views, config.cameras, generator)
+        if index >= config.sharpen.rounds - config.sharpen.close_rounds:
+            cameras = close_ups(cameras, verts, faces, generator)
         crisp = _crisp(guidance, verts, faces, cameras.to(verts.device), config)
         if crisp is None:
             break
@@ -63,6 +66,18 @@ def sharpened(
         verts = without_folds(verts, moved, faces)
         verts = following(verts, faces, *seen_normals(verts, faces, crisp), config.flatten_sigma)
     return verts
+
+
+def close_ups(
+    cameras: Cameras,
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    generator: torch.Generator,
+) -> Cameras:
+    """Each camera's picture about a random place of the mesh."""
+    with torch.no_grad():
+        _, o = render_normals(verts, faces, cameras.to(verts.device), FINDER)
+    return aimed(cameras, o[..., 0], generator)
 
 
 def _crisp(

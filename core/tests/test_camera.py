@@ -5,7 +5,7 @@ import math
 import pytest
 import torch
 
-from core.camera import CameraConfig, Cameras, sample_cameras
+from core.camera import ZOOM, CameraConfig, Cameras, aimed, sample_cameras
 
 
 def test_azimuth_is_counted_from_the_front_counter_clockwise():
@@ -71,3 +71,33 @@ def test_elevations_are_uniform_on_the_sphere():
 def test_a_seed_gives_the_same_cameras():
     a, b = (sample_cameras(5, CameraConfig(), torch.Generator().manual_seed(3)) for _ in range(2))
     assert torch.equal(a.eye, b.eye)
+
+
+def test_a_close_up_is_a_part_of_the_picture_and_one_of_it_a_part_of_that():
+    whole = Cameras.orbit([25, 140], [35, -20])
+    center, zoom = torch.tensor([[0.25, -0.3], [-0.1, 0.2]]), torch.tensor([2.0, 3.0])
+    close = whole.close_up(center, zoom)
+    x = torch.cat([torch.randn(2, 6, 3) * 0.3, torch.ones(2, 6, 1)], -1)
+
+    def seen(cameras):
+        clip = x @ cameras.mvp.mT
+        return clip[..., :2] / clip[..., 3:]
+
+    expected = (seen(whole) - center[:, None]) * zoom[:, None, None]
+    torch.testing.assert_close(seen(close), expected, atol=1e-5, rtol=0)
+    again = close.close_up(center, zoom)
+    expected = (expected - center[:, None]) * zoom[:, None, None]
+    torch.testing.assert_close(seen(again), expected, atol=1e-4, rtol=0)
+    assert torch.equal(close[1:].shift, close.shift[1:])
+    assert close.tensors().keys() - whole.tensors().keys() == {"shift"}
+
+
+def test_close_ups_aim_at_what_is_there():
+    whole = Cameras.orbit([0.0] * 50, [10.0] * 50)
+    coverage = torch.zeros(50, 8, 8)
+    coverage[:, 1, 6] = 1  # the second row from the top, the last column but one
+    close = aimed(whole, coverage, torch.Generator().manual_seed(0))
+    zoom = (whole.fovy / 2).tan() / (close.fovy / 2).tan()
+    assert zoom.min() >= ZOOM[0] - 1e-4 and zoom.max() <= ZOOM[1] + 1e-4
+    assert zoom.max() / zoom.min() > 1.8
+    torch.testing.assert_close(-close.shift / zoom[:, None], torch.tensor([[0.625, 0.625]] * 50))

@@ -225,6 +225,37 @@ def test_soft_solids_join_the_batches_when_they_come(folder):
     assert 0 < mean_angle(soft, x[6:]) < 45
 
 
+def test_close_ups_are_half_of_each_batch_once_there_are_any(folder, monkeypatch):
+    source = Restoring(folder)
+    monkeypatch.setattr("core.prior.soft_pairs.VIEWS", 2)
+    write_pairs(folder, 3, objects=2, close=True)
+    source.rescan()
+    pictures, words, camera, soft = source.batch(8, _generator())
+    assert len(pictures) == len(words) == len(camera) == 8
+    assert soft.shape[1:] == (4, 64, 64)
+    close = source.close
+    assert close is not None and len(close) == 4
+    known = close.samples.pictures()
+    found = [any(torch.equal(picture, one) for one in known) for picture in pictures]
+    assert sum(found) == 4
+    given = [any(torch.equal(one, soft_one) for one in close.soft_pictures()) for soft_one in soft]
+    assert sum(given) == 2  # the other two are to be softened as pictures
+    # Maps of close-ups: their points are nearer to one another than a whole picture's.
+    spread = camera[:, :3].flatten(2).std(2).norm(dim=1)
+    assert (spread[torch.tensor(found)].max() < spread[~torch.tensor(found)].min()).item()
+
+
+def test_a_close_up_is_traced_as_the_part_of_a_whole_picture_is():
+    shape = build("chair", "", Draw(_generator()))
+    whole = Cameras.orbit([30.0], [20.0])
+    close = whole.close_up(torch.tensor([[0.25, -0.25]]), torch.tensor([2.0]))
+    large, part = render(shape, whole, 128), render(shape, close, 64)
+    assert torch.equal(large.coverage[..., 48:112, 48:112], part.coverage)
+    torch.testing.assert_close(large.normal[..., 48:112, 48:112], part.normal, atol=1e-3, rtol=0)
+    maps = camera_map(whole, 64)[..., 24:56, 24:56]
+    torch.testing.assert_close(maps, camera_map(close, 32))
+
+
 def test_the_same_seed_makes_the_same_pairs():
     one, other = make_pairs(5, 1, "mug"), make_pairs(5, 1, "mug")
     assert torch.equal(one.soft, other.soft)

@@ -135,6 +135,19 @@ def test_a_soft_cube_gets_flat_and_stays_the_same_mesh(soft, crisp, progress):
     assert torch.equal(after, again)
 
 
+def test_the_last_rounds_look_closely(soft, crisp, progress):
+    guidance = Knows(crisp)
+    fields = []
+    restore = guidance.restore
+    guidance.restore = lambda pictures, views: (
+        fields.append(views.cameras.fovy.mean().item()) or restore(pictures, views)
+    )
+    config = replace(CONFIG, sharpen=replace(SHORT, rounds=3, close_rounds=2))
+    sharpened(config, guidance, *soft, progress)
+    assert len(fields) == 3
+    assert max(fields[1:]) < 0.7 * fields[0]
+
+
 def test_what_is_crisp_is_left_alone(crisp, progress):
     verts, faces = crisp
     after = sharpened(CONFIG, Knows(crisp), verts, faces, progress)

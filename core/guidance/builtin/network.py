@@ -40,7 +40,12 @@ def camera_map(cameras: Cameras, size: int) -> Float[Tensor, "b 6 s s"]:
     ndc = (torch.arange(size, device=cameras.azimuth.device) + 0.5) / size * 2 - 1
     half = (cameras.distance * (cameras.fovy / 2).tan())[:, None, None, None]
     right, up, back = (row[:, :, None, None] for row in cameras.rotation.unbind(1))
-    plane = half * (ndc[None, None, None, :] * right - ndc[None, None, :, None] * up)
+    x, y = ndc[None, None, None, :], -ndc[None, None, :, None]
+    if cameras.shift is not None:
+        x, y = (
+            axis - s[:, None, None, None] for axis, s in zip((x, y), cameras.shift.T, strict=True)
+        )
+    plane = half * (x * right + y * up)
     return torch.cat([plane, back.expand(-1, -1, size, size)], 1)
 
 
