@@ -48,6 +48,7 @@ def score_restoring(
     pairs = make_pairs(seed, -(-views // VIEWS), noun, close=close)
     s, soft = pairs.samples, pairs.soft_pictures()
     words = torch.stack([s.noun + 1, s.adjective, s.part_state], 1)
+    words = words * (words <= torch.tensor(net.config.words))  # later nouns are "not stated"
     camera, true = camera_map(s.cameras(), SIZE // BLOCK), s.pictures()
     sharp, same = (as_render(restored(net, x, words, camera)) for x in (soft, true))
     return RestoreScore(
