@@ -5,12 +5,17 @@ as well, the mask's score can grow a thin part out of nothing. Not in the paper;
 """
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 from torch.nn.functional import grid_sample
 
+from core import kernels
 from core.camera import Cameras
 from core.geometry.tet_grid import TetGrid
+
+# Eyes (b, 3), and of each of p rays its unit direction (b, p, 3), where it enters and leaves the
+# lattice's cube, and its samples' shift (b, p).
+Rays = tuple[Tensor, Tensor, Tensor, Tensor, Tensor]
 
 
 def ray_min_sdf(
@@ -31,14 +36,35 @@ def ray_min_sdf(
     # The search needs no gradient: only the sample that it finds is evaluated again, with one.
     with torch.no_grad():
         eye, direction = pixel_rays(cameras, size)
-        near, far = _span(eye, direction, grid.extent)
-        number = torch.arange(samples, device=near.device)
-        along = (number + shift.to(near).flatten(1)[..., None]) / samples
-        depth = near[..., None] + (far - near)[..., None] * along
-        points = eye[:, None, None] + direction[:, :, None] * depth[..., None]
-        at = _trilinear(sdf, points, grid).argmin(-1)[..., None, None]
-        nearest = points.gather(2, at.expand(-1, -1, 1, 3))
+        rays = (eye, direction, *_span(eye, direction, grid.extent), shift.to(eye).flatten(1))
+        number = lowest_along(sdf, grid, rays, samples)
+        nearest = _points(*rays, number[..., None], samples)
     return _trilinear(sdf, nearest, grid).view(len(cameras), size, size)
+
+
+def lowest_along(
+    sdf: Float[Tensor, " nt"], grid: TetGrid, rays: Rays, samples: int
+) -> Int[Tensor, "b p"]:
+    """Number of the sample that has each ray's smallest value."""
+    if kernels.supports(sdf, *rays):
+        return kernels.lowest_along(sdf.view(grid.shape), rays, grid.extent, samples)
+    number = torch.arange(samples, device=sdf.device).expand(*rays[-1].shape, -1)
+    return _trilinear(sdf, _points(*rays, number, samples), grid).argmin(-1)
+
+
+def _points(
+    eye: Float[Tensor, "b 3"],
+    direction: Float[Tensor, "b p 3"],
+    near: Float[Tensor, "b p"],
+    far: Float[Tensor, "b p"],
+    shift: Float[Tensor, "b p"],
+    number: Int[Tensor, "b p m"],
+    samples: int,
+) -> Float[Tensor, "b p m 3"]:
+    """Of each ray the samples of these numbers."""
+    along = (number + shift[..., None]) / samples
+    depth = near[..., None] + (far - near)[..., None] * along
+    return eye[:, None, None] + direction[:, :, None] * depth[..., None]
 
 
 def pixel_rays(cameras: Cameras, size: int) -> tuple[Float[Tensor, "b 3"], Float[Tensor, "b p 3"]]:

@@ -14,6 +14,7 @@ from torch.autograd.function import once_differentiable
 
 from core.kernels import hash_grid as _hash_grid
 from core.kernels import rasterizer as _rasterizer
+from core.kernels import rays as _rays
 from core.kernels import visibility as _visibility
 
 
@@ -37,6 +38,12 @@ def visibility(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool)
     for view, picture in zip(views, pictures, strict=True):
         _visibility.see(view, faces, cull, picture)
     return face_id
+
+
+def lowest_along(volume: Tensor, rays: tuple[Tensor, ...], extent: float, samples: int) -> Tensor:
+    """See :func:`core.geometry.ray_sdf.lowest_along`."""
+    found = _rays.lowest(*_arrays(volume, *rays), np.float32(extent), samples)
+    return torch.from_numpy(found)
 
 
 def covered(face_id: Tensor, faces: Tensor) -> tuple[Tensor, ...]:

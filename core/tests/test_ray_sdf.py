@@ -2,8 +2,9 @@
 
 import torch
 
+from core import kernels
 from core.camera import Cameras
-from core.geometry.ray_sdf import pixel_rays, ray_min_sdf
+from core.geometry.ray_sdf import _span, pixel_rays, ray_min_sdf
 from core.geometry.tet_grid import tet_grid
 
 GRID = tet_grid(24)
@@ -89,3 +90,23 @@ def test_the_generator_decides_the_samples():
     first, again, other = (ray_min_sdf(sdf, GRID, CAMERAS, 6, shift(3, 8, s)) for s in (1, 1, 2))
     assert torch.equal(first, again)
     assert not torch.equal(first, other)
+
+
+def test_the_compiled_search_finds_what_torch_finds(monkeypatch):
+    """Where two samples are alike to the last digits either may be found."""
+    bumps = ball([0.2, -0.1, 0.0], 0.4) + 0.05 * torch.randn(
+        len(GRID.tet_verts), generator=seeded()
+    )
+    cameras = Cameras.orbit([0.0, 70.0, 200.0], [10.0, -30.0, 90.0], distance=3.0, fovy_deg=60.0)
+    eye, direction = pixel_rays(cameras, 32)  # some rays miss the cube
+
+    def found():
+        return ray_min_sdf(bumps, GRID, cameras, 40, shift(3, 32))
+
+    compiled = found()
+    with monkeypatch.context() as patch:
+        patch.setattr(kernels, "supports", lambda *_: False)
+        plain = found()
+    torch.testing.assert_close(compiled, plain, atol=1e-5, rtol=0)
+    near, far = _span(eye, direction, GRID.extent)
+    assert (near == far).any() and (near < far).any()
