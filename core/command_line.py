@@ -482,25 +482,16 @@ def _follow() -> None:
 def _edit(args: argparse.Namespace) -> None:
     from dataclasses import replace
 
+    from core.generate import prompt_of
     from core.io.asset import read_asset
 
     asset = read_asset(args.asset)
     args.command, args.mesh, args.uv = "texture", str(asset.folder / "mesh.obj"), "keep"
     kept = {"kept_asset": _absolute(str(asset.folder)), "region": _absolute(args.faces)}
     size = args.texture_size or len(asset.maps.base_color)
-    prompt = _of_whole(args.prompt, str(asset.info.get("prompt", "")), args.guidance)
-    job = job_of(args)
-    _run_new(args.out, replace(job, prompt=prompt, texture_size=size, **kept), "")
-
-
-def _of_whole(words: str, whole: str, guidance: str | None) -> str:
-    """``words``; or where they name a part alone, such as "a red seat", ``whole`` with it."""
-    from core.guidance.builtin.vocabulary import words_report
-
-    if guidance not in (None, "builtin") or words_report(words)[1] == 0:
-        return words
-    both = f"{whole} with {words}"
-    return both if words_report(both)[1] == 0 else words
+    job = replace(job_of(args), texture_size=size, **kept)
+    # Recorded as it is seen: a later edit of the result has to know what the whole is.
+    _run_new(args.out, replace(job, prompt=prompt_of(job, asset)), "")
 
 
 def _explore(args: argparse.Namespace) -> None:
