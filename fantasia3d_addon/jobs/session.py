@@ -107,7 +107,7 @@ class Session:
         folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
         try:
             for name, path in (files or {}).items():
-                (folder / name).parent.mkdir(exist_ok=True)
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(path, folder / name)
             target.write(folder)
             # job.json is last: a folder without it is no run, whatever else is in it.
