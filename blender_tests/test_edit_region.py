@@ -209,7 +209,7 @@ def test_with_the_real_core_all_but_the_regions_texels_stays(chair, wait, monkey
     select(chair, range(256, 384))  # the block's back
     edit_region.edit_region(bpy.context, "blue metal")
     bpy.ops.object.mode_set(mode="OBJECT")
-    wait()
+    wait(seconds=600)
     assert session.error is None
     assert state(chair) == before
     kept = read_asset(newest_run() / "kept" / "asset")
