@@ -5,7 +5,6 @@ with the fake core, which hands out EDITED. FACES is a text file of face numbers
 of candidates that ``run.py explore`` made, to be looked at; without it the fake core makes some.
 """
 
-import json
 import math
 import os
 import shutil
@@ -20,9 +19,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from blender_tests.screen import OUT, ROOT, Screen, play, report, screenshot
 from fantasia3d_addon import environment
 from fantasia3d_addon.asset.import_asset import import_asset
-from fantasia3d_addon.jobs import history, live_preview, paths
+from fantasia3d_addon.jobs import candidates, history, live_preview, paths
+from fantasia3d_addon.jobs.candidates import Candidate
+from fantasia3d_addon.jobs.process import Run
+from fantasia3d_addon.jobs.progress import FollowedRun
 from fantasia3d_addon.jobs.session import session
 from fantasia3d_addon.material import region
+from fantasia3d_addon.ui.edit_region import FANTASIA3D_PT_edit_region
 
 ASSET, EDITED, FACES = sys.argv[sys.argv.index("--") + 2 :][:3]
 RUNS = [Path(word) for word in sys.argv[sys.argv.index("--") + 5 :]]
@@ -42,7 +45,6 @@ def edit(screen: Screen) -> Iterator[float]:
     bpy.ops.ed.undo_push(message="Import")
     yield from screen.look_at(obj)
     front(screen)
-    close_panels_but(screen, "Edit Region")
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_mode(type="FACE")
     bpy.ops.mesh.select_all(action="DESELECT")
@@ -104,7 +106,6 @@ def explore(screen: Screen) -> Iterator[float]:
         yield 0.1
     report["candidates"] = len(history.open_candidates(session.history))
     report["previews"] = len([o for o in bpy.data.objects if live_preview.RUN in o])
-    close_panels_but(screen, "Generate from Text")
     front(screen)
     for _ in range(40):  # to the panel's lower part, where the candidates are
         screen.window.event_simulate(type="MOUSEMOVE", value="NOTHING", **in_sidebar(screen))
@@ -118,11 +119,11 @@ def take_candidates(folder: Path) -> None:
     """Copies of the runs that the command line made, as candidates of this Blender."""
     for run in sorted(folder.glob("candidate-*")):
         copy = Path(shutil.copytree(run, paths.Paths.runs / run.name))
-        found = {"group": "explored", "until": "shape"}
-        (copy / "candidate.json").write_text(json.dumps(found))
-        source = copy / "preview" / "shape.npz"
-        (copy / "taken").touch()
-        assert source.exists(), run
+        candidates.write(copy / candidates.NAME, Candidate(group="explored", until="shape"))
+        target = session.target_here(bpy.context)
+        target.write(copy)
+        session.candidates[copy.name] = FollowedRun(Run.attach(copy), target, None, 0)
+    session.show_candidates()
 
 
 def maps(name: str) -> list[str]:
@@ -130,11 +131,6 @@ def maps(name: str) -> list[str]:
     images = region.look_of(bpy.data.objects[name]).images
     total = math.fsum(images["base_color"].pixels[:])
     return [images["base_color"].name, f"{total:.4f}"]
-
-
-def close_panels_but(screen: Screen, label: str) -> None:
-    """The sidebar shows this panel at its top."""
-    screen.region("UI").tag_redraw()
 
 
 def front(screen: Screen) -> None:
@@ -151,6 +147,8 @@ def in_sidebar(screen: Screen) -> dict[str, int]:
     return {"x": sidebar.x + sidebar.width // 2, "y": sidebar.y + sidebar.height // 2}
 
 
+# At the sidebar's top, and open.
+FANTASIA3D_PT_edit_region.bl_order, FANTASIA3D_PT_edit_region.bl_options = -1, set()
 os.environ["FANTASIA3D_PYTHON"] = sys.executable
 environment.project_root = lambda: ROOT / "blender_tests" / "fake_core"
 paths.Paths.runs = OUT / "runs"
