@@ -106,7 +106,7 @@ def explore(screen: Screen) -> Iterator[float]:
         yield 0.1
     report["candidates"] = len(history.open_candidates(session.history))
     report["previews"] = len([o for o in bpy.data.objects if live_preview.RUN in o])
-    front(screen)
+    front(screen, distance=4.2)
     for _ in range(40):  # to the panel's lower part, where the candidates are
         screen.window.event_simulate(type="MOUSEMOVE", value="NOTHING", **in_sidebar(screen))
         screen.window.event_simulate(type="WHEELDOWNMOUSE", value="PRESS", **in_sidebar(screen))
@@ -133,13 +133,13 @@ def maps(name: str) -> list[str]:
     return [images["base_color"].name, f"{total:.4f}"]
 
 
-def front(screen: Screen) -> None:
+def front(screen: Screen, distance: float = 2.2) -> None:
     """From the front and above."""
     from mathutils import Euler
 
     view = screen.area.spaces.active.region_3d
     view.view_rotation = Euler((1.1, 0, 0.5)).to_quaternion()
-    view.view_distance = 2.2
+    view.view_distance = distance
 
 
 def in_sidebar(screen: Screen) -> dict[str, int]:
@@ -147,8 +147,7 @@ def in_sidebar(screen: Screen) -> dict[str, int]:
     return {"x": sidebar.x + sidebar.width // 2, "y": sidebar.y + sidebar.height // 2}
 
 
-# At the sidebar's top, and open.
-FANTASIA3D_PT_edit_region.bl_order, FANTASIA3D_PT_edit_region.bl_options = -1, set()
+FANTASIA3D_PT_edit_region.bl_options = set()  # it is open
 os.environ["FANTASIA3D_PYTHON"] = sys.executable
 environment.project_root = lambda: ROOT / "blender_tests" / "fake_core"
 paths.Paths.runs = OUT / "runs"
