@@ -89,7 +89,7 @@ from fantasia3d_addon import environment
 if TYPE_CHECKING:
     from argparse import Namespace
 
-    from core.command_line import Commands
+    from core.options import Commands
 
 OWN = ("doctor", "setup", "package")
 IN_BLENDER = ("-b", "--python-exit-code", "1", "--python")  # then this file, --, a command line
@@ -103,7 +103,7 @@ PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
 
 def parser() -> Commands:
     """Every command and its options: the core's, Blender's and this file's, each declared once."""
-    from core.command_line import Commands, add_core_commands
+    from core.options import Commands, add_core_commands
     from fantasia3d_addon.cli.parser import add_blender_commands
 
     commands = Commands((__doc__ or "").partition("\n")[0])
