@@ -14,7 +14,7 @@ from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.jobs import edit_region, history, submit  # noqa: E402
 from fantasia3d_addon.jobs.paths import Paths  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
-from fantasia3d_addon.material import region  # noqa: E402
+from fantasia3d_addon.mesh import region  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 MAPS = ("base_color.png", "orm.png", "normal.png")

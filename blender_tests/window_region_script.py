@@ -24,7 +24,7 @@ from fantasia3d_addon.jobs.candidates import Candidate
 from fantasia3d_addon.jobs.process import Run
 from fantasia3d_addon.jobs.progress import FollowedRun
 from fantasia3d_addon.jobs.session import session
-from fantasia3d_addon.material import region
+from fantasia3d_addon.mesh import region
 from fantasia3d_addon.ui.edit_region import FANTASIA3D_PT_edit_region
 
 ASSET, EDITED, FACES = sys.argv[sys.argv.index("--") + 2 :][:3]

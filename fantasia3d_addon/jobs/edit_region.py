@@ -11,7 +11,7 @@ import numpy as np
 from ..asset.asset_folder import read_info, read_obj
 from ..asset.origin import origin_of
 from ..errors import AddonError
-from ..material import region
+from ..mesh import region
 from . import history
 from .job_file import FILES, KEPT
 from .job_settings import job_of

@@ -10,7 +10,7 @@ from ..asset.asset_folder import AssetFolder, read_asset
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
 from ..errors import AddonError
-from ..material import region
+from ..mesh import region
 from .job_file import IMPORTED
 from .place import bounds_of, place_of
 from .target import MAPS, Target

@@ -46,7 +46,7 @@ class FANTASIA3D_PT_edit_region(ToolPanel, bpy.types.Panel):
 
     bl_idname = "FANTASIA3D_PT_edit_region"
     bl_label = "Edit Region"
-    bl_order = 20
+    bl_order = 21
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, tools, obj = self.layout, context.scene.fantasia3d_tools, context.active_object

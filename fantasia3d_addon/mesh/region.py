@@ -17,7 +17,7 @@ from ..asset.origin import origin_of, set_origin
 from ..blender.mesh_arrays import reason_against_mesh, triangles, values
 from ..environment.files import write_text
 from ..errors import AddonError
-from .edit import image_of, keep_materials, principled
+from ..material.edit import image_of, keep_materials, principled
 
 IN_GROUP = 0.5  # a vertex of this weight or more belongs to the part
 INPUTS = {"base_color": "Base Color", "orm": "Roughness", "normal": "Normal"}  # of the Principled
