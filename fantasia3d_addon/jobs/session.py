@@ -390,10 +390,9 @@ class Session:
     def _import(self, followed: FollowedRun, task: Task) -> None:
         target, scene = followed.target, scene_of(followed.target)
         asset = task.result if isinstance(task.result, AssetFolder) else None
+        folder, near = followed.run.folder, followed.place
         try:
-            self.asset = import_result(
-                followed.run.folder, target, scene, asset, near=followed.place
-            )
+            self.asset = import_result(folder, target, scene, asset, near=near)
         except AddonError as error:
             self.error = (error.text, error.fix)
 

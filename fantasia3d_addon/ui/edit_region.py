@@ -20,7 +20,8 @@ class FANTASIA3D_OT_edit_region(bpy.types.Operator):
     bl_idname = "fantasia3d.edit_region"
     bl_label = "Edit Region"
 
-    words: StringProperty(name="Words", description=WORDS)
+    # SKIP_SAVE: from a menu it asks for the words, and does not take those of the last time.
+    words: StringProperty(name="Words", description=WORDS, options={"SKIP_SAVE"})
     vertex_group: StringProperty(name="Vertex Group", description=GROUP, options={"SKIP_SAVE"})
 
     @classmethod
