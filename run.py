@@ -9,6 +9,9 @@ Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
     resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    explore "PROMPT" --out DIR quick shapes of several seeds; resume finishes one
+    recolor RUN --out DIR      quick materials for the shape of a run; resume finishes one
+    edit ASSET "WORDS" --faces FILE     another material on some faces; the rest stays
     batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
     node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
     explore "PROMPT" --count N --out DIR     quick shapes of several seeds; resume finishes one
@@ -92,7 +95,7 @@ from fantasia3d_addon import environment
 if TYPE_CHECKING:
     from argparse import Namespace
 
-    from core.command_line import Commands
+    from core.options import Commands
 
 OWN = ("doctor", "setup", "package")
 IN_BLENDER = ("-b", "--python-exit-code", "1", "--python")  # then this file, --, a command line
@@ -106,7 +109,7 @@ PICTURES = (".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".webp")
 
 def parser() -> Commands:
     """Every command and its options: the core's, Blender's and this file's, each declared once."""
-    from core.command_line import Commands, add_core_commands
+    from core.options import Commands, add_core_commands
     from fantasia3d_addon.cli.parser import add_blender_commands
 
     commands = Commands((__doc__ or "").partition("\n")[0])

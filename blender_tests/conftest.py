@@ -76,8 +76,8 @@ def wait() -> Callable[..., None]:
     """Calls the session's tick as a timer would, until all has ended or ``until`` is true."""
     from fantasia3d_addon.jobs.session import session
 
-    def until_the_end(until: Callable[[], bool] = lambda: False) -> None:
-        deadline = time.monotonic() + 60
+    def until_the_end(until: Callable[[], bool] = lambda: False, seconds: float = 60.0) -> None:
+        deadline = time.monotonic() + seconds
         while session.tick() is not None and not until():
             assert time.monotonic() < deadline
             time.sleep(0.01)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from blender_tests.asset_fixture import write_asset
+from blender_tests.asset_fixture import island_colors, write_asset
 
 pytestmark = pytest.mark.window
 HERE = Path(__file__).parent
@@ -67,6 +67,28 @@ def default_report(tmp_path_factory):
     out = tmp_path_factory.mktemp("default")
     asset = write_asset(out / "asset", size=128)
     return in_a_window("window_default_script.py", out, str(asset))
+
+
+@pytest.fixture(scope="module")
+def region_report(tmp_path_factory):
+    out = tmp_path_factory.mktemp("region")
+    asset = write_asset(out / "asset", size=128)
+    edited = write_asset(out / "edited", size=128, base_color=255 - island_colors(128))
+    (out / "faces.txt").write_text("\n".join(map(str, range(256, 384))))
+    return in_a_window(
+        "window_region_script.py", out, str(asset), str(edited), str(out / "faces.txt")
+    )
+
+
+def test_an_edited_region_is_one_undo_step_and_can_be_restored(region_report):
+    edited, undone, redone, restored = region_report["maps"]
+    assert region_report["edit_error"] is None
+    assert edited == redone != undone
+    assert undone == restored
+
+
+def test_candidates_are_in_the_panel_and_in_the_view(region_report):
+    assert (region_report["candidates"], region_report["previews"]) == (4, 4)
 
 
 def test_in_the_default_scene_nothing_is_inside_the_cube(default_report):

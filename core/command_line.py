@@ -1,4 +1,4 @@
-"""The core's commands: their options, declared once for ``python -m core`` and ``run.py``.
+"""What the core's commands do; their options are in ``core.options``.
 
 Standard library only until a command is carried out: torch takes seconds to load, and a wrong
 option must not wait for it.
@@ -8,7 +8,6 @@ be kept; 6 some assets of a batch failed; 7 another process of the same run ende
 """
 
 import argparse
-import difflib
 import json
 import os
 import sys
@@ -16,11 +15,11 @@ import traceback
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
-from core.batch.options import add_batch_options, add_node_options
 from core.errors import MissingError, Paused, UserError
 from core.interrupt import asks_to_stop, process_began
+from core.options import Commands, absolute, add_core_commands, job_of, setting_of
 from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
@@ -36,317 +35,11 @@ START = process_began()
 JOBS = ("generate", "texture", "resume")  # these end in an asset
 
 
-class Parser(argparse.ArgumentParser):
-    """Reports what is wrong in one sentence, as a UserError."""
-
-    def error(self, message: str) -> NoReturn:
-        raise UserError(f"{message[:1].upper()}{message[1:]}.", f"See: {self.prog} --help")
-
-
-class Commands:
-    """A parser to which each side adds its commands."""
-
-    def __init__(self, description: str) -> None:
-        self.parser = Parser(
-            prog="run.py", usage="run.py COMMAND …", description=description, allow_abbrev=False
-        )
-        self._parsers = self.parser.add_subparsers(
-            dest="command", required=True, metavar="COMMAND", prog="run.py"
-        )
-
-    def add(self, name: str, text: str) -> Parser:
-        """A new command."""
-        return self._parsers.add_parser(name, help=text, description=text, allow_abbrev=False)
-
-    def __getitem__(self, name: str) -> Parser:
-        return self._parsers.choices[name]
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """All commands."""
-        return tuple(self._parsers.choices)
-
-    def parse(self, argv: Sequence[str]) -> argparse.Namespace:
-        """The options of ``argv``; a misspelt one is named, with the nearest that there is."""
-        args, unknown = self.parser.parse_known_args(argv)
-        if unknown:
-            known = [o for a in self[args.command]._actions for o in a.option_strings]
-            near = difflib.get_close_matches(unknown[0].split("=")[0], known, n=1)
-            fix = f"Did you mean {near[0]}?" if near else f"See: run.py {args.command} --help"
-            raise UserError(f"{args.command} has no option {unknown[0]!r}.", fix)
-        return args
-
-
-def add_core_commands(commands: Commands) -> None:
-    """The commands that the core carries out, and their options."""
-    add = commands.add
-
-    generate = add("generate", "Text in, a textured mesh out.")
-    generate.add_argument("prompt")
-    generate.add_argument("--guide", metavar="MESH", help="start from this shape")
-    generate.add_argument(
-        "--guide-strength", type=float, metavar="0..1", help="0: a start only; 1: keep the shape"
-    )
-    generate.add_argument(
-        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
-    )
-    texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
-    texture.add_argument("mesh")
-    texture.add_argument("prompt")
-    texture.add_argument(
-        "--uv", metavar="auto|keep", help="keep: take the mesh's own, even where faces share texels"
-    )
-    texture.add_argument(
-        "--base-color", metavar="FILE|mesh", help="start from this picture, or the mesh's own"
-    )
-    texture.add_argument(
-        "--strength", type=float, metavar="0..1", help="0: a start only; 1: keep the base colour"
-    )
-    for command in (generate, texture):
-        command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
-        command.add_argument(
-            "--color-seed", type=int, metavar="N", help="another material on the same shape"
-        )
-        _add_job_options(command)
-        _add_gpus(command)
-
-    edit = add("edit", "Another material on a part of an asset; all the rest stays bit for bit.")
-    edit.add_argument("asset", type=Path, metavar="ASSET")
-    edit.add_argument("prompt", help="the whole thing in the new material, or a part of it")
-    edit.add_argument(
-        "--faces", required=True, metavar="FILE", help="of mesh.obj: a number a line, from 0 on"
-    )
-    edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
-    _add_job_options(edit)
-
-    explore = add(
-        "explore", "Quick shapes of several seeds next to each other; resume finishes one."
-    )
-    explore.add_argument("prompt")
-    explore.add_argument("--count", type=int, default=4, metavar="N", help="shapes; default 4")
-    explore.add_argument("--out", type=Path, metavar="DIR", help="a run folder each, and a picture")
-    explore.add_argument(
-        "--size", type=float, metavar="METRES", help="the longest side; default: the usual size"
-    )
-    _add_job_options(explore)
-    recolor = add("recolor", "Quick materials of several seeds for the shape of a run.")
-    recolor.add_argument("run", type=Path, metavar="RUN", help="its shape is finished")
-    recolor.add_argument("--count", type=int, default=4, metavar="N", help="materials; default 4")
-    recolor.add_argument(
-        "--out", type=Path, required=True, metavar="DIR", help="a run folder each, and a picture"
-    )
-
-    batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
-    add_batch_options(batch)
-    _add_job_options(batch)
-    add_node_options(add("node", "This machine as a node of a Ray cluster, for batch --ray."))
-
-    resume = add("resume", "Go on with a run that was cancelled or died.")
-    resume.add_argument("run", type=Path)
-    _add_gpus(resume)
-    resume.add_argument(
-        "--end-with-stdin", action="store_true", help="end when the program that started it does"
-    )
-    for command in (generate, texture, resume):
-        command.add_argument(
-            "--until", metavar="shape|color", help="pause at a first look at it; resume finishes it"
-        )
-
-    render = add("render", "A picture of an asset under a light.")
-    render.add_argument("asset", type=Path)
-    render.add_argument("--light", default="studio", metavar="FILE|NAME")
-    render.add_argument("--azimuth-deg", type=float, default=30.0, help="0 is the front")
-    render.add_argument("--elevation-deg", type=float, default=20.0)
-    render.add_argument("--fovy-deg", type=float, default=40.0)
-    render.add_argument("--distance", type=float, metavar="METRES", help="default: see all of it")
-    render.add_argument("--size", type=int, default=512, help="pixels")
-    render.add_argument("--map", default="shaded", help="shaded, normal, base_color, roughness, …")
-    render.add_argument("--out", type=Path, required=True, metavar="FILE.png|FILE.exr")
-
-    inspect = add("inspect", "The health of an asset or a mesh, as JSON.")
-    inspect.add_argument("path", type=Path, metavar="ASSET|MESH")
-
-    verify = add("verify", "Make an asset again from what it records, and compare the files.")
-    verify.add_argument("asset", type=Path)
-
-    export = add("export", "An asset as one file for another program.")
-    export.add_argument("asset", type=Path)
-    export.add_argument(
-        "--format",
-        required=True,
-        help="glb, obj, stl, 3mf, urdf, mjcf, usd-physics; run.py also blend, usd, fbx, and for an "
-        "engine, into a folder, godot, unity, unreal",
-    )
-    export.add_argument("--out", type=Path, required=True, metavar="FILE|FOLDER")
-    simulators = "urdf, mjcf, usd-physics"
-    export.add_argument(
-        "--mass", type=float, metavar="KG", help=f"{simulators}: default: volume times density"
-    )
-    export.add_argument(
-        "--hulls", type=int, default=32, metavar="N", help=f"{simulators}: convex parts at most"
-    )
-
-    report = add("report", "A run as one HTML file, to read anywhere and without a network.")
-    report.add_argument("run", type=Path)
-    report.add_argument("--out", type=Path, metavar="FILE.html", help="default: RUN/report.html")
-
-    words = add("words", "What the built-in prior understands of a prompt, as JSON.")
-    words.add_argument("prompt", nargs="?", help="without one: all known words by group")
-    words.add_argument(
-        "--ignore-unknown-words", action="store_true", help="as generate with this option"
-    )
-
-    models = add("models", "The Stable Diffusion models in folders, and which can be used.")
-    models.add_argument(
-        "folders",
-        nargs="*",
-        type=Path,
-        metavar="FOLDER",
-        help="also a ComfyUI or A1111 folder; default: the hub's cache",
-    )
-    models.add_argument("--json", action="store_true", help="for programs")
-
-    reproduce = add("reproduce", "The paper's figures again, on a page; continues if stopped.")
-    reproduce.add_argument("--out", type=Path, default=Path("out/reproduction"), metavar="FOLDER")
-    reproduce.add_argument("--page", type=Path, metavar="FILE.md", help="default: in --out")
-    reproduce.add_argument("--figure", action="append", default=[], metavar="NAME", help="only it")
-    reproduce.add_argument("--row", action="append", default=[], metavar="NAME", help="of a figure")
-    reproduce.add_argument("--list", action="store_true", help="the figures and what is made")
-    reproduce.add_argument("--quick", action="store_true", help="shortest settings, to try it")
-    reproduce.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
-    reproduce.add_argument("--at-once", type=int, metavar="N", help="runs; default: as many as fit")
-
-    bench = add("bench", "Measure this machine.")
-    bench.add_argument("names", nargs="*", metavar="NAME")
-    bench.add_argument("--json", type=Path, metavar="FILE")
-    folders = "prior, fit, distillation"  # the benches that make something of each noun
-    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=f"{folders}: which")
-    bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
-    bench.add_argument(
-        "--calls", type=int, default=60, help="of distillation: network calls of each view"
-    )
-    bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
-    _add_rehearsal_options(bench)
-    bench.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="stage.field=value",
-        help="of fit, distillation: over draft",
-    )
-
-
-def _add_job_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--seed", type=int)
-    command.add_argument("--preset", help="draft, standard or paper")
-    command.add_argument(
-        "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
-    )
-    command.add_argument("--guidance", metavar="builtin|FOLDER|FILE|HUB-ID")
-    command.add_argument(
-        "--lora",
-        action="append",
-        default=[],
-        metavar="FILE[:STRENGTH]",
-        help="over a Stable Diffusion checkpoint; strength 1 is as it was trained",
-    )
-    command.add_argument(
-        "--embedding",
-        action="append",
-        default=[],
-        metavar="FILE",
-        help="a textual inversion; write its file's name in the prompt",
-    )
-    command.add_argument(
-        "--ignore-unknown-words",
-        action="store_true",
-        help="leave out what the built-in prior does not know, instead of refusing it",
-    )
-    command.add_argument("--light", metavar="FILE|NAME")
-    command.add_argument("--texture-size", type=int, metavar="N")
-    command.add_argument("--max-faces", type=int, metavar="N")
-    command.add_argument("--device", metavar="auto|cpu|cuda|mps")
-    command.add_argument("--set", action="append", default=[], metavar="stage.field=value")
-
-
-def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
-    of = "of guidance --architecture"
-    bench.add_argument(
-        "--architecture",
-        metavar="sd15|sd21|sdxl",
-        help="of guidance: with random weights",
-    )
-    bench.add_argument("--scale", default="full", metavar="full|tiny", help=f"{of}: its widths")
-    bench.add_argument("--batch", type=int, default=24, metavar="N", help=f"{of}: views of a step")
-    bench.add_argument("--chunk", type=int, default=4, metavar="N", help=f"{of}: views at a time")
-    bench.add_argument("--device", default="auto", metavar="auto|cpu|cuda", help=of)
-
-
-def _add_gpus(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--gpus", type=int, default=1, metavar="N", help="share each step's views among N GPUs"
-    )
-
-
 def parse(argv: Sequence[str]) -> argparse.Namespace:
     """The options of one of the core's commands."""
     commands = Commands(__doc__ or "")
     add_core_commands(commands)
     return commands.parse(argv)
-
-
-def job_of(args: argparse.Namespace) -> "Job":
-    """The Job that ``generate`` or ``texture`` asks for; its paths are made absolute."""
-    from core.io.job import Job
-
-    given = {
-        "command": "generate" if args.command == "explore" else args.command,
-        "prompt": args.prompt,
-        "mesh": _absolute(getattr(args, "mesh", "")),
-        "guide_mesh": _absolute(getattr(args, "guide", None) or ""),
-        "guide_strength": getattr(args, "guide_strength", getattr(args, "strength", None)),
-        "uv": getattr(args, "uv", None),
-        "size_m": getattr(args, "size", None),
-        "ignore_unknown_words": args.ignore_unknown_words,
-        "settings": dict(_setting(text) for text in args.set),
-        "loras": dict(_lora(text) for text in args.lora),
-        "embeddings": [_absolute(path) for path in args.embedding],
-    }
-    given["color_seed"] = getattr(args, "color_seed", None)
-    for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
-        given[name] = getattr(args, name)
-    for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
-        if given[name] == 0:  # which stands for the preset's own in job.json
-            raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
-    if given["size_m"] == 0:
-        raise UserError("--size is 0.", "It takes metres, such as 0.9.")
-    if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
-        given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
-    for name in ("guidance", "light", "base_color"):
-        value = getattr(args, name, None)
-        given[name] = _absolute(value) if value and Path(value).exists() else value
-    return Job(**{key: value for key, value in given.items() if value is not None})
-
-
-def _absolute(path: str) -> str:
-    # Links are kept as they are: one that leads to itself has no target to name.
-    return os.path.abspath(os.path.expanduser(path)) if path else ""  # noqa: PTH100, PTH111
-
-
-def _lora(text: str) -> tuple[str, float]:
-    """A LoRA's file and its strength; the colon after a drive's letter is no strength's."""
-    path, colon, strength = text.rpartition(":")
-    try:
-        return (_absolute(path), float(strength)) if colon else (_absolute(text), 1.0)
-    except ValueError:
-        return _absolute(text), 1.0
-
-
-def _setting(text: str) -> tuple[str, str]:
-    key, equals, value = text.partition("=")
-    if not equals:
-        raise UserError(f"--set {text!r} has no value.", "Write --set geometry.fine.steps=100.")
-    return key.strip(), value.strip()
 
 
 def run_job(
@@ -482,25 +175,16 @@ def _follow() -> None:
 def _edit(args: argparse.Namespace) -> None:
     from dataclasses import replace
 
+    from core.generate import prompt_of
     from core.io.asset import read_asset
 
     asset = read_asset(args.asset)
     args.command, args.mesh, args.uv = "texture", str(asset.folder / "mesh.obj"), "keep"
-    kept = {"kept_asset": _absolute(str(asset.folder)), "region": _absolute(args.faces)}
+    kept = {"kept_asset": absolute(str(asset.folder)), "region": absolute(args.faces)}
     size = args.texture_size or len(asset.maps.base_color)
-    prompt = _of_whole(args.prompt, str(asset.info.get("prompt", "")), args.guidance)
-    job = job_of(args)
-    _run_new(args.out, replace(job, prompt=prompt, texture_size=size, **kept), "")
-
-
-def _of_whole(words: str, whole: str, guidance: str | None) -> str:
-    """``words``; or where they name a part alone, such as "a red seat", ``whole`` with it."""
-    from core.guidance.builtin.vocabulary import words_report
-
-    if guidance not in (None, "builtin") or words_report(words)[1] == 0:
-        return words
-    both = f"{whole} with {words}"
-    return both if words_report(both)[1] == 0 else words
+    job = replace(job_of(args), texture_size=size, **kept)
+    # Recorded as it is seen: a later edit of the result has to know what the whole is.
+    _run_new(args.out, replace(job, prompt=prompt_of(job, asset)), "")
 
 
 def _explore(args: argparse.Namespace) -> None:
@@ -616,7 +300,7 @@ def _reproduce(args: argparse.Namespace) -> None:
         from core.reproduce.command import run_reproduce
 
         if args.guidance and Path(args.guidance).exists():
-            args.guidance = _absolute(args.guidance)
+            args.guidance = absolute(args.guidance)
         run_reproduce(args, lambda words: job_of(parse(words)))
 
 
@@ -637,7 +321,7 @@ def _bench(args: argparse.Namespace) -> None:
         check_target(args.json)
     if args.seeds < 1:
         raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
-    settings = dict(_setting(text) for text in args.set)
+    settings = dict(setting_of(text) for text in args.set)
     with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several
             from core.benchmarks.bench_prior import bench_prior

@@ -19,6 +19,7 @@ from core.device import device_of
 from core.errors import Paused, UserError
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise
+from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
@@ -93,7 +94,7 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
     require_groups(config, guidance.views_together, job.command)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
-        prompted = guidance.prompted(job.prompt, job.negative_prompt)
+        prompted = guidance.prompted(prompt_of(job, kept), job.negative_prompt)
     notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
     texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     region = region_of(job, kept) if kept else None
@@ -168,6 +169,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
+
+
+def prompt_of(job: Job, asset: Asset | None) -> str:
+    """What the guidance is asked for: the whole thing, also where a region's words name a part."""
+    if asset is None or job.guidance != "builtin":
+        return job.prompt
+    return of_whole(job.prompt, str(asset.info.get("prompt", "")))
 
 
 def region_of(job: Job, asset: Asset) -> Region:

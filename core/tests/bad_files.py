@@ -56,6 +56,15 @@ def make(folder: Path) -> None:
     for name, text in jobs().items():
         (folder / f"run-{name}").mkdir()
         (folder / f"run-{name}" / "job.json").write_bytes(text)
+    faces = {
+        "": "0\n1\n",
+        "-none": " \n",
+        "-word": "0\nx\n",
+        "-beyond": "99999\n",
+        "-minus": "-1\n",
+    }
+    for name, text in faces.items():
+        (folder / f"faces{name}.txt").write_text(text)
     lock(folder)
 
 
@@ -207,9 +216,15 @@ def make_assets(folder: Path) -> None:
     verts, faces = torch.from_numpy(CORNERS), torch.from_numpy(FACES.astype(np.int64))
     uv = torch.tensor([[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]])
     mesh = Mesh(verts, faces, uv, torch.tensor([[0, 2, 1]] * 4))
-    flat = torch.tensor([0.0, 0.0, 1.0]).expand(16, 16, 3)
-    maps = Maps(torch.full((16, 16, 3), 0.5), torch.full((16, 16, 3), 0.5), flat)
-    good = write_asset(folder / "asset", mesh, maps, {"prompt": "a red cube", "timings": {}})
+
+    def write(name: str, size: int) -> Path:
+        flat = torch.tensor([0.0, 0.0, 1.0]).expand(size, size, 3)
+        grey = torch.full((size, size, 3), 0.5)
+        maps = Maps(grey, grey, flat)
+        return write_asset(folder / name, mesh, maps, {"prompt": "a red cube", "timings": {}})
+
+    good = write("asset", 16)
+    write("whole", 64)  # of a size that a material can be made for
     for name, change in broken_assets().items():
         copy = Path(shutil.copytree(good, folder / f"asset-{name}"))
         change(copy)

@@ -118,7 +118,8 @@ ORDER = (
     "errors", "interrupt", "terminal", "ranges", "device", "camera", "ranks", "kernels", "ops",
     "hash_grid", "geometry", "config", "io", "render", "appearance", "guidance", "texture",
     "simulation", "job_config", "stages", "provenance", "generate", "explore", "verify", "picture",
-    "report", "batch", "together", "prior", "benchmarks", "reproduce", "command_line", "__main__",
+    "report", "batch", "together", "prior", "benchmarks", "reproduce", "options",
+    "command_line", "__main__",
 )  # fmt: skip
 
 

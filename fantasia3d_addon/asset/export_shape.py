@@ -55,12 +55,28 @@ def obj_text(mesh: bpy.types.Mesh, matrix: np.ndarray, uv_map: str = "") -> str:
     if np.linalg.det(matrix[:3, :3]) < 0:  # a mirrored object: keep the normals outward
         faces, corners = faces[:, ::-1], corners[:, ::-1]
     # 9 digits restore any single precision number exactly.
-    text = _lines("v %.9g %.9g %.9g\n", verts[:, [0, 2, 1]] * (1, 1, -1))
+    text = _lines("v %.9g %.9g %.9g\n", y_up(verts))
     uv = mesh.uv_layers[uv_map] if uv_map else mesh.uv_layers.active
     if uv is None:
         return text + _lines("f %d %d %d\n", faces + 1)
     text += _lines("vt %.9g %.9g\n", values(uv.uv, "vector", 2))
     return text + _lines("f %d/%d %d/%d %d/%d\n", np.stack([faces, corners], -1) + 1)
+
+
+def asset_obj_text(
+    mesh: bpy.types.Mesh, uv: np.ndarray, faces: np.ndarray, face_uvs: np.ndarray
+) -> str:
+    """The triangles ``faces`` of ``mesh`` in its own space, as an asset folder's mesh.obj."""
+    normals = values(mesh.vertices, "normal", 3)
+    text = _lines("v %.9g %.9g %.9g\n", y_up(verts_of(mesh))) + _lines("vt %.9g %.9g\n", uv)
+    text += _lines("vn %.6g %.6g %.6g\n", y_up(normals))
+    corners = np.stack([faces, face_uvs, faces], -1) + 1
+    return text + _lines("f %d/%d/%d %d/%d/%d %d/%d/%d\n", corners)
+
+
+def y_up(vectors: np.ndarray) -> np.ndarray:
+    """Blender's axes as those of an OBJ file: forward -Z, up Y."""
+    return vectors[:, [0, 2, 1]] * (1, 1, -1)
 
 
 def _lines(line: str, rows: np.ndarray) -> str:

@@ -64,6 +64,21 @@ def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Materi
         raise
 
 
+def load_images(folder: Path | AssetFolder, name: str) -> dict[str, bpy.types.Image]:
+    """The maps of the asset in ``folder`` alone, packed, by role; ``name`` is before each role's.
+
+    Raises:
+        AssetError: as :func:`import_asset`.
+    """
+    asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
+    made: list[bpy.types.ID] = []
+    try:
+        return _load_images(asset, name, made)
+    except BaseException:
+        bpy.data.batch_remove(made)
+        raise
+
+
 def _make_material(
     asset: AssetFolder, name: str, uv_map: str, made: list[bpy.types.ID]
 ) -> bpy.types.Material:
@@ -71,10 +86,7 @@ def _make_material(
 
     Every new datablock is added to ``made`` at once, so that a failure can remove it.
     """
-    images = {}
-    for role, picture in asset.pictures.items():
-        title = data_name(asset.prompt, f" {role.replace('_', ' ')}")
-        images[role] = _load_image(picture, title, made)
+    images = _load_images(asset, asset.prompt, made)
     material = bpy.data.materials.new(name)
     made.append(material)
     build_material(material, images, asset.distribution, uv_map)
@@ -100,6 +112,15 @@ def _fill_mesh(mesh: bpy.types.Mesh, asset: AssetFolder) -> None:
             "Generate it again.",
         )
     mesh.shade_smooth()
+
+
+def _load_images(
+    asset: AssetFolder, name: str, made: list[bpy.types.ID]
+) -> dict[str, bpy.types.Image]:
+    return {
+        role: _load_image(picture, data_name(name, f" {role.replace('_', ' ')}"), made)
+        for role, picture in asset.pictures.items()
+    }
 
 
 def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.types.Image:

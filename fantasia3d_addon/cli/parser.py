@@ -21,7 +21,7 @@ EXPORTS = ("usd", "usdc", "usda", "usdz", "fbx", *ENGINES)
 
 
 class Commands(Protocol):
-    """A parser with commands, such as ``core.command_line.Commands``."""
+    """A parser with commands, such as ``core.options.Commands``."""
 
     def add(self, name: str, text: str) -> argparse.ArgumentParser:
         """A new command."""

@@ -17,7 +17,7 @@ from ..errors import JobError
 from . import candidates, target
 from .candidates import Candidate
 from .events import END_EVENTS, event_object
-from .job_file import FILES, IMPORTED, NAME, read_job
+from .job_file import FILES, IMPORTED, KEPT, NAME, read_job
 from .process import START_SECONDS, is_core
 
 WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED, PAUSED = (
@@ -31,6 +31,7 @@ WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED, PAUSED = (
 )
 ADOPTABLE = (RUNNING, WAITING, DONE)  # what a new Blender takes over
 SEEDS = 2**31  # as many as an IntProperty of Blender holds
+SHAPE = "checkpoint/mesh.safetensors"  # the finished shape of a run
 TAIL = 1 << 16  # bytes read from the end of events.jsonl: several hundred events
 
 
@@ -216,7 +217,23 @@ def copy_of_job(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], 
                 f"{path} no longer exists, and the job needs it.", "Request it from the panel."
             )
         files[name], job[key] = path, name
+    if job.get("kept_asset"):
+        files |= _kept_files(Path(job["kept_asset"]))
+        job["kept_asset"] = KEPT
     return job, files
+
+
+def _kept_files(asset: Path) -> dict[str, Path]:
+    """The copy of an edited asset in another run, and the shape that it was made from."""
+    try:
+        files = {f"{KEPT}/{path.name}": path for path in asset.iterdir() if path.is_file()}
+    except OSError as error:
+        raise JobError(
+            f"{asset} can't be read ({error.strerror}), and the job needs it.",
+            "Request it from the panel.",
+        ) from None
+    shape = asset.parent / SHAPE
+    return files | ({f"{Path(KEPT).parent}/{SHAPE}": shape} if shape.is_file() else {})
 
 
 def awaits_import(entry: Entry) -> bool:

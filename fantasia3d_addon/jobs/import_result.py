@@ -10,9 +10,10 @@ from ..asset.asset_folder import AssetFolder, read_asset
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
 from ..errors import AddonError
+from ..mesh import region
 from .job_file import IMPORTED
 from .place import bounds_of, place_of
-from .target import Target
+from .target import MAPS, Target
 
 # Operators that hold references into the scene while they run: nothing may be added meanwhile.
 MODAL_TOOLS = ("TRANSFORM_OT_", "MESH_OT_", "SCULPT_OT_", "PAINT_OT_", "GPENCIL_OT_")
@@ -42,7 +43,10 @@ def import_result(
                 f"The object “{target.object}” no longer exists.",
                 "Import the asset from the history: it includes the mesh.",
             )
-        assign_material(obj, asset or folder, target.uv_map, target.assign)
+        if target.assign == MAPS:
+            region.show_maps(obj, asset or read_asset(folder), obj.name)
+        else:
+            assign_material(obj, asset or folder, target.uv_map, target.assign)
     else:
         where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
         asset = asset or read_asset(folder)
@@ -50,7 +54,8 @@ def import_result(
         obj = import_asset(where, asset, place)
     mark_imported(folder)
     if push_undo:
-        _push_undo(f"Generate {obj.name}")
+        verb = "Edit Region of" if target.assign == MAPS else "Generate"
+        _push_undo(f"{verb} {obj.name}")
     return obj.name
 
 

@@ -16,13 +16,19 @@ from .untrusted import has_types, is_number, is_settings, is_text, is_whole, rea
 NAME = "job.json"
 IMPORTED = "taken"  # an empty file in a run folder whose asset came into a scene
 # The user's files that a job refers to, and the names of their copies in the run folder.
-FILES = {"guide_mesh": "guide.obj", "mesh": "mesh.obj", "base_color": "base_color.png"}
+FILES = {
+    "guide_mesh": "guide.obj",
+    "mesh": "mesh.obj",
+    "base_color": "base_color.png",
+    "region": "faces.txt",
+}
+KEPT = "kept/asset"  # the folder of the copy of the asset of which a job edits a region
 
 
 KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a job holds
     **dict.fromkeys(
         ("command", "prompt", "negative_prompt", "preset", "guidance", "guide_mesh", "mesh", "uv",
-         "base_color", "light", "device"),
+         "base_color", "kept_asset", "region", "light", "device"),
         is_text,
     ),
     **dict.fromkeys(("seed", "color_seed", "texture_size", "max_faces", "version"), is_whole),
@@ -82,8 +88,9 @@ def read_job(folder: Path) -> Mapping[str, Any]:
 def with_own_paths(job: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     """``job`` with the full paths of its own files in the run folder ``folder``."""
     # The core takes paths relative to its working folder, which is not the run folder.
+    names = {**FILES, "kept_asset": KEPT}
     own = {
-        key: str((folder / name).resolve()) for key, name in FILES.items() if job.get(key) == name
+        key: str((folder / name).resolve()) for key, name in names.items() if job.get(key) == name
     }
     return dict(job) | own
 

@@ -44,3 +44,8 @@ def place_of(
 def bounds_of(asset: AssetFolder) -> np.ndarray:
     """The lowest and the highest corner (2,3) of an asset about its origin."""
     return np.stack([asset.verts.min(0), asset.verts.max(0)]).astype(np.float64)
+
+
+def scene_of(target: Target) -> bpy.types.Scene:
+    """The scene that the asset was requested in; the present one where that was removed."""
+    return bpy.data.scenes.get(target.scene) or bpy.context.scene

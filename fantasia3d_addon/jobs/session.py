@@ -20,12 +20,13 @@ from ..errors import AddonError
 from . import history, live_preview
 from .history import Entry
 from .import_result import import_result, mark_imported, reason_to_wait
-from .job_file import new_run_folder, with_own_paths, write_job
 from .lock import RunLock
 from .memory import FreeMemory
 from .models import Model, Models
+from .new_run import write_run
+from .panels import redraw, update_list
 from .paths import Paths
-from .place import requested
+from .place import requested, scene_of
 from .process import Run
 from .progress import FollowedRun
 from .target import Target
@@ -104,22 +105,7 @@ class Session:
             AddonError: the folder for runs can't be written, or the core can't be started;
                 nothing is left in it then.
         """
-        folder = new_run_folder(Paths(context).runs, str(job.get("prompt", "")))
-        try:
-            for name, path in (files or {}).items():
-                (folder / name).parent.mkdir(exist_ok=True)
-                shutil.copyfile(path, folder / name)
-            target.write(folder)
-            # job.json is last: a folder without it is no run, whatever else is in it.
-            write_job(folder, with_own_paths(job, folder))
-        except BaseException as error:
-            shutil.rmtree(folder, ignore_errors=True)  # we created it a moment ago
-            if isinstance(error, OSError):
-                raise AddonError(
-                    f"{folder} can't be written ({error.strerror}).",
-                    "Choose another folder for runs in the add-on's preferences.",
-                ) from None
-            raise
+        folder = write_run(Paths(context).runs, job, target, files or {})
         try:
             self.enqueue(context, folder)
         except (AddonError, SetupError):
@@ -327,7 +313,7 @@ class Session:
             if isinstance(self._scan.result, list):
                 self.history = self._scan.result
             self._scan = None
-            _update_list(self.history)
+            update_list(self.history)
         self._ask_words()
         self.models.tick()
         redraw()
@@ -402,40 +388,13 @@ class Session:
             followed.release()
 
     def _import(self, followed: FollowedRun, task: Task) -> None:
-        scene = scene_of(followed.target)
+        target, scene = followed.target, scene_of(followed.target)
         asset = task.result if isinstance(task.result, AssetFolder) else None
+        folder, near = followed.run.folder, followed.place
         try:
-            self.asset = import_result(
-                followed.run.folder, followed.target, scene, asset, near=followed.place
-            )
+            self.asset = import_result(folder, target, scene, asset, near=near)
         except AddonError as error:
             self.error = (error.text, error.fix)
-
-
-def scene_of(target: Target) -> bpy.types.Scene:
-    """The scene that the asset was requested in; the present one where that was removed."""
-    return bpy.data.scenes.get(target.scene) or bpy.context.scene
-
-
-def _update_list(entries: list[Entry]) -> None:
-    """Give the panel's list the entries of the history."""
-    listed = bpy.context.window_manager.fantasia3d.entries
-    # Only where they differ: writing the property makes Blender redraw.
-    if [item.name for item in listed] != [str(entry.folder) for entry in entries]:
-        listed.clear()
-        for entry in entries:
-            listed.add().name = str(entry.folder)
-
-
-def redraw() -> None:
-    """Redraw the sidebars and the preferences, which do not notice a job's progress."""
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "PREFERENCES":
-                area.tag_redraw()
-            for region in area.regions if area.type == "VIEW_3D" else ():
-                if region.type == "UI":
-                    region.tag_redraw()
 
 
 session = Session()  # the one of this Blender; unregistration empties it

@@ -27,7 +27,7 @@ from .target import FREE, Target
 from .words import Report, unknown
 
 # What a run with another material starts from; the last says that the shape is finished.
-SHAPE_PARTS = ("checkpoint/geometry.safetensors", "checkpoint/mesh.safetensors")
+SHAPE_PARTS = ("checkpoint/geometry.safetensors", history.SHAPE)
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
 

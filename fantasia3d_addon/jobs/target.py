@@ -12,11 +12,12 @@ from .untrusted import has_types, is_number, is_text, read_object
 
 NAME = "target.json"
 FREE, EXACT = "free", "exact"  # of a Target's place
+MAPS = "maps"  # of a Target's assign
 
 
 KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a target holds
     **dict.fromkeys(("file", "scene", "object", "uv_map"), is_text),
-    "assign": lambda value: value in ("slot", "object"),
+    "assign": lambda value: value in ("slot", "object", MAPS),
     "location": lambda value: (
         isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
     ),
@@ -33,7 +34,8 @@ class Target:
     place: str = FREE  # the free place nearest to ``location``; EXACT: there, whatever is there
     object: str = ""  # that receives the material; empty for a new object
     uv_map: str = ""  # of that object: the map that the textures use
-    assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object
+    assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object;
+    # MAPS: its maps alone, in the material that the object has
 
     def write(self, run: Path) -> None:
         """Write it into the run folder; OSError where that can't be written."""

@@ -36,14 +36,19 @@ def replace_material(
         material = _of_library(obj, material, keep_normals)
     if not obj.material_slots:
         obj.data.materials.append(None)
-    if KEPT not in obj:  # a second replacement must not overwrite the originals
-        obj[KEPT] = {str(i): slot.material for i, slot in enumerate(obj.material_slots)}
+    keep_materials(obj)
     replaced = [slot.material for slot in obj.material_slots]
     # Every slot, so that no face shows the old one.
     for slot in obj.material_slots:
         slot.material = material
     _remove_unused(replaced)
     return material
+
+
+def keep_materials(obj: bpy.types.Object) -> None:
+    """Remember the materials of ``obj`` for :func:`restore_material`."""
+    if KEPT not in obj:  # a second replacement must not overwrite the originals
+        obj[KEPT] = {str(i): slot.material for i, slot in enumerate(obj.material_slots)}
 
 
 def restore_material(obj: bpy.types.Object) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 from ..jobs import history, submit
 from ..jobs.history import Entry
@@ -115,7 +116,7 @@ def _draw_candidate(column: bpy.types.UILayout, entry: Entry) -> None:
         button.folder = str(entry.folder)
     else:
         row.label(text="Chosen", icon="CHECKMARK")
-    column.label(text=f"{seed}", icon="KEYFRAME", translate=False)
+    column.label(text=f"{translated('Seed')} {seed}", translate=False)
 
 
 CLASSES = (

@@ -18,6 +18,7 @@ TOOLS: tuple[tuple[str, tuple[Entry, ...]], ...] = (  # by section
         "Material",
         (
             ("texture", "SHADERFX"),
+            ("edit_region", "FACESEL"),
             ("replace_material", "MATERIAL"),
             ("restore_material", "LOOP_BACK"),
             ("adjust_material", "MODIFIER"),
@@ -84,6 +85,7 @@ INSTALLATION: tuple[Entry, ...] = (
 )
 CONTEXT: tuple[Entry, ...] = (
     ("texture", "SHADERFX"),
+    ("edit_region", "FACESEL"),
     ("relight", "LIGHT_SUN"),
     ("simulate", "PHYSICS"),
     ("check_mesh", "VIEWZOOM"),
@@ -201,6 +203,12 @@ def _draw_context(self: bpy.types.Menu, context: bpy.types.Context) -> None:
         self.layout.menu("FANTASIA3D_MT_context", icon="SHADERFX")
 
 
+def _draw_edit_context(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.separator()
+    draw_entries(self.layout, (("edit_region", "FACESEL"),))
+
+
 def _draw_import(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     draw_entries(self.layout, (("import_asset", "NONE"),))
 
@@ -209,6 +217,8 @@ ENTRIES = (  # Blender's menus, and what is appended to each
     ("VIEW3D_MT_mesh_add", _draw_add),
     ("VIEW3D_MT_object", _draw_object),
     ("VIEW3D_MT_object_context_menu", _draw_context),
+    ("VIEW3D_MT_edit_mesh_context_menu", _draw_edit_context),
+    ("VIEW3D_MT_edit_mesh_faces", _draw_edit_context),
     ("TOPBAR_MT_file_import", _draw_import),
 )
 

@@ -9,7 +9,7 @@ import bpy
 
 from ..background.thread import Task
 from ..errors import AddonError
-from ..jobs.session import redraw
+from ..jobs.panels import redraw
 
 
 @dataclass

@@ -9,6 +9,7 @@ from ..jobs.session import session
 from . import (
     candidates,
     drop_files,
+    edit_region,
     export_operators,
     generate_operators,
     generate_panel,
@@ -52,6 +53,7 @@ MODULES = (  # each has its CLASSES
     export_operators,
     drop_files,
     tools_panel,
+    edit_region,
     menus,
 )
 CLASSES = tuple(cls for module in MODULES for cls in module.CLASSES)

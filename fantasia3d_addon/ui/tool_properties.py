@@ -25,6 +25,13 @@ class FANTASIA3D_PG_tools(bpy.types.PropertyGroup):
     turn: option_property(options.TURN)
     turn_frames: option_property(options.TURN_FRAMES)
     turn_size: option_property(options.SIZE)
+    region_words: StringProperty(
+        name="Words", description="What the faces become, such as: red velvet"
+    )
+    region_group: StringProperty(
+        name="Vertex Group",
+        description="The vertex group whose faces are edited; empty: the active one",
+    )
     material: EnumProperty(
         name="Material", description="A material of the add-on's library", items=MATERIALS
     )

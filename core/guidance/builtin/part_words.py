@@ -1,0 +1,32 @@
+"""Words for a part of a known thing: "red velvet" on a chair is seen as a red velvet chair.
+
+Standard library only.
+"""
+
+from core.errors import UserError
+from core.guidance.builtin.vocabulary import Words, parse, words_report
+
+
+def of_whole(words: str, whole: str) -> str:
+    """A prompt that the built-in prior knows, of the thing that ``whole`` names, made of ``words``.
+
+    ``words`` themselves where they name a thing, or where nothing in them is known: the error of
+    such a prompt says more than one of another text would.
+    """
+    if words_report(words)[1] == 0:
+        return words
+    try:
+        stated = parse(words, noun_needed=False, ignore_unknown=True)
+        thing = parse(whole, ignore_unknown=True)
+    except UserError:
+        return words
+    look = _look(stated) or ""
+    # A colour alone is paint: what is below stays the material that it was.
+    paint = look and not stated.material and thing.material_form
+    prompt = " ".join(filter(None, ("a", look, paint, thing.noun)))
+    return prompt if look and words_report(prompt)[1] == 0 else words
+
+
+def _look(words: Words) -> str:
+    """Pattern, colour and material, the material as it was written."""
+    return " ".join(filter(None, (words.pattern, words.color, words.material_form)))

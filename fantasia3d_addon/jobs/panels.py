@@ -1,0 +1,30 @@
+"""What Blender must be told for the panels to show it: the history's list, and to draw again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import bpy
+
+from .history import Entry
+
+
+def update_list(entries: Sequence[Entry]) -> None:
+    """Give the panel's list the entries of the history."""
+    listed = bpy.context.window_manager.fantasia3d.entries
+    # Only where they differ: writing the property makes Blender redraw.
+    if [item.name for item in listed] != [str(entry.folder) for entry in entries]:
+        listed.clear()
+        for entry in entries:
+            listed.add().name = str(entry.folder)
+
+
+def redraw() -> None:
+    """Redraw the sidebars and the preferences, which do not notice a job's progress."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "PREFERENCES":
+                area.tag_redraw()
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()
