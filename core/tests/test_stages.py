@@ -44,11 +44,12 @@ SHORT = replace(
     views_at_once=4,
     cameras=replace(DRAFT.geometry.cameras),
 )
+GREY = torch.full((8, 16, 3), 0.8)
 
 
 @functools.cache
 def grey_light():
-    return Environment.of(torch.full((8, 16, 3), 0.8))
+    return Environment.of(GREY)
 
 
 def sphere(resolution=16, radius=0.6):
