@@ -17,7 +17,7 @@ import json
 import os
 import random
 import shutil
-import signal
+import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -50,22 +50,36 @@ def chosen(operations: list[str], task: Task) -> list[int]:
 
 
 def kills_at_files(faults: Faults, task: Task) -> Iterator[dict]:
-    """Runs killed just before an operation on a file, each operation in its turn."""
-    for i in chosen(faults.operations, task):
-        run = faults.folder / f"killed at {i}"
+    """Runs killed just before an operation on a file, each operation in its turn.
 
-        def before(run: Path = run, i: int = i) -> None:
-            def die(_: str) -> None:
-                if len(operations.log) - 1 == i:
-                    os.kill(os.getpid(), signal.SIGKILL)
+    Such a kill leaves the folder as it is then, without what the process holds in its buffers. So
+    one session copies its folder before each operation, and each copy is resumed.
+    """
+    numbers, copies = chosen(faults.operations, task), faults.folder / "copies"
+    if not numbers:
+        return
+    copies.mkdir()
+    run = faults.folder / "copied"
 
-            operations = Operations(run, last=die)
-            operations.watch()
+    def before() -> None:
+        wanted = set(numbers)
 
-        code = faults.session(generate(run), before)
-        wrong = faults.wrong(run) if code == -signal.SIGKILL else f"it ended with {code}"
+        def copy(_: str) -> None:
+            if (i := len(operations.log) - 1) in wanted:
+                # In a process of its own, whose operations are not counted.
+                command = ["cp", "-a", str(run), str(copies / str(i))]
+                subprocess.run(command, check=run.exists(), stderr=subprocess.DEVNULL)
+
+        operations = Operations(run, last=copy)
+        operations.watch()
+
+    code = faults.session(generate(run), before)
+    for i in numbers:
+        copied = copies / str(i)
+        fit = code == 0 and (copied.exists() or i == 0)  # the first makes the folder
+        wrong = faults.wrong(copied) if fit else f"no copy; the session ended with {code}"
         yield {"number": i, "killed": f"before {faults.operations[i]}", "wrong": wrong}
-        shutil.rmtree(run, ignore_errors=True)
+        shutil.rmtree(copied, ignore_errors=True)
 
 
 def failures(faults: Faults, task: Task) -> Iterator[dict]:

@@ -15,8 +15,8 @@ from core.benchmarks.bench_distillation import (
 )
 from core.errors import UserError
 from core.guidance.builtin.guidance import PromptedBuiltin
-from core.tests.tiny_runs import remembered
-from core.texture import packing
+from core.tests.tiny_runs import packed_once, remembered
+from core.texture import unwrap
 
 
 def test_every_method_gets_the_same_number_of_network_calls():
@@ -44,7 +44,7 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
     # The three appearances are of one solid under one light.
     light = remembered(Environment.of.__func__)
     monkeypatch.setattr(Environment, "of", classmethod(light))
-    monkeypatch.setattr(packing, "pack", remembered(packing.pack))
+    monkeypatch.setattr(unwrap, "pack", packed_once())
     small = ["geometry.resolution=12,12", "geometry.fit_steps=20", "geometry.views=2"]
     small += ["appearance.views=2", "appearance.log2_hash_size=8"]
     out = tmp_path / "table.json"

@@ -1,6 +1,9 @@
 """The trainings: their formulas, that views may be rendered in any portions, that they resume."""
 
+import copy
+import functools
 import math
+import shutil
 from dataclasses import replace
 
 import pytest
@@ -44,6 +47,11 @@ SHORT = replace(
 GREY = torch.full((8, 16, 3), 0.8)
 
 
+@functools.cache
+def grey_light():
+    return Environment.of(GREY)
+
+
 def sphere(resolution=16, radius=0.6):
     grid = tet_grid(resolution)
     return marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - radius, grid)
@@ -55,10 +63,16 @@ def guidance(frame="object", size=16):
 
 
 def start_net(config=SHORT, radius=0.5):
+    return copy.deepcopy(fitted(config.net, config.resolution, radius))
+
+
+@functools.cache
+def fitted(net, resolution, radius):
+    """Ψ of a ball, fitted once: the fit takes longer than most of the tests."""
     generator = torch.Generator().manual_seed(0)
-    net = sdf_net(config, generator)
-    fit(net, ellipsoid((radius,) * 3), 60, generator)
-    return net
+    psi = sdf_net(replace(SHORT, net=net, resolution=resolution), generator)
+    fit(psi, ellipsoid((radius,) * 3), 60, generator)
+    return psi
 
 
 def run_in(path):
@@ -245,9 +259,16 @@ def test_the_mask_along_empty_rays_reaches_the_lattice(tmp_path):
     assert grads[1] is None
 
 
+@pytest.fixture(scope="module")
+def unbroken(tmp_path_factory):
+    """A whole geometry training: its run folder and its mesh."""
+    run = run_in(tmp_path_factory.mktemp("unbroken") / "run")
+    return run.path, learn(start_net(), guidance(), SHORT, run)
+
+
 @pytest.mark.parametrize("stop", [3, 8, 14])  # distilling; within a round of growing; of refining
-def test_geometry_resumes_to_the_same_mesh(tmp_path, stop, monkeypatch):
-    whole = learn(start_net(), guidance(), SHORT, run_in(tmp_path / "a"))
+def test_geometry_resumes_to_the_same_mesh(unbroken, tmp_path, stop, monkeypatch):
+    whole = unbroken[1]
     run = run_in(tmp_path / "b")
     steps = Progress.steps
 
@@ -266,11 +287,11 @@ def test_geometry_resumes_to_the_same_mesh(tmp_path, stop, monkeypatch):
     torch.testing.assert_close(again[0], whole[0], rtol=0, atol=0)
 
 
-def test_a_geometry_without_a_step_left_gives_the_same_mesh(tmp_path):
+def test_a_geometry_without_a_step_left_gives_the_same_mesh(unbroken, tmp_path):
     """Ψ's offsets reach as far as the fine lattice's cell, whether or not a step was taken."""
-    run = run_in(tmp_path)
-    whole = learn(start_net(), guidance(), SHORT, run)
-    again = learn(start_net(), guidance(), SHORT, RunFolder.open(run.path))
+    path, whole = unbroken
+    shutil.copytree(path, tmp_path / "run")
+    again = learn(start_net(), guidance(), SHORT, RunFolder.open(tmp_path / "run"))
     assert torch.equal(again[1], whole[1])
     torch.testing.assert_close(again[0], whole[0], rtol=0, atol=0)
 
@@ -322,6 +343,7 @@ def color_setup(config, run):
     return Setup(training, teacher, config)
 
 
+@functools.cache
 def unwrapped_sphere():
     verts, faces = sphere(8)
     return UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
@@ -332,7 +354,7 @@ def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
 
     def learn_color(run):
         setup = color_setup(config, run)
-        learn_appearance(setup, mesh, Environment.of(GREY), Progress(run))
+        learn_appearance(setup, mesh, grey_light(), Progress(run))
         return setup.training.module(mesh.verts).kd
 
     first = MaterialNet(config, torch.Generator().manual_seed(0))(mesh.verts).kd.mean(0)
@@ -354,7 +376,7 @@ def test_the_material_s_gradient_does_not_depend_on_how_many_views_are_rendered_
     for at_once in (3, 2, 1):
         config = replace(SHORT_COLOR, views=3, views_at_once=at_once, smooth=1.0)
         setup = color_setup(config, run_in(tmp_path / str(at_once)))
-        subject = LitObject(mesh, Environment.of(GREY), None)
+        subject = LitObject(mesh, grey_light(), None)
         grads.append(gradient(appearance_phases(setup, subject)[at], setup, 0))
     assert float(grads[0].norm()) > 0
     torch.testing.assert_close(grads[1], grads[0], rtol=1e-3, atol=1e-6)
@@ -366,7 +388,7 @@ def test_colours_are_refined_at_a_rate_that_falls_once_more(tmp_path):
     a = DRAFT.appearance
     setup, subject = (
         color_setup(a, run_in(tmp_path)),
-        LitObject(unwrapped_sphere(), Environment.of(GREY), None),
+        LitObject(unwrapped_sphere(), grey_light(), None),
     )
     early, late, refine = appearance_phases(setup, subject)
     found = [early.learning_rate(0), late.learning_rate(late.steps - 1)]

@@ -16,7 +16,7 @@ import core.generate as method
 from core.guidance.builtin import guidance as builtin
 from core.io import progress
 from core.stages import training
-from core.texture import packing
+from core.texture import packing, unwrap
 
 # Every stage and every phase, each with as few steps as it has a middle with.
 FILM = "preview/film"
@@ -85,7 +85,14 @@ def lighten() -> None:
     builtin.load_weights = remembered(builtin.load_weights)
     light = remembered(environment.Environment.of.__func__)
     environment.Environment.of = classmethod(light)
-    packing.pack = remembered(packing.pack)
+    unwrap.pack = packed_once()
+
+
+def packed_once() -> Callable:
+    """The packing, remembered, for ``unwrap.pack``. It reports no progress, which a remembered
+    result has none of: each session has the same events."""
+    pack = remembered(packing.pack)
+    return lambda uv, face_uvs, chart, gap, _: pack(uv, face_uvs, chart, gap)
 
 
 def remembered(function: Callable) -> Callable:
@@ -93,9 +100,7 @@ def remembered(function: Callable) -> Callable:
     found: dict[tuple, object] = {}
 
     def again(*args: Any) -> object:
-        # The last argument of the packing only reports how far it is.
-        given = [x for x in args if not callable(x)]
-        key = tuple(np.asarray(x).tobytes() if hasattr(x, "__array__") else x for x in given)
+        key = tuple(np.asarray(x).tobytes() if hasattr(x, "__array__") else x for x in args)
         if key not in found:
             found[key] = function(*args)
         return found[key]
