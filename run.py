@@ -14,9 +14,6 @@ Commands:
     edit ASSET "WORDS" --faces FILE     another material on some faces; the rest stays
     batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
     node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
-    explore "PROMPT" --count N --out DIR     quick shapes of several seeds; resume finishes one
-    recolor RUN --count N --out DIR    the same shape in several materials' seeds
-    edit ASSET "PROMPT" --faces FILE   another material on some of its faces
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
