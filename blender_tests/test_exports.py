@@ -195,6 +195,46 @@ def test_the_operator_prints_what_is_watertight(addon, obj, tmp_path, monkeypatc
     assert not (tmp_path / "open.3mf").exists()
 
 
+@pytest.mark.parametrize(
+    ("chosen", "ending"), [("urdf", ".urdf"), ("mjcf", ".xml"), ("usd-physics", ".usda")]
+)
+def test_the_operator_writes_a_simulators_body(addon, obj, tmp_path, monkeypatch, chosen, ending):
+    """Turned and enlarged as it is in the scene, about its own origin, with its maps."""
+    pytest.importorskip("torch")
+    monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
+    obj.location, obj.scale = (3, 0, 1), (2, 2, 2)
+    bpy.context.view_layer.objects.active = obj
+    bpy.context.view_layer.update()
+    made = bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x"), format=chosen)
+    assert made == {"FINISHED"}
+    text, parts = (tmp_path / f"x{ending}").read_text(), tmp_path / "x_parts"
+    assert "a_red_wooden_chair" in text
+    assert (parts / "base_color.png").stat().st_size > 100
+    if chosen == "usd-physics":
+        assert "PhysicsRigidBodyAPI" in text
+        return
+    lines = (parts / "visual.obj").read_text().splitlines()
+    points = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)
+    expected = world_verts(obj) - (3, 0, 1)
+    np.testing.assert_allclose(points.min(0), expected.min(0), atol=1e-4)
+    np.testing.assert_allclose(points.max(0), expected.max(0), atol=1e-4)
+    if chosen == "mjcf":
+        mujoco = pytest.importorskip("mujoco")
+        model = mujoco.MjModel.from_xml_path(str(tmp_path / "x.xml"))
+        assert model.body_mass.sum() > 1
+        assert model.ngeom > 1
+
+
+def test_a_bodys_mass_is_its_rigid_bodys(addon, obj, tmp_path, monkeypatch):
+    pytest.importorskip("torch")
+    monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
+    bpy.context.view_layer.objects.active = obj
+    bpy.ops.rigidbody.object_add()
+    obj.rigid_body.mass = 3.25
+    assert bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x.urdf")) == {"FINISHED"}
+    assert 'value="3.25' in (tmp_path / "x.urdf").read_text()
+
+
 def test_the_operator_writes_an_engines_folder(addon, obj, tmp_path):
     bpy.context.view_layer.objects.active = obj
     out = tmp_path / "chair"

@@ -64,6 +64,19 @@ def test_the_mesh_is_welded_and_closed_though_its_uv_has_seams(asset):
     assert len(pairs) > len(co)  # there are seams, and no vertex was doubled for them
 
 
+def test_the_edges_between_islands_are_seams_and_no_others(asset):
+    _, faces, _, face_uvs = block()
+    mesh = import_asset(bpy.context, asset).data
+    uvs_of = {}
+    for face, uvs in zip(faces, face_uvs, strict=True):
+        for i in range(3):
+            a, b = (face[i], uvs[i]), (face[i - 2], uvs[i - 2])
+            uvs_of.setdefault(frozenset((a[0], b[0])), set()).add(frozenset((a, b)))
+    expected = {edge for edge, uvs in uvs_of.items() if len(uvs) > 1}
+    assert len(expected) == 12 * 8  # the edges of a cube, 8 long each
+    assert {frozenset(edge.vertices) for edge in mesh.edges if edge.use_seam} == expected
+
+
 def test_it_is_upright_in_metres_with_its_nose_to_the_front(asset):
     obj = import_asset(bpy.context, asset, (1.0, 2.0, 3.0))
     assert tuple(obj.location) == (1.0, 2.0, 3.0)

@@ -132,7 +132,9 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         if ranks.first:
             assert shape is not None  # a job of "texture" has a mesh
             shape = replace(shape, verts=normalise(shape.verts)[0])
-            unwrapped = unwrap_shape(shape, config.texture, progress, keep_uv=job.uv == "keep")
+            own = inputs.shape is not None and (job.command == "texture" or job.guide_strength == 1)
+            kept = {"keep_uv": job.uv == "keep", "keep_faces": own}
+            unwrapped = unwrap_shape(shape, config.texture, progress, **kept)
             save_unwrapped(run, unwrapped)
     unwrapped = shared_unwrapped(unwrapped, ranks)
     region = inputs.region

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.appearance.material import Material, MaterialNet
@@ -20,6 +20,7 @@ from core.ranks import Ranks
 from core.texture.bake import bake
 from core.texture.fine_surface import FineSurface
 from core.texture.finish import Finish, detail_of
+from core.texture.remesh import even
 from core.texture.simplify import simplify
 from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
@@ -40,11 +41,17 @@ class Unwrapped(NamedTuple):
 
 
 def unwrap_shape(
-    shape: Mesh, config: TextureConfig, progress: Progress, keep_uv: bool = False
+    shape: Mesh,
+    config: TextureConfig,
+    progress: Progress,
+    *,
+    keep_uv: bool = False,
+    keep_faces: bool = False,
 ) -> Unwrapped:
     """The shape within its face budget and with a uv; a mesh that has a sound uv stays as it is.
 
-    With ``keep_uv`` its own uv is used even where faces share texels.
+    With ``keep_uv`` its own uv is used even where faces share texels; with ``keep_faces`` a mesh
+    within the budget keeps its faces.
     """
     if keep_uv:
         return Unwrapped(_with_own_uv(shape, progress))
@@ -59,11 +66,21 @@ def unwrap_shape(
         )
     with progress.timed("unwrap"):
         # Before the unwrap, whose charts would not survive it.
-        verts, faces = simplify(shape.verts, shape.faces, config.max_faces)
+        verts, faces = _within_budget(shape, config, keep_faces)
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
         progress.complete("unwrap")  # a small mesh is done before it reports anything
-    fine = shape if len(faces) < len(shape.faces) else None
+    fine = None if faces is shape.faces else shape
     return Unwrapped(UvMesh.of(Mesh(verts, faces, *atlas)), fine)
+
+
+def _within_budget(
+    shape: Mesh, config: TextureConfig, keep_faces: bool
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """Even triangles at small budgets; at large ones fewer of the shape's own."""
+    kept = keep_faces and len(shape.faces) <= config.max_faces
+    if kept or config.max_faces > config.even_faces:
+        return simplify(shape.verts, shape.faces, config.max_faces)
+    return even(shape, config.max_faces)
 
 
 def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:

@@ -111,6 +111,7 @@ def _fill_mesh(mesh: bpy.types.Mesh, asset: AssetFolder) -> None:
             f"The mesh of {asset.path} has faces that repeat a vertex or another face.",
             "Generate it again.",
         )
+    _mark_seams(mesh, asset.corner_uv.reshape(-1, 2))
     mesh.shade_smooth()
 
 
@@ -121,6 +122,24 @@ def _load_images(
         role: _load_image(picture, data_name(name, f" {role.replace('_', ' ')}"), made)
         for role, picture in asset.pictures.items()
     }
+
+
+def _mark_seams(mesh: bpy.types.Mesh, corner_uv: np.ndarray) -> None:
+    """A seam on each edge whose faces are apart in the UV map: Unwrap then makes these islands."""
+    count = len(mesh.loops)
+    edge, vert = np.empty(count, np.int32), np.empty(count, np.int32)
+    mesh.loops.foreach_get("edge_index", edge)
+    mesh.loops.foreach_get("vertex_index", vert)
+    following = np.arange(count).reshape(-1, 3)[:, [1, 2, 0]].ravel()
+    # Both uv of a corner's edge, that of the lower vertex first: the faces run along it both ways.
+    ends = np.stack([corner_uv, corner_uv[following]], 1)
+    forward = (vert < vert[following])[:, None, None]
+    ends = np.where(forward, ends, ends[:, ::-1])
+    low = np.full((len(mesh.edges), 2, 2), np.inf)
+    high = np.full((len(mesh.edges), 2, 2), -np.inf)
+    np.minimum.at(low, edge, ends)
+    np.maximum.at(high, edge, ends)
+    mesh.edges.foreach_set("use_seam", (low != high).any((1, 2)))
 
 
 def _load_image(picture: Picture, name: str, made: list[bpy.types.ID]) -> bpy.types.Image:

@@ -1,19 +1,28 @@
-"""STL and 3MF of an object of the scene, written by the core, which has both formats."""
+"""Files of an object of the scene that the core writes: for 3D printing and for simulators."""
 
 from __future__ import annotations
 
+import json
+import re
 import subprocess
 import tempfile
 from pathlib import Path
 
 import bpy
+import numpy as np
 
-from ..asset.export_shape import export_shape
+from ..asset.asset_folder import VERSION
+from ..asset.export_shape import export_shape, obj_text
+from ..asset.origin import DENSITY, origin_of
+from ..blender.mesh_arrays import mesh_object
 from ..environment import clean_environ
+from ..environment.files import write_text
 from ..errors import OutputError
+from ..mesh import maps
 from .process import Core
 
 FORMATS = (".stl", ".3mf")
+BODIES = {"urdf": ".urdf", "mjcf": ".xml", "usd-physics": ".usda"}  # each by its ending
 TIMEOUT = 300.0  # seconds; a mesh of a million faces takes ten
 
 
@@ -23,25 +32,84 @@ def export_print(obj: bpy.types.Object, path: Path, core: Core) -> Path:
     Raises:
         AddonError: the object has no surface, is not watertight, or the core is not installed.
     """
-    path = Path(path).expanduser().absolute()
-    if not core.python.exists():
-        raise OutputError("STL and 3MF need the installation.", "Press Install in Installation.")
+    path = _target(path, core)
     with tempfile.TemporaryDirectory() as folder:
         shape = Path(folder) / "shape.obj"
         export_shape(obj, shape, bpy.context.evaluated_depsgraph_get())
-        done = subprocess.run(
-            [str(core.python), "-m", "core", "export", str(shape), "--out", str(path),
-             "--format", path.suffix.lower()[1:]],
-            cwd=core.root,
-            env=clean_environ() | {"PYTHONUTF8": "1"} | dict(core.environ),
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            encoding="utf-8",
-            timeout=TIMEOUT,
-            check=False,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),  # Windows: no console opens
-        )  # fmt: skip
+        _export(core, shape, path, path.suffix.lower()[1:])
+    return path
+
+
+def export_body(obj: bpy.types.Object, path: Path, kind: str, core: Core) -> Path:
+    """Write ``obj`` as a rigid body for a simulator to ``path``, in metres, +Z up.
+
+    Its origin is the body's; rotation, scale and modifiers are applied. The mass is that of its
+    rigid body, or its volume times its density. ``kind``: one of BODIES.
+
+    Raises:
+        AddonError: as :func:`export_print`; no UVs, no Principled BSDF.
+    """
+    path = _target(path, core)
+    mesh_object(obj)
+    with tempfile.TemporaryDirectory() as folder:
+        asset = Path(folder) / "asset"
+        asset.mkdir()
+        _write_asset(obj, asset)
+        mass = ["--mass", f"{obj.rigid_body.mass:.9g}"] if obj.rigid_body else []
+        _export(core, asset, path, kind, *mass)
+    return path
+
+
+def kind_of(path: Path, chosen: str) -> str:
+    """The simulator's format that ``path`` is to be written in; "" for another kind of file.
+
+    ``chosen`` decides between two formats of one ending.
+    """
+    if chosen in BODIES and path.suffix.lower() in ("", BODIES[chosen]):
+        return chosen
+    # .usda is USD's own, unless USD Physics was chosen.
+    return {".urdf": "urdf", ".xml": "mjcf"}.get(path.suffix.lower(), "")
+
+
+def _write_asset(obj: bpy.types.Object, folder: Path) -> None:
+    """An asset folder of the object as it looks now."""
+    matrix = np.array(obj.matrix_world)
+    matrix[:3, 3] = 0
+    evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    try:
+        text = obj_text(evaluated.to_mesh(), matrix)
+    finally:
+        evaluated.to_mesh_clear()
+    # An asset's corners name a normal each: that of their vertex.
+    write_text(folder / "mesh.obj", re.sub(r"(\d+)/(\d+)", r"\1/\2/\1", text))
+    for role, picture in maps.save_images(maps.maps_of(obj), folder, "map").items():
+        picture.rename(folder / f"{role}.png")
+    info = {"prompt": obj.name, **origin_of(obj), "version": VERSION}
+    if DENSITY in obj:
+        info["density"] = float(obj[DENSITY])
+    write_text(folder / "asset.json", json.dumps(info))
+
+
+def _target(path: Path, core: Core) -> Path:
+    if not core.python.exists():
+        raise OutputError("This format needs the installation.", "Press Install in Installation.")
+    return Path(path).expanduser().absolute()
+
+
+def _export(core: Core, source: Path, path: Path, kind: str, *more: str) -> None:
+    """Have the core write ``source`` as ``kind`` to ``path``."""
+    done = subprocess.run(
+        [str(core.python), "-m", "core", "export", str(source), "--out", str(path),
+         "--format", kind, *more],
+        cwd=core.root,
+        env=clean_environ() | {"PYTHONUTF8": "1"} | dict(core.environ),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=TIMEOUT,
+        check=False,
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),  # Windows: no console opens
+    )  # fmt: skip
     if done.returncode:
         said = done.stderr.strip().splitlines() or ["the core gave no reason"]
         raise OutputError(said[-1].removeprefix("error: "), "")
-    return path

@@ -29,7 +29,8 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
         name="File", description="The file; its extension sets the format", subtype="FILE_PATH"
     )
     filter_glob: StringProperty(
-        default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj;*.stl;*.3mf", options={"HIDDEN"}
+        default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj;*.stl;*.3mf;*.urdf;*.xml",
+        options={"HIDDEN"},
     )
     format: option_property(options.FORMAT, description="For a file name without an extension")
     flip_normal_y: option_property(options.FLIP_NORMAL_Y)
@@ -41,7 +42,8 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         name = bpy.path.clean_name(context.active_object.name)
         # An engine's files go into a folder of that name.
-        self.filepath = name if self.format in engines.ENGINES else f"{name}.{self.format}"
+        ending = print_export.BODIES.get(self.format, f".{self.format}")
+        self.filepath = name if self.format in engines.ENGINES else f"{name}{ending}"
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -52,6 +54,11 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
     def _export(self, obj: bpy.types.Object, path: Path) -> None:
         if self.format in engines.ENGINES and not path.suffix:
             engines.export_for(obj, path, self.format)
+            return
+        kind = print_export.kind_of(path, self.format)
+        if kind:
+            path = path.with_suffix(print_export.BODIES[kind])
+            print_export.export_body(obj, path, kind, Paths(bpy.context).core)
             return
         path = path if path.suffix else path.with_suffix(f".{self.format}")
         if path.suffix.lower() in print_export.FORMATS:

@@ -1,0 +1,144 @@
+"""Even triangles: the same surface and topology, its sharp edges kept, faces near equilateral."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+import trimesh
+
+from core.config import TextureConfig
+from core.geometry.mesh import Mesh, health
+from core.io.job import Job
+from core.io.progress import Progress
+from core.io.run_folder import RunFolder
+from core.kernels.quadrics import add_planes, best_place
+from core.stages.texturing import unwrap_shape
+from core.tests.meshes import sphere
+from core.tests.test_simplify import chair  # noqa: F401  (a fixture)
+from core.tests.texture_shapes import torus
+from core.texture.remesh import across_of, even
+from core.texture.simplify import simplify
+
+
+def quality(verts: torch.Tensor, faces: torch.Tensor) -> np.ndarray:
+    """Twice the inscribed circle's radius by the circumscribed one's; 1 is equilateral."""
+    p = verts[faces].double().numpy()
+    a, b, c = (np.linalg.norm(p[:, i - 1] - p[:, i - 2], axis=1) for i in range(3))
+    area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1) / 2
+    return 16 * area**2 / ((a + b + c) * a * b * c)
+
+
+def box(size: tuple = (1.0, 0.7, 0.3)) -> Mesh:
+    """Of 12,288 uneven triangles, its sharp edges among them."""
+    solid = trimesh.creation.box(size)
+    for _ in range(5):
+        solid = solid.subdivide()
+    return Mesh(torch.tensor(solid.vertices).float(), torch.tensor(solid.faces))
+
+
+@pytest.mark.parametrize("budget", [6000, 1500, 300])
+def test_topology_stays_and_faces_are_even(chair, budget: int) -> None:  # noqa: F811
+    before, coarse = health(*chair), simplify(*chair, budget)
+    verts, faces = even(Mesh(*chair), budget)
+    after = health(verts, faces)
+    assert 0.85 * budget < len(faces) <= budget
+    for key in ("closed", "manifold", "oriented", "genus", "components", "loose_verts"):
+        assert after[key] == before[key], key
+    assert after["degenerate_faces"] == 0
+    # Edges as long as a leg is thick cut its corners.
+    lost = 0.02 if budget > 3000 else 0.05
+    assert after["volume"] == pytest.approx(before["volume"], rel=lost)
+    # Of 300 faces most have a corner on a sharp edge.
+    gained = 0.1 if budget > 1000 else 0.0
+    assert quality(verts, faces).mean() > quality(*coarse).mean() + gained
+    assert np.percentile(quality(verts, faces), 5) > np.percentile(quality(*coarse), 5)
+
+
+def test_a_ball_is_of_equilateral_triangles() -> None:
+    verts, faces = even(Mesh(*sphere(5)), 4000)
+    assert quality(verts, faces).mean() > 0.95
+    assert np.percentile(quality(verts, faces), 5) > 0.85
+    assert (verts.norm(dim=1) - sphere(5)[0].norm(dim=1).mean()).abs().max() < 2e-3
+
+
+@pytest.mark.parametrize("budget", [2000, 400])
+def test_the_edges_of_a_box_stay_sharp(budget: int) -> None:
+    """All twelve, in their whole length and in their places; the corners too."""
+    shape = box()
+    verts, faces = even(shape, budget)
+    solid = trimesh.Trimesh(verts.numpy(), faces.numpy(), process=False)
+    sharp = solid.face_adjacency_edges[np.degrees(solid.face_adjacency_angles) > 80]
+    ends = solid.vertices[sharp]
+    length = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum()
+    assert length == pytest.approx(4 * (1.0 + 0.7 + 0.3), rel=0.02)
+    assert solid.volume == pytest.approx(0.21, rel=1e-3)
+    assert np.abs(solid.bounds * 2) == pytest.approx(np.array([[1.0, 0.7, 0.3]] * 2), abs=2e-3)
+
+
+def test_an_open_border_stays_where_it_is() -> None:
+    verts, faces = sphere(5)
+    faces = faces[(verts[faces][..., 2] < 0.4).all(1)]
+    new_verts, new_faces = even(Mesh(verts, faces), 1500)
+    before, after = health(verts, faces), health(new_verts, new_faces)
+    for key in ("manifold", "oriented", "components", "euler", "closed"):
+        assert after[key] == before[key], key
+    assert not after["closed"]
+    rim = trimesh.Trimesh(new_verts.numpy(), new_faces.numpy(), process=False)
+    ends = rim.edges[trimesh.grouping.group_rows(rim.edges_sorted, require_count=1)]
+    assert rim.vertices[ends][..., 2].min() > 0.3
+    assert after["area"] == pytest.approx(before["area"], rel=0.01)
+
+
+def test_never_more_faces_than_the_shape_has() -> None:
+    verts, faces = torus()
+    assert len(even(Mesh(verts, faces), 20_000)[1]) <= len(faces)
+
+
+def test_three_faces_on_an_edge_are_left_as_they_are() -> None:
+    verts, faces = torus()
+    fin = torch.cat([faces, torch.tensor([[0, 12, 30]])])
+    assert even(Mesh(verts, fin), 20_000)[1] is fin
+
+
+def test_same_twice(chair) -> None:  # noqa: F811
+    first, second = even(Mesh(*chair), 2000), even(Mesh(*chair), 2000)
+    assert torch.equal(first[0], second[0])
+    assert torch.equal(first[1], second[1])
+
+
+def test_across_is_its_own_inverse() -> None:
+    _, faces = torus()
+    across, f = across_of(faces.numpy()), faces.numpy().reshape(-1)
+    corner = np.arange(len(across))
+    assert (across[across] == corner).all()
+    following = corner - corner % 3 + (corner + 1) % 3
+    preceding = corner - corner % 3 + (corner + 2) % 3
+    assert (f[following[across]] == f[preceding]).all()
+
+
+def test_the_best_place_of_three_planes_is_their_corner() -> None:
+    owner, normals = np.zeros(3, np.int64), np.eye(3)
+    points = np.diag([1.0, 2.0, 3.0])
+    quadric, nothing = add_planes(owner, points, normals, np.ones(3), 1)[0], np.zeros(11)
+    place = np.array([1.1, 2.1, 3.1])
+    best_place(quadric, nothing, place)
+    # A third of the weight each, against HOLD: most of the way.
+    assert np.abs(place - [1, 2, 3]).max() < 0.02
+    flat = add_planes(owner[:1], points[:1], normals[:1], np.ones(1), 1)[0]
+    place = np.array([1.0, 5.0, 7.0])
+    best_place(flat, nothing, place)
+    assert place == pytest.approx(np.array([1.0, 5.0, 7.0]))
+
+
+def test_the_budget_decides_and_a_users_mesh_is_kept(chair, tmp_path) -> None:  # noqa: F811
+    progress = Progress(RunFolder.create(tmp_path / "run", Job(prompt="a chair")))
+    shape, config = Mesh(*chair), TextureConfig(size=256, max_faces=3000)
+    made = unwrap_shape(shape, config, progress)
+    assert quality(made.mesh.verts, made.mesh.faces).mean() > 0.75
+    assert made.fine is shape
+    uneven = unwrap_shape(shape, replace(config, even_faces=0), progress)
+    assert quality(uneven.mesh.verts, uneven.mesh.faces).mean() < 0.7
+    own = unwrap_shape(shape, replace(config, max_faces=20_000), progress, keep_faces=True)
+    assert torch.equal(own.mesh.faces, shape.faces)
+    assert own.fine is None
