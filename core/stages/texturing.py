@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
@@ -20,7 +21,7 @@ from core.ranks import Ranks
 from core.texture.bake import bake
 from core.texture.fine_surface import FineSurface
 from core.texture.finish import Finish, detail_of
-from core.texture.remesh import even
+from core.texture.remesh import even_in_charts
 from core.texture.simplify import simplify
 from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
@@ -66,8 +67,8 @@ def unwrap_shape(
         )
     with progress.timed("unwrap"):
         # Before the unwrap, whose charts would not survive it.
-        verts, faces = _within_budget(shape, config, keep_faces)
-        atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress))
+        verts, faces, chart = _within_budget(shape, config, keep_faces)
+        atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress), chart)
         progress.complete("unwrap")  # a small mesh is done before it reports anything
     fine = None if faces is shape.faces else shape
     return Unwrapped(UvMesh.of(Mesh(verts, faces, *atlas)), fine)
@@ -75,12 +76,12 @@ def unwrap_shape(
 
 def _within_budget(
     shape: Mesh, config: TextureConfig, keep_faces: bool
-) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-    """Even triangles at small budgets; at large ones fewer of the shape's own."""
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"], Int[np.ndarray, " f"] | None]:
+    """Even triangles in charts at small budgets; at large ones fewer of the shape's own."""
     kept = keep_faces and len(shape.faces) <= config.max_faces
     if kept or config.max_faces > config.even_faces:
-        return simplify(shape.verts, shape.faces, config.max_faces)
-    return even(shape, config.max_faces)
+        return *simplify(shape.verts, shape.faces, config.max_faces), None
+    return even_in_charts(shape, config.max_faces)
 
 
 def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:

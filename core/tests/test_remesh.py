@@ -17,8 +17,11 @@ from core.stages.texturing import unwrap_shape
 from core.tests.meshes import sphere
 from core.tests.test_simplify import chair  # noqa: F401  (a fixture)
 from core.tests.texture_shapes import torus
-from core.texture.remesh import across_of, even
+from core.texture.charts import charts
+from core.texture.remesh import across_of, even, even_in_charts
 from core.texture.simplify import simplify
+from core.texture.texels import uv_faults
+from core.texture.unwrap import at_unit_size, unwrap
 
 
 def quality(verts: torch.Tensor, faces: torch.Tensor) -> np.ndarray:
@@ -88,6 +91,39 @@ def test_an_open_border_stays_where_it_is() -> None:
     ends = rim.edges[trimesh.grouping.group_rows(rim.edges_sorted, require_count=1)]
     assert rim.vertices[ends][..., 2].min() > 0.3
     assert after["area"] == pytest.approx(before["area"], rel=0.01)
+
+
+def turning(verts: torch.Tensor, faces: torch.Tensor, chart: np.ndarray) -> float:
+    """Mean angle in degrees between two edges that follow each other along a border."""
+    f, points = faces.numpy(), verts.double().numpy()
+    across = across_of(f)
+    cut = chart[np.arange(f.size) // 3] != chart[across // 3]
+    ends = np.stack([np.roll(f, -1, 1), np.roll(f, 1, 1)], -1).reshape(-1, 2)[cut]
+    after = {}
+    for a, b in ends.tolist():
+        after.setdefault(a, set()).add(b)
+    pairs = [(v, *near) for v, near in after.items() if len(near) == 2]
+    v, a, b = np.array(pairs).T
+    one, two = points[v] - points[a], points[b] - points[v]
+    length = np.linalg.norm(one, axis=1) * np.linalg.norm(two, axis=1)
+    return np.degrees(np.arccos(((one * two).sum(1) / length).clip(-1, 1))).mean()
+
+
+def test_borders_of_charts_are_smooth() -> None:
+    shape = Mesh(*sphere(5))
+    verts, faces = even(shape, 6000)
+    jagged = charts(at_unit_size(verts.double().numpy()), faces.numpy())
+    smooth_verts, smooth_faces, chart = even_in_charts(shape, 6000)
+    assert chart is not None
+    assert np.array_equal(chart, jagged)
+    before, after = turning(verts, faces, jagged), turning(smooth_verts, smooth_faces, chart)
+    assert after < 0.6 * before
+    old, new = health(verts, faces), health(smooth_verts, smooth_faces)
+    for key in ("closed", "manifold", "oriented", "genus", "components", "faces"):
+        assert new[key] == old[key], key
+    assert quality(smooth_verts, smooth_faces).mean() > 0.75
+    atlas = unwrap(smooth_verts, smooth_faces, 1024, chart=chart)
+    assert uv_faults(*atlas) == []
 
 
 def test_never_more_faces_than_the_shape_has() -> None:

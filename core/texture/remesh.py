@@ -23,8 +23,9 @@ from core.geometry.mesh import Mesh, health, mean_around
 from core.geometry.tangents import smooth_normals
 from core.kernels import remesh as loops
 from core.kernels.quadrics import add_planes
-from core.texture.charts import areas_and_normals, neighbours, unit
+from core.texture.charts import areas_and_normals, charts, neighbours, unit
 from core.texture.simplify import simplify
+from core.texture.unwrap import at_unit_size
 
 ROUNDS = 5
 LAST_ROUNDS = 3  # in which no edge comes or goes
@@ -33,6 +34,7 @@ BENT, SHARP = np.cos(np.radians(40.0)), np.cos(np.radians(50.0))
 SHORTEST_LINE = 4.0  # edge lengths: what is shorter is a ripple
 KINK = np.cos(np.radians(45.0))  # a line that turns by more is held there
 FLAT = 0.05  # quality of a sliver, whose direction says nothing
+BORDER_ROUNDS = 8
 MARGIN = 0.98  # of the faces asked for: the count at the end is not exact
 GRADE = 1.5  # edges are so many times longer in flat places and shorter in bent ones, at most
 SMOOTHING = 4  # rounds, of the curvature
@@ -55,6 +57,57 @@ def even(shape: Mesh, max_faces: int) -> tuple[Float[Tensor, "v 3"], Int[Tensor,
     new_verts, new_faces = remesh(*coarse, surface, count)
     out = torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
     return simplify(*out, count)
+
+
+def even_in_charts(
+    shape: Mesh, max_faces: int
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"], Int[np.ndarray, " f"] | None]:
+    """:func:`even`, and a chart for each face, the borders smooth; None where it is no manifold."""
+    verts, faces = even(shape, max_faces)
+    report = health(verts, faces)
+    if not (report["manifold"] and report["oriented"]) or report["degenerate_faces"]:
+        return verts, faces, None
+    chart = charts(at_unit_size(_doubles(verts)), faces.cpu().numpy().astype(np.int64))
+    return *with_smooth_borders(verts, faces, chart, shape), chart
+
+
+def with_smooth_borders(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    chart: Int[np.ndarray, " f"],
+    shape: Mesh,
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """The mesh with the borders between charts drawn smooth over the surface of ``shape``.
+
+    Each face keeps its chart. Sharp edges stay where they are, and where three charts meet.
+    """
+    points, f = _doubles(verts), faces.cpu().numpy().astype(np.int64)
+    area = float(areas_and_normals(points, f)[0].sum())
+    length = float(np.sqrt(4 / np.sqrt(3) * area / len(f)))
+    mesh = table_of(points, f, len(f), length)
+    surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
+    corners = slice(0, f.size)
+    other = mesh.across[corners]
+    cut = (other >= 0) & (chart[np.arange(f.size) // 3] != chart[other // 3])
+    pairs = np.unique(np.sort(ends_of_edges(f, cut), 1), axis=0)
+    degree = np.bincount(pairs.reshape(-1), minlength=len(points))
+    fixed = mesh.kind[: len(points)] != loops.FREE
+    mesh.kind[: len(points)] = np.where(degree == 2, loops.LINE, loops.HELD)
+    mesh.kind[: len(points)][degree == 0] = loops.FREE
+    mesh.kind[: len(points)][fixed] = loops.HELD
+    mesh.kept[corners] |= cut
+    for _ in range(BORDER_ROUNDS):
+        fit(mesh, surface, length)
+        places = loops.wanted_places(mesh.links, mesh.verts, mesh.kind, mesh.at, mesh.counts)
+        line = mesh.kind[: len(places)] == loops.LINE
+        _, _, near = surface.tree.squared_distance(
+            surface.verts, surface.faces, np.ascontiguousarray(places[line])
+        )
+        places[line] = near
+        loops.move(mesh.links, mesh.verts, mesh.quadrics, mesh.kind, mesh.at, places)
+        loops.flip_edges(mesh.links, mesh.verts, mesh.quadrics, mesh.at, mesh.counts, True)
+    out = mesh.verts[: len(points)], mesh.corners[corners].reshape(-1, 3)
+    return torch.from_numpy(out[0].copy()).to(verts), torch.from_numpy(out[1].copy()).to(faces)
 
 
 def _doubles(verts: Float[Tensor, "v 3"]) -> Float[np.ndarray, "v 3"]:

@@ -39,9 +39,11 @@ def unwrap(
     faces: Int[Tensor, "f 3"],
     size: int,
     progress: Callable[[float], None] = lambda _: None,
+    chart: Int[np.ndarray, " f"] | None = None,
 ) -> Unwrapped:
     """Cut the surface into islands and lay them out for a texture of ``size`` texels a side.
 
+    ``chart``: the chart of each face, where it is known; None: they are found here.
     The same mesh gives the same atlas. ``progress`` is called with the part done, in [0, 1); what
     it raises stops the work.
 
@@ -60,7 +62,7 @@ def unwrap(
         )
     p, f = at_unit_size(verts.detach().cpu().double().numpy()), faces.cpu().long().numpy()
     progress(0.0)
-    chart = charts(p, f)
+    chart = charts(p, f) if chart is None else chart
     progress(0.2)
     uv, face_uvs, chart = flat_charts(p, f, chart, lambda x: progress(0.2 + 0.4 * x))
     out = pack(uv, face_uvs, chart, PADDING / size, lambda x: progress(0.6 + 0.39 * x))
