@@ -16,7 +16,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.mesh import Mesh, health, mean_around
@@ -300,7 +300,7 @@ def fit(mesh: Table, surface: Surface, length: float) -> None:
     used, faces = int(mesh.counts[0]), mesh.faces
     live = np.unique(faces)
     normal = unit(normals_of(mesh.verts[:used], faces))
-    tree = cKDTree(np.c_[mesh.verts[live], NEAR * length * normal[live]])
+    tree = KDTree(np.c_[mesh.verts[live], NEAR * length * normal[live]])
     _, nearest = tree.query(np.c_[surface.middles, NEAR * length * surface.normals])
     own = add_planes(live[nearest], surface.middles, surface.normals, surface.areas, used)
     mesh.quadrics[:used] = own + AROUND * (mean_around(faces, used) @ own)
