@@ -82,7 +82,7 @@ def test_a_lifted_and_an_untouched_normal_are_both_among_the_tested() -> None:
 def test_an_interior_pixels_normal_has_the_gradient_of_its_picture() -> None:
     verts, faces = sphere(1)
     cameras = Cameras.orbit([25.0], [35.0], distance=1.6)  # fills the picture
-    cameras = cameras.__class__(*(x.double() for x in vars(cameras).values()))
+    cameras = cameras.__class__(**{n: x.double() for n, x in cameras.tensors().items()})
 
     def seen(v: Tensor) -> Tensor:
         return render_normals(v, faces, cameras, 6, cull=False)[0]
