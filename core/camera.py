@@ -174,7 +174,8 @@ def aimed(
     """Close-ups of what the ``coverage`` of whole pictures shows, each about a random place."""
     count, size, _ = coverage.shape
     zoom = ZOOM[0] * (ZOOM[1] / ZOOM[0]) ** torch.rand(count, generator=generator)
-    weight = coverage.flatten(1).cpu() + 1e-9  # nothing in sight: anywhere
+    # Antialiasing may leave a coverage a hair below 0. Nothing in sight: anywhere.
+    weight = coverage.flatten(1).cpu().clamp_min(0) + 1e-9
     place = torch.multinomial(weight, 1, generator=generator)[:, 0]
     column, row = place % size, place // size
     center = torch.stack([column + 0.5, size - row - 0.5], 1) / size * 2 - 1

@@ -35,6 +35,7 @@ Distillation = Literal["sds", "csd", "sdi"]
 ShadingModel = Literal["lobes", "split_sum", "diffuse"]
 ShapePictures = Literal["normals", "shaded", "entangled"]
 Curve = Literal["linear", "srgb"]
+Start = Literal["ellipsoid", "learned"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,7 +92,10 @@ class GeometryConfig:
     net: SdfNetConfig = HASH
     # Lattice cubes along an edge, coarse and fine; 65³ nodes are what others call a 128 grid.
     resolution: Annotated[tuple[int, int], Range(4, 512)] = (64, 64)
-    # The first ellipsoid, training units; the lattice reaches 1.05.
+    # Of Ψ without a guide mesh: the paper's ellipsoid, or a solid that the guidance draws for the
+    # prompt (where it can), which leaves nothing to find to the phases coarse and grow.
+    start: Start = "ellipsoid"
+    # The ellipsoid, training units; the lattice reaches 1.05.
     radii: Annotated[tuple[float, float, float], Range(0.05, 1.0)] = (0.6, 0.6, 0.6)
     fit_steps: Count = 401  # Eq. 3
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
@@ -228,6 +232,7 @@ DRAFT = Config(
         # five let through of the denoised pictures' noise, the sharpening takes out.
         net=replace(FOURIER, octaves=5),
         resolution=(40, 64),
+        start="learned",
         fit_steps=200,
         # It only has to find where the shape lies: growing gives it its parts.
         coarse=PhaseConfig(
@@ -306,6 +311,7 @@ SDS = replace(
     DRAFT,
     geometry=replace(
         DRAFT.geometry,
+        start="ellipsoid",
         coarse=replace(DRAFT.geometry.coarse, steps=250),
         grow=RefineConfig(),
         fine=replace(DRAFT.geometry.fine, steps=100),

@@ -95,6 +95,8 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(prompt_of(job, kept), job.negative_prompt)
+    if job.command == "generate" and not path and config.geometry.start == "learned":
+        prompted = prompted.of_object(job.seed)
     notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
     texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     region = region_of(job, kept) if kept else None
@@ -219,7 +221,7 @@ def learned_shape(
         if guide:
             fit_guide(training, config, guide, strength, progress)
         else:
-            fit_start_shape(training, config, progress)
+            fit_start_shape(training, config, inputs.guidance.start_shape(), progress)
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
     learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))

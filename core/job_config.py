@@ -11,6 +11,8 @@ BUILTIN = "builtin"  # the guidance of that name
 # Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
 GUIDE_RESIDUAL = 0.1
 
+START_RESIDUAL = 0.1  # the same, of a solid that the guidance draws
+
 # Settings of the geometry's training that belong to the built-in prior, not to a preset. The
 # learning rate is not among them: it belongs to Ψ's encoding.
 OF_THE_PRIOR = (
@@ -40,8 +42,26 @@ def config_of(job: Job) -> Config:
         config = retouching(config, job.guide_strength)
     if job.guide_mesh:
         config = shortened(config, job.guide_strength)
+    elif job.guidance == BUILTIN:
+        config = from_drawn(config)
     learned = job.command == "generate" and not (job.guide_mesh and job.guide_strength == 1)
     return trained_together(config) if learned else config
+
+
+def from_drawn(config: Config) -> Config:
+    """``config`` for a solid to start from, where it asks for one: all is there, so that nothing is
+    left to distil, to grow and to refine; the fine lattice holds what Ψ lacks of it."""
+    g = config.geometry
+    if g.start != "learned":
+        return config
+    less = replace(
+        g,
+        coarse=replace(g.coarse, steps=0),
+        grow=replace(g.grow, rounds=0),
+        refine=replace(g.refine, rounds=0),
+        net=replace(g.net, residual=g.net.residual or START_RESIDUAL),
+    )
+    return replace(config, geometry=less)
 
 
 def trained_together(config: Config) -> Config:

@@ -18,6 +18,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.camera import Cameras
+from core.geometry.init_shape import Shape
 
 NormalFrame = Literal["object", "camera"]
 
@@ -168,6 +169,16 @@ class PromptedGuidance(ABC):
         """The latents of a shape's own renders made crisp; None where the guidance has no such
         network. No gradient."""
         del pictures, views
+        return None
+
+    def of_object(self, seed: int) -> "PromptedGuidance":
+        """The guidance of one certain object that the prompt means, drawn by ``seed``; itself where
+        it knows pictures alone."""
+        del seed
+        return self
+
+    def start_shape(self) -> Shape | None:
+        """The solid of that object, for Ψ to start from; None where there is none."""
         return None
 
     @abstractmethod

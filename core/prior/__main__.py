@@ -8,13 +8,16 @@ long each step ran is in docs/model_card.md.
 import argparse
 import sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import torch
 
 from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.offered import WEIGHTS
+from core.guidance.builtin.network import UNet
+from core.guidance.builtin.offered import SOLID, WEIGHTS
+from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.weights import load_weights, save_weights
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
@@ -31,6 +34,14 @@ from core.prior.part_training import FINDING_PARTS, PART_NETWORK, PartMaps, part
 from core.prior.restorer import RESTORER, RESTORING, Restoring, restoring_loss
 from core.prior.restorer_score import report
 from core.prior.soft_pairs import write_pair_files
+from core.prior.solid_data import SOLIDS, write_solid_files
+from core.prior.solid_training import (
+    FITTING,
+    Autoencoder,
+    SolidSource,
+    solid_loss,
+    trained_solid_net,
+)
 from core.prior.train import (
     APPEARANCE,
     GEOMETRY,
@@ -43,12 +54,13 @@ from core.prior.train import (
 )
 
 DEFAULT_FOLDER = Path("out/prior")
-# Each network's sizes, source of batches, schedule and loss.
+# Each network, its source of batches, its schedule and its loss.
 TRAININGS = {
-    "geometry": (GEOMETRY, Geometry, TrainConfig(), denoising_loss),
-    "appearance": (APPEARANCE, Appearance, TrainConfig(), denoising_loss),
-    "parts": (PART_NETWORK, PartMaps, FINDING_PARTS, part_loss),
-    "restorer": (RESTORER, Restoring, RESTORING, restoring_loss),
+    "solid": (Autoencoder, SolidSource, FITTING, solid_loss),
+    "geometry": (partial(UNet, GEOMETRY), Geometry, TrainConfig(), denoising_loss),
+    "appearance": (partial(UNet, APPEARANCE), Appearance, TrainConfig(), denoising_loss),
+    "parts": (partial(UNet, PART_NETWORK), PartMaps, FINDING_PARTS, part_loss),
+    "restorer": (partial(UNet, RESTORER), Restoring, RESTORING, restoring_loss),
 }
 PATTERNED = 32  # objects, of each pattern
 
@@ -62,6 +74,7 @@ def parser() -> argparse.ArgumentParser:
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
     data.add_argument("--pairs", type=int, default=0, help="files of 256 soft and crisp views each")
     data.add_argument("--close-pairs", type=int, default=0, help="the same, of close-ups")
+    data.add_argument("--solids", type=int, default=40, help="files of two solids of each noun")
     data.add_argument("--workers", type=int, default=2)
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
@@ -114,6 +127,8 @@ def data(options: argparse.Namespace) -> None:
         print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
     for path in write_shards(options.out, range(options.shards), options.workers):
         print(path, flush=True)
+    for path in write_solid_files(options.out, range(options.solids), options.workers):
+        print(path, flush=True)
     for count, close in ((options.pairs, False), (options.close_pairs, True)):
         for path in write_pair_files(options.out, range(count), options.workers, close=close):
             print(path, flush=True)
@@ -121,18 +136,19 @@ def data(options: argparse.Namespace) -> None:
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
-    if not any(options.out.glob(SHARDS)):
+    needed = SOLIDS if options.network == SOLID else SHARDS
+    if not any(options.out.glob(needed)):
         raise UserError(
-            f"There are no shards in {options.out}.",
+            f"There are no files {needed} in {options.out}.",
             f"Make them first: python -m core.prior data --out {options.out}",
         )
-    unet, source, config, objective = TRAININGS[options.network]
+    make, source, config, objective = TRAININGS[options.network]
     config = replace(config, seed=options.seed)
     if options.minutes is not None:
         config = replace(config, minutes=options.minutes)
     if options.batch is not None:
         config = replace(config, batch=options.batch)
-    training = Training(unet, config, options.device, objective)
+    training = Training(make, config, options.device, objective)
     checkpoint = options.out / f"{options.network}.safetensors"
     if checkpoint.exists():
         training.resume(checkpoint)
@@ -147,13 +163,17 @@ def ship(options: argparse.Namespace) -> None:
     if missing:
         raise UserError(f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words.py.")
     known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
-    for name in TRAININGS:
+    for name in TRAININGS.keys() - {SOLID}:
         trained = options.out / f"{name}_ema.safetensors"
         if not trained.exists():  # the others are replaced, this one stays
             continue
         net = load_weights(trained)
         path = WEIGHTS / f"{name}.safetensors"
         save_weights(path, net.config, dict(net.named_parameters()), known)
+        print(path)
+    if (options.out / f"{SOLID}_ema.safetensors").exists():
+        path = WEIGHTS / f"{SOLID}.safetensors"
+        save_solid_net(path, trained_solid_net(options.out))
         print(path)
 
 

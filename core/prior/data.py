@@ -18,10 +18,11 @@ from torch import Tensor
 
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.words import OPTIONS, PARTS
 from core.io.atomic import atomic_file
 from core.prior.draw import Draw
-from core.prior.families import STRETCH, build
+from core.prior.families import build
 from core.prior.tracer import Pictures, render
 
 SHARDS = "shard_*.safetensors"

@@ -7,7 +7,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.geometry.mesh import NORMAL_RADIUS
+from core.guidance.builtin.stretch import NOT_STRETCHED, STRETCH, frame_of
 from core.prior.draw import Draw
 from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
@@ -82,24 +82,13 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | YARD
 )
 
-# Factors along x, y and z, and a move of the surface outwards in training units.
-STRETCH = {
-    "tall": ((0.82, 0.82, 1.25), 0.0),
-    "flat": ((1.12, 1.12, 0.62), 0.0),
-    "wide": ((1.4, 0.95, 0.95), 0.0),
-    "thick": ((1.0, 1.15, 1.0), 0.035),
-    "thin": ((0.95, 0.62, 1.0), 0.0),
-    "round": ((1.0, 1.0, 1.0), 0.055),
-}
-LEVELLING = 0.5  # of "round": the power by which the box around the object becomes a cube
-
 
 def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
     """A random object of the noun's family, normalised (see ``normalised``).
 
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
     """
-    factors, swell = STRETCH.get(adjective, ((1.0, 1.0, 1.0), 0.0))
+    factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
     parts = FAMILIES[noun](Draw(draw.generator, draw.part_state, adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
@@ -114,21 +103,10 @@ def normalised(
     level: bool = False,
     size: float = 1.0,
 ) -> Shape:
-    """Bounding-box centre at the origin, bounding sphere about it of radius ``NORMAL_RADIUS``.
-
-    ``size`` is a factor on that radius; ``level`` draws the box's sides nearer to each other.
-    """
+    """An object of ``parts`` in the frame of :func:`core.guidance.builtin.stretch.frame_of`."""
     points = surface_points(lambda p: torch.stack([s(p) for s in parts.values()]).amin(0))
-    low, high = points.amin(0), points.amax(0)
-    center, factors = (low + high) / 2, points.new_tensor(stretch)
-    if level:
-        extent = high - low
-        factors = factors * (extent.prod() ** (1 / 3) / extent) ** LEVELLING
-    radius = ((points - center) * factors).norm(dim=1).max().item()
-    scale = (NORMAL_RADIUS * size - swell) / radius
-    a, b, c = center.tolist()
-    x, y, z = (factors * scale).tolist()
-    return Shape(parts, (a, b, c), (x, y, z), swell)
+    frame = frame_of(points, stretch, swell, level, size)
+    return Shape(parts, frame.center, frame.scale, swell)
 
 
 def surface_points(

@@ -1,4 +1,4 @@
-"""Training of the prior's two networks, on one CPU thread or a GPU, for a budget of minutes.
+"""Training of the prior's networks, on one CPU thread or a GPU, for a budget of minutes.
 
 The learning rate follows the fraction of the budget that is spent, so the budget is the whole
 schedule. A checkpoint is written every few minutes; a stopped run goes on from it, with the
@@ -13,7 +13,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar, Protocol, runtime_checkable
 
 import torch
 from safetensors import safe_open
@@ -23,7 +23,7 @@ from torch import Tensor, nn
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.network import BLOCK, UNet, UNetConfig, camera_map
+from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
@@ -47,7 +47,22 @@ MIXED += ("boat", "rocket", "cottage", "church", "lighthouse", "hammer", "axe", 
 
 # Pictures, words, camera maps, and the surface (for the restorer: the soft pictures) or None.
 Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
-Objective = Callable[["Training", Batch], Tensor]
+Objective = Callable[["Training", Any], Tensor]  # of a batch of the training's source
+
+
+@runtime_checkable
+class Batches(Protocol):
+    """Where a training's batches come from."""
+
+    samples: Any  # what they are drawn from, counted by len()
+
+    def batch(self, count: int, generator: torch.Generator) -> Any:
+        """``count`` random samples, as the objective takes them."""
+        ...
+
+    def rescan(self) -> None:
+        """Read what has come."""
+        ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -198,7 +213,7 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     z_t = add_noise(x, eps, alpha_bar)
     # The network alone: the noise and the error are computed in 32 bit.
     with torch.autocast(device.type, torch.bfloat16):
-        v = training.net(z_t, t, words[:, : len(training.unet.words)], camera, given)
+        v = training.net(z_t, t, words[:, : len(training.net.config.words)], camera, given)
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
 
 
@@ -207,15 +222,16 @@ class Training:
 
     def __init__(
         self,
-        unet: UNetConfig,
+        make: Callable[[], nn.Module],
         config: TrainConfig,
         device: "torch.device | str" = "cpu",
         objective: Objective = denoising_loss,
     ) -> None:
-        self.config, self.unet, self.device = config, unet, torch.device(device)
+        """``make``: the network, with random weights; its ``config`` goes to the shipped file."""
+        self.config, self.device = config, torch.device(device)
         self.objective = objective
         torch.manual_seed(config.seed)  # the network's first weights
-        self.net = UNet(unet).to(self.device)
+        self.net: Any = make().to(self.device)
         self.params = list(self.net.parameters())
         self.ema = [p.detach().clone() for p in self.params]
         self.optimizer = torch.optim.AdamW(
@@ -230,7 +246,7 @@ class Training:
         """The fraction of the budget that is spent."""
         return self.seconds / (60 * self.config.minutes)
 
-    def advance(self, source: Source) -> None:
+    def advance(self, source: Batches) -> None:
         """One step of the optimiser."""
         start = time.monotonic()
         config = self.config
@@ -284,7 +300,9 @@ class Training:
             tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
         facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss}
         write_tensors(path, tensors, {"training": json.dumps(facts)})
-        save_weights(path.with_name(path.stem + "_ema.safetensors"), self.unet, self.averaged())
+        save_weights(
+            path.with_name(path.stem + "_ema.safetensors"), self.net.config, self.averaged()
+        )
 
     def averaged(self) -> dict[str, Tensor]:
         """The moving average of the weights."""
@@ -311,7 +329,7 @@ class Training:
                 }
 
 
-def run(training: Training, source: Source, checkpoint: Path) -> None:
+def run(training: Training, source: Batches, checkpoint: Path) -> None:
     """Train until the budget is spent; Ctrl-C and SIGTERM save too."""
     config = training.config
     # Both become KeyboardInterrupt, so that ``finally`` saves.

@@ -57,10 +57,13 @@ def learn_geometry(
     if not setup.ranks.first:
         return None
     if early:
-        verts, faces = final_mesh(training.module, coarse, config)
+        # What a solid is drawn with is held by the fine lattice.
+        grid = coarse if training.module.residual is None else fine
+        verts, faces = final_mesh(training.module, grid, config)
         show_shape(training.run, verts, faces)
         return verts, faces
     verts, faces = final_mesh(training.module, fine, config)
+    show_shape(training.run, verts, faces)
     with progress.timed("sharpen"):
         return sharpened(config, setup.guidance, verts, faces, progress), faces
 

@@ -1,10 +1,10 @@
-"""Ψ's start: an ellipsoid, or the user's guide mesh (Eq. 3)."""
+"""Ψ's start: an ellipsoid, what the guidance draws, or the user's guide mesh (Eq. 3)."""
 
 import torch
 
 from core.config import GeometryConfig
 from core.geometry.guide import fill, guide_shape
-from core.geometry.init_shape import MOST_STEPS, ellipsoid, fit, fit_until_still
+from core.geometry.init_shape import MOST_STEPS, Shape, ellipsoid, fit, fit_until_still
 from core.geometry.mesh import Mesh
 from core.geometry.residual import Residual
 from core.geometry.sdf_net import SdfNet
@@ -25,17 +25,21 @@ def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
     return net
 
 
-def fit_start_shape(training: Training[SdfNet], config: GeometryConfig, progress: Progress) -> None:
-    """Fit Ψ to the config's ellipsoid (Eq. 3)."""
-    steps = config.fit_steps
+def fit_start_shape(
+    training: Training[SdfNet], config: GeometryConfig, drawn: Shape | None, progress: Progress
+) -> None:
+    """Fit Ψ to the solid that the guidance has ``drawn``, or to the config's ellipsoid (Eq. 3)."""
+    steps, net = config.fit_steps, training.module
     with progress.timed("fit"):
         fit(
-            training.module,
-            ellipsoid(config.radii),
+            net,
+            drawn or ellipsoid(config.radii),
             steps,
             training.generator,
             lambda step, _: progress.advance("fit", step, steps),
         )
+        if drawn and net.residual is not None:  # so few steps leave the details to the lattice
+            fill(net.residual, net, drawn, 1.0)
 
 
 def fit_guide(

@@ -9,9 +9,10 @@ from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.words import OPTIONS
 from core.prior.draw import Draw
-from core.prior.families import FAMILIES, STRETCH, build, surface_points
+from core.prior.families import FAMILIES, build, surface_points
 from core.prior.solids import (
     around,
     ball,

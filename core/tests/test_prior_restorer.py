@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 
 import pytest
 import torch
@@ -85,7 +86,10 @@ def test_a_stem_sees_single_pixels():
 
 
 def test_old_weights_start_a_network_with_a_stem(tmp_path):
-    old, new = Training(TINY, TrainConfig()), Training(replace(TINY, stem=8), TrainConfig(seed=1))
+    old, new = (
+        Training(partial(UNet, TINY), TrainConfig()),
+        Training(partial(UNet, replace(TINY, stem=8)), TrainConfig(seed=1)),
+    )
     save_weights(tmp_path / "old.safetensors", TINY, old.averaged())
     new.start_from(tmp_path / "old.safetensors")
     z, t = torch.randn(1, 4, 64, 64, generator=_generator()), torch.tensor([300])
@@ -263,7 +267,9 @@ def test_the_same_seed_makes_the_same_pairs():
 
 
 def test_the_loss_is_quadratic_below_its_knee_and_linear_above(monkeypatch):
-    training = Training(TINY, TrainConfig(batch=2, drop_both=0.0), objective=restoring_loss)
+    training = Training(
+        partial(UNet, TINY), TrainConfig(batch=2, drop_both=0.0), objective=restoring_loss
+    )
     x = _views()
 
     def loss(error):
@@ -277,7 +283,7 @@ def test_the_loss_is_quadratic_below_its_knee_and_linear_above(monkeypatch):
 
 def test_training_lowers_the_loss(folder):
     config = TrainConfig(batch=8, learning_rate=3e-3, warm_up=1, minutes=60)
-    training = Training(replace(TINY, stem=8), config, objective=restoring_loss)
+    training = Training(partial(UNet, replace(TINY, stem=8)), config, objective=restoring_loss)
     source = Restoring(folder)
     first = []
     for _ in range(60):

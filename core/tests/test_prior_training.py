@@ -1,6 +1,7 @@
 """The prior's network, its camera map, its diffusion, its data and its training loop."""
 
 import math
+from functools import partial
 
 import pytest
 import torch
@@ -144,11 +145,11 @@ def test_a_noun_is_drawn_by_its_weight(folder, monkeypatch):
 
 def test_a_training_goes_on_where_it_was_stopped(folder, tmp_path):
     source = Geometry(folder)
-    training = Training(TINY, TrainConfig(batch=2, minutes=1))
+    training = Training(partial(UNet, TINY), TrainConfig(batch=2, minutes=1))
     for _ in range(2):
         training.advance(source)
     training.save(tmp_path / "geometry.safetensors")
-    again = Training(TINY, TrainConfig(batch=2, minutes=1, seed=5))
+    again = Training(partial(UNet, TINY), TrainConfig(batch=2, minutes=1, seed=5))
     again.resume(tmp_path / "geometry.safetensors")
     assert (again.step, again.seconds) == (2, training.seconds)
     for a, b in zip(training.params + training.ema, again.params + again.ema, strict=True):
@@ -165,7 +166,7 @@ def test_a_training_starts_from_weights_that_know_fewer_words(tmp_path):
     small = UNetConfig(words=(WORDS[0] - 5, WORDS[1] - 2), widths=(8, 8, 16, 16), code=16)
     old = UNet(small)
     save_weights(tmp_path / "old.safetensors", small, dict(old.named_parameters()))
-    training = Training(TINY, TrainConfig())
+    training = Training(partial(UNet, TINY), TrainConfig())
     training.start_from(tmp_path / "old.safetensors")
     camera, z = camera_map(Cameras.orbit([30.0], [0.0]), 32), torch.randn(1, 4, 64, 64)
     t = torch.tensor([500])
@@ -182,7 +183,9 @@ def test_a_training_starts_from_weights_that_know_fewer_words(tmp_path):
 
 def test_a_training_learns_its_few_pictures(folder):
     source = Geometry(folder)
-    training = Training(TINY, TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=3e-3))
+    training = Training(
+        partial(UNet, TINY), TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=3e-3)
+    )
     training.advance(source)
     first = training.loss
     for _ in range(25):

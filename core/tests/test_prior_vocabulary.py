@@ -8,6 +8,7 @@ from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
     COLORS,
@@ -22,7 +23,6 @@ from core.guidance.builtin.words import (
 )
 from core.prior.data import ADJECTIVES, PART_STATES
 from core.prior.data import NOUNS as DRAWN
-from core.prior.families import STRETCH
 
 NAMES = {word: noun.names for word, noun in NOUNS.items()}
 

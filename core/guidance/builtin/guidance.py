@@ -5,12 +5,14 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 """
 
 import warnings
+from dataclasses import replace
 
 import torch
 from jaxtyping import Float, Int
 from safetensors import SafetensorError
 from torch import Tensor
 
+from core.geometry.init_shape import Shape
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
@@ -19,14 +21,17 @@ from core.guidance.builtin.offered import (
     NETWORKS,
     PARTS,
     RESTORER,
+    SOLID,
     WEIGHTS,
     offered_words,
     weights_error,
 )
 from core.guidance.builtin.palette import finishes_of
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
-from core.guidance.builtin.part_map import part_map
+from core.guidance.builtin.part_map import part_map, solid_part_map
 from core.guidance.builtin.restore import as_render, restored
+from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
+from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
@@ -63,9 +68,10 @@ class BuiltinGuidance(Guidance):
         *,
         parts: UNet | None = None,
         restorer: UNet | None = None,
+        solid: SolidNet | None = None,
     ) -> None:
         self.geometry, self.appearance = geometry, appearance
-        self.parts, self.restorer = parts, restorer
+        self.parts, self.restorer, self.solid = parts, restorer, solid
         self.known, self.ignore_unknown = known, ignore_unknown
         self.device = next(geometry.parameters()).device
         self.alpha_bar = alpha_bar_schedule().to(self.device)
@@ -103,9 +109,16 @@ class PromptedBuiltin(PromptedGuidance):
     that guidance pulls towards the word and not towards having a camera.
     """
 
-    def __init__(self, guidance: BuiltinGuidance, words: Words, negative: Words) -> None:
+    def __init__(
+        self,
+        guidance: BuiltinGuidance,
+        words: Words,
+        negative: Words,
+        solid: Solid | None = None,
+    ) -> None:
+        """``solid``: the object that is to be made, where one is drawn; its parts are known."""
         super().__init__(guidance)
-        self.builtin, self.words, self.negative = guidance, words, negative
+        self.builtin, self.words, self.negative, self.solid = guidance, words, negative, solid
 
     def ranges(self) -> MaterialRanges:
         """The roughness and metallic that the words' parts are painted with, and a little around.
@@ -123,6 +136,22 @@ class PromptedBuiltin(PromptedGuidance):
     def surfaces(self) -> tuple[Surface, ...]:
         """Of each part, by the words or by the thing's nature."""
         return surfaces_of(self.words)
+
+    def of_object(self, seed: int) -> "PromptedBuiltin":
+        """One drawn by the solids' network, then stretched as the shape's adjective says."""
+        net, words = self.builtin.solid, self.words
+        if net is None or not words.noun:
+            return self
+        formed = (words.noun, words.shape) in FORMS
+        asked = words if formed else replace(words, shape="")
+        rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
+        solid = Solid.drawn(net, rows, torch.Generator().manual_seed(seed))
+        solid = solid.placed("" if formed else words.shape)
+        return PromptedBuiltin(self.builtin, words, self.negative, solid)
+
+    def start_shape(self) -> Shape | None:
+        """The drawn solid."""
+        return self.solid and self.solid.shape()
 
     @torch.no_grad()
     def restore(
@@ -184,6 +213,8 @@ class PromptedBuiltin(PromptedGuidance):
     ) -> Float[Tensor, "b 8 s s"]:
         if self.builtin.parts is None:  # no colour is then stated of any place
             return surface.new_zeros(len(surface), PART_COUNT, SIZE, SIZE)
+        if self.solid is not None and not self.negative.noun:
+            return solid_part_map(self.solid, surface, nouns)
         with torch.autocast(nouns.device.type, torch.bfloat16, enabled=self.builtin.half):
             return part_map(self.builtin.parts, surface, nouns, camera)
 
@@ -213,14 +244,16 @@ def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) 
     Raises ``MissingError`` when the weights are not there or broken.
     """
     nets = {}
-    for name in (*NETWORKS, PARTS, RESTORER):
+    for name in (*NETWORKS, PARTS, SOLID, RESTORER):
         if name == RESTORER and not (WEIGHTS / f"{name}.safetensors").exists():
             continue  # refining then denoises
         path = WEIGHTS / f"{name}.safetensors"
         try:
-            nets[name] = load_weights(path).to(device)
+            load = load_solid_net if name == SOLID else load_weights
+            nets[name] = load(path).to(device)
         except (FileNotFoundError, SafetensorError, ValueError) as error:
             raise weights_error(path, error) from error
     first = (nets[name] for name in NETWORKS)
     words = {"known": offered_words(), "ignore_unknown": ignore_unknown}
-    return BuiltinGuidance(*first, **words, parts=nets[PARTS], restorer=nets.get(RESTORER))
+    more = {"parts": nets[PARTS], "restorer": nets.get(RESTORER), "solid": nets[SOLID]}
+    return BuiltinGuidance(*first, **words, **more)

@@ -10,6 +10,7 @@ from core.errors import MissingError
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")  # whose words may be asked for
 PARTS = "parts"  # finds a thing's parts
+SOLID = "solid"  # draws the geometry's start; its words are the geometry network's
 RESTORER = "restorer"  # has no words of its own; may be missing
 
 

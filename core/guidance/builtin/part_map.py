@@ -11,6 +11,7 @@ from torch import Tensor
 
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.solid import Solid
 
 PARTS = 8  # of one noun, at most
 
@@ -32,6 +33,18 @@ def part_map(
     has = _has().to(nouns.device)[nouns][:, :, None, None]
     sure = logits.masked_fill(~has, -1e4).softmax(1)
     return sure * has * (surface[:, 3:4] > -1)
+
+
+def solid_part_map(
+    solid: Solid, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " b"]
+) -> Float[Tensor, "b 8 s s"]:
+    """The same of a drawn solid, whose parts are known: 1 where a place is of the part, else 0."""
+    covered = (surface[:, 3] + 1) / 2
+    points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
+    part = solid.part(points.reshape(-1, 3)).view(covered.shape)
+    has = _has().to(nouns.device)[nouns][:, :, None, None]
+    one = torch.nn.functional.one_hot(part, PARTS).permute(0, 3, 1, 2).to(surface)
+    return one * has * (surface[:, 3:4] > -1)
 
 
 def part_logits(

@@ -1,0 +1,125 @@
+"""A solid drawn for words: what the geometry starts from, known everywhere at once."""
+
+import json
+from dataclasses import asdict, dataclass, replace
+from functools import cache
+from pathlib import Path
+
+import torch
+from jaxtyping import Float, Int
+from safetensors.torch import load_file
+from torch import Tensor
+
+from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.sdf_net import surface
+from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
+from core.guidance.builtin.offered import read_metadata
+from core.guidance.builtin.solid_net import BASE, KINDS, SCALE, SolidNet, SolidNetConfig, Triplane
+from core.guidance.builtin.stretch import IN_PLACE, NOT_STRETCHED, STRETCH, Frame, frame_of
+from core.guidance.builtin.weights import write_tensors
+
+CHUNK = 1 << 16  # points at a time
+LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
+TABLES = ("own.weight", "kind.weight")
+RARE = 0.05  # fraction of a noun's objects below which a kind is too little known
+# Adjectives that make another thing of a noun than a stretched one. The network knows these.
+FORMS = {("table", "round")}
+
+
+@dataclass(frozen=True)
+class Solid:
+    """One object: what a network knows of it, and where it lies."""
+
+    net: SolidNet
+    triplane: Triplane
+    frame: Frame = IN_PLACE
+    swell: float = 0.0  # how far the surface is moved outwards, training units
+
+    @classmethod
+    def drawn(cls, net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> "Solid":
+        """A random one: of one of the noun's kinds, and of a code, which are normal."""
+        kind = torch.tensor([[drawn_kind(net, words, generator)]], device=words.device)
+        code = torch.randn(1, net.config.latent, generator=generator).to(words.device)
+        with torch.no_grad():
+            return cls(net, net.triplane(torch.cat([words, kind], 1), code))
+
+    def placed(self, adjective: str = "") -> "Solid":
+        """The solid as the adjective has it, about the origin and of the training's size."""
+        factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
+        frame = frame_of(self.mesh()[0], factors, swell, adjective == "round")
+        return replace(self, frame=frame, swell=swell)
+
+    def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """Signed distance, negative inside, training units; farther off than a tenth, and where
+        the frame's scale is uneven, it is less than true."""
+        return self._asked(points)[0] * (min(self.frame.scale) / SCALE) - self.swell
+
+    def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The part that each point belongs to: its place among the noun's."""
+        return self._asked(points)[1].argmax(1)
+
+    def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+        """The solid's surface on a lattice."""
+        grid = _grid()
+        verts, faces, *_ = surface(self.sdf(grid.tet_verts), grid.tet_verts, grid)
+        return verts, faces
+
+    def shape(self) -> Shape:
+        """What Ψ can be fitted to."""
+        verts, faces = self.mesh()
+        return Shape(
+            self.sdf, lambda count, generator: sample_surface(verts, faces, count, generator)
+        )
+
+    @torch.no_grad()
+    def _asked(self, points: Tensor) -> tuple[Tensor, Tensor]:
+        device = self.triplane.embedding.device
+        local = points / points.new_tensor(self.frame.scale) + points.new_tensor(self.frame.center)
+        chunks = (local.to(device) / EXTENT).split(CHUNK)
+        found = [self.net.at(self.triplane, chunk[None]) for chunk in chunks]
+        distance, part = (torch.cat(both, 1)[0] for both in zip(*found, strict=True))
+        return distance.to(points.device), part.to(points.device)
+
+
+def drawn_kind(net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> int:
+    """One of the noun's kinds, as often as the training had it with the words."""
+    noun, shape, part = words[0].tolist()
+    rows = slice(KINDS * (noun - 1) + 1, KINDS * noun + 1)
+    counts = net.counts[shape, part, rows].cpu()
+    if not counts.any():  # never seen together
+        counts = net.counts[..., rows].sum((0, 1)).cpu()
+    likely = counts * (counts >= RARE * counts.sum())
+    return rows.start + int(torch.multinomial(likely, 1, generator=generator))
+
+
+@cache
+def _grid() -> TetGrid:
+    return tet_grid(LATTICE)
+
+
+def save_solid_net(path: Path, net: SolidNet) -> None:
+    """The shipped form: half precision, and bytes for the tables of features, its bulk."""
+    tensors = {}
+    for name, tensor in net.state_dict().items():
+        if name in TABLES:
+            groups = tensor.view(-1, (2 * BASE) ** 2)  # a channel of a plane
+            step = groups.abs().amax(1, keepdim=True).clamp_min(1e-6) / 127
+            tensors[name] = (groups / step).round().to(torch.int8).view(tensor.shape)
+            tensors[f"{name}.step"] = step[:, 0].half()
+        else:
+            tensors[name] = tensor.half()
+    write_tensors(path, tensors, {"config": json.dumps(asdict(net.config))})
+
+
+def load_solid_net(path: Path) -> SolidNet:
+    """The network from its file, in single precision, ready for use."""
+    facts = read_metadata(path)["config"]
+    for name in ("words", "widths"):  # JSON has no tuples
+        facts[name] = tuple(facts[name])
+    net = SolidNet(SolidNetConfig(**facts))
+    tensors = {name: tensor.float() for name, tensor in load_file(path).items()}
+    for name in TABLES:
+        step = tensors.pop(f"{name}.step")[:, None]
+        tensors[name] = (tensors[name].view(len(step), -1) * step).view(tensors[name].shape)
+    net.load_state_dict(tensors)
+    return net.eval().requires_grad_(False)

@@ -1,0 +1,55 @@
+"""What an adjective such as "tall" does to an object: in the training, and to a drawn solid."""
+
+from typing import NamedTuple
+
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.mesh import NORMAL_RADIUS
+
+# Factors along x, y and z, and a move of the surface outwards in training units.
+STRETCH = {
+    "tall": ((0.82, 0.82, 1.25), 0.0),
+    "flat": ((1.12, 1.12, 0.62), 0.0),
+    "wide": ((1.4, 0.95, 0.95), 0.0),
+    "thick": ((1.0, 1.15, 1.0), 0.035),
+    "thin": ((0.95, 0.62, 1.0), 0.0),
+    "round": ((1.0, 1.0, 1.0), 0.055),
+}
+LEVELLING = 0.5  # of "round": the power by which the box around the object becomes a cube
+NOT_STRETCHED = ((1.0, 1.0, 1.0), 0.0)
+
+Vector = tuple[float, float, float]
+
+
+class Frame(NamedTuple):
+    """Where an object's own points come to lie: (point - center) * scale, training units."""
+
+    center: Vector
+    scale: Vector
+
+
+IN_PLACE = Frame((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+
+
+def frame_of(
+    points: Float[Tensor, "n 3"],
+    stretch: Vector = (1.0, 1.0, 1.0),
+    swell: float = 0.0,
+    level: bool = False,
+    size: float = 1.0,
+) -> Frame:
+    """The frame in which a surface's bounding-box centre is the origin, and its bounding sphere
+    about it has the radius ``NORMAL_RADIUS`` once it has been moved outwards by ``swell``.
+
+    ``size`` is a factor on that radius; ``level`` draws the box's sides nearer to each other.
+    """
+    low, high = points.amin(0), points.amax(0)
+    center, factors = (low + high) / 2, points.new_tensor(stretch)
+    if level:
+        extent = high - low
+        factors = factors * (extent.prod() ** (1 / 3) / extent) ** LEVELLING
+    radius = ((points - center) * factors).norm(dim=1).max().item()
+    a, b, c = center.tolist()
+    x, y, z = (factors * ((NORMAL_RADIUS * size - swell) / radius)).tolist()
+    return Frame((a, b, c), (x, y, z))

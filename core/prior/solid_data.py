@@ -1,0 +1,139 @@
+"""Solids of the families as numbers: a coarse volume of distances, and points with theirs.
+
+The volume is what the encoder reads, the points what the decoder is asked for. A file holds two
+objects of each noun, and takes half a minute of one core.
+"""
+
+import multiprocessing
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import torch
+from jaxtyping import Float, Int
+from safetensors.torch import load_file, save_file
+from torch import Tensor
+
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.solid import FORMS
+from core.guidance.builtin.words import OPTIONS
+from core.io.atomic import atomic_file
+from core.prior.data import ADJECTIVES, NO_PART_STATE, NOUNS, PART_STATES
+from core.prior.draw import Draw
+from core.prior.families import Shape, build, gradient
+
+SOLIDS = "solids_*.safetensors"
+SIDE = 32  # cells along an edge of the volume
+REACH = 0.2  # training units: greater distances are of no interest, and count as this
+ON, NEAR, ANYWHERE = 1536, 1536, 1024  # points of one object: at its surface, about it, in the cube
+SPREAD = 0.02  # of those at the surface
+BAND = (0.07, 0.12)  # distance of the cells that points about the surface are drawn from; if few
+FEW = 50  # cells
+FORMED = 0.3  # fraction of a noun's objects that have the form of an adjective, if it has one
+JITTER = 0.02  # of the size
+OF_EACH = 2  # objects of a noun in one file
+FIRST_SEED = 7_000_000  # away from the shards' seeds and the evaluation's
+
+
+@dataclass(frozen=True)
+class Solids:
+    """Objects; 8 and 16 bit."""
+
+    grid: Tensor  # (N, 32, 32, 32) int8, distance / REACH × 127, axes x, y, z
+    points: Tensor  # (N, p, 3) int16, place / EXTENT × 32767
+    sdf: Tensor  # (N, p) float16, within ±REACH
+    part: Tensor  # (N, p) uint8, index into the noun's parts
+    words: (
+        Tensor  # (N, 3) int16: noun, adjective, state of the parts; indices of ``core.prior.data``
+    )
+
+    def __len__(self) -> int:
+        return len(self.words)
+
+    def rows(self) -> Int[Tensor, "n 3"]:
+        """The words as the networks take them."""
+        # Every object has a noun, so its row 0 is free for "not stated".
+        return self.words.long() + torch.tensor([1, 0, 0])
+
+    def volumes(self, index: "Tensor | slice") -> Float[Tensor, "n 1 32 32 32"]:
+        """The distances, in units of REACH."""
+        return self.grid[index].float()[:, None] / 127
+
+
+def make_solids(seed: int, of_each: int = OF_EACH, nouns: list[str] = NOUNS) -> Solids:
+    """``of_each`` random objects of each noun."""
+    draw = Draw(torch.Generator().manual_seed(FIRST_SEED + seed))
+    rows = [_object(NOUNS.index(noun), draw) for noun in nouns for _ in range(of_each)]
+    names = [field.name for field in fields(Solids)]
+    return Solids(*(torch.stack([getattr(row, name) for row in rows]) for name in names))
+
+
+def _object(noun: int, draw: Draw) -> Solids:
+    forms = [a for kind, a in sorted(FORMS) if kind == NOUNS[noun] and draw.chance(FORMED)]
+    adjective = ADJECTIVES.index(forms[0]) if forms else 0
+    options = OPTIONS.get(NOUNS[noun], ())
+    unstated = draw.chance(NO_PART_STATE) or not options
+    state = 0 if unstated else PART_STATES.index(options[int(draw(0, len(options)))])
+    own = Draw(draw.generator, PART_STATES[state])
+    shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER)
+    volume = shape.sdf(_cells())
+    points = _points(shape, volume, draw.generator)
+    sdf, part = shape.distances(points).min(1)
+    return Solids(
+        grid=(volume.clamp(-REACH, REACH) / REACH * 127).round().to(torch.int8).view((SIDE,) * 3),
+        points=(points / EXTENT * 32767).round().to(torch.int16),
+        sdf=sdf.clamp(-REACH, REACH).half(),
+        part=part.to(torch.uint8),
+        words=torch.tensor([noun, adjective, state], dtype=torch.int16),
+    )
+
+
+def _cells() -> Float[Tensor, "n 3"]:
+    """The middles of the volume's cells."""
+    axis = (torch.arange(SIDE) + 0.5) * (2 * EXTENT / SIDE) - EXTENT
+    return torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
+
+
+def _points(
+    shape: Shape, volume: Float[Tensor, " c"], generator: torch.Generator
+) -> Float[Tensor, "p 3"]:
+    """At the surface, about it, anywhere."""
+    near = volume.abs() < BAND[0]
+    near = near if near.sum() >= FEW else volume.abs() < BAND[1]
+    cells = torch.multinomial(near.float(), ON + NEAR, True, generator=generator)
+    jitter = torch.rand(ON + NEAR, 3, generator=generator) - 0.5
+    about = _cells()[cells] + jitter * (2 * EXTENT / SIDE)
+    on = about[:ON]
+    on = on - shape.sdf(on)[:, None] * gradient(shape.sdf, on)
+    on = on + SPREAD * torch.randn(on.shape, generator=generator)
+    anywhere = (2 * torch.rand(ANYWHERE, 3, generator=generator) - 1) * EXTENT
+    return torch.cat([on, about[ON:], anywhere]).clamp(-EXTENT, EXTENT)
+
+
+def write_solids(folder: Path, number: int, of_each: int = OF_EACH) -> Path:
+    """Make the file ``number`` (it is also the seed) unless the folder has it; whole or not."""
+    path = folder / SOLIDS.replace("*", f"{number:05d}")
+    if not path.exists():
+        with atomic_file(path) as temporary:
+            save_file(vars(make_solids(number, of_each)), temporary)
+    return path
+
+
+def _work(job: tuple[Path, int]) -> Path:
+    torch.set_num_threads(1)
+    return write_solids(*job)
+
+
+def write_solid_files(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+    """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    if not numbers:
+        return
+    with multiprocessing.get_context("spawn").Pool(workers) as pool:
+        yield from pool.imap(_work, [(folder, number) for number in numbers])
+
+
+def read_solids(paths: list[Path]) -> Solids:
+    """Files of solids, joined."""
+    parts = [load_file(path) for path in paths]
+    names = [field.name for field in fields(Solids)]
+    return Solids(*(torch.cat([part[name] for part in parts]) for name in names))

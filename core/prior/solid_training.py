@@ -1,0 +1,137 @@
+"""Training of the network that draws solids: a conditional variational autoencoder (Kingma and
+Welling 2014; Sohn et al. 2015) over distances of the families' solids.
+"""
+
+import itertools
+from pathlib import Path
+
+import torch
+import torch.nn.functional as F
+from jaxtyping import Float, Int
+from safetensors.torch import load_file
+from torch import Tensor, nn
+
+from core.guidance.builtin.solid_net import KINDS, SCALE, SolidNet, SolidNetConfig
+from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
+from core.prior.solid_data import SOLIDS, Solids, read_solids
+from core.prior.solid_kinds import kind_rows, kinds_of
+from core.prior.train import TrainConfig, Training
+
+WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
+SOLID = SolidNetConfig(WORDS)
+FITTING = TrainConfig(minutes=120.0, batch=8, learning_rate=1.5e-3, warm_up=100)
+ASKED = 1024  # points of an object in one step
+PRIOR_WEIGHT = 4e-5  # of the code's distance to the normal distribution, nats
+PART_WEIGHT = 0.05  # of the parts' cross entropy
+PART_REACH = 0.6  # within which of the surface parts are asked for, / SCALE
+LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
+
+# Volumes, words' rows, points in [-1, 1]³ with their distances (times SCALE) and parts.
+SolidBatch = tuple[Tensor, Tensor, Tensor, Tensor, Tensor]
+
+
+class Encoder(nn.Module):
+    """A volume of distances and the words' embedding to a code's mean and log variance."""
+
+    def __init__(self, config: SolidNetConfig) -> None:
+        super().__init__()
+        widths, hidden = (1, 16, 32, 64), 256
+        layers: list[nn.Module] = []
+        for inner, outer in itertools.pairwise(widths):
+            layers += [nn.Conv3d(inner, outer, 4, 2, 1), nn.SiLU()]
+        self.net = nn.Sequential(*layers, nn.Flatten(), nn.Linear(widths[-1] * 4**3, hidden))
+        self.words = nn.Linear(config.embedding, hidden)
+        self.exit = nn.Sequential(nn.SiLU(), nn.Linear(hidden, 2 * config.latent))
+
+    def forward(
+        self, volume: Float[Tensor, "b 1 32 32 32"], embedding: Float[Tensor, "b e"]
+    ) -> tuple[Float[Tensor, "b l"], Float[Tensor, "b l"]]:
+        """Mean and log variance."""
+        mean, log_variance = self.exit(self.net(volume) + self.words(embedding)).chunk(2, 1)
+        return mean.float(), log_variance.float().clamp(*LOG_VARIANCE)
+
+
+class Autoencoder(nn.Module):
+    """What is trained: the decoder, which ships, and the encoder, which does not."""
+
+    def __init__(self, config: SolidNetConfig = SOLID) -> None:
+        super().__init__()
+        self.config = config
+        self.decoder, self.encoder = SolidNet(config), Encoder(config)
+
+    def encode(self, volume: Tensor, words: Int[Tensor, "b n"]) -> tuple[Tensor, Tensor]:
+        """Mean and log variance of the objects' codes."""
+        return self.encoder(volume, self.decoder.embedding(words))
+
+
+class SolidSource:
+    """Batches of objects from the data folder; more files are read as they come."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.middles = kinds_of(folder)
+        self.paths: list[Path] = []
+        self.rescan()
+
+    def rescan(self) -> None:
+        """Read the files, if there are new ones."""
+        paths = sorted(self.folder.glob(SOLIDS))
+        if paths != self.paths:
+            self.paths, self.samples = paths, read_solids(paths)
+            kinds = kind_rows(self.samples, self.middles)
+            self.rows = torch.cat([self.samples.rows(), kinds[:, None]], 1)
+
+    def batch(self, count: int, generator: torch.Generator) -> SolidBatch:
+        """Random objects, and some of the points of each."""
+        index = torch.randint(len(self.rows), (count,), generator=generator)
+        points, distance, part = asked(self.samples, index, ASKED, generator)
+        return self.samples.volumes(index), self.rows[index], points, distance, part
+
+    def counts(self) -> Float[Tensor, "a p k"]:
+        """How many objects there are, by adjective, state of the parts and kind."""
+        counts = torch.zeros([count + 1 for count in WORDS[1:]])
+        index = tuple(self.rows[:, 1:].T)
+        return counts.index_put(index, torch.ones(len(self.rows)), accumulate=True)
+
+
+def asked(
+    solids: Solids, index: Tensor, count: int, generator: torch.Generator
+) -> tuple[Float[Tensor, "b n 3"], Float[Tensor, "b n"], Int[Tensor, "b n"]]:
+    """``count`` points of each object, in [-1, 1]³, their distances times SCALE, their parts."""
+    points = solids.points[index]
+    some = torch.randint(points.shape[1], (len(index), count), generator=generator)
+    points = points.gather(1, some[..., None].expand(-1, -1, 3)).float() / 32767
+    distance = (solids.sdf[index].gather(1, some).float() * SCALE).clamp(-1, 1)
+    return points, distance, solids.part[index].gather(1, some).long()
+
+
+def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
+    """The distances' mean error, the parts' cross entropy near the surface, the code's prior."""
+    volume, words, points, distance, part = (tensor.to(training.device) for tensor in batch)
+    net: Autoencoder = training.net  # pyright: ignore[reportAssignmentType]
+    with torch.autocast(training.device.type, torch.bfloat16):
+        mean, log_variance = net.encode(volume, words)
+        noise = torch.randn(mean.shape, generator=training.generator).to(mean)
+        triplane = net.decoder.triplane(words, mean + noise * (log_variance / 2).exp())
+        found, logits = net.decoder.at(triplane, points)
+    near = distance.abs() < PART_REACH
+    parts = F.cross_entropy(logits[near], part[near])
+    prior = (mean.square() + log_variance.exp() - 1 - log_variance).sum(1).mean() / 2
+    return distance_loss(found, distance) + PART_WEIGHT * parts + PRIOR_WEIGHT * prior
+
+
+def distance_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
+    """Mean absolute error; what is rightly farther off than 1 has none (Park et al. 2019,
+    "DeepSDF", Eq. 4)."""
+    beyond = (distance.abs() >= 1) & (found * distance >= 1)
+    return ((found - distance).abs() * ~beyond).mean()
+
+
+def trained_solid_net(folder: Path) -> SolidNet:
+    """What ships: the decoder of the folder's checkpoint, with its averaged weights."""
+    net = Autoencoder()
+    path = folder / "solid_ema.safetensors"
+    weights = {name: tensor.float() for name, tensor in load_file(path).items()}
+    net.load_state_dict(net.state_dict() | weights)
+    net.decoder.counts.copy_(SolidSource(folder).counts())
+    return net.decoder
