@@ -35,6 +35,7 @@ def config_of(job: Job) -> Config:
         config = replace(config, texture=replace(config.texture, size=job.texture_size))
     if job.max_faces:
         config = replace(config, texture=replace(config.texture, max_faces=job.max_faces))
+    config = started(config, job)
     # Before what a strength shortens: it then shortens what the user has set, too.
     config = with_settings(config, job.settings)
     check(config)
@@ -42,18 +43,21 @@ def config_of(job: Job) -> Config:
         config = retouching(config, job.guide_strength)
     if job.guide_mesh:
         config = shortened(config, job.guide_strength)
-    elif job.guidance == BUILTIN:
-        config = from_drawn(config)
     learned = job.command == "generate" and not (job.guide_mesh and job.guide_strength == 1)
     return trained_together(config) if learned else config
 
 
-def from_drawn(config: Config) -> Config:
-    """``config`` for a solid to start from, where it asks for one: all is there, so that nothing is
-    left to distil, to grow and to refine; the fine lattice holds what Ψ lacks of it."""
-    g = config.geometry
-    if g.start != "learned":
-        return config
+def started(config: Config, job: Job) -> Config:
+    """``config`` for what the geometry starts from: a drawn solid, where the job can have one.
+
+    All is there then, so that nothing is left to distil, to grow and to refine, unless the job's
+    own settings say so; the fine lattice holds what Ψ lacks of the solid.
+    """
+    g, asked = config.geometry, with_settings(config, job.settings).geometry
+    # An ablation learns the shape in another way, which is what it is there to show.
+    able = job.guidance == BUILTIN and not job.guide_mesh and asked.pictures == "normals"
+    if asked.start != "learned" or not able:
+        return replace(config, geometry=replace(g, start="ellipsoid"))
     less = replace(
         g,
         coarse=replace(g.coarse, steps=0),

@@ -159,7 +159,7 @@ class SolidNet(nn.Module):
         return out[..., 0], out[..., 1:]
 
 
-def with_others(planes: list[Float[Tensor, "b c s s"]]) -> list[Float[Tensor, "b 3c s s"]]:
+def with_others(planes: list[Float[Tensor, "b c s s"]]) -> list[Float[Tensor, "b _ s s"]]:
     """Each plane next to the others' means along the axis that it lacks (rolled out: Wang et al.
     2023, "Rodin", §3.2): what stands at a row of one is at the same row of another."""
     xy, xz, yz = planes

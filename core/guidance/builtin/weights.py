@@ -10,6 +10,7 @@ from torch import Tensor
 from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
 from core.guidance.builtin.offered import read_metadata
+from core.guidance.builtin.solid_net import SolidNetConfig
 from core.io.atomic import atomic_file
 
 
@@ -22,7 +23,10 @@ def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, st
 
 
 def save_weights(
-    path: Path, config: UNetConfig, tensors: dict[str, Tensor], words: Vocabulary | None = None
+    path: Path,
+    config: UNetConfig | SolidNetConfig,
+    tensors: dict[str, Tensor],
+    words: Vocabulary | None = None,
 ) -> None:
     """The shipped form, in half precision; ``words`` are those by slot that are good enough."""
     half = {name: tensor.half() for name, tensor in tensors.items()}

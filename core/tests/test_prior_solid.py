@@ -1,0 +1,302 @@
+"""The network that draws solids: its parts, its data, its training, and what it ships with."""
+
+from dataclasses import replace
+from functools import partial
+
+import pytest
+import torch
+
+from core.geometry.mesh import NORMAL_RADIUS
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.offered import SOLID, WEIGHTS
+from core.guidance.builtin.solid import Solid, drawn_kind, load_solid_net, save_solid_net
+from core.guidance.builtin.solid_net import (
+    KINDS,
+    PARTS,
+    SCALE,
+    SolidNet,
+    SolidNetConfig,
+    with_others,
+)
+from core.io.job import Job
+from core.job_config import config_of
+from core.prior import solid_kinds, solid_training
+from core.prior.data import NOUNS
+from core.prior.draw import Draw
+from core.prior.families import build
+from core.prior.solid_data import (
+    REACH,
+    SIDE,
+    make_solids,
+    read_solids,
+    write_solid_files,
+    write_solids,
+)
+from core.prior.solid_kinds import compared, kind_rows, kinds_of
+from core.prior.solid_training import (
+    WORDS,
+    Autoencoder,
+    SolidSource,
+    distance_loss,
+    solid_loss,
+    trained_solid_net,
+)
+from core.prior.train import TrainConfig, Training
+
+NOUN = ["mug", "chair"]
+TINY = SolidNetConfig(WORDS, latent=4, embedding=16, widths=(16, 16, 8, 8), hidden=16)
+
+
+def _generator(seed: int = 0) -> torch.Generator:
+    return torch.Generator().manual_seed(seed)
+
+
+def _rows(noun: str, kind: int = 0) -> torch.Tensor:
+    row = 1 + list(ORDER).index(noun)
+    return torch.tensor([[row, 0, 0, KINDS * (row - 1) + 1 + kind]])
+
+
+def _tiny() -> SolidNet:
+    torch.manual_seed(0)
+    net = SolidNet(TINY)
+    torch.nn.init.normal_(net.own.weight)
+    torch.nn.init.normal_(net.kind.weight)
+    net.counts[0, 0, 1:] = 1
+    return net.eval().requires_grad_(False)
+
+
+@pytest.fixture(scope="module")
+def shipped() -> SolidNet:
+    return load_solid_net(WEIGHTS / f"{SOLID}.safetensors")
+
+
+def _drawn(net: SolidNet, noun: str, seed: int = 0) -> Solid:
+    return Solid.drawn(net, _rows(noun)[:, :3], _generator(seed)).placed()
+
+
+def test_a_plane_sees_the_others_mean_at_the_row_that_they_share():
+    xy, xz, yz = torch.randn(3, 1, 2, 4, 4).unbind()
+    of_xy, of_xz, of_yz = with_others([xy, xz, yz])
+    for i in range(4):
+        for j in range(4):
+            torch.testing.assert_close(of_xy[0, 2:4, i, j], xz[0, :, i].mean(1))  # the same x
+            torch.testing.assert_close(of_xy[0, 4:, i, j], yz[0, :, j].mean(1))  # the same y
+            torch.testing.assert_close(of_xz[0, 4:, i, j], yz[0, :, :, j].mean(1))  # the same z
+            torch.testing.assert_close(of_yz[0, 2:4, i, j], xy[0, :, :, i].mean(1))
+            torch.testing.assert_close(of_yz[0, 4:, i, j], xz[0, :, :, j].mean(1))
+
+
+def test_an_answer_depends_on_noun_kind_code_and_point():
+    net, points = _tiny(), torch.rand(1, 50, 3, generator=_generator()) * 2 - 1
+    code = torch.zeros(1, 4)
+
+    def at(words, code=code, points=points):
+        distance, parts = net.at(net.triplane(words, code), points)
+        assert distance.shape == (1, 50) and parts.shape == (1, 50, PARTS)
+        return distance
+
+    plain = at(_rows("mug"))
+    assert not torch.equal(plain, at(_rows("chair")))
+    assert not torch.equal(plain, at(_rows("mug", kind=1)))
+    assert not torch.equal(plain, at(_rows("mug"), code=code + 1))
+    assert not torch.equal(plain, at(_rows("mug"), points=points.flip(2)))
+    assert torch.equal(plain, at(_rows("mug")))
+
+
+def test_weights_travel_in_halves_and_bytes(tmp_path):
+    net = _tiny()
+    save_solid_net(tmp_path / "solid.safetensors", net)
+    again = load_solid_net(tmp_path / "solid.safetensors")
+    assert again.config == net.config
+    for (name, old), new in zip(net.state_dict().items(), again.state_dict().values(), strict=True):
+        step = old.abs().max() / 127 if name in ("own.weight", "kind.weight") else 1e-2
+        assert (old - new).abs().max() <= 0.51 * step + 1e-3, name
+
+
+def test_a_kind_is_drawn_as_often_as_the_training_had_it():
+    net = _tiny()
+    net.counts.zero_()
+    first = int(_rows("mug")[0, 3])
+    net.counts[0, 0, first + 1] = 30
+    net.counts[0, 0, first + 2] = 60
+    net.counts[0, 0, first + 3] = 2  # rare: hardly known
+    words = _rows("mug")[:, :3]
+    drawn = [drawn_kind(net, words, _generator(seed)) - first for seed in range(300)]
+    assert set(drawn) == {1, 2}
+    assert 0.2 < drawn.count(1) / len(drawn) < 0.46
+    # Words that never came with the noun: any kind of the noun's.
+    unseen = words + torch.tensor([[0, 3, 0]])
+    assert drawn_kind(net, unseen, _generator()) - first in (1, 2)
+
+
+@pytest.mark.parametrize("adjective", ["", "tall", "flat", "thick", "round"])
+def test_a_placed_solid_is_of_the_trainings_size(shipped, adjective):
+    solid = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective)
+    verts, _ = solid.mesh()
+    low, high = verts.amin(0), verts.amax(0)
+    assert (low + high).abs().max() < 0.04
+    radius = (verts - (low + high) / 2).norm(dim=1).max().item()
+    assert radius == pytest.approx(NORMAL_RADIUS, abs=0.03)
+    assert solid.sdf(verts).abs().mean() < 0.01
+
+
+def test_tall_is_taller_and_flat_flatter(shipped):
+    def slender(adjective):
+        verts, _ = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective).mesh()
+        x, _, z = (verts.amax(0) - verts.amin(0)).tolist()
+        return z / x
+
+    assert slender("flat") < 0.75 * slender("") < slender("") < 0.8 * slender("tall")
+
+
+def test_solids_are_what_their_family_says():
+    solids = make_solids(3, of_each=1, nouns=NOUN)
+    assert len(solids) == 2 and solids.rows()[0, 0] == 1 + NOUNS.index("mug")
+    points = solids.points[1].float() / 32767 * EXTENT
+    assert points.abs().max() <= EXTENT
+    # A volume's cell and a point near to its middle agree.
+    cell = ((points + EXTENT) * (SIDE / (2 * EXTENT))).long().clamp_max(SIDE - 1)
+    volume = solids.volumes(slice(1, 2))[0, 0][tuple(cell.T)] * REACH
+    assert (volume - solids.sdf[1].float()).abs().max() < 1.8 * EXTENT / SIDE + 0.01
+    near = solids.sdf[1].float().abs() < 0.05
+    assert near.float().mean() > 0.5
+    assert solids.part[1].unique().numel() > 1  # a chair has legs and a seat
+    again = make_solids(3, of_each=1, nouns=NOUN)
+    assert torch.equal(again.points, solids.points)
+
+
+def test_only_a_round_table_keeps_its_adjective():
+    words = make_solids(0, of_each=12, nouns=["table", "mug"]).words
+    assert set(words[words[:, 0] == NOUNS.index("mug"), 1].tolist()) == {0}
+    assert len(set(words[words[:, 0] == NOUNS.index("table"), 1].tolist())) == 2
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Objects of two nouns; the others' kinds are empty."""
+    path = tmp_path_factory.mktemp("solids")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("core.prior.solid_data.make_solids", partial(make_solids, nouns=NOUN))
+        for number in range(3):
+            write_solids(path, number, of_each=4)
+    return path
+
+
+def test_files_are_made_once_and_whole(folder):
+    paths = sorted(folder.glob("solids_*.safetensors"))
+    before = [path.stat().st_mtime_ns for path in paths]
+    assert write_solids(folder, 0) == paths[0]
+    assert [path.stat().st_mtime_ns for path in paths] == before
+    assert len(read_solids(paths)) == 24
+    assert list(write_solid_files(folder, range(0), 1)) == []
+
+
+def test_kinds_tell_apart_what_looks_different(folder):
+    solids = read_solids(sorted(folder.glob("solids_*.safetensors")))
+    chairs = solids.words[:, 0] == NOUNS.index("chair")
+    middles = kinds_of(folder)
+    rows = kind_rows(solids, middles)
+    first = 1 + KINDS * NOUNS.index("chair")
+    assert ((rows[chairs] >= first) & (rows[chairs] < first + KINDS)).all()
+    assert rows[chairs].unique().numel() > 1
+    found = compared(solids.grid[chairs])
+    away = torch.cdist(found, middles[NOUNS.index("chair")])
+    assert torch.equal(away.argmin(1) + first, rows[chairs])
+    # Within a kind objects are nearer to its middle than to that of all.
+    assert away.amin(1).mean() < (found - found.mean(0)).norm(dim=1).mean()
+    assert torch.equal(kinds_of(folder), middles)  # found once
+    assert solid_kinds.NAME in {path.name for path in folder.iterdir()}
+
+
+def test_what_is_rightly_far_has_no_error():
+    found = torch.tensor([[3.0, -3.0, 3.0, 0.2]])
+    wanted = torch.tensor([[1.0, -1.0, -1.0, 0.5]])
+    assert distance_loss(found, wanted) == pytest.approx((0 + 0 + 4 + 0.3) / 4)
+
+
+def test_a_training_learns_ships_and_draws(folder, tmp_path, monkeypatch):
+    monkeypatch.setattr(solid_training, "Autoencoder", partial(Autoencoder, TINY))
+    config = TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=5e-3)
+    training = Training(partial(Autoencoder, TINY), config, objective=solid_loss)
+    source = SolidSource(folder)
+    training.advance(source)
+    first = training.loss
+    for _ in range(40):
+        training.advance(source)
+    batch = source.batch(8, _generator(1))
+    with torch.no_grad():
+        assert solid_loss(training, batch) < 0.8 * first
+    for path in folder.iterdir():
+        (tmp_path / path.name).symlink_to(path)
+    training.save(tmp_path / "solid.safetensors")
+    net = trained_solid_net(tmp_path)
+    assert net.counts.sum() == len(source.samples)
+    drawn = drawn_kind(net, _rows("chair")[:, :3], _generator())
+    assert net.counts[..., drawn].sum() > 0
+
+
+# Of things with legs, handles, wheels and spikes.
+DRAWN = ("chair", "mug", "car", "robot", "table", "sword", "bookshelf", "dragon", "teapot", "crown")
+
+
+@pytest.mark.parametrize("noun", DRAWN)
+def test_the_shipped_network_draws_the_thing(shipped, noun):
+    side = torch.linspace(-1, 1, 40)
+    points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1).view(-1, 3)
+    inside = _drawn(shipped, noun).sdf(points) < 0
+    draw = Draw(_generator(5))
+    family = [build(noun, "", draw, jitter=0.0).sdf(points) < 0 for _ in range(24)]
+    likeness = max(float((inside & o).sum() / (inside | o).sum()) for o in family)
+    assert likeness > 0.55, f"{noun}: {likeness:.2f} of the most similar object's volume"
+
+
+def test_the_shipped_network_knows_the_parts(shipped):
+    solid = _drawn(shipped, "chair")
+    verts, _ = solid.mesh()
+    parts = solid.part(verts)
+    low = verts[:, 2] < verts[:, 2].amin() + 0.15
+    names = build("chair", "", Draw(_generator())).names
+    assert (parts[low] == names.index("legs")).float().mean() > 0.9
+    assert (parts[~low] == names.index("legs")).float().mean() < 0.5
+
+
+def test_a_seed_is_one_object_and_seeds_differ(shipped):
+    points = torch.rand(2000, 3, generator=_generator()) * 2 - 1
+    one, same, other = (_drawn(shipped, "vase", seed).sdf(points) for seed in (0, 0, 1))
+    assert torch.equal(one, same)
+    assert not torch.equal(one, other)
+
+
+def test_what_can_be_drawn_needs_no_growing():
+    drawn = config_of(Job(prompt="a chair")).geometry
+    assert drawn.start == "learned" and drawn.net.residual > 0
+    assert drawn.coarse.steps == drawn.grow.rounds == drawn.refine.rounds == 0
+
+
+@pytest.mark.parametrize(
+    "job",
+    [
+        Job(prompt="a chair", guide_mesh="x.obj", guide_strength=0.5),
+        Job(prompt="a chair", guidance="models/sd15"),
+        Job(prompt="a chair", settings={"geometry.start": "ellipsoid"}),
+        Job(prompt="a chair", settings={"geometry.pictures": "shaded"}),
+        Job(prompt="a chair", preset="sds"),
+    ],
+    ids=["guide", "Stable Diffusion", "asked for", "ablation", "distillation alone"],
+)
+def test_what_is_not_drawn_is_distilled(job):
+    geometry = config_of(job).geometry
+    assert geometry.start == "ellipsoid"
+    assert geometry.coarse.steps > 0
+
+
+def test_steps_that_are_asked_for_are_taken():
+    job = Job(prompt="a chair", settings={"geometry.coarse.steps": 7})
+    geometry = config_of(job).geometry
+    assert (geometry.start, geometry.coarse.steps) == ("learned", 7)
+    assert replace(geometry).grow.rounds == 0
+
+
+def test_scale_is_that_of_the_tenth():
+    assert pytest.approx(1.0) == SCALE * 0.1
