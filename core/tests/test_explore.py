@@ -14,6 +14,8 @@ from core.tests.tiny_runs import OPTIONS, made
 
 PROMPT = "a red torus"
 
+pytestmark = pytest.mark.usefixtures("once")
+
 
 def run(*argv: object) -> None:
     assert main([*map(str, argv)]) == 0
@@ -24,7 +26,7 @@ def last(folder: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def shapes(tmp_path_factory: pytest.TempPathFactory, once: None) -> Path:
     """Two candidates, of the seeds 3 and 4."""
     folder = tmp_path_factory.mktemp("explore") / "tori"
     run("explore", PROMPT, "--count=2", "--seed=3", "--out", folder, *OPTIONS)
