@@ -95,6 +95,16 @@ def test_what_cannot_be_explored_is_said_and_writes_nothing(shapes, tmp_path, ca
     assert not (tmp_path / "new").exists()
 
 
+@pytest.mark.parametrize("command", ["explore", "recolor"])
+def test_a_picture_of_the_users_is_never_replaced(command, shapes, tmp_path, capsys):
+    mine = tmp_path / "candidates.png"
+    mine.write_text("precious")
+    what = PROMPT if command == "explore" else str(shapes / "candidate-2")
+    assert main([command, what, "--out", str(tmp_path)]) == 2
+    assert "is not of candidates" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == [mine] and mine.read_text() == "precious"
+
+
 def test_the_steps_before_a_stop():
     assert first_steps([30, 200, 0, 120], None) == [30, 200, 0, 120]
     assert first_steps([30, 200, 0, 120], 130) == [30, 100, 0, 0]
