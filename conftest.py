@@ -57,9 +57,10 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The files that take longest, by their CPU seconds: the processes end together if they come first.
 LONGEST = (
-    "test_generate.py", "test_faults.py", "test_shading_matches_cycles.py", "test_bad_inputs.py",
-    "test_stages.py", "test_guide.py", "test_asset_matches_cycles.py", "test_offline.py",
-    "test_bench_distillation.py", "test_fit.py", "test_hash_start.py", "test_file_failures.py",
+    "test_prior_families.py", "test_generate.py", "test_prior_guidance.py", "test_bad_inputs.py",
+    "test_stages.py", "test_exports.py", "test_faults.py", "test_fit.py",
+    "test_asset_matches_cycles.py", "test_full_disk.py", "test_shading_matches_cycles.py",
+    "test_lora.py", "test_detail.py", "test_interrupt.py", "test_packing.py", "test_recipes.py",
 )  # fmt: skip
 
 

@@ -33,7 +33,7 @@ def explore(folder: Path, job: Job, count: int, make: Any) -> Path:
 
     ``make(run, inputs, until)`` carries a run out. Called again, it makes what is missing.
     """
-    _check_count(count)
+    _check(folder, count)
     if job.command != "generate" or (job.guide_mesh and job.guide_strength == 1):
         raise UserError("There is no shape to explore: the mesh is given.", "Use recolor.")
     inputs = prepare(job)  # once: no seed is in it
@@ -43,7 +43,7 @@ def explore(folder: Path, job: Job, count: int, make: Any) -> Path:
 
 def recolor(folder: Path, shape: Path, count: int, make: Any) -> Path:
     """First looks at ``count`` materials on the shape of the run ``shape``; the contact sheet."""
-    _check_count(count)
+    _check(folder, count)
     source = RunFolder.open(shape)
     if not source.has("mesh"):
         raise UserError(
@@ -124,7 +124,13 @@ def write_sheet(path: Path, runs: Sequence[RunFolder], until: str) -> None:
         sheet.save(temporary, "PNG")
 
 
-def _check_count(count: int) -> None:
+def _check(folder: Path, count: int) -> None:
+    """Refuse a wrong count, and a folder whose sheet is the user's own picture."""
     low, high = COUNT
     if not low <= count <= high:
         raise UserError(f"--count is {count}.", f"It takes {low} to {high}.")
+    if (folder / SHEET).exists() and not any(folder.glob("candidate-*/job.json")):
+        raise UserError(
+            f"{folder} holds a {SHEET} that is not of candidates.",
+            "Choose another --out, or rename that file.",
+        )

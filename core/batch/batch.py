@@ -21,6 +21,9 @@ from core.io.atomic import disk_errors
 from core.io.job import Job
 from core.io.lock import run_lock
 
+# The batch's own files, by stem and ending; the lock stays, and shows that the others are ours.
+LOCK, REPORT, SHEET = ("batch", ".lock"), ("report", ".csv"), ("contact_sheet", ".html")
+
 
 @dataclass(frozen=True)
 class Part:
@@ -48,9 +51,10 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
     part = Part(args.out, *args.shard)
     rows = read_table(args.table)[part.at - 1 :: part.of]
     tasks = plan(rows, part.out, job_of)
+    _keep_the_users(part)
     with disk_errors(part.out):
         part.out.mkdir(parents=True, exist_ok=True)
-    with run_lock(part.out, part.file("batch", ".lock")):
+    with run_lock(part.out, part.file(*LOCK)):
         return _make(tasks, part, args)
 
 
@@ -61,6 +65,18 @@ def _check(args: Namespace) -> None:
         raise UserError(f"--timeout is {args.timeout:g}.", "It takes seconds, more than 0.")
     if args.out.exists() and not args.out.is_dir():
         raise UserError(f"--out is {args.out}, which is no folder.", "Name a folder, or a new one.")
+
+
+def _keep_the_users(part: Part) -> None:
+    """Refuse a folder with a report or a sheet that no batch has written."""
+    if (part.out / part.file(*LOCK)).exists():
+        return
+    for name in (part.file(*REPORT), part.file(*SHEET)):
+        if (part.out / name).exists():
+            raise UserError(
+                f"{part.out} holds a {name} that is not of a batch.",
+                "Choose another --out, or rename that file.",
+            )
 
 
 @contextmanager
@@ -83,7 +99,7 @@ def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
 
     def save(states: dict[Path, State]) -> list[Result]:
         results = [result_of(task, states) for task in tasks]
-        write_report(part.out / part.file("report", ".csv"), results)
+        write_report(part.out / part.file(*REPORT), results)
         return results
 
     states: dict[Path, State] = {}
@@ -99,7 +115,7 @@ def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
         stopped = True
     results = save(states)
     title = f"{args.table.stem}: {len(results)} assets"
-    sheet = write_sheet(part.out, part.file("contact_sheet", ".html"), results, title)
+    sheet = write_sheet(part.out, part.file(*SHEET), results, title)
     _raise_what_is_wrong(results, stopped, part)
     return sheet
 

@@ -163,7 +163,8 @@ def be_node(args: Namespace) -> NoReturn:
     where = ["--head", f"--port={args.port}"] if not args.join else [f"--address={args.join}"]
     more = ["--include-dashboard=false"] if not args.join else []
     limits = [f"--num-cpus={args.cpus}"] if args.cpus is not None else []
-    command = [sys.executable, "-m", "ray.scripts.scripts", "start", "--block"]
+    # -P: no module comes from the current folder.
+    command = [sys.executable, "-P", "-m", "ray.scripts.scripts", "start", "--block"]
     environ = {**os.environ, **QUIET, "PYTHONPATH": _path()}
     sys.stdout.flush()
     os.execve(command[0], [*command, *where, *more, *limits], environ)

@@ -48,6 +48,9 @@ def make_guidance(
                 "Leave them out, or name a Stable Diffusion checkpoint with --guidance.",
             )
         return load_builtin(device, ignore_unknown=ignore_unknown)
+    from core.guidance.stable_diffusion.checkpoint import find_checkpoint
+
+    find_checkpoint(spec)  # a wrong name is refused before diffusers is imported, which takes 10 s
     from core.guidance.stable_diffusion.guidance import StableDiffusion
     from core.guidance.stable_diffusion.source import Additions
 

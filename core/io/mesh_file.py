@@ -97,7 +97,8 @@ def _usable_uv(uv: object, count: int) -> np.ndarray | None:
     found = np.asarray(uv) if uv is not None else np.empty(0)
     if found.ndim != 2 or found.shape[1] < 2 or len(found) != count:
         return None
-    return found[:, :2] if np.isfinite(found[:, :2]).all() else None
+    # NaN is not less than it, and what is more would be infinite in float32.
+    return found[:, :2] if (np.abs(found[:, :2]) < MAX_COORDINATE).all() else None
 
 
 def _check_indices(path: Path, part: trimesh.Trimesh) -> None:

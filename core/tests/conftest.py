@@ -1,6 +1,7 @@
 """What more than one file of tests starts from."""
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,16 @@ def shared(tmp_path_factory) -> Path:
     folder = (root.parent if "PYTEST_XDIST_WORKER" in os.environ else root) / "shared"
     folder.mkdir(exist_ok=True)
     return folder
+
+
+@pytest.fixture(scope="module")
+def once() -> Iterator[None]:
+    """For tests of whole runs: their weights, light and packing are made once."""
+    # Imported here: it brings the whole method.
+    from core.tests import tiny_runs
+
+    with tiny_runs.once():
+        yield
 
 
 @pytest.fixture(scope="session")

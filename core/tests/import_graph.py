@@ -5,6 +5,7 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -76,15 +77,22 @@ def _name(path: Path, root: Path) -> str:
 def _imports(path: Path, module: str) -> Iterator[tuple[str, list[str]]]:
     """Each import: a module, and the names that are taken from it."""
     package = module if path.stem == "__init__" else module.rpartition(".")[0]
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in _statements(path.read_text(encoding="utf-8")):
         if isinstance(node, ast.Import):
             yield from ((alias.name, []) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
+        else:
             base = node.module or ""
             if node.level:  # relative: so many packages up, less the one that "." names
                 above = ".".join(package.split(".")[: len(package.split(".")) - node.level + 1])
                 base = f"{above}.{base}".rstrip(".")
             yield base, [alias.name for alias in node.names]
+
+
+@cache
+def _statements(source: str) -> tuple[ast.Import | ast.ImportFrom, ...]:
+    """A file's imports, read once for all who ask."""
+    found = ast.walk(ast.parse(source))
+    return tuple(node for node in found if isinstance(node, ast.Import | ast.ImportFrom))
 
 
 def _reached(graph: Graph, starts: set[str]) -> set[str]:

@@ -3,6 +3,7 @@
 import os
 import re
 import shlex
+import stat
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -39,10 +40,12 @@ def listed(folder: Path) -> dict[str, tuple[int, int]]:
     """Every file below ``folder``, its size and the time of its last change."""
     found = {}
     for above, _, names in os.walk(folder):
-        for path in (Path(above), *(Path(above, name) for name in names)):
-            stat = path.lstat()
-            found[str(path)] = (stat.st_size if path.is_file() else 0, stat.st_mtime_ns)
-    return found
+        for path in (above, *(os.path.join(above, name) for name in names)):  # noqa: PTH118
+            found[path] = os.lstat(path)
+    return {
+        path: (status.st_size if stat.S_ISREG(status.st_mode) else 0, status.st_mtime_ns)
+        for path, status in found.items()
+    }
 
 
 @pytest.fixture(scope="module")

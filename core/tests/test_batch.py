@@ -184,6 +184,16 @@ def test_a_second_call_makes_only_what_is_missing(table, tmp_path, capsys):
     assert "3 of 3 done, 0 running, 0 failed" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["report.csv", "contact_sheet.html"])
+def test_a_file_of_the_users_in_its_folder_is_never_replaced(table, tmp_path, capsys, name):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / name).write_text("precious")
+    assert main(["batch", *table("a chair\n", "t.txt")]) == 2
+    assert f"{name} that is not of a batch" in capsys.readouterr().err
+    assert [path.name for path in (tmp_path / "out").iterdir()] == [name]
+    assert (tmp_path / "out" / name).read_text() == "precious"
+
+
 def test_what_fails_has_a_code_of_its_own_and_the_rest_is_made(table, tmp_path, capsys):
     argv = table("prompt,seed\nan unknown,\na chair,x\na mug,\n,\n")
     assert main(["batch", *argv, "--at-once", "2"]) == 6

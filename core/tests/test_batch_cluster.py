@@ -3,8 +3,11 @@
 Needs ``run.py setup ray``; run it with ``-m slow``.
 """
 
+import os
 import socket
+import subprocess
 import threading
+from argparse import Namespace
 from functools import partial
 
 import pytest
@@ -104,3 +107,23 @@ def test_no_cluster_is_one_sentence(tmp_path, capsys):
     argv = ["batch", str(tmp_path / "t.txt"), "--out", str(tmp_path / "out")]
     assert main([*argv, "--ray", "127.0.0.1:1"]) == 2
     assert "There is no Ray cluster at '127.0.0.1:1'" in capsys.readouterr().err
+
+
+def test_a_node_takes_no_module_from_the_current_folder(tmp_path, monkeypatch):
+    from core.batch.cluster import be_node
+
+    started = []
+
+    def become(*given):
+        started.append(given)
+        raise SystemExit
+
+    monkeypatch.setattr(os, "execve", become)
+    with pytest.raises(SystemExit):
+        be_node(Namespace(join="", head=True, port=6379, cpus=None))
+    mark = tmp_path / "mark"
+    (tmp_path / "ray.py").write_text(f"open({str(mark)!r}, 'w')\n")
+    _, words, environ = started[0]
+    ray = words[: words.index("start")]
+    subprocess.run([*ray, "--version"], env=environ, cwd=tmp_path, check=True)
+    assert not mark.exists()

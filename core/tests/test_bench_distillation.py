@@ -5,7 +5,6 @@ import json
 import pytest
 import torch
 
-from core.appearance.environment import Environment
 from core.benchmarks.bench_distillation import (
     INVERSION_STEPS,
     METHODS,
@@ -15,8 +14,7 @@ from core.benchmarks.bench_distillation import (
 )
 from core.errors import UserError
 from core.guidance.builtin.guidance import PromptedBuiltin
-from core.tests.tiny_runs import packed_once, remembered
-from core.texture import unwrap
+from core.tests.tiny_runs import TINY
 
 
 def test_every_method_gets_the_same_number_of_network_calls():
@@ -30,6 +28,7 @@ def test_every_method_gets_the_same_number_of_network_calls():
         assert config.geometry.fine.steps == config.appearance.late.steps == 0
 
 
+@pytest.mark.usefixtures("once")  # the three appearances are of one solid under one light
 def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatch, capsys):
     """With a guidance that predicts nothing: the file's work, not the network's."""
     asked = []
@@ -41,12 +40,9 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
         return Predictions(torch.zeros_like(z_t), torch.zeros_like(z_t))
 
     monkeypatch.setattr(PromptedBuiltin, "predict", nothing)
-    # The three appearances are of one solid under one light.
-    light = remembered(Environment.of.__func__)
-    monkeypatch.setattr(Environment, "of", classmethod(light))
-    monkeypatch.setattr(unwrap, "pack", packed_once())
     small = ["geometry.resolution=12,12", "geometry.fit_steps=20", "geometry.views=2"]
     small += ["appearance.views=2", "appearance.log2_hash_size=8"]
+    small += [f"{key}={value}" for key, value in TINY.items() if "sharpen" in key]
     out = tmp_path / "table.json"
     bench_distillation(["ball"], small, 4, tmp_path / "runs", out)
     assert len(asked) == len(METHODS) * 4

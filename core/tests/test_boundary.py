@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,7 +24,8 @@ BANNED = {
 ONE_FILE = ("diffusers", "transformers", "xatlas", "OpenEXR", "OpenImageIO", "ray")
 
 
-def imported(source: str) -> set[str]:
+@cache
+def imported(source: str) -> frozenset[str]:
     """Top-level names of all imports in ``source``, at any depth, also by ``import_module``."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(source)):
@@ -36,10 +38,10 @@ def imported(source: str) -> set[str]:
             name = node.args[0]
             if called in ("import_module", "__import__") and isinstance(name, ast.Constant):
                 names.add(str(name.value))
-    return {name.partition(".")[0] for name in names}
+    return frozenset(name.partition(".")[0] for name in names)
 
 
-def files(package: str) -> Iterator[tuple[str, set[str]]]:
+def files(package: str) -> Iterator[tuple[str, frozenset[str]]]:
     """Each file of ``package`` but its tests, and what it imports."""
     found = [path for path in (ROOT / package).rglob("*.py") if "tests" not in path.parts]
     assert found, f"{package}/ holds no Python file: was it renamed?"
@@ -94,7 +96,7 @@ def test_the_boundary_test_fails_on_a_trespass(tmp_path, monkeypatch):
 def test_the_launcher_needs_the_standard_library_alone(package):
     path = ROOT / package
     found = [path] if path.is_file() else list(path.glob("*.py"))
-    names = set().union(*(imported(file.read_text(encoding="utf-8")) for file in found))
+    names = frozenset().union(*(imported(file.read_text(encoding="utf-8")) for file in found))
     own = {"fantasia3d_addon", "core", "bpy"} if package == "run.py" else set()
     assert names - set(sys.stdlib_module_names) <= own | {"tomllib"}
 

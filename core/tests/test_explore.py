@@ -14,6 +14,8 @@ from core.tests.tiny_runs import OPTIONS, made
 
 PROMPT = "a red torus"
 
+pytestmark = pytest.mark.usefixtures("once")
+
 
 def run(*argv: object) -> None:
     assert main([*map(str, argv)]) == 0
@@ -24,7 +26,7 @@ def last(folder: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def shapes(tmp_path_factory: pytest.TempPathFactory, once: None) -> Path:
     """Two candidates, of the seeds 3 and 4."""
     folder = tmp_path_factory.mktemp("explore") / "tori"
     run("explore", PROMPT, "--count=2", "--seed=3", "--out", folder, *OPTIONS)
@@ -91,6 +93,16 @@ def test_what_cannot_be_explored_is_said_and_writes_nothing(shapes, tmp_path, ca
     assert main([word.format(**places) for word in argv]) == 2
     assert text in capsys.readouterr().err
     assert not (tmp_path / "new").exists()
+
+
+@pytest.mark.parametrize("command", ["explore", "recolor"])
+def test_a_picture_of_the_users_is_never_replaced(command, shapes, tmp_path, capsys):
+    mine = tmp_path / "candidates.png"
+    mine.write_text("precious")
+    what = PROMPT if command == "explore" else str(shapes / "candidate-2")
+    assert main([command, what, "--out", str(tmp_path)]) == 2
+    assert "is not of candidates" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == [mine] and mine.read_text() == "precious"
 
 
 def test_the_steps_before_a_stop():

@@ -54,7 +54,7 @@ def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, tru
 
 
 def test_the_sharpening_reaches_it_too(block, truth) -> None:
-    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=4))
+    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=4, views=16))
     assert misses(scores(*fitted(block, crisp), truth)) == []
 
 

@@ -1,11 +1,10 @@
 """The main job, short but real: words in, an asset folder out, by the command line."""
 
 import os
-import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -26,55 +25,52 @@ from core.io.obj import obj_text
 from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
 from core.tests import tiny_runs
+from core.tests.forked import ONE_THREAD, Session
 from core.tests.offline import attempts, cut_off, recorder
 
 ROOT = Path(__file__).parents[2]
 SHORT = {
-    "geometry.coarse.steps": 8,
+    "geometry.coarse.steps": 4,
     "geometry.grow.rounds": 1,
-    "geometry.grow.steps": 4,
-    "geometry.grow.views": 4,
+    "geometry.grow.steps": 2,
+    "geometry.grow.views": 2,
     "geometry.fine.steps": 2,
     "geometry.refine.rounds": 2,
-    "geometry.refine.steps": 4,
-    "geometry.refine.views": 4,
+    "geometry.refine.steps": 2,
+    "geometry.refine.views": 2,
     "geometry.sharpen.rounds": 1,
-    "geometry.sharpen.views": 8,
+    "geometry.sharpen.views": 2,
     "geometry.sharpen.passes": 1,
-    "geometry.sharpen.steps": 4,
-    "geometry.sharpen.size": 64,
-    "geometry.resolution": "24,28",
-    "geometry.fit_steps": 100,
-    "geometry.views": 3,
-    "geometry.views_at_once": 3,
-    "appearance.early.steps": 30,
+    "geometry.sharpen.steps": 2,
+    "geometry.sharpen.size": 32,
+    "geometry.resolution": "16,20",
+    "geometry.fit_steps": 60,
+    "geometry.views": 2,
+    "geometry.views_at_once": 2,
+    "appearance.early.steps": 20,
     "appearance.late.steps": 2,
     "appearance.refine.rounds": 1,
-    "appearance.refine.steps": 10,
-    "appearance.refine.views": 4,
+    "appearance.refine.steps": 4,
+    "appearance.refine.views": 2,
     "appearance.refine.size": 64,
     "appearance.learning_rate": 0.03,
     "appearance.early.size": 64,
     "appearance.late.size": 64,
-    "appearance.views": 3,
+    "appearance.views": 2,
 }
 OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
-OPTIONS += ["--texture-size=128", "--max-faces=1500"]
+OPTIONS += ["--texture-size=64", "--max-faces=600"]
 
 
-def core(*argv: object, before: str = "", recorded: Path | None = None) -> "subprocess.Popen[str]":
-    """The command line; ``before`` is Python to run first, in the same process.
+def core(*argv: object, recorded: Path | None = None) -> "subprocess.Popen[str]":
+    """A process of its own; ``recorded`` is a recorder of what it tries to reach.
 
-    ``recorded`` is a recorder of what it tries to reach; it then runs without a network.
+    It then runs without a network.
     """
     places = [str(recorded)] if recorded else []
-    environ = os.environ | {"PYTHONPATH": os.pathsep.join([*places, str(ROOT)])}
-    environ["OMP_NUM_THREADS"] = "1"
-    script = (
-        f"{before}\nimport sys\nfrom core.command_line import main\nsys.exit(main(sys.argv[1:]))"
-    )
-    started = ["-c", script] if before else ["-m", "core"]
-    command = [*(cut_off() if recorded else ()), sys.executable, *started, *map(str, argv)]
+    environ = os.environ | {"PYTHONPATH": os.pathsep.join([*places, str(ROOT)])} | ONE_THREAD
+    cut = cut_off() if recorded else ()
+    command = [*cut, sys.executable, "-m", "core", *map(str, argv)]
     return subprocess.Popen(
         command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
@@ -83,6 +79,12 @@ def core(*argv: object, before: str = "", recorded: Path | None = None) -> "subp
 def finished(process: "subprocess.Popen[str]") -> tuple[int, str]:
     said = process.communicate(timeout=600)[0]
     return process.returncode, said
+
+
+@pytest.fixture
+def fork(tmp_path: Path) -> Callable[..., Session]:
+    """A session that need not be a process from its very beginning."""
+    return lambda *argv, before="": Session.start(argv, tmp_path / "said.txt", before)
 
 
 def wait_for(run: Path, stage: str, step: int, seconds: float = 300) -> None:
@@ -117,7 +119,7 @@ def test_the_asset_is_whole_and_closed(whole):
     assert mesh["manifold"]
     assert mesh["oriented"]
     assert mesh["volume"] > 0
-    assert mesh["faces"] <= 1500
+    assert mesh["faces"] <= 600
     assert mesh["bounds"][0][2] == pytest.approx(0, abs=1e-6)
     assert report["size_m"] == pytest.approx(usual_of("a red torus")[0], abs=1e-5)
     mass = mesh["volume"] * usual_of("a red torus")[1]
@@ -175,31 +177,30 @@ def test_a_cancel_is_heard_while_the_core_loads_and_over_once_it_was_carried_out
 KILLED = "import os, core.generate\ncore.generate.unwrap_shape = lambda *a, **k: os._exit(9)"
 
 
-def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, tmp_path):
+def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, fork, tmp_path):
     """Killed in the geometry, killed after it, cancelled in the appearance, and still the same.
 
     After the second kill no step of the geometry is left, so that nothing may depend on one having
     been taken: such a run once extracted with the coarse lattice's cell, another mesh.obj.
     """
     run = tmp_path / "run"
-    process = core("generate", "a red torus", "--out", run, *OPTIONS)
+    session = fork("generate", "a red torus", "--out", run, *OPTIONS)
     wait_for(run, "geometry", 3)
-    process.kill()
-    process.communicate()
+    session.kill()
     assert not (run / "asset").exists()
 
-    assert finished(core("resume", run, before=KILLED))[0] == 9
+    assert fork("resume", run, before=KILLED).finished()[0] == 9
     assert {path.stem for path in (run / "checkpoint").iterdir()} == {"geometry"}
 
-    process = core("resume", run)
+    session = fork("resume", run)
     wait_for(run, "appearance", 1)
-    process.send_signal(signal.SIGINT)
-    status, said = finished(process)
+    session.interrupt()
+    status, said = session.finished()
     assert status == 130, said
     assert "Traceback" not in said
     assert read_events(run)[-1]["type"] == "cancelled"
 
-    status, said = finished(core("resume", run))
+    status, said = fork("resume", run).finished()
     assert status == 0, said
     for name in ("mesh.obj", "base_color.png", "orm.png", "normal.png"):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
@@ -218,14 +219,14 @@ Guard.remember = last
 """
 
 
-def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(tmp_path):
+def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(fork, tmp_path):
     run = tmp_path / "run"
-    status, said = finished(core(*tiny_runs.generate(run), before=VANISHED))
+    status, said = fork(*tiny_runs.generate(run), before=VANISHED).finished()
     assert status == 5, said
     assert "Traceback" not in said
     assert "vanished" in said
     assert read_events(run)[-1]["type"] == "error"
-    assert finished(core("resume", run))[0] == 5
+    assert fork("resume", run).finished()[0] == 5
 
 
 def test_pictures_of_the_asset(whole, tmp_path):
@@ -248,16 +249,16 @@ def test_retouching_keeps_more_the_stronger_it_is():
     assert kept.learning_rate == pytest.approx(0.02 * a.learning_rate)
 
 
-def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(tmp_path):
+def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(fork, tmp_path):
     """Two triangles that share their texels: kept as they are; the colour is still there."""
     mesh = tmp_path / "wall.obj"
     text = "v -1 0 0\nv 1 0 0\nv 1 2 0\nv -1 2 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
     mesh.write_text(text + "f 1/1 2/2 3/3\nf 3/1 4/2 1/3\n")
     Image.new("RGB", (8, 8), (40, 160, 60)).save(tmp_path / "green.png")
     run, words = tmp_path / "run", ["--uv=keep", f"--base-color={tmp_path / 'green.png'}"]
-    status, said = finished(
-        core("texture", mesh, "a red cube", "--out", run, *words, "--strength=1", *OPTIONS)
-    )
+    status, said = fork(
+        "texture", mesh, "a red cube", "--out", run, *words, "--strength=1", *OPTIONS
+    ).finished()
     assert status == 0, said
     assert "share their texels" in said
     asset = read_asset(run / "asset")
@@ -267,8 +268,8 @@ def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(tmp_path):
     torch.testing.assert_close(mean, green, atol=0.08, rtol=0)
 
 
-def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
-    grid = tet_grid(10)
+def test_texture_keeps_the_users_mesh_and_its_place(fork, tmp_path):
+    grid = tet_grid(6)
     verts, faces = marching_tets(grid.tet_verts, grid.tet_verts.norm(dim=1) - 0.7, grid)
     verts = verts * torch.tensor([1.0, 2.0, 0.5]) + torch.tensor([5.0, -3.0, 1.0])
     mesh = tmp_path / "Köpfchen.obj"
@@ -280,7 +281,7 @@ def test_texture_keeps_the_users_mesh_and_its_place(tmp_path):
     kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     mesh.write_text("\n".join(kept) + "\n")
     run = tmp_path / "run"
-    status, said = finished(core("texture", mesh, "a blue ball", "--out", run, *OPTIONS))
+    status, said = fork("texture", mesh, "a blue ball", "--out", run, *OPTIONS).finished()
     assert status == 0, said
     asset = read_asset(run)
     torch.testing.assert_close(asset.mesh.verts, verts, atol=1e-4, rtol=0)
@@ -301,9 +302,9 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", str(disk)], check=True)
 
 
-def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(small_disk):
+def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(fork, small_disk):
     run = small_disk / "run"
-    status, said = finished(core(*tiny_runs.generate(run)))
+    status, said = fork(*tiny_runs.generate(run)).finished()
     assert status == 2, said
     assert "Traceback" not in said
     assert "No space" in said or "full" in said
@@ -332,13 +333,13 @@ def test_a_guide_shortens_the_phase_that_decides_the_shape():
     assert draft.geometry.join and not keeps.join  # two shoes stay two
 
 
-def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, tmp_path):
+def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, fork, tmp_path):
     """Moved out of its run folder: asset.json alone must do."""
     import json
     import shutil
 
     alone = shutil.copytree(whole / "asset", tmp_path / "alone")
-    status, said = finished(core("verify", alone))
+    status, said = fork("verify", alone).finished()
     assert status == 0, said
     report = json.loads(said[said.index("{") :])
     assert report["same"]

@@ -68,6 +68,13 @@ def test_a_broken_mesh_is_one_sentence(tmp_path: Path, name: str, data: bytes) -
     assert error.value.fix
 
 
+@pytest.mark.parametrize("number", [b"nan", b"inf", b"-1e39"])
+def test_a_uv_that_is_no_number_of_32_bits_is_none(tmp_path: Path, number: bytes) -> None:
+    path = tmp_path / "uv.obj"
+    path.write_bytes(OBJ + b"vt 0 0\nvt 1 0\nvt " + number + b" 1\nf 1/1 2/2 3/3\n")
+    assert load_mesh(path).uv is None
+
+
 @pytest.mark.parametrize(
     "nodes",
     [

@@ -1,8 +1,12 @@
 """The shipped networks as a guidance: they know their words and their cameras."""
 
+from collections.abc import Iterator
+from unittest import mock
+
 import pytest
 import torch
 
+from core.appearance.environment import Environment
 from core.camera import Cameras
 from core.command_line import job_of, parse
 from core.config import DRAFT
@@ -29,12 +33,21 @@ from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
 from core.prior.tracer import render
 from core.prior.velocity import x_from_v
+from core.tests.tiny_runs import remembered
 
 
 @pytest.fixture(scope="module")
 def guidance() -> BuiltinGuidance:
     """The shipped one."""
     return load_builtin("cpu")
+
+
+@pytest.fixture(scope="module")
+def one_light() -> Iterator[None]:
+    """The studio's light is prefiltered once, which takes longer than a score."""
+    light = classmethod(remembered(Environment.of.__func__))
+    with mock.patch.object(Environment, "of", light):
+        yield
 
 
 def _surface(noun: str, cameras: Cameras, stated: str = "", adjective: str = "") -> torch.Tensor:
@@ -223,6 +236,7 @@ def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
         load_builtin("cpu")
 
 
+@pytest.mark.usefixtures("one_light")
 @pytest.mark.parametrize("noun", ["chair", "hamburger", "car"])
 def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
     score = score_paint(guidance.appearance, noun, 4, torch.Generator().manual_seed(3))
@@ -233,6 +247,7 @@ def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
     assert sum(unseen.delta_e) > 2 * sum(score.delta_e)
 
 
+@pytest.mark.usefixtures("one_light")
 @pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
 def test_a_stated_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
     score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))

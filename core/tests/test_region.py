@@ -87,6 +87,7 @@ def test_the_faces_of_a_file(tmp_path: Path):
     assert read_faces(tmp_path / "faces.txt", 4).tolist() == [True, False, True, False]
 
 
+@pytest.mark.usefixtures("once")
 def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(tmp_path: Path):
     whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
     assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0

@@ -40,6 +40,7 @@ SHORT = replace(
     grow=RefineConfig(rounds=2, steps=3, views=5, batch=3, size=32, ray_mask=1.0),
     fine=replace(DRAFT.geometry.fine, steps=3, size=32),
     refine=RefineConfig(rounds=2, steps=3, views=5, batch=3, size=32),
+    sharpen=replace(DRAFT.geometry.sharpen, rounds=0),  # Gauss' guidance has none
     views=4,
     views_at_once=4,
     cameras=replace(DRAFT.geometry.cameras),

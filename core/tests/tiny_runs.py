@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 
-import core.appearance.environment as environment
 import core.generate as method
+from core.appearance.environment import Environment
 from core.guidance.builtin import guidance as builtin
 from core.io import progress
 from core.stages import training
@@ -75,17 +77,34 @@ def names(run: Path) -> set[str]:
     return {path.relative_to(run).as_posix() for path in run.rglob("*")}
 
 
+def _made_once() -> list[Any]:
+    """The weights and the light are made once, the packing too, and by fewer passes."""
+    light = classmethod(remembered(Environment.of.__func__))
+    return [
+        mock.patch.object(packing, "PASSES", PASSES),
+        mock.patch.object(builtin, "load_weights", remembered(builtin.load_weights)),
+        mock.patch.object(Environment, "of", light),
+        mock.patch.object(unwrap, "pack", packed_once()),
+    ]
+
+
+@contextlib.contextmanager
+def once() -> Iterator[None]:
+    """What runs have in common is made once, within."""
+    with contextlib.ExitStack() as stack:
+        for patch in _made_once():
+            stack.enter_context(patch)
+        yield
+
+
 def lighten() -> None:
     """Do what has no part in a fault once, and let every event and checkpoint be written."""
-    packing.PASSES = PASSES
+    for patch in _made_once():
+        patch.start()
     progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
     training.CHECKPOINT_SECONDS = 0.0
     training.PREVIEW_SECONDS = 1e9  # the first alone: their number would be by the machine's load
     method.PREVIEW_SIZE = 64
-    builtin.load_weights = remembered(builtin.load_weights)
-    light = remembered(environment.Environment.of.__func__)
-    environment.Environment.of = classmethod(light)
-    unwrap.pack = packed_once()
 
 
 def packed_once() -> Callable:
