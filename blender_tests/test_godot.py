@@ -37,7 +37,7 @@ def godot():
 
 
 def imported(godot: list[str], project: Path) -> None:
-    """Let Godot's editor import what is in ``project``; it may not end by itself, so it is ended."""
+    """Let the editor import what is in ``project``; it may hang then, so it is killed."""
     editor = subprocess.Popen(
         [*godot, "--path", str(project), "--editor", "--quit"],
         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
