@@ -5,11 +5,11 @@ from pathlib import Path
 import pytest
 import torch
 
-from core.command_line import main
+from core.command_line import carry_out, main, parse
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
-from core.io.asset import Maps, read_asset
+from core.io.asset import Maps, read_asset, write_asset
 from core.ops import normalize
 from core.stages.reshape import free_verts
 from core.tests.tiny_runs import OPTIONS
@@ -123,6 +123,16 @@ def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Pa
     normals = [smooth_normals(a.mesh.verts, a.mesh.faces)[outside] for a in (before, after)]
     assert torch.equal(*normals)
     assert after.info["mesh"]["closed"] == before.info["mesh"]["closed"]
+
+
+def test_which_command_was_parsed_is_known_after_it(tmp_path: Path, monkeypatch):
+    """The launcher asks then whether Blender takes what was made."""
+    folder, jobs = tmp_path / "asset", []
+    write_asset(folder, grid(), some_maps(0), {"prompt": "a torus"})
+    monkeypatch.setattr("core.command_line._run_new", lambda _out, job, _until: jobs.append(job))
+    args = parse(["edit", str(folder), "a blue torus", "--faces=faces.txt", "--shape"])
+    carry_out(args)
+    assert (args.command, jobs[0].command, jobs[0].reshape) == ("edit", "texture", True)
 
 
 def test_a_region_without_an_inside_is_refused(tmp_path: Path):
