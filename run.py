@@ -12,6 +12,7 @@ Commands:
     explore "PROMPT" --out DIR quick shapes of several seeds; resume finishes one
     recolor RUN --out DIR      quick materials for the shape of a run; resume finishes one
     edit ASSET "WORDS" --faces FILE     another material on some faces; the rest stays
+                                        (--shape: another shape, within the same triangles)
     batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
     node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
     render ASSET --out FILE    a picture of an asset under a light

@@ -104,7 +104,7 @@ def test_a_preview_is_looked_at_alone_until_its_end(default_report):
 
 def test_an_unknown_word_is_shown_before_the_job(default_report):
     assert default_report["unknown"] == "The prompt has unknown words."
-    assert default_report["replaced"] == ["a red cube", ""]
+    assert default_report["replaced"] == ["a red cottage", ""]
 
 
 def test_a_prompt_is_typed_and_generate_is_clicked(report):

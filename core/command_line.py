@@ -179,10 +179,12 @@ def _edit(args: argparse.Namespace) -> None:
     from core.io.asset import read_asset
 
     asset = read_asset(args.asset)
-    args.command, args.mesh, args.uv = "texture", str(asset.folder / "mesh.obj"), "keep"
+    mesh = str(asset.folder / "mesh.obj")
+    # A copy: who has parsed the options asks them afterwards which command it was.
+    args = argparse.Namespace(**vars(args) | {"command": "texture", "mesh": mesh, "uv": "keep"})
     kept = {"kept_asset": absolute(str(asset.folder)), "region": absolute(args.faces)}
     size = args.texture_size or len(asset.maps.base_color)
-    job = replace(job_of(args), texture_size=size, **kept)
+    job = replace(job_of(args), texture_size=size, reshape=args.shape, **kept)
     # Recorded as it is seen: a later edit of the result has to know what the whole is.
     _run_new(args.out, replace(job, prompt=prompt_of(job, asset)), "")
 

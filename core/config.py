@@ -103,6 +103,10 @@ class GeometryConfig:
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
     refine: RefineConfig = RefineConfig()
     sharpen: SharpenConfig = SharpenConfig()
+    # Of a region whose shape is edited: from much noise, or a dent is taken for a wish.
+    reshape: RefineConfig = RefineConfig(
+        rounds=6, steps=30, views=16, batch=6, t=(0.7, 0.25), learning_rate=0.03
+    )
     views: Count = 24  # cameras of one step
     views_at_once: Count = 24  # cameras rendered together; the rest is accumulated
     cameras: CameraConfig = SPHERE

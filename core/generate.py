@@ -14,6 +14,7 @@ from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
 from core.appearance.material import MaterialNet
+from core.appearance.shaded import UvMesh
 from core.config import Config
 from core.device import device_of
 from core.errors import Paused, UserError
@@ -37,6 +38,7 @@ from core.stages.geometry import learn_geometry
 from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
+from core.stages.reshape import Part, free_verts, reshaped
 from core.stages.start_color import fit_start_color, start_picture
 from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
 from core.stages.state import Training
@@ -114,6 +116,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     progress.check_cancelled()
     for text in inputs.warnings:
         progress.warn(text)
+    if job.reshape:
+        return reshaped_asset(run, inputs, progress)
 
     # The first process alone knows the run folder; what it finds is true for all.
     ranks = inputs.ranks
@@ -173,6 +177,29 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
+
+
+def reshaped_asset(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
+    """The kept asset with another shape in its region; its UVs and its maps stay.
+
+    Nothing is in a checkpoint: a resumed run starts this again, to the same result.
+    """
+    mesh, region, job = inputs.shape, inputs.region, run.job
+    assert mesh is not None and region is not None
+    if not inputs.ranks.first:
+        return run.asset
+    with progress.timed("geometry"):
+        free = free_verts(mesh, region.faces)
+        cube, center, scale = normalise(mesh.verts)
+        parts = [x.to(inputs.device) for x in (cube, mesh.faces, free)]
+        made = reshaped(run, inputs.config.geometry, inputs.guidance, Part(*parts), progress)
+        verts = torch.where(free[:, None], made.cpu() / scale + center, mesh.verts)
+        progress.complete("geometry")
+    placed = replace(mesh, verts=verts)
+    light = Environment.of(inputs.light, inputs.config.appearance.shading).to(inputs.device)
+    seen = UvMesh.of(replace(placed, verts=normalise(verts)[0])).to(inputs.device)
+    picture = picture_of(maps_source(region.kept), seen, light, PREVIEW_SIZE)
+    return write_asset(run.asset, placed, region.kept, info_of(job, run), picture)
 
 
 def prompt_of(job: Job, asset: Asset | None) -> str:

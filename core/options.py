@@ -91,11 +91,14 @@ def add_core_commands(commands: Commands) -> None:
         _add_job_options(command)
         _add_gpus(command)
 
-    edit = add("edit", "Another material on a part of an asset; all the rest stays bit for bit.")
+    edit = add("edit", "Another material, or shape, of a part of an asset; the rest stays.")
     edit.add_argument("asset", type=Path, metavar="ASSET")
     edit.add_argument("prompt", help="the whole thing in the new material, or a part of it")
     edit.add_argument(
         "--faces", required=True, metavar="FILE", help="of mesh.obj: a number a line, from 0 on"
+    )
+    edit.add_argument(
+        "--shape", action="store_true", help="their shape instead: the vertices move, no texel does"
     )
     edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     _add_job_options(edit)

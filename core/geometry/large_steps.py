@@ -8,7 +8,7 @@ and not single vertices out of the surface.
 
 import numpy as np
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array, csc_array, diags_array, eye_array
 from scipy.sparse.linalg import splu
 from torch import Tensor
@@ -21,12 +21,25 @@ class SmoothVertices:
     """Vertices v that are trained as u = (I + λ L) v, by their ``AdamUniform`` (§4.2 there)."""
 
     def __init__(
-        self, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], stiffness: float
+        self,
+        verts: Float[Tensor, "v 3"],
+        faces: Int[Tensor, "f 3"],
+        stiffness: float,
+        free: Bool[Tensor, " v"] | None = None,
     ) -> None:
-        """``stiffness``: λ; how far a pull spreads, in edges, grows as its square root."""
+        """``stiffness``: λ; how far a pull spreads, in edges, grows as its square root.
+
+        ``free``: the vertices that move; all others stay to the last bit. None: all move.
+        """
         matrix = _matrix(faces.cpu().numpy(), len(verts), stiffness)
+        self._all, self._free = verts.detach(), None if free is None else free.nonzero()[:, 0]
+        moving = self._all
+        if self._free is not None:
+            # A fixed neighbour adds a constant to u, which no gradient sees: it is left out.
+            rows = self._free.cpu().numpy()
+            matrix, moving = csc_array(matrix[rows][:, rows]), self._all[self._free]
         self._factors = splu(matrix)
-        u = matrix @ verts.detach().cpu().double().numpy()
+        u = matrix @ moving.cpu().double().numpy()
         self._u = torch.from_numpy(u).to(verts)
         self._mean, self._square, self._count = torch.zeros_like(self._u), 0.0, 0
 
@@ -37,7 +50,8 @@ class SmoothVertices:
     def verts(self) -> Float[Tensor, "v 3"]:
         """The vertices of now, with gradient to what is trained."""
         self._leaf = self._u.clone().requires_grad_()
-        return _Solve.apply(self._leaf, self)  # pyright: ignore[reportReturnType]
+        moved: Tensor = _Solve.apply(self._leaf, self)  # pyright: ignore[reportAssignmentType]
+        return moved if self._free is None else self._all.index_copy(0, self._free, moved)
 
     def step(self, loss: Float[Tensor, ""], rate: float) -> None:
         """One step of Adam with one scale for all values, so that directions are kept."""

@@ -49,6 +49,7 @@ class Job:
     base_color: str = ""  # of "texture": a picture over the mesh's uv to start from; or "mesh"
     kept_asset: str = ""  # of "texture": the asset of ``mesh``, whose maps hold outside ``region``
     region: str = ""  # a text file with the faces that get the material, a number a line
+    reshape: bool = False  # of a region: its shape changes, and no texel
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
@@ -118,6 +119,8 @@ def _check(job: Job) -> None:
         raise UserError(
             "A region needs the asset that it is a part of, and its UV map.", "Use run.py edit."
         )
+    if job.reshape and not job.region:
+        raise UserError("Reshaping needs a region.", "Use run.py edit with --faces and --shape.")
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
         raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
     if job.size_m and not SIZES[0] <= job.size_m <= SIZES[1]:

@@ -80,7 +80,7 @@ def test_the_weights_fit_their_slots_and_the_budget(guidance):
     assert guidance.geometry.config.hint == 0
     assert guidance.appearance.config.hint == CHANNELS
     total = sum(path.stat().st_size for path in WEIGHTS.glob("*.safetensors"))
-    assert total < 60 * 2**20
+    assert total < 80e6
     assert isinstance(make_guidance("builtin", "cpu"), BuiltinGuidance)
 
 

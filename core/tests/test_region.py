@@ -5,11 +5,13 @@ from pathlib import Path
 import pytest
 import torch
 
-from core.command_line import main
+from core.command_line import carry_out, main, parse
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, read_asset
+from core.geometry.tangents import smooth_normals
+from core.io.asset import Maps, read_asset, write_asset
 from core.ops import normalize
+from core.stages.reshape import free_verts
 from core.tests.tiny_runs import OPTIONS
 from core.texture.region import Region, edited, read_faces, region_weight
 from core.texture.texels import texel_points
@@ -85,6 +87,60 @@ def test_a_wrong_file_of_faces_is_refused(tmp_path: Path, text: str):
 def test_the_faces_of_a_file(tmp_path: Path):
     (tmp_path / "faces.txt").write_text("2\n0\n2\n")
     assert read_faces(tmp_path / "faces.txt", 4).tolist() == [True, False, True, False]
+
+
+def test_what_may_move_is_no_neighbour_of_the_border():
+    """So the normals at the border, and with them the shading outside, stay too."""
+    mesh = grid(8)
+    free = free_verts(mesh, left_half(mesh))
+    x, y = mesh.verts[:, 0], mesh.verts[:, 1]
+    assert free[(x < 0.3) & (y > 0)].all()
+    assert not free[x > 0.3].any()
+
+
+def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Path):
+    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
+    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+    before = read_asset(whole)
+    chosen = before.mesh.verts[before.mesh.faces].mean(1)[:, 0] > 0
+    faces.write_text("\n".join(map(str, chosen.nonzero()[:, 0].tolist())))
+    short = [f"--set=geometry.reshape.{key}" for key in ("rounds=2", "steps=2", "views=2")]
+    more = [f"--faces={faces}", f"--out={out}", "--shape", *OPTIONS, *short]
+    assert main(["edit", str(whole), "a torus", *more]) == 0
+    after = read_asset(out)
+    free = free_verts(before.mesh, chosen)
+    fixed = torch.ones(len(before.mesh.verts), dtype=torch.bool)
+    fixed[before.mesh.faces[chosen].reshape(-1)] = False
+    fixed[before.mesh.faces[~chosen].reshape(-1)] = True
+    assert torch.equal(before.mesh.verts[fixed], after.mesh.verts[fixed])
+    moved = (before.mesh.verts != after.mesh.verts).any(1)
+    assert moved.any() and not (moved & ~free).any()
+    for name in ("faces", "uv", "face_uvs"):
+        assert torch.equal(getattr(before.mesh, name), getattr(after.mesh, name))
+    for old, new in zip(before.maps, after.maps, strict=True):
+        assert torch.equal(old, new)
+    outside = before.mesh.faces[~chosen]
+    normals = [smooth_normals(a.mesh.verts, a.mesh.faces)[outside] for a in (before, after)]
+    assert torch.equal(*normals)
+    assert after.info["mesh"]["closed"] == before.info["mesh"]["closed"]
+
+
+def test_which_command_was_parsed_is_known_after_it(tmp_path: Path, monkeypatch):
+    """The launcher asks then whether Blender takes what was made."""
+    folder, jobs = tmp_path / "asset", []
+    write_asset(folder, grid(), some_maps(0), {"prompt": "a torus"})
+    monkeypatch.setattr("core.command_line._run_new", lambda _out, job, _until: jobs.append(job))
+    args = parse(["edit", str(folder), "a blue torus", "--faces=faces.txt", "--shape"])
+    carry_out(args)
+    assert (args.command, jobs[0].command, jobs[0].reshape) == ("edit", "texture", True)
+
+
+def test_a_region_without_an_inside_is_refused(tmp_path: Path):
+    whole, faces = tmp_path / "whole", tmp_path / "faces.txt"
+    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+    faces.write_text("0\n")
+    more = [f"--faces={faces}", f"--out={tmp_path / 'out'}", "--shape", *OPTIONS]
+    assert main(["edit", str(whole), "a torus", *more]) == 2
 
 
 @pytest.mark.usefixtures("once")
