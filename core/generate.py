@@ -97,8 +97,6 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", PromptWarning)
         prompted = guidance.prompted(prompt_of(job, kept), job.negative_prompt)
-    if job.command == "generate" and not path and config.geometry.start == "learned":
-        prompted = prompted.of_object(job.seed)
     notice = cpu_notice(guidance.work(), config, job.command) if device.type == "cpu" else ""
     texts = tuple(str(w.message) for w in caught) + ((notice,) if notice else ())
     region = region_of(job, kept) if kept else None
@@ -112,6 +110,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
 
     Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
     """
+    inputs = of_seed(inputs, run.job)
     job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
     progress.check_cancelled()
     for text in inputs.warnings:
@@ -200,6 +199,17 @@ def reshaped_asset(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
     seen = UvMesh.of(replace(placed, verts=normalise(verts)[0])).to(inputs.device)
     picture = picture_of(maps_source(region.kept), seen, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, region.kept, info_of(job, run), picture)
+
+
+def of_seed(inputs: Inputs, job: Job) -> Inputs:
+    """``inputs`` for the one object that the seed draws, where the geometry starts from one.
+
+    Not in ``prepare``, whose result serves jobs that differ in their seeds alone.
+    """
+    drawn = job.command == "generate" and inputs.shape is None
+    if not drawn or inputs.config.geometry.start != "learned":
+        return inputs
+    return replace(inputs, guidance=inputs.guidance.of_object(job.seed))
 
 
 def prompt_of(job: Job, asset: Asset | None) -> str:
