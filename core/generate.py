@@ -258,7 +258,7 @@ def learned_shape(
         if guide:
             fit_guide(training, config, guide, strength, progress)
         else:
-            fit_start_shape(training, config, inputs.guidance.start_shape(), progress)
+            fit_start_shape(training, config, progress, inputs.guidance.start_shape())
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
     learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))

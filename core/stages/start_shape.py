@@ -26,7 +26,10 @@ def sdf_net(config: GeometryConfig, generator: torch.Generator) -> SdfNet:
 
 
 def fit_start_shape(
-    training: Training[SdfNet], config: GeometryConfig, drawn: Shape | None, progress: Progress
+    training: Training[SdfNet],
+    config: GeometryConfig,
+    progress: Progress,
+    drawn: Shape | None = None,
 ) -> None:
     """Fit Ψ to the solid that the guidance has ``drawn``, or to the config's ellipsoid (Eq. 3)."""
     steps, net = config.fit_steps, training.module
