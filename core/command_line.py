@@ -329,6 +329,10 @@ def _bench(args: argparse.Namespace) -> None:
             from core.benchmarks.bench_prior import bench_prior
 
             bench_prior(args.nouns, args.seeds, args.out, args.json)
+        elif args.names == ["solids"]:  # seconds a noun
+            from core.benchmarks.bench_solids import bench_solids
+
+            bench_solids(args.nouns, args.seeds, args.json)
         elif args.names == ["fit"]:  # a minute or two a noun, and a folder
             from core.benchmarks.bench_fit import bench_fit
 

@@ -204,8 +204,9 @@ def add_core_commands(commands: Commands) -> None:
     bench.add_argument("names", nargs="*", metavar="NAME")
     bench.add_argument("--json", type=Path, metavar="FILE")
     folders = "prior, fit, distillation"  # the benches that make something of each noun
-    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=f"{folders}: which")
-    bench.add_argument("--seeds", type=int, default=2, help="of prior: runs of each noun")
+    which = f"{folders}, solids: which"
+    bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=which)
+    bench.add_argument("--seeds", type=int, default=2, help="of prior and solids: of each noun")
     bench.add_argument(
         "--calls", type=int, default=60, help="of distillation: network calls of each view"
     )

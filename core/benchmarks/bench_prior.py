@@ -54,14 +54,11 @@ def bench_prior(
     ``nouns`` empty: all that the shipped weights offer. One thread: two benches that share the
     nouns between them use two cores.
     """
-    known = offered_words()
-    unknown = [noun for noun in nouns if noun not in known["noun"]]
-    if unknown:
-        raise UserError(f"The built-in prior has no noun {unknown[0]!r}.", known_things(known))
+    nouns, known = known_nouns(nouns), offered_words()
     torch.set_num_threads(1)
     references = reference_clouds(known["noun"])
     scores = []
-    for noun in nouns or known["noun"]:
+    for noun in nouns:
         for seed in range(seeds):
             scores.append(_scored(noun, seed, known, folder or FOLDER, references))
             print(line(scores[-1]), flush=True)
@@ -70,6 +67,15 @@ def bench_prior(
     if out:
         facts = {"machine": machine(), "rows": rows, "runs": scores}
         write_text(out, json.dumps(facts, indent=1) + "\n")
+
+
+def known_nouns(nouns: list[str]) -> list[str]:
+    """The nouns, if the shipped weights offer them; all that they do, if there are none."""
+    known = offered_words()
+    for noun in nouns:
+        if noun not in known["noun"]:
+            raise UserError(f"The built-in prior has no noun {noun!r}.", known_things(known))
+    return nouns or known["noun"]
 
 
 def _scored(

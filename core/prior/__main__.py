@@ -74,7 +74,7 @@ def parser() -> argparse.ArgumentParser:
     data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
     data.add_argument("--pairs", type=int, default=0, help="files of 256 soft and crisp views each")
     data.add_argument("--close-pairs", type=int, default=0, help="the same, of close-ups")
-    data.add_argument("--solids", type=int, default=40, help="files of two solids of each noun")
+    data.add_argument("--solids", type=int, default=0, help="files of two solids of each noun")
     data.add_argument("--workers", type=int, default=2)
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"

@@ -133,7 +133,7 @@ def test_a_kind_is_drawn_as_often_as_the_training_had_it():
 @pytest.mark.parametrize("adjective", ["", "tall", "flat", "thick", "round"])
 def test_a_placed_solid_is_of_the_trainings_size(shipped, adjective):
     solid = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective)
-    verts, _ = solid.mesh()
+    verts, _ = solid.mesh
     low, high = verts.amin(0), verts.amax(0)
     assert (low + high).abs().max() < 0.04
     radius = (verts - (low + high) / 2).norm(dim=1).max().item()
@@ -143,7 +143,7 @@ def test_a_placed_solid_is_of_the_trainings_size(shipped, adjective):
 
 def test_tall_is_taller_and_flat_flatter(shipped):
     def slender(adjective):
-        verts, _ = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective).mesh()
+        verts, _ = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective).mesh
         x, _, z = (verts.amax(0) - verts.amin(0)).tolist()
         return z / x
 
@@ -253,7 +253,7 @@ def test_the_shipped_network_draws_the_thing(shipped, noun):
 
 def test_the_shipped_network_knows_the_parts(shipped):
     solid = _drawn(shipped, "chair")
-    verts, _ = solid.mesh()
+    verts, _ = solid.mesh
     parts = solid.part(verts)
     low = verts[:, 2] < verts[:, 2].amin() + 0.15
     names = build("chair", "", Draw(_generator())).names

@@ -2,7 +2,7 @@
 
 import json
 from dataclasses import asdict, dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 import torch
@@ -11,6 +11,7 @@ from safetensors.torch import load_file
 from torch import Tensor
 
 from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.mesh import component_labels
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.builtin.offered import read_metadata
@@ -21,6 +22,8 @@ from core.guidance.builtin.weights import write_tensors
 CHUNK = 1 << 16  # points at a time
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
 TABLES = ("own.weight", "kind.weight")
+DRAWINGS = 3  # at most, of one object
+SIMPLE = 3  # pieces and handles of what is surely whole
 RARE = 0.05  # fraction of a noun's objects below which a kind is too little known
 # Adjectives that make another thing of a noun than a stretched one. The network knows these.
 FORMS = {("table", "round")}
@@ -37,16 +40,25 @@ class Solid:
 
     @classmethod
     def drawn(cls, net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> "Solid":
-        """A random one: of one of the noun's kinds, and of a code, which are normal."""
+        """A random one: of one of the noun's kinds, and of a code, which are normal.
+
+        A thin wall may come out torn, which shows as handles and pieces; of a shape with many of
+        them others of its kind are drawn, and the simplest is taken.
+        """
         kind = torch.tensor([[drawn_kind(net, words, generator)]], device=words.device)
-        code = torch.randn(1, net.config.latent, generator=generator).to(words.device)
-        with torch.no_grad():
-            return cls(net, net.triplane(torch.cat([words, kind], 1), code))
+        row, found = torch.cat([words, kind], 1), []
+        for _ in range(DRAWINGS):
+            code = torch.randn(1, net.config.latent, generator=generator).to(words.device)
+            with torch.no_grad():
+                found.append(cls(net, net.triplane(row, code)))
+            if found[-1].complexity <= SIMPLE:
+                break
+        return min(found, key=lambda solid: solid.complexity)
 
     def placed(self, adjective: str = "") -> "Solid":
         """The solid as the adjective has it, about the origin and of the training's size."""
         factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
-        frame = frame_of(self.mesh()[0], factors, swell, adjective == "round")
+        frame = frame_of(self.mesh[0], factors, swell, adjective == "round")
         return replace(self, frame=frame, swell=swell)
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
@@ -58,15 +70,23 @@ class Solid:
         """The part that each point belongs to: its place among the noun's."""
         return self._asked(points)[1].argmax(1)
 
+    @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
         """The solid's surface on a lattice."""
         grid = _grid()
         verts, faces, *_ = surface(self.sdf(grid.tet_verts), grid.tet_verts, grid)
         return verts, faces
 
+    @property
+    def complexity(self) -> int:
+        """Pieces and handles, by the surface's Euler characteristic: V - E + F, with 2 E = 3 F."""
+        verts, faces = self.mesh
+        pieces, _ = component_labels(faces, len(verts))
+        return 2 * pieces - (len(verts) - len(faces) // 2) // 2
+
     def shape(self) -> Shape:
         """What Ψ can be fitted to."""
-        verts, faces = self.mesh()
+        verts, faces = self.mesh
         return Shape(
             self.sdf, lambda count, generator: sample_surface(verts, faces, count, generator)
         )
