@@ -1,0 +1,95 @@
+"""``run.py bench solids``: the shapes that the solids' network draws, before any training.
+
+A draft's geometry starts from one, so this tells in seconds a noun what ``bench prior`` tells in
+minutes: likeness to the noun's own objects (``likeness``), and variety: how far the drawn solids
+are from one another, over how far the noun's own objects are.
+"""
+
+import itertools
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from scipy.spatial import KDTree
+
+from core.benchmarks import machine, row, table_line
+from core.benchmarks.bench_prior import known_nouns
+from core.benchmarks.likeness import Points, Surface, likeness, objects
+from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
+from core.io.job import write_text
+
+CREASE = (0.85, 1.25)  # of the family's own; less is clay, more is ragged
+MORE_MISSING = 0.03  # than a noun's objects lack of one another
+PIECES = 0.85  # fraction of the slices with a number of pieces that the noun has there
+VARIETY = 0.6  # of the family's own
+
+
+def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
+    """Score ``seeds`` solids of each noun (all, if empty), print a table; JSON to ``out``."""
+    torch.set_num_threads(1)
+    guidance, scores = load_builtin("cpu"), {}
+    for noun in known_nouns(nouns):
+        scores[noun] = solid_scores(guidance, noun, seeds)
+        print(f"{noun:<18}" + "".join(f" {k} {v:<6.3g}" for k, v in scores[noun].items()))
+    rows = [{"part": "solids"} | line for line in summary(scores)]
+    print("\n".join(table_line(line) for line in rows), flush=True)
+    if out:
+        facts = {"machine": machine(), "rows": rows, "nouns": scores}
+        write_text(out, json.dumps(facts, indent=1) + "\n")
+
+
+def solid_scores(guidance: BuiltinGuidance, noun: str, seeds: int) -> dict[str, float]:
+    """The likeness in the mean over the seeds, the variety, and the CPU time of one drawing."""
+    prompted, drawn = guidance.prompted(noun, ""), []
+    start = time.process_time()
+    for seed in range(seeds):
+        solid = prompted.of_object(seed).solid
+        assert solid is not None  # each of them has
+        drawn.append(solid.mesh)
+    cpu_s = (time.process_time() - start) / seeds
+    surfaces = [Surface.of_mesh(*mesh) for mesh in drawn]
+    each = [likeness(surface, noun) for surface in surfaces]
+    mean = {name: float(np.mean([one[name] for one in each])) for name in each[0]}
+    return mean | {"variety": variety(surfaces, objects(noun)), "cpu_s": cpu_s}
+
+
+def variety(drawn: "list[Surface]", own: "tuple[Surface, ...]") -> float:
+    """Mean distance of the drawn from one another over that of the noun's own objects; 1 where
+    there is one drawn only."""
+    return _spread(list(drawn)) / _spread(list(own)) if len(drawn) > 1 else 1.0
+
+
+def _spread(surfaces: list[Surface]) -> float:
+    pairs = itertools.combinations([surface.points for surface in surfaces], 2)
+    return float(np.mean([_apart(one, other) for one, other in pairs]))
+
+
+def _apart(one: Points, other: Points) -> float:
+    """The symmetric Chamfer distance."""
+    ways = (KDTree(one).query(other)[0].mean(), KDTree(other).query(one)[0].mean())
+    return float(np.mean(ways))
+
+
+def summary(scores: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
+    """Of all nouns: how many have what an artist sees."""
+
+    def share(holds: Any) -> float:
+        return float(np.mean([holds(one) for one in scores.values()]))
+
+    return [
+        row("crisp", share(lambda s: s["crease"] >= CREASE[0]), "of nouns", 0.97, True),
+        row("not ragged", share(lambda s: s["crease"] <= CREASE[1]), "of nouns", 0.97, True),
+        row(
+            "nothing missing",
+            share(lambda s: s["missing"] <= s["usual_missing"] + MORE_MISSING),
+            "of nouns",
+            0.97,
+            True,
+        ),
+        row("pieces", share(lambda s: s["pieces"] >= PIECES), "of nouns", 0.97, True),
+        row("various", share(lambda s: s["variety"] >= VARIETY), "of nouns", 0.97, True),
+        row("drawing, CPU", float(np.mean([s["cpu_s"] for s in scores.values()])), "s"),
+    ]
