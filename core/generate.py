@@ -165,8 +165,9 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         return run.asset
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
-    named = {"surfaces": guidance.surfaces(), "seed": job.color_seed or job.seed}
-    maps = bake_maps(unwrapped, net, config, progress, **named)
+    known = {"surfaces": guidance.surfaces(), "colored_at": guidance.colored_at()}
+    seed = job.color_seed or job.seed
+    maps = bake_maps(unwrapped, net, config, progress, seed=seed, **known)
     if region is not None:
         verts = unwrapped.mesh.verts
         feather = config.texture.feather * float((verts.amax(0) - verts.amin(0)).max())

@@ -10,6 +10,7 @@ background adds ``(1 - o) * background`` itself.
 """
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
@@ -179,6 +180,11 @@ class PromptedGuidance(ABC):
 
     def start_shape(self) -> Shape | None:
         """The solid of that object, for Ψ to start from; None where there is none."""
+        return None
+
+    def colored_at(self) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None:
+        """Where a place of the surface takes its material from, training units: of an object whose
+        parts are known, from inside its own part; None: from where it is."""
         return None
 
     @abstractmethod

@@ -16,12 +16,14 @@ from core.io.atomic import atomic_file
 from core.prior.data import CAMERAS, NOUNS, SIZE, VIEWS, Samples, joined, samples_of
 from core.prior.draw import Draw
 from core.prior.families import build
+from core.prior.redrawn import Redrawing
 from core.prior.soften import CELLS, draw_softness, soft_shape
 from core.prior.tracer import Pictures, render
 
 PAIRS = "pairs_*.safetensors"
 CLOSE_PAIRS = "close_*.safetensors"
 OBJECTS = 64  # of one file
+REDRAWN = 0.8  # fraction of the soft forms that the solids' network draws, once it is trained
 FINDER = 32  # side, pixels, of the pictures that tell where an object is
 FIRST_SEED = 500_000  # away from the shards' seeds and the evaluation's
 
@@ -46,10 +48,18 @@ def as_picture(seen: Pictures) -> Float[Tensor, "b 4 s s"]:
     return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
 
 
-def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "", *, close: bool = False) -> Pairs:
+def make_pairs(
+    seed: int,
+    objects: int = OBJECTS,
+    noun: str = "",
+    *,
+    close: bool = False,
+    redrawing: Redrawing | None = None,
+) -> Pairs:
     """``objects`` random objects, of one ``noun`` if it is given, and a soft form of each.
 
-    ``close``: close-ups, which show what is smaller than a pixel of the whole.
+    ``close``: close-ups, which show what is smaller than a pixel of the whole. ``redrawing``: most
+    of the soft forms are what the solids' network makes of the objects.
     """
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
@@ -59,7 +69,10 @@ def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "", *, close: bool
         shape = build(NOUNS[kind], "", Draw(generator))
         # A close-up shows the lattice's facets too, whatever their size.
         cells = int(draw(CELLS, 1.5 * CELLS)) if close else CELLS
-        melted = soft_shape(shape.sdf, draw_softness(draw), generator, cells)
+        if redrawing and draw.chance(REDRAWN):
+            melted = redrawing.shape(shape, kind, cells)
+        else:
+            melted = soft_shape(shape.sdf, draw_softness(draw), generator, cells)
         # The same cameras for both: a pair differs in softness alone.
         cameras = sample_cameras(VIEWS, CAMERAS, generator)
         if close:
@@ -70,10 +83,12 @@ def make_pairs(seed: int, objects: int = OBJECTS, noun: str = "", *, close: bool
 
 
 def write_pairs(folder: Path, number: int, objects: int = OBJECTS, *, close: bool = False) -> Path:
-    """Make the file ``number`` unless the folder has it; whole or not at all."""
+    """Make the file ``number`` unless the folder has it; whole or not at all. Where the solids'
+    network is trained in the folder, it draws most of the soft forms."""
     path = folder / (CLOSE_PAIRS if close else PAIRS).replace("*", f"{number:05d}")
     if not path.exists():
-        pairs = make_pairs(FIRST_SEED + number, objects, close=close)
+        redrawing = Redrawing.of(folder)
+        pairs = make_pairs(FIRST_SEED + number, objects, close=close, redrawing=redrawing)
         tensors = vars(pairs.samples) | {"soft": pairs.soft}
         with atomic_file(path) as temporary:
             save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)

@@ -76,16 +76,21 @@ def _object(noun: int, draw: Draw) -> Solids:
     state = 0 if unstated else PART_STATES.index(options[int(draw(0, len(options)))])
     own = Draw(draw.generator, PART_STATES[state])
     shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER)
-    volume = shape.sdf(_cells())
-    points = _points(shape, volume, draw.generator)
+    points = _points(shape, draw.generator)
     sdf, part = shape.distances(points).min(1)
     return Solids(
-        grid=(volume.clamp(-REACH, REACH) / REACH * 127).round().to(torch.int8).view((SIDE,) * 3),
+        grid=volume_of(shape),
         points=(points / EXTENT * 32767).round().to(torch.int16),
         sdf=sdf.clamp(-REACH, REACH).half(),
         part=part.to(torch.uint8),
         words=torch.tensor([noun, adjective, state], dtype=torch.int16),
     )
+
+
+def volume_of(shape: Shape) -> Int[Tensor, "32 32 32"]:
+    """Distances at the middles of the volume's cells, as ``Solids.grid`` has them."""
+    distance = shape.sdf(_cells()).clamp(-REACH, REACH)
+    return (distance / REACH * 127).round().to(torch.int8).view((SIDE,) * 3)
 
 
 def _cells() -> Float[Tensor, "n 3"]:
@@ -94,10 +99,9 @@ def _cells() -> Float[Tensor, "n 3"]:
     return torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
 
 
-def _points(
-    shape: Shape, volume: Float[Tensor, " c"], generator: torch.Generator
-) -> Float[Tensor, "p 3"]:
+def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
     """At the surface, about it, anywhere."""
+    volume = shape.sdf(_cells())
     near = volume.abs() < BAND[0]
     near = near if near.sum() >= FEW else volume.abs() < BAND[1]
     cells = torch.multinomial(near.float(), ON + NEAR, True, generator=generator)

@@ -59,3 +59,8 @@ def kind_rows(solids: Solids, middles: Float[Tensor, "n k c"]) -> Int[Tensor, " 
         away = torch.cdist(compared(solids.grid[index]), middles[noun])
         rows[index] = 1 + KINDS * noun + away.argmin(1)
     return rows
+
+
+def nearest_kind(volume: Int[Tensor, "32 32 32"], middles: Float[Tensor, "k c"]) -> int:
+    """Which of the noun's kinds an object is."""
+    return int(torch.cdist(compared(volume[None]), middles).argmin())

@@ -140,13 +140,18 @@ def bake_maps(
     progress: Progress,
     *,
     surfaces: tuple[Surface, ...] = (),
+    colored_at: Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None = None,
     seed: int = 0,
 ) -> Maps:
-    """Γ on every texel, with the detail of ``surfaces`` and the relief of the fine shape."""
+    """Γ on every texel, with the detail of ``surfaces`` and the relief of the fine shape.
+
+    ``colored_at``: where a point takes its material from; None: from where it is.
+    """
     device, size = next(net.parameters()).device, config.texture.size
 
     @torch.no_grad()
     def material(points: Float[Tensor, "n 3"]) -> Material:
+        points = colored_at(points) if colored_at else points
         return Material(*(x.cpu() for x in net(points.to(device))))
 
     with progress.timed("bake"):

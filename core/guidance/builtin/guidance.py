@@ -5,6 +5,7 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 """
 
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 
 import torch
@@ -17,6 +18,7 @@ from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.offered import (
     NETWORKS,
     PARTS,
@@ -27,6 +29,7 @@ from core.guidance.builtin.offered import (
     weights_error,
 )
 from core.guidance.builtin.palette import finishes_of
+from core.guidance.builtin.part_borders import PartBorders
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
 from core.guidance.builtin.restore import as_render, restored
@@ -152,6 +155,13 @@ class PromptedBuiltin(PromptedGuidance):
     def start_shape(self) -> Shape | None:
         """The drawn solid."""
         return self.solid and self.solid.shape()
+
+    def colored_at(self) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None:
+        """Away from the drawn solid's borders."""
+        noun = self.words.noun
+        if self.solid is None or len(NOUNS[noun].looks) < 2:
+            return None
+        return PartBorders(self.solid.field(len(NOUNS[noun].looks))).inside
 
     @torch.no_grad()
     def restore(

@@ -1,0 +1,53 @@
+"""Solids as the solids' network has them: what a draft's geometry starts from, and its faults."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from jaxtyping import Float
+from safetensors.torch import load_file
+from torch import Tensor
+
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.solid_net import KINDS, SCALE
+from core.prior.families import Shape
+from core.prior.soften import HALF, LatticeShape
+from core.prior.solid_data import volume_of
+from core.prior.solid_kinds import kinds_of, nearest_kind
+from core.prior.solid_training import Autoencoder
+
+WEIGHTS = "solid_ema.safetensors"  # of the training, with the encoder
+CHUNK = 1 << 16  # points at a time
+
+
+@dataclass(frozen=True)
+class Redrawing:
+    """The trained autoencoder: a solid is encoded and drawn again."""
+
+    net: Autoencoder
+    kinds: Float[Tensor, "n k c"]  # the middle of each noun's kinds
+
+    @classmethod
+    def of(cls, folder: Path) -> "Redrawing | None":
+        """That of a training folder; None if nothing has been trained there."""
+        path = folder / WEIGHTS
+        if not path.exists():
+            return None
+        net = Autoencoder()
+        weights = {name: tensor.float() for name, tensor in load_file(path).items()}
+        net.load_state_dict(net.state_dict() | weights)
+        return cls(net.eval().requires_grad_(False), kinds_of(folder))
+
+    def shape(self, shape: Shape, noun: int, cells: int) -> LatticeShape:
+        """The solid as it comes back, on a lattice of ``cells`` along an edge; ``noun``: its place
+        in ``core.prior.data.NOUNS``."""
+        volume = volume_of(shape)
+        kind = 1 + KINDS * noun + nearest_kind(volume, self.kinds[noun])
+        words = torch.tensor([[noun + 1, 0, 0, kind]])
+        code, _ = self.net.encode(volume[None, None].float() / 127, words)
+        triplane = self.net.decoder.triplane(words, code)
+        side = torch.linspace(-HALF, HALF, cells + 1).clamp(-EXTENT, EXTENT) / EXTENT
+        nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
+        chunks = nodes.view(-1, 3).split(CHUNK)
+        found = [self.net.decoder.at(triplane, chunk[None])[0] for chunk in chunks]
+        return LatticeShape(torch.cat(found, 1).view(1, 1, *nodes.shape[:3]) / SCALE)
