@@ -1,23 +1,25 @@
 """Which way each part of a mesh is long: the way in which wood would be cut for it.
 
-A part's length is the axis along which the surface around a vertex spreads most. Of the three axes
-of the object one is taken, as a joiner does who cuts boards and legs to length; the borders are
-where the parts meet.
+A part's length is the axis along which the surface around a vertex spreads most, and what runs on
+smoothly is one part: a board's edges are cut with it. Of the three axes of the object one is taken,
+as a joiner does who cuts boards and legs to length; the borders are where the parts meet.
 """
 
 import numpy as np
 import torch
 from jaxtyping import Float, Int
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, diags_array
 from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.mesh import mean_around
+from core.geometry.tangents import smooth_normals
 from core.texture.detail.survey import spread
 
 SAMPLES = 3000  # points of the surface
 REACH = 0.16  # radius of a vertex's surroundings, of the object's longest side
-SMOOTHING = 6  # rounds over neighbouring vertices
+SMOOTHING = 300  # rounds over neighbouring vertices
+FACING = 12  # power of the cosine between their normals that is their weight in it
 # Where two axes are as long, width before depth before height: a seat's boards, a wall's logs.
 PREFERRED = np.array([1.06, 1.0, 0.97])
 
@@ -34,7 +36,17 @@ def lengths(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Ten
     # The variance along each axis: E[x²] - E[x]².
     variance = np.maximum((inside @ points**2) / count - ((inside @ points) / count) ** 2, 1e-12)
     score = PREFERRED * np.sqrt(variance)
-    mean = mean_around(f, len(v))
+    mean = _mean_along(verts, faces)
     for _ in range(SMOOTHING):
         score = mean @ score
     return torch.from_numpy(score / np.maximum(score.sum(1, keepdims=True), 1e-30)).to(verts)
+
+
+def _mean_along(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> csr_array:
+    """The mean over a vertex and its neighbours, those most that face the same way."""
+    around = mean_around(faces.cpu().numpy(), len(verts)).tocoo()
+    n = smooth_normals(verts, faces).cpu().double().numpy()
+    alike = np.clip((n[around.row] * n[around.col]).sum(1), 0, 1) ** FACING
+    weights = csr_array((around.data * alike, (around.row, around.col)), around.shape)
+    weights = weights + diags_array(np.full(len(verts), 0.1))
+    return csr_array(weights / weights.sum(1)[:, None])

@@ -6,7 +6,7 @@ from core.texture.detail.noise import smoothstep
 from core.texture.detail.place import Layer, Place
 
 HEART = np.array([0.43, 0.61], np.float32)  # of the tree, across the grain: outside most parts
-RINGS = 24.0  # a unit
+RINGS = 32.0  # a unit
 
 
 def wooden(place: Place) -> Layer:
@@ -18,8 +18,8 @@ def wooden(place: Place) -> Layer:
     p, noise = place.grained, place.noise
     # Slow along the grain: it bends the long lines of a flat-sawn board.
     bend = noise.waves(p, (1.2, 3.5, 3.5), 1, 3)
-    radius = np.hypot(p[:, 1] - HEART[0], p[:, 2] - HEART[1]) + 0.05 * bend
-    turn = RINGS * radius + 0.2 * noise.waves(p, (5.0, 14.0, 14.0), 2)
+    radius = np.hypot(p[:, 1] - HEART[0], p[:, 2] - HEART[1]) + 0.035 * bend
+    turn = RINGS * radius + 0.13 * noise.waves(p, (5.0, 14.0, 14.0), 2)
     year = turn - np.floor(turn)
     late = smoothstep(0.25, 0.9, year) * smoothstep(1.0, 0.93, year) * noise.seen(2 * RINGS)
     fibre = noise.waves(p, (6.0, 70.0, 70.0), 3, 2)
@@ -32,7 +32,7 @@ def wooden(place: Place) -> Layer:
         0.85 * late + 0.35 * fibre + 0.55 * pore + 0.35 * broad + board,
         (0.60, 0.49, 0.40),
         roughness=0.12 * pore - 0.1 * late + 0.04 * fibre,
-        height=0.0006 * late - 0.0009 * pore + 0.0005 * fibre,
+        height=0.0003 * late - 0.0006 * pore + 0.0003 * fibre,
     )
 
 
