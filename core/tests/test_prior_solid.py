@@ -5,9 +5,11 @@ from functools import partial
 
 import pytest
 import torch
+from safetensors.torch import save_file
 
 from core.geometry.mesh import NORMAL_RADIUS
-from core.geometry.tet_grid import EXTENT
+from core.geometry.sdf_net import surface
+from core.geometry.tet_grid import EXTENT, tet_grid
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import Solid, drawn_kind, load_solid_net, save_solid_net
@@ -25,15 +27,19 @@ from core.prior import solid_kinds, solid_training
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import build
+from core.prior.redrawn import Redrawing
+from core.prior.soft_pairs import make_pairs
+from core.prior.soften import HALF, SAFETY
 from core.prior.solid_data import (
     REACH,
     SIDE,
     make_solids,
     read_solids,
+    volume_of,
     write_solid_files,
     write_solids,
 )
-from core.prior.solid_kinds import compared, kind_rows, kinds_of
+from core.prior.solid_kinds import compared, kind_rows, kinds_of, nearest_kind
 from core.prior.solid_training import (
     WORDS,
     Autoencoder,
@@ -45,6 +51,7 @@ from core.prior.solid_training import (
 from core.prior.train import TrainConfig, Training
 
 NOUN = ["mug", "chair"]
+GRID = tet_grid(24)
 TINY = SolidNetConfig(WORDS, latent=4, embedding=16, widths=(16, 16, 8, 8), hidden=16)
 
 
@@ -300,3 +307,94 @@ def test_steps_that_are_asked_for_are_taken():
 
 def test_scale_is_that_of_the_tenth():
     assert pytest.approx(1.0) == SCALE * 0.1
+
+
+def _redrawing() -> Redrawing:
+    torch.manual_seed(0)
+    net = Autoencoder(TINY).eval().requires_grad_(False)
+    kinds = torch.randn(len(NOUNS), KINDS, SIDE**3, generator=_generator())
+    return Redrawing(net, kinds)
+
+
+def test_a_redrawn_solid_is_what_the_network_answers_at_the_lattice_nodes():
+    noun, cells = NOUNS.index("mug"), 16
+    redrawing, shape = _redrawing(), build("mug", "", Draw(_generator()))
+    lattice = redrawing.shape(shape, noun, cells)
+    volume = volume_of(shape)
+    kind = nearest_kind(volume, redrawing.kinds[noun])
+    words = torch.tensor([[noun + 1, 0, 0, 1 + KINDS * noun + kind]])
+    code, _ = redrawing.net.encode(volume[None, None].float() / 127, words)
+    triplane = redrawing.net.decoder.triplane(words, code)
+    # Nodes by their places along x, y and z: all different, so that swapped axes would show.
+    nodes = torch.tensor([[3, 7, 12], [8, 8, 8], [14, 2, 5]])
+    points = nodes * (2 * HALF / cells) - HALF
+    true = redrawing.net.decoder.at(triplane, points[None] / EXTENT)[0][0] / SCALE
+    torch.testing.assert_close(lattice.sdf(points), SAFETY * true, atol=1e-5, rtol=1e-4)
+
+
+def test_a_folder_without_a_trained_network_redraws_nothing(tmp_path):
+    assert Redrawing.of(tmp_path) is None
+
+
+def test_a_folders_network_comes_back_with_its_encoder(tmp_path, monkeypatch):
+    monkeypatch.setattr("core.prior.redrawn.Autoencoder", partial(Autoencoder, TINY))
+    there = _redrawing()
+    weights = {
+        n: x.half().contiguous() for n, x in there.net.state_dict().items() if "counts" not in n
+    }
+    save_file(weights, tmp_path / "solid_ema.safetensors")
+    save_file({"middles": there.kinds.half()}, tmp_path / "kinds.safetensors")
+    back = Redrawing.of(tmp_path)
+    assert back
+    shape, noun = build("mug", "", Draw(_generator())), NOUNS.index("mug")
+    one, other = (each.shape(shape, noun, 8).values for each in (there, back))
+    torch.testing.assert_close(one, other, atol=2e-3, rtol=2e-2)
+
+
+def test_most_soft_pairs_are_redrawn_once_there_is_a_network(monkeypatch):
+    asked = []
+
+    class Spy(Redrawing):
+        def shape(self, shape, noun, cells):
+            asked.append(noun)
+            return super().shape(shape, noun, cells)
+
+    spy = Spy(_redrawing().net, _redrawing().kinds)
+    with_it = make_pairs(1, 4, "mug", redrawing=spy)
+    assert 1 <= len(asked) <= 4 and set(asked) == {NOUNS.index("mug")}
+    without = make_pairs(1, 4, "mug")
+    assert not torch.equal(with_it.soft, without.soft)
+
+
+def test_a_torn_drawing_is_drawn_again(monkeypatch):
+    """Of three codes the simplest shape is taken; a simple first one is taken at once."""
+    for complexities, tried in (([2], 1), ([9, 3], 2), ([9, 12, 7], 3), ([9, 7, 12], 3)):
+        waiting, made = list(complexities), {}
+
+        def complexity(solid, waiting=waiting, made=made):
+            if id(solid) not in made:
+                made[id(solid)] = waiting.pop(0), solid  # kept, or its id would come again
+            return made[id(solid)][0]
+
+        monkeypatch.setattr(Solid, "complexity", property(complexity))
+        drawn = Solid.drawn(_tiny(), _rows("mug")[:, :3], _generator())
+        assert len(made) == tried
+        assert made[id(drawn)][0] == min(complexities)
+
+
+def test_complexity_counts_pieces_and_handles():
+    def of(sdf):
+        solid = Solid.__new__(Solid)
+        verts, faces, *_ = surface(sdf(GRID.tet_verts), GRID.tet_verts, GRID)
+        solid.__dict__["mesh"] = verts, faces
+        return solid.complexity
+
+    def ball(at):
+        return lambda p: (p - torch.tensor(at)).norm(dim=1) - 0.3
+
+    def ring(p):
+        return torch.stack([p[:, :2].norm(dim=1) - 0.6, p[:, 2]]).norm(dim=0) - 0.2
+
+    assert of(ball([0.0, 0, 0])) == 1
+    assert of(lambda p: torch.minimum(ball([-0.5, 0, 0])(p), ball([0.5, 0, 0])(p))) == 2
+    assert of(ring) == 2

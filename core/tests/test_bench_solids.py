@@ -1,0 +1,45 @@
+"""What ``bench solids`` measures."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, variety
+from core.benchmarks.likeness import Surface, objects
+from core.errors import UserError
+from core.guidance.builtin.guidance import load_builtin
+
+
+def _moved(surface: Surface, by: float) -> Surface:
+    return replace(surface, points=surface.points + np.array([by, 0, 0]))
+
+
+def test_variety_is_one_for_the_nouns_own_objects_and_none_for_copies():
+    own = objects("mug")
+    assert variety(list(own), own) == pytest.approx(1)
+    assert variety([own[0]] * 3, own) == 0
+    assert variety([own[0]], own) == 1
+    close, far = (variety([own[0], _moved(own[0], by)], own) for by in (0.02, 0.2))
+    assert 0 < close < far
+
+
+def test_a_drawn_mug_is_like_a_mug():
+    scores = solid_scores(load_builtin("cpu"), "mug", seeds=2)
+    assert scores["missing"] <= scores["usual_missing"] + 0.03
+    assert scores["pieces"] >= 0.85
+    assert scores["cpu_s"] > 0
+
+
+def test_the_summary_counts_nouns():
+    good = {"crease": 0.8, "missing": 0.01, "usual_missing": 0.0, "pieces": 1.0, "variety": 0.9}
+    good["cpu_s"] = 1.0
+    bad = good | {"crease": 1.5, "missing": 0.2, "pieces": 0.5, "variety": 0.1}
+    found = {line["name"]: line["value"] for line in summary({"a": good, "b": good, "c": bad})}
+    for name in ("not ragged", "nothing missing", "pieces", "various"):
+        assert found[name] == pytest.approx(2 / 3)
+
+
+def test_an_unknown_noun_is_refused():
+    with pytest.raises(UserError, match="no noun 'xyzzy'"):
+        bench_solids(["xyzzy"], 1)
