@@ -12,6 +12,7 @@ BUILTIN = "builtin"  # the guidance of that name
 GUIDE_RESIDUAL = 0.1
 
 START_RESIDUAL = 0.1  # the same, of a solid that the guidance draws
+START_POLISH = 2  # rounds: what is drawn is smooth, and more would take its details
 
 # Settings of the geometry's training that belong to the built-in prior, not to a preset. The
 # learning rate is not among them: it belongs to Ψ's encoding.
@@ -64,6 +65,7 @@ def started(config: Config, job: Job) -> Config:
         grow=replace(g.grow, rounds=0),
         refine=replace(g.refine, rounds=0),
         net=replace(g.net, residual=g.net.residual or START_RESIDUAL),
+        polish=min(g.polish, START_POLISH),
     )
     return replace(config, geometry=less)
 
