@@ -63,6 +63,24 @@ def test_one_scale_for_all_and_no_mirror() -> None:
     assert np.allclose(ratio, ratio[0], rtol=0.02)
 
 
+def test_a_corner_of_a_face_without_area_stays_with_its_chart() -> None:
+    """xatlas left it at the origin: a generated asset had eight faces right across its atlas."""
+    uv, faces, chart = blobs(9)
+    ears = []
+    for a, b in ((1, 2), (14, 15)):  # beyond the rim, on the line through the rim's edge
+        ears.append(uv[b] + 0.5 * (uv[b] - uv[a]))
+    uv = np.concatenate([uv, ears])
+    faces = np.concatenate([faces, [[1, 2, len(uv) - 2], [14, 15, len(uv) - 1]]])
+    chart = np.concatenate([chart, [0, 1]])
+    out = pack(uv, faces, chart, 1 / 256)
+    scale = np.sqrt(np.linalg.det(out[faces[0]][1:] - out[faces[0]][:1])) / np.sqrt(
+        np.linalg.det(uv[faces[0]][1:] - uv[faces[0]][:1])
+    )
+    for ear, near in ((-2, 1), (-1, 14)):
+        wanted = scale * np.linalg.norm(uv[ear] - uv[near])
+        assert np.linalg.norm(out[ear] - out[near]) == pytest.approx(wanted, abs=0.01)
+
+
 def test_they_fill_most_of_the_square() -> None:
     uv, faces, chart = blobs(60)
     out = pack(uv, faces, chart, 1 / 1024)

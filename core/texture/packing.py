@@ -19,6 +19,7 @@ EXPECTED_FILL = 0.7  # fraction of the square that charts fill at the first scal
 PASSES = 24  # at other scales and in other turns
 GROWTH = 0.01  # of the scale, from one that fits to the next tried
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
+STRAY = 3.0  # cells: more than what xatlas rounds in placing a chart
 REST = 0.25  # s from an atlas's last work to its end
 
 
@@ -88,6 +89,7 @@ def pack(
             apart = in_a_row(found, turns, len(uv))
             with atlases.new() as atlas:
                 at, side = laid_out(atlas, apart, face_uvs, scale, padding, len(found) <= MANY)
+            at = with_strays(at, apart * scale, found)
             if side <= room:
                 best, step = (at, scale), GROWTH
             elif not round_ % 2:  # upright again, it had to be another scale
@@ -137,6 +139,25 @@ def laid_out(
     out = np.zeros_like(uv)
     out[source] = at * np.array([atlas.width, atlas.height])
     return out, max(atlas.width, atlas.height)
+
+
+def with_strays(
+    at: Float[np.ndarray, "u 2"], given: Float[np.ndarray, "u 2"], found: list[Chart]
+) -> Float[np.ndarray, "u 2"]:
+    """``at``, with the corners that xatlas left behind moved to where their charts have gone.
+
+    It places no face without an area in single precision, and so no corner that is of such a face
+    alone: these stay in the atlas's corner, and the face would cross all charts on the way there.
+    ``given``: what xatlas was given, in cells. A chart keeps its form but for the rounding.
+    """
+    out = at.copy()
+    for one in found:
+        moved = at[one.uvs] - given[one.uvs]
+        way = np.median(moved, axis=0)
+        stray = np.abs(moved - way).max(1) > STRAY
+        # Within the atlas: a chart without any area was not placed at all.
+        out[one.uvs[stray]] = np.clip(given[one.uvs[stray]] + way, 0, at.max(0))
+    return out
 
 
 def charts_of(
