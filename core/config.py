@@ -83,6 +83,7 @@ class SharpenConfig:
     size: Pixels = 128  # side of the rendered picture, pixels
     learning_rate: Rate = 0.02
     stiffness: Weight = 10.0  # λ of core.geometry.large_steps
+    reach: Weight = 0.0  # training units that a vertex may move in all; 0: any way
 
 
 @dataclass(frozen=True, kw_only=True)

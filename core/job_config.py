@@ -12,6 +12,7 @@ BUILTIN = "builtin"  # the guidance of that name
 GUIDE_RESIDUAL = 0.1
 
 START_RESIDUAL = 0.1  # the same, of a solid that the guidance draws
+START_REACH = 0.012  # of the sharpening: a third of a fine cell, where growing is off by more
 START_POLISH = 2  # rounds: what is drawn is smooth, and more would take its details
 
 # Settings of the geometry's training that belong to the built-in prior, not to a preset. The
@@ -66,6 +67,7 @@ def started(config: Config, job: Job) -> Config:
         refine=replace(g.refine, rounds=0),
         net=replace(g.net, residual=g.net.residual or START_RESIDUAL),
         polish=min(g.polish, START_POLISH),
+        sharpen=replace(g.sharpen, rounds=4, close_rounds=3, reach=START_REACH),
     )
     return replace(config, geometry=less)
 

@@ -22,7 +22,7 @@ from torch import Tensor
 
 NORMAL_ROUNDS = 10  # of the normals, in one round of the filter
 VERTEX_ROUNDS = 15  # of the vertices after them
-FOLLOWING_NORMAL_ROUNDS = 5  # of normals that come from elsewhere: less noisy than a mesh's own
+FOLLOWING_NORMAL_ROUNDS = 3  # of normals that come from elsewhere: less noisy than a mesh's own
 FOLLOWING_VERTEX_ROUNDS = 20
 REACH = 2.0  # σ_c, of the mean distance between the centres of faces that touch
 UNDO_ROUNDS = 4  # enough: what is put back lies in small groups of vertices

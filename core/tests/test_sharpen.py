@@ -18,7 +18,7 @@ from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.render.normals import face_normals, render_normals
-from core.stages.sharpen import Crisp, seen_normals, sharpened
+from core.stages.sharpen import Crisp, seen_normals, sharpened, within_reach
 
 HALF = 0.55  # of the cube's side
 SHORT = SharpenConfig(rounds=2, views=16, passes=1, steps=15, batch=8)
@@ -168,3 +168,13 @@ def test_it_can_be_cancelled(soft, progress):
     progress.interrupt()
     with pytest.raises(Cancelled):
         sharpened(CONFIG, Knows(soft), *soft, progress)
+
+
+def test_no_vertex_goes_beyond_its_reach():
+    start = torch.zeros(3, 3)
+    verts = torch.tensor([[0.005, 0, 0], [0, 0.3, 0.4], [0, 0, 0]])
+    near = within_reach(start, verts, 0.01)
+    torch.testing.assert_close(near[0], verts[0])  # nearer than that: where it went
+    torch.testing.assert_close(near[1], torch.tensor([0, 0.006, 0.008]))  # on its way
+    torch.testing.assert_close(near[2], verts[2])
+    assert torch.equal(within_reach(start, verts, 0), verts)
