@@ -22,6 +22,10 @@ SOLID = SolidNetConfig(WORDS)
 FITTING = TrainConfig(minutes=120.0, batch=8, learning_rate=1.5e-3, warm_up=100)
 ASKED = 1024  # points of an object in one step
 PRIOR_WEIGHT = 4e-5  # of the code's distance to the normal distribution, nats
+INSIDE = 2.5  # weight of a distance inside the solid
+INSIDE_WEIGHT = 0.03  # of the cross entropy of what is inside
+STEEPNESS = 8.0  # of its logits, / SCALE of the distance
+UNCLEAR = 0.02  # distance, / SCALE, that is neither inside nor outside
 PART_WEIGHT = 0.05  # of the parts' cross entropy
 PART_REACH = 0.6  # within which of the surface parts are asked for, / SCALE
 LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
@@ -117,14 +121,23 @@ def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
     near = distance.abs() < PART_REACH
     parts = F.cross_entropy(logits[near], part[near])
     prior = (mean.square() + log_variance.exp() - 1 - log_variance).sum(1).mean() / 2
-    return distance_loss(found, distance) + PART_WEIGHT * parts + PRIOR_WEIGHT * prior
+    solid = distance_loss(found, distance) + INSIDE_WEIGHT * inside_loss(found, distance)
+    return solid + PART_WEIGHT * parts + PRIOR_WEIGHT * prior
 
 
 def distance_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
     """Mean absolute error; what is rightly farther off than 1 has none (Park et al. 2019,
-    "DeepSDF", Eq. 4)."""
+    "DeepSDF", Eq. 4). Inside it counts more: a wall thinner than the error would be torn."""
     beyond = (distance.abs() >= 1) & (found * distance >= 1)
-    return ((found - distance).abs() * ~beyond).mean()
+    weight = torch.where(distance < 0, INSIDE, 1.0)
+    return ((found - distance).abs() * weight * ~beyond).mean()
+
+
+def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
+    """Cross entropy of what is inside, by the sign of the distance alone."""
+    clear = distance.abs() > UNCLEAR
+    inside = (distance < 0).float()
+    return F.binary_cross_entropy_with_logits(-STEEPNESS * found[clear], inside[clear])
 
 
 def trained_solid_net(folder: Path) -> SolidNet:

@@ -41,10 +41,13 @@ from core.prior.solid_data import (
 )
 from core.prior.solid_kinds import compared, kind_rows, kinds_of, nearest_kind
 from core.prior.solid_training import (
+    INSIDE,
+    STEEPNESS,
     WORDS,
     Autoencoder,
     SolidSource,
     distance_loss,
+    inside_loss,
     solid_loss,
     trained_solid_net,
 )
@@ -219,7 +222,14 @@ def test_kinds_tell_apart_what_looks_different(folder):
 def test_what_is_rightly_far_has_no_error():
     found = torch.tensor([[3.0, -3.0, 3.0, 0.2]])
     wanted = torch.tensor([[1.0, -1.0, -1.0, 0.5]])
-    assert distance_loss(found, wanted) == pytest.approx((0 + 0 + 4 + 0.3) / 4)
+    assert distance_loss(found, wanted) == pytest.approx((0 + 0 + INSIDE * 4 + 0.3) / 4)
+
+
+def test_the_sign_alone_decides_what_is_inside():
+    wanted = torch.tensor([[-0.5, 0.5, 0.001]])
+    right, wrong = torch.tensor([[-9.0, 9.0, -9.0]]), torch.tensor([[9.0, -9.0, 9.0]])
+    assert inside_loss(right, wanted) == pytest.approx(0, abs=1e-6)  # the last is on the surface
+    assert inside_loss(wrong, wanted) == pytest.approx(STEEPNESS * 9, rel=1e-3)
 
 
 def test_a_training_learns_ships_and_draws(folder, tmp_path, monkeypatch):
