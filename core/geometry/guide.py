@@ -7,10 +7,11 @@ from torch import Tensor
 
 from core.geometry.init_shape import Shape, sample_surface
 from core.geometry.mesh import Mesh, normalise
-from core.geometry.residual import Residual
+from core.geometry.residual import Residual, blurred
 from core.geometry.sdf_net import SdfNet
 from core.geometry.signed_distance import SolidMesh
 
+DEBLUR_ROUNDS = 30
 CHUNK = 1 << 15  # nodes at a time
 
 
@@ -58,5 +59,8 @@ def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
         # The shape's distances hold at nodes that have not moved, so Ψ's offsets are taken back.
         missing.append(torch.cat([(shape.sdf(points).to(sdf) - sdf)[:, None], -offset], 1))
     # Channels first, as in ``values``; the nodes run along z fastest, as its last axis.
-    lacks = torch.cat(missing).T.reshape(1, 4, n, n, n)
-    residual.values.copy_(lacks * (share / residual.scale))
+    lacks = torch.cat(missing).T.reshape(1, 4, n, n, n) * (share / residual.scale)
+    # The residual is read blurred; what the blur takes is put on top, again and again (Van Cittert
+    # 1931), or all that is smaller than three cells would be lost.
+    for _ in range(DEBLUR_ROUNDS):
+        residual.values.add_(lacks - blurred(residual.values))
