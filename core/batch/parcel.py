@@ -3,7 +3,7 @@
 import io
 import shutil
 import tarfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -12,7 +12,7 @@ from core.io.atomic import atomic_file
 from core.io.job import Job, write_text
 from core.io.json_file import read_object
 
-INPUTS = ("mesh", "guide_mesh", "base_color", "light")  # of a job: files that go along
+INPUTS = ("mesh", "guide_mesh", "base_color", "light", "region")  # of a job: files that go along
 STATE = ("events.jsonl", "log.txt", "checkpoint/*.safetensors", "preview/*.png", "preview/*.npz")
 ASSET = ("events.jsonl", "log.txt", "preview/*.png", "asset/*")  # of a run that is done
 RECEIVED = "asset.received"  # an asset appears by rename, here as well
@@ -20,13 +20,39 @@ RECEIVED = "asset.received"  # an asset appears by rename, here as well
 
 def outward(folder: Path) -> bytes:
     """What another machine needs to go on with the run ``folder``, with the files of its job."""
-    job, files = _job(folder), {}
-    for key in INPUTS:
-        path = Path(getattr(job, key))
-        if getattr(job, key) and path.is_file():
-            files[f"inputs/{key}/{path.name}"] = path
-            job = replace(job, **{key: f"inputs/{key}/{path.name}"})
+    job, files = with_inputs(_job(folder))
     return _pack({"job.json": job.to_json().encode()}, files | found(folder, STATE))
+
+
+def with_inputs(job: Job) -> tuple[Job, dict[str, Path]]:
+    """``job`` with its files named as they travel, and these files by their new names."""
+    files: dict[str, Path] = {}
+
+    def travels(text: str, place: str) -> str:
+        path = Path(text)
+        if not text or not path.is_file():
+            return text
+        name = f"inputs/{place}/{path.name}"
+        files[name] = path
+        return name
+
+    if (kept := Path(job.kept_asset)).is_dir() and job.kept_asset:
+        parts = found(kept, ("*",))
+        files |= {f"inputs/kept_asset/{name}": path for name, path in parts.items()}
+        job = replace(job, kept_asset="inputs/kept_asset")
+    return _renamed(job, travels), files
+
+
+def _renamed(job: Job, rename: Callable[[str, str], str]) -> Job:
+    """``job`` with each name of an input file as ``rename(name, place)`` has it.
+
+    A LoRA or an embedding has a place with its number: two of them may share a name, and an
+    embedding's name is its word in the prompt.
+    """
+    loras = {rename(x, f"loras/{n}"): value for n, (x, value) in enumerate(job.loras.items())}
+    words = [rename(path, f"embeddings/{n}") for n, path in enumerate(job.embeddings)]
+    plain = {key: rename(getattr(job, key), key) for key in INPUTS}
+    return replace(job, loras=loras, embeddings=words, **plain)
 
 
 def homeward(folder: Path, patterns: Iterable[str]) -> bytes:
@@ -82,10 +108,13 @@ def _write(path: Path, content: bytes) -> None:
 
 def settle(folder: Path) -> None:
     """Name in an unpacked job.json the files that came along by where they are now."""
-    job = _job(folder)
-    came = {key: getattr(job, key) for key in INPUTS if getattr(job, key).startswith("inputs/")}
-    moved = {key: str((folder / name).resolve()) for key, name in came.items()}
-    write_text(folder / "job.json", replace(job, **moved).to_json())
+
+    def here(text: str, _: str = "") -> str:
+        return str((folder / text).resolve()) if text.startswith("inputs/") else text
+
+    job = _renamed(_job(folder), here)
+    job = replace(job, kept_asset=here(job.kept_asset))
+    write_text(folder / "job.json", job.to_json())
 
 
 def _job(folder: Path) -> Job:

@@ -46,6 +46,37 @@ def test_a_job_goes_with_the_files_that_it_names(tmp_path):
     assert job.light == "sky" and Path(job.mesh).is_absolute()
 
 
+def test_loras_embeddings_and_regions_travel_with_their_settings(tmp_path):
+    for name in ("a/style.safetensors", "b/style.safetensors", "owl.safetensors", "faces.txt"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(name.encode())
+    (tmp_path / "kept").mkdir()
+    (tmp_path / "kept" / "mesh.obj").write_text("v 1 2 3\n")
+    loras = {str(tmp_path / "a/style.safetensors"): 0.5, str(tmp_path / "b/style.safetensors"): 2.0}
+    here = run_folder(
+        tmp_path / "here", command="texture", mesh="mesh of the node", uv="keep",
+        loras=loras, embeddings=[str(tmp_path / "owl.safetensors")],
+        region=str(tmp_path / "faces.txt"), kept_asset=str(tmp_path / "kept"),
+    )  # fmt: skip
+    before = (here / "job.json").read_bytes()
+    there = tmp_path / "there"
+    parcel.unpack(parcel.outward(here), there)
+    sent = Job.from_json((there / "job.json").read_text())
+    assert list(sent.loras) == [f"inputs/loras/{n}/style.safetensors" for n in (0, 1)]
+    assert sent.embeddings == ["inputs/embeddings/0/owl.safetensors"]
+    assert str(tmp_path) not in (there / "job.json").read_text()
+    parcel.settle(there)
+    job = Job.from_json((there / "job.json").read_text())
+    assert list(job.loras.values()) == [0.5, 2.0]
+    assert [Path(x).read_bytes() for x in job.loras] == [Path(x).read_bytes() for x in loras]
+    assert [Path(x).name for x in job.embeddings] == ["owl.safetensors"]  # its word in the prompt
+    assert Path(job.embeddings[0]).read_bytes() == b"owl.safetensors"
+    assert Path(job.region).read_bytes() == b"faces.txt" and job.mesh == "mesh of the node"
+    assert (Path(job.kept_asset) / "mesh.obj").read_text() == "v 1 2 3\n"
+    assert all(Path(x).is_relative_to(there) for x in (*job.loras, *job.embeddings, job.region))
+    assert (here / "job.json").read_bytes() == before
+
+
 def test_an_asset_comes_back_whole_and_the_job_stays(tmp_path):
     here, there = run_folder(tmp_path / "here"), run_folder(tmp_path / "there", seed=7)
     (there / "asset").mkdir()
