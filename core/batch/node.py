@@ -63,9 +63,13 @@ def times(folder: Path) -> dict[str, int]:
 
 @cache
 def source_version() -> str:
-    """A hash of the core's source: two machines of a batch must have the same."""
+    """A hash of the core's source: two machines of a batch must have the same.
+
+    Of what the extension's zip holds as well, which is without the tests and the prior's training.
+    """
     digest = hashlib.sha256()
     for path in sorted((ROOT / "core").rglob("*.py")):
-        if "tests" not in path.parts:
-            digest.update(path.relative_to(ROOT).as_posix().encode() + path.read_bytes())
+        name = path.relative_to(ROOT)
+        if not {"tests", "prior"} & set(name.parts):
+            digest.update(name.as_posix().encode() + path.read_bytes())
     return digest.hexdigest()[:16]
