@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 import torch
-from safetensors.torch import save_file
+from safetensors.torch import load_file, save_file
 from torch.nn import functional as F
 
 from core.camera import CameraConfig, Cameras, sample_cameras, sample_groups
@@ -15,12 +15,17 @@ from core.errors import UserError
 from core.generate import prepare
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
+from core.guidance.stable_diffusion import networks, single_file
+from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
 from core.guidance.stable_diffusion.guidance import StableDiffusion
-from core.guidance.stable_diffusion.keys import unet_key
+from core.guidance.stable_diffusion.header import kind_of, read_header
+from core.guidance.stable_diffusion.keys import UNET, unet_key
 from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numbers
 from core.guidance.stable_diffusion.networks import UNet2DConditionModel, unet_config
+from core.guidance.stable_diffusion.source import Checkpoint
 from core.io.job import Job
 from core.stages.distill import require_groups
+from core.tests.one_file import write_configurations, write_one_file
 
 # As the published folders state it, in small: attention at the first of two levels.
 CONFIG = {
@@ -255,3 +260,62 @@ def test_imagedream_and_other_multi_view_models_are_refused(folder, tmp_path):
         (other / "unet" / "config.json").write_text(json.dumps(CONFIG | change))
         with pytest.raises(UserError, match=says):
             StableDiffusion.load(str(other), "cpu")
+
+
+# ---- one file
+
+
+@pytest.fixture
+def one_file(weights, folder, checkpoints, tmp_path, monkeypatch):
+    """The folder's weights in the layout of the released file, and its configuration in small."""
+    path = write_one_file(checkpoints["2.x"], tmp_path / "mvdream.safetensors")
+    kept = {k: v for k, v in load_file(path).items() if not k.startswith(UNET)}
+    save_file(kept | {f"{UNET}{k}": v for k, v in weights.items()}, path)
+    known = write_configurations(tmp_path / "configurations", {"sd21_base": checkpoints["2.x"]})
+    (known / "mvdream").mkdir()
+    for part in ("unet", "vae", "text_encoder", "scheduler"):
+        shutil.copytree(folder / part, known / "mvdream" / part)
+    for module in (networks, single_file):
+        monkeypatch.setattr(module, "CONFIGURATIONS", known)
+    return path
+
+
+def test_one_file_predicts_as_the_folder_does_to_the_bit(one_file, guidance):
+    assert kind_of(read_header(one_file)) == "MVDream"
+    single = StableDiffusion.load(str(one_file), "cpu")
+    z_t = torch.randn(4, 4, 8, 8, generator=torch.Generator().manual_seed(3))
+    picture = torch.rand(4, 64, 64, 3, generator=torch.Generator().manual_seed(1))
+    views, t = Views(group()), torch.full((4,), 300)
+    found, expected = (
+        (
+            predict_eps(g.prompted("a red chair", "the x"), z_t, t, views, 7.5),
+            g.encode_color(picture, torch.ones(4, 64, 64, 1)),
+            g.alpha_bar,
+        )
+        for g in (single, guidance)
+    )
+    assert all(torch.equal(a, b) for a, b in zip(found, expected, strict=True))
+    assert single.views_together == 4
+
+
+def test_a_file_without_a_camera_layer_or_of_another_base_is_refused(one_file, tmp_path):
+    whole, bad = load_file(one_file), tmp_path / "bad.safetensors"
+    save_file({k: v for k, v in whole.items() if not k.endswith("camera_embed.2.weight")}, bad)
+    with pytest.raises(UserError, match=r"incomplete: 1 of its weights.*camera_embed\.2\.weight"):
+        StableDiffusion.load(str(bad), "cpu")
+    names = {k.replace("cond_stage_model.model.", "cond_stage_model.transformer.") for k in whole}
+    save_file({name: torch.zeros(1, 4) for name in names}, bad)
+    with pytest.raises(UserError, match="MVDream of Stable Diffusion 1"):
+        StableDiffusion.load(str(bad), "cpu")
+
+
+def test_the_shipped_configuration_is_stable_diffusion_2_with_cameras():
+    """The paper's network is SD 2.1 base and the camera's two layers (16 to 1280 to 1280)."""
+    model, _ = networks.empty_networks(Checkpoint(CONFIGURATIONS / "mvdream", family="mvdream"))
+    base, _ = networks.empty_networks(Checkpoint(CONFIGURATIONS / "sd21_base"))
+    shapes = [{k: v.shape for k, v in unet.state_dict().items()} for unet in (model, base)]
+    assert shapes[0] == shapes[1]
+    assert model.config.attention_head_dim == base.config.attention_head_dim
+    camera = MultiViewUNet(model).camera_embed
+    assert [layer.weight.shape for layer in (camera[0], camera[2])] == [(1280, 16), (1280, 1280)]
+    assert model.config.sample_size == 32  # 256 pixels

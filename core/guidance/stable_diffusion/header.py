@@ -109,6 +109,13 @@ _KINDS: Final[tuple[tuple[str, Callable[[Header], bool]], ...]] = (
         lambda h: h.starts(UNET) and not h.starts(*_TEXTS),
     ),
     ("checkpoint without VAE", lambda h: h.starts(UNET) and not h.starts(VAE)),
+    # ImageDream's U-Net has layers for a picture as well.
+    ("ImageDream", lambda h: h.starts(f"{UNET}camera_embed.") and h.any("image_embed.", "_ip.")),
+    (
+        "MVDream of Stable Diffusion 1",
+        lambda h: h.starts(f"{UNET}camera_embed.") and h.starts("cond_stage_model.transformer."),
+    ),
+    ("MVDream", lambda h: h.starts(f"{UNET}camera_embed.") and h.starts("cond_stage_model.model.")),
     ("Stable Diffusion XL", lambda h: h.starts(UNET) and h.starts("conditioner.embedders.1.")),
     ("Stable Diffusion 2", lambda h: h.starts(UNET) and h.starts("cond_stage_model.model.")),
     ("Stable Diffusion 1", lambda h: h.starts(UNET) and h.starts("cond_stage_model.transformer.")),

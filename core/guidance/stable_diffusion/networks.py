@@ -112,22 +112,27 @@ def empty_networks(checkpoint: Checkpoint) -> tuple[Any, Any]:
 
 
 def _multi_view(checkpoint: Checkpoint, dtype: torch.dtype) -> MultiViewUNet:
-    """MVDream's U-Net; its file has CompVis' names."""
+    """MVDream's U-Net, whose folder has CompVis' names as its one file has."""
     inner, _ = empty_networks(checkpoint)
     with torch.device("meta"):
         model = MultiViewUNet(inner)
-    folder = checkpoint.folder / "unet"
-    variant = weight_variant(checkpoint.folder, "unet", half=dtype == torch.float16)
-    path = folder / f"diffusion_pytorch_model{f'.{variant}' if variant else ''}.safetensors"
+    top = UNET if checkpoint.file else ""
 
     def place_of(name: str) -> Place:
         plain = name.removeprefix("unet.")
-        return Place(name if plain == name else unet_key(plain, inner.config))
+        return Place(top + (name if plain == name else unet_key(plain, inner.config)))
 
+    path = checkpoint.file or _multi_view_file(checkpoint.folder, half=dtype == torch.float16)
     with readable(path), safe_open(path, "pt") as file:
         weights = _read(file, path, model, place_of, dtype)
     model.load_state_dict(weights, assign=True)
     return model.eval()
+
+
+def _multi_view_file(folder: Path, *, half: bool) -> Path:
+    variant = weight_variant(folder, "unet", half=half)
+    dotted = f".{variant}" if variant else ""
+    return folder / "unet" / f"diffusion_pytorch_model{dotted}.safetensors"
 
 
 def vae_dtype(checkpoint: Checkpoint, dtype: torch.dtype) -> torch.dtype:
@@ -259,7 +264,7 @@ def _places(
 def _open_clip(checkpoint: Checkpoint, part: str) -> bool:
     """Whether the text encoder is OpenCLIP's: that of 2.x and the second one of XL."""
     model = read_json(checkpoint.folder / "text_encoder" / "config.json")
-    of_two = model.get("hidden_act") == "gelu" and checkpoint.family == "sd"
+    of_two = model.get("hidden_act") == "gelu" and checkpoint.family != "sdxl"
     return part == "text_encoder_2" or of_two
 
 

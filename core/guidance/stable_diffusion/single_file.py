@@ -7,7 +7,7 @@ from typing import Final
 from core.errors import UserError
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
 from core.guidance.stable_diffusion.header import UNKNOWN, Header, kind_of, read_header
-from core.guidance.stable_diffusion.source import Checkpoint
+from core.guidance.stable_diffusion.source import Checkpoint, Family
 
 SECOND_V: Final = "sd21_v"
 SECOND_BASE: Final = "sd21_base"  # the same networks, for 512² and not 768², predicting the noise
@@ -16,8 +16,10 @@ FOLDERS: Final = {
     "Stable Diffusion 1": "sd15",
     "Stable Diffusion 2": SECOND_V,  # the larger one, until it is known which
     "Stable Diffusion XL": "sdxl",
+    "MVDream": "mvdream",
 }
-_EXPECTED: Final = "a checkpoint of Stable Diffusion 1.x, 2.x or XL"
+FAMILIES: Final[dict[str, Family]] = {"sdxl": "sdxl", "mvdream": "mvdream"}
+_EXPECTED: Final = "a checkpoint of Stable Diffusion 1.x, 2.x or XL, or MVDream's of 2.1"
 _WHY: Final = {
     "LoRA": "Name it with --lora, and a checkpoint with --guidance.",
     "textual inversion": "Name it with --embedding, and a checkpoint with --guidance.",
@@ -51,7 +53,7 @@ def find_single_file(path: Path) -> Checkpoint:
     return Checkpoint(
         CONFIGURATIONS / folder,
         file=path,
-        family="sdxl" if folder == "sdxl" else "sd",
+        family=FAMILIES.get(folder, "sd"),
         prediction=prediction or (None if kind == "Stable Diffusion 2" else "epsilon"),
         zero_snr="ztsnr" in header.shapes,
         zero_empty=folder == "sdxl",
