@@ -157,11 +157,24 @@ def _until(args: argparse.Namespace) -> str:
 
 def _resume(args: argparse.Namespace) -> Path | None:
     from core.batch.orphan import end_with_stdin
-    from core.io.run_folder import RunFolder
 
     if args.end_with_stdin:
         end_with_stdin()
+    if args.ray_jobs:  # which needs no torch here
+        return _resume_elsewhere(args)
+    from core.io.run_folder import RunFolder
+
     return run_job(RunFolder.open(args.run), None, _until(args), args.gpus)
+
+
+def _resume_elsewhere(args: argparse.Namespace) -> Path | None:
+    from core.batch.relay import relay
+
+    if args.gpus != 1:
+        raise UserError("--gpus is of this machine.", "Leave it out with --ray-jobs.")
+    asset = relay(args.run, args.ray_jobs, _until(args), START)
+    put(asset or args.run)
+    return asset
 
 
 def _follow() -> None:

@@ -129,6 +129,11 @@ def add_core_commands(commands: Commands) -> None:
     resume.add_argument("run", type=Path)
     _add_gpus(resume)
     resume.add_argument(
+        "--ray-jobs",
+        metavar="http://HOST:8265",
+        help="on a Ray cluster, by its Jobs interface; its token in RAY_AUTH_TOKEN",
+    )
+    resume.add_argument(
         "--end-with-stdin", action="store_true", help="end when the program that started it does"
     )
     for command in (generate, texture, resume):

@@ -14,6 +14,7 @@ from argparse import Namespace
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict
+from importlib.util import find_spec
 from typing import Any, NoReturn
 
 from core.batch.attempt import COMMAND, ROOT, End
@@ -34,6 +35,7 @@ try:
 except ModuleNotFoundError as error:
     raise MissingError("Ray is not installed.", "Install it: python3 run.py setup ray") from error
 
+NODE_PYTHON = "FANTASIA3D_NODE_PYTHON"  # of a job: the interpreter that has the core's packages
 NODE_DIED = 125  # instead of an exit code
 
 ANSWER_SECONDS = 10.0  # a cluster's head has to answer within
@@ -156,15 +158,29 @@ def _path() -> str:
     return os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))
 
 
+def _jobs_options(args: Namespace) -> list[str]:
+    """Of a head: its Jobs interface, beyond this machine only where Ray asks for a token."""
+    if not args.jobs:
+        return ["--include-dashboard=false"]
+    if find_spec("aiohttp_cors") is None:  # of ray[default] alone
+        raise MissingError(
+            "Ray's Jobs interface needs ray[default] on the head.",
+            f"Install it: {sys.executable} -m pip install 'ray[default]=={ray.__version__}'",
+        )
+    host = "0.0.0.0" if os.environ.get("RAY_AUTH_MODE") == "token" else "127.0.0.1"
+    port = f"--dashboard-port={args.jobs_port}"
+    return ["--include-dashboard=true", f"--dashboard-host={host}", port]
+
+
 def be_node(args: Namespace) -> NoReturn:
     """``run.py node``: make this machine a node of a cluster, until Ctrl-C."""
     if args.join and args.head:
         raise UserError("A node is either --head or --join HOST:PORT.", "Give one of them.")
     where = ["--head", f"--port={args.port}"] if not args.join else [f"--address={args.join}"]
-    more = ["--include-dashboard=false"] if not args.join else []
+    more = _jobs_options(args) if not args.join else []
     limits = [f"--num-cpus={args.cpus}"] if args.cpus is not None else []
     # -P: no module comes from the current folder.
     command = [sys.executable, "-P", "-m", "ray.scripts.scripts", "start", "--block"]
-    environ = {**os.environ, **QUIET, "PYTHONPATH": _path()}
+    environ = {**os.environ, **QUIET, "PYTHONPATH": _path(), NODE_PYTHON: sys.executable}
     sys.stdout.flush()
     os.execve(command[0], [*command, *where, *more, *limits], environ)

@@ -35,6 +35,10 @@ def add_node_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--head", action="store_true", help="the cluster's first (the default)")
     command.add_argument("--join", metavar="HOST:PORT", help="the address of the head")
     command.add_argument("--port", type=int, default=6379, help="of the head; default 6379")
+    command.add_argument(
+        "--jobs", action="store_true", help="of the head: take runs by HTTP (Blender's, --ray-jobs)"
+    )
+    command.add_argument("--jobs-port", type=int, default=8265, metavar="PORT", help="default 8265")
     command.add_argument("--cpus", type=int, metavar="N", help="to offer; default: all")
 
 

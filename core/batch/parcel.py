@@ -3,7 +3,7 @@
 import io
 import shutil
 import tarfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -77,15 +77,19 @@ def _pack(texts: dict[str, bytes], files: dict[str, Path]) -> bytes:
     return packed.getvalue()
 
 
-def unpack(parcel: bytes, folder: Path) -> None:
+def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
     """Write what is in ``parcel`` into ``folder``: each file whole, an asset whole by rename.
 
+    ``only``: the folders within it that may be written; all where none is named.
+
     Raises:
-        UserError: a name that leads out of the folder.
+        UserError: a name that leads out of the folder, or out of those.
     """
     shutil.rmtree(folder / RECEIVED, ignore_errors=True)
     with tarfile.open(fileobj=io.BytesIO(parcel)) as tar:
         for entry in tar:
+            if only and entry.name.partition("/")[0] not in only:
+                raise UserError(f"A parcel holds {entry.name!r}, which does not belong there.")
             content = tar.extractfile(entry)
             if content is not None:
                 _write(folder / _inside(entry.name), content.read())

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from pathlib import Path
 
 import bpy
 
 from .. import PACKAGE, environment
+from ..errors import JobError
 from .process import Core
 
 
@@ -57,6 +59,22 @@ class Paths:
         return Core(self.python, self.root, self.core_environ)
 
     @property
+    def job_core(self) -> Core:
+        """How a job is started: here, or by a relay to the cluster of the preferences.
+
+        Raises:
+            SetupError: the core is missing.
+            JobError: a cluster is chosen, and its address or Blender's permission is not right.
+        """
+        preferences = self._preferences
+        if preferences is None or preferences.jobs_place == "LOCAL":
+            return self.core
+        address = cluster_address(preferences.ray_address)
+        # In a variable: a command line can be read by everyone on this machine.
+        environ = self.core_environ | {"RAY_AUTH_TOKEN": preferences.ray_token.strip()}
+        return Core(self.python, self.root, environ, ("--ray-jobs", address))
+
+    @property
     def runs(self) -> Path:
         """The folder of all run folders."""
         return self._path("runs_folder") or _user_folder() / "runs"
@@ -70,6 +88,23 @@ class Paths:
         return {"HF_HUB_OFFLINE": "0" if online else "1"} | (
             {"HF_HUB_CACHE": str(models)} if models else {}
         )
+
+
+def cluster_address(text: str) -> str:
+    """The address of a cluster, as the core takes it; JobError where it is none."""
+    if not bpy.app.online_access:
+        raise JobError(
+            "Blender's online access is off, and jobs are to run on a Ray cluster.",
+            "Allow it in Preferences, System, or choose This Machine in the add-on's preferences.",
+        )
+    text = text.strip().rstrip("/")
+    # Nothing before an @: a password would be readable in the command line.
+    if not re.fullmatch(r"https?://(\[[0-9A-Fa-f:.]+\]|[\w.-]+)(:\d+)?(/[\w./-]*)?", text):
+        raise JobError(
+            "The address of the Ray cluster is none.",
+            "Enter http://HOST:8265 in the add-on's preferences.",
+        )
+    return text
 
 
 def _user_folder() -> Path:

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -36,6 +36,7 @@ class Core(NamedTuple):
     python: Path  # the interpreter that has its packages
     root: Path  # the folder that holds the package ``core``
     environ: Mapping[str, str] = {}  # more variables for its process
+    options: Sequence[str] = ()  # of its command resume: on which machines it works
 
 
 class Run:
@@ -243,7 +244,7 @@ def _spawn(folder: Path, core: Core, log: Any) -> subprocess.Popen[bytes]:
     # UTF-8 for the log wherever it runs; unbuffered, so that the log is complete after a crash.
     more = {"PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
     until = candidates.read(folder).until
-    options = ["--until", until] if until else []
+    options = [*core.options, *(["--until", until] if until else [])]
     return subprocess.Popen(
         [str(core.python), "-m", "core", "resume", *options, str(folder.resolve())],
         cwd=core.root,

@@ -150,7 +150,7 @@ class Session:
             return
         folder, lock = self.waiting.pop(0)
         try:
-            run = Run.resume(folder, Paths(bpy.context).core)
+            run = Run.resume(folder, Paths(bpy.context).job_core)
         except (AddonError, SetupError) as error:
             if lock:
                 lock.release()

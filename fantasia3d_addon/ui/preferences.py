@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import bpy
-from bpy.props import BoolProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from .. import PACKAGE, environment
 from . import shortcut
@@ -52,6 +52,24 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         description="Allow the method to download a model that is named by its hub id",
     )
 
+    jobs_place: EnumProperty(
+        name="Jobs Run On",
+        description="Where assets are made",
+        items=[
+            ("LOCAL", "This Machine", "In a process of this machine"),
+            ("RAY", "Ray Cluster", "On a cluster, by its Jobs interface; the asset comes back"),
+        ],
+    )
+    ray_address: StringProperty(
+        name="Address",
+        description="The cluster's dashboard, such as http://192.0.2.10:8265",
+    )
+    ray_token: StringProperty(
+        name="Token",
+        description="The cluster's token; Blender keeps it in its preferences, unencrypted",
+        subtype="PASSWORD",
+    )
+
     use_pie: BoolProperty(
         name="Pie Menu",
         description=f"Open a pie menu of the tools in the 3D view by {shortcut.TEXT}",
@@ -72,6 +90,11 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         row = column.row()
         row.active = bpy.app.online_access
         row.prop(self, "download_models")
+        column = layout.column()
+        column.prop(self, "jobs_place")
+        if self.jobs_place == "RAY":
+            column.prop(self, "ray_address")
+            column.prop(self, "ray_token")
         column.prop(self, "use_pie", text=f"Pie Menu ({shortcut.TEXT})")
 
 
