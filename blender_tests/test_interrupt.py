@@ -110,13 +110,14 @@ def test_a_later_output_removes_what_a_killed_one_left_and_nothing_else(tmp_path
 
 
 def test_frames_of_a_killed_turntable_do_not_come_into_the_next(asset, tmp_path):
-    half = tmp_path / f"{output.PREFIX}turn"
-    half.mkdir()
-    (half / "frame_0040.png").touch()
+    half, mine = left_over(tmp_path, "stale"), tmp_path / f"{output.PREFIX}turn"
+    (half / "turn").mkdir()
+    (half / "turn" / "frame_0040.png").touch()
+    mine.mkdir()  # without a lock: the user's
     line = ["relight", str(asset), "--turntable", str(tmp_path / "turn"), "--frames", "2"]
     assert headless.command(run.parse([*line, "--size", "16", "--samples", "1"])) == 0
     assert [p.name for p in sorted((tmp_path / "turn").iterdir())] == [
         "frame_0001.png",
         "frame_0002.png",
     ]
-    assert not half.exists()
+    assert not half.exists() and mine.exists()

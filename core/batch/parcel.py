@@ -15,7 +15,7 @@ from core.io.json_file import read_object
 INPUTS = ("mesh", "guide_mesh", "base_color", "light", "region")  # of a job: files that go along
 STATE = ("events.jsonl", "log.txt", "checkpoint/*.safetensors", "preview/*.png", "preview/*.npz")
 ASSET = ("events.jsonl", "log.txt", "preview/*.png", "asset/*")  # of a run that is done
-RECEIVED = "asset.received"  # an asset appears by rename, here as well
+RECEIVED = ".fantasia3d-received"  # an asset appears by rename, here as well
 
 
 def outward(folder: Path) -> bytes:

@@ -17,7 +17,15 @@ from core.geometry.mesh import Mesh, health
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
-from core.io.atomic import atomic_file, check_target, disk_errors, flush_folder
+from core.io.atomic import (
+    OURS,
+    atomic_file,
+    check_target,
+    disk_errors,
+    flush_folder,
+    left_over,
+    temporary,
+)
 from core.io.glb import glb_bytes
 from core.io.input_file import check_file
 from core.io.json_file import read_object
@@ -103,15 +111,15 @@ def write_asset(
     verts, faces, uv, face_uvs = (x.detach().cpu() for x in (mesh.verts, mesh.faces, *mesh.atlas))
     mesh = Mesh(verts.float(), faces, uv.float(), face_uvs)
 
-    def fill(temporary: Path) -> None:
-        _write_pictures(temporary, maps, preview)
+    def fill(new: Path) -> None:
+        _write_pictures(new, maps, preview)
         origin = summary(info)
-        for path in temporary.glob("*.png"):
+        for path in new.glob("*.png"):
             add_text(path, {key.title().replace("_", " "): text for key, text in origin.items()})
-        _write_mesh(temporary, mesh, origin)
-        report = _report(temporary, mesh, info)
+        _write_mesh(new, mesh, origin)
+        report = _report(new, mesh, info)
         text = json.dumps(report, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
-        with atomic_file(temporary / "asset.json") as path:
+        with atomic_file(new / "asset.json") as path:
             path.write_text(text, encoding="utf-8")
 
     _replace_folder(folder, fill)
@@ -197,8 +205,8 @@ def export(folder: Path, format: str, out: Path) -> Path:
 def _export_print(mesh: Mesh, format: str, out: Path) -> None:
     check_printable(mesh.verts, mesh.faces)
     to_bytes = stl_bytes if format == "stl" else three_mf_bytes
-    with atomic_file(out) as temporary:
-        temporary.write_bytes(to_bytes(mesh.verts, mesh.faces))
+    with atomic_file(out) as new:
+        new.write_bytes(to_bytes(mesh.verts, mesh.faces))
 
 
 def _export_obj(asset: Asset, out: Path) -> None:
@@ -213,12 +221,12 @@ def _export_obj(asset: Asset, out: Path) -> None:
         for path, content in texts.items():
             files.enter_context(atomic_file(path)).write_text(content, encoding="utf-8")
         for name in ("base_color", "normal"):
-            temporary = files.enter_context(atomic_file(out.with_name(names[name])))
-            shutil.copyfile(asset.folder / f"{name}.png", temporary)
+            new = files.enter_context(atomic_file(out.with_name(names[name])))
+            shutil.copyfile(asset.folder / f"{name}.png", new)
         orm = images.read_png(asset.folder / "orm.png")
         for channel, name in ((1, "roughness"), (2, "metallic")):
-            temporary = files.enter_context(atomic_file(out.with_name(names[name])))
-            images.write_png(temporary, orm[..., [channel] * 3])
+            new = files.enter_context(atomic_file(out.with_name(names[name])))
+            images.write_png(new, orm[..., [channel] * 3])
 
 
 def _write_pictures(folder: Path, maps: Maps, preview: Tensor | np.ndarray | None) -> None:
@@ -284,24 +292,34 @@ def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
 
     Raises UserError where one of the folders that it would remove holds a file of somebody else's.
     """
-    temporary, old = folder.with_name(folder.name + ".tmp"), folder.with_name(folder.name + ".old")
+    new, old = temporary(folder), temporary(folder, "old")
     with disk_errors(folder):
-        for taken in (folder, temporary, old):
-            _refuse_foreign_files(taken)
-        _restore(folder, old)
-        shutil.rmtree(temporary, ignore_errors=True)
+        _refuse_foreign_files(folder)
+        _clean_up(folder)
         try:
-            temporary.mkdir(parents=True)
-            fill(temporary)
-            flush_folder(temporary)  # whole after a power cut too, before it gets its name
+            new.mkdir(parents=True)
+            fill(new)
+            flush_folder(new)  # whole after a power cut too, before it gets its name
             if folder.exists():
                 folder.rename(old)
-            temporary.rename(folder)
+            new.rename(folder)
         except BaseException:
-            shutil.rmtree(temporary, ignore_errors=True)
+            shutil.rmtree(new, ignore_errors=True)
             _restore(folder, old)
             raise
         shutil.rmtree(old, ignore_errors=True)
+
+
+def _clean_up(folder: Path) -> None:
+    """What killed processes left next to ``folder``: an older asset gets its name back."""
+    halves = left_over(folder.parent, of=folder.name)
+    older = left_over(folder.parent, "old", folder.name)
+    for left in (*halves, *older):
+        _refuse_foreign_files(left)
+    for left in older:
+        _restore(folder, left)
+    for left in halves:
+        shutil.rmtree(left, ignore_errors=True)
 
 
 def _refuse_foreign_files(folder: Path) -> None:
@@ -310,7 +328,7 @@ def _refuse_foreign_files(folder: Path) -> None:
         raise UserError(f"{folder} is not a folder of this run.", "Move it elsewhere.")
     ours = {"asset.json", *FILES}
     for found in folder.iterdir() if folder.exists() else ():
-        if found.name.removesuffix(".tmp") not in ours or found.is_dir():
+        if not (found.name in ours or OURS.fullmatch(found.name)) or found.is_dir():
             raise UserError(
                 f"{found} is not a file of an asset, and would be lost.", "Move it elsewhere."
             )
@@ -328,5 +346,5 @@ def _restore(folder: Path, old: Path) -> None:
 
 def _copy(source: Path, to: Path) -> None:
     check_file(source, fix=REMAKE)
-    with atomic_file(to) as temporary:
-        shutil.copyfile(source, temporary)
+    with atomic_file(to) as new:
+        shutil.copyfile(source, new)

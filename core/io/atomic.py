@@ -2,12 +2,17 @@
 
 import errno
 import os
+import re
+import secrets
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from core.errors import UserError
+
+OURS = re.compile(r"\.fantasia3d-[0-9a-f]{16}-.*\.(tmp|old)", re.DOTALL)  # names of temporary()
+ENOUGH = 40  # characters of a name, so that with ours it stays below the systems' 255 bytes
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 LOST = (errno.EIO, errno.ENAMETOOLONG, errno.ESTALE, errno.ELOOP)
@@ -18,17 +23,34 @@ FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 def atomic_file(path: Path) -> Iterator[Path]:
     """Give a temporary path next to ``path``; it takes the name at the end, or is removed.
 
+    A killed process leaves it behind, hidden; in a run folder the next session removes it.
+
     Raises UserError for a full disk, a place that may not be written, a folder that is not there.
     """
-    temporary = path.with_name(path.name + ".tmp")
+    made = temporary(path)
     try:
         with disk_errors(path):
-            yield temporary
-            temporary.replace(path)
+            yield made
+            made.replace(path)
     except BaseException:
         with suppress(OSError):  # what went wrong first is what counts
-            temporary.unlink()
+            made.unlink()
         raise
+
+
+def temporary(path: Path, kind: str = "tmp") -> Path:
+    """A hidden name next to ``path`` that no other file has: PATH.tmp may be the user's own.
+
+    ``kind``: tmp, or old for what is to be replaced.
+    """
+    return path.with_name(f".fantasia3d-{secrets.token_hex(8)}-{path.name[:ENOUGH]}.{kind}")
+
+
+def left_over(folder: Path, kind: str = "tmp", of: str = "") -> list[Path]:
+    """The temporary files and folders in ``folder`` for the name ``of``, or for any."""
+    end = f"-{of[:ENOUGH]}.{kind}" if of else f".{kind}"
+    found = sorted(folder.iterdir()) if folder.is_dir() else []
+    return [x for x in found if OURS.fullmatch(x.name) and x.name.endswith(end)]
 
 
 def check_target(path: Path) -> None:
@@ -47,7 +69,7 @@ def check_target(path: Path) -> None:
         if not os.access(path.parent, os.W_OK, effective_ids=as_it_is):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         with suppress(FileNotFoundError):
-            path.with_name(path.name + ".tmp").lstat()
+            path.lstat()
 
 
 @contextmanager

@@ -11,7 +11,7 @@ import os
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, ClassVar, get_origin
+from typing import Any, BinaryIO, get_origin
 
 from core.errors import UserError, shown
 from core.io.atomic import atomic_file
@@ -58,8 +58,6 @@ class Job:
     ignore_unknown_words: bool = False  # of "builtin": leave out what it does not know
     settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}
     version: int = VERSION
-
-    TEXT_START: ClassVar[str] = '{\n "prompt": '  # of every job.json
 
     def __post_init__(self) -> None:
         _check(self)

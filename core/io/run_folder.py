@@ -13,15 +13,15 @@ from torch import Tensor
 from tqdm import tqdm
 
 from core.errors import UserError
-from core.io.atomic import atomic_file
+from core.io.atomic import OURS, atomic_file, left_over
 from core.io.job import EventWriter, Job, write_text
 from core.io.json_file import read_object
 
 # What file managers leave in a folder that a user takes for empty.
 FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")
 
-# Temporary files of checkpoints and previews.
-HALF_WRITTEN = ("checkpoint/*.safetensors.tmp", "preview/*.png.tmp", "preview/*.npz.tmp")
+# Where a killed session may leave the temporary file of a job, a checkpoint, a preview, a frame.
+WRITTEN_INTO = ("", "checkpoint", "preview", "preview/film")
 
 
 class RunFolder:
@@ -47,7 +47,8 @@ class RunFolder:
             )
         try:
             path.mkdir(parents=True, exist_ok=True)
-            names = {x.name for x in path.iterdir() if not is_half_a_job(x)}
+            # A process that was killed while it wrote job.json leaves a temporary file.
+            names = {x.name for x in path.iterdir() if not OURS.fullmatch(x.name)}
             found = sorted(names.difference(FILE_MANAGERS))
             if found:
                 raise UserError(
@@ -71,9 +72,10 @@ class RunFolder:
 
     def remove_half_written(self) -> None:
         """Remove the temporary files that a killed process left in our own folders."""
-        with suppress(OSError):  # the next file of that name replaces it
-            for temporary in [x for pattern in HALF_WRITTEN for x in self.path.glob(pattern)]:
-                temporary.unlink()
+        with suppress(OSError):  # they harm nobody; the next session tries again
+            for half in [x for name in WRITTEN_INTO for x in left_over(self.path / name)]:
+                if half.is_file():  # a half-written asset goes where the next one is written
+                    half.unlink()
 
     @property
     def job(self) -> Job:
@@ -143,12 +145,3 @@ class RunFolder:
 
     def _checkpoint(self, name: str) -> Path:
         return self.path / "checkpoint" / f"{name}.safetensors"
-
-
-def is_half_a_job(path: Path) -> bool:
-    """Whether ``path`` is the job.json.tmp of a process that was killed while it wrote it."""
-    if path.name != "job.json.tmp" or not path.is_file():
-        return False
-    start = Job.TEXT_START.encode()
-    with path.open("rb") as file:
-        return start.startswith(file.read(len(start)))

@@ -9,6 +9,7 @@ import builtins
 import errno
 import io
 import os
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -18,6 +19,7 @@ from typing import Any
 CHANGES = ("mkdir", "rmdir", "unlink", "remove", "rename", "replace", "utime", "truncate")
 LISTS = ("listdir", "scandir")
 READS = ("r", "rb", "rt")
+UNIQUE = re.compile(r"^\.fantasia3d-[0-9a-f]{16}-")  # another one each time, hence not in the log
 
 
 @dataclass
@@ -34,7 +36,8 @@ class Operations:
         """Log an operation; raise the OSError where its turn has come."""
         if not self._is_ours(path):
             return
-        self.log.append(f"{kind} {Path(os.fsdecode(path)).name}")  # type: ignore[arg-type]
+        name = UNIQUE.sub("", Path(os.fsdecode(path)).name)  # type: ignore[arg-type]
+        self.log.append(f"{kind} {name}")
         if self.last:
             self.last(self.log[-1])
         if len(self.log) - 1 == self.fails:

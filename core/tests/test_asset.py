@@ -17,6 +17,7 @@ from core.geometry.uv_health import uv_health
 from core.io import asset as module
 from core.io import png as images
 from core.io.asset import Maps, export, inspect, place, read_asset, write_asset, write_plain_obj
+from core.io.atomic import temporary
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture.bake import bake
 
@@ -186,7 +187,7 @@ def test_a_failed_rename_keeps_the_older_asset(folder: Path, parts, monkeypatch)
     real = Path.rename
 
     def rename(self: Path, to: Path) -> Path:
-        if self.name == "asset.tmp":
+        if self.name.endswith("-asset.tmp"):
             raise OSError(errno.ENOSPC, "no room")
         return real(self, to)
 
@@ -203,9 +204,21 @@ def test_a_newer_asset_takes_the_place(folder: Path, parts) -> None:
     assert [path.name for path in folder.parent.iterdir()] == ["asset"]
 
 
-@pytest.mark.parametrize("name", ["asset", "asset.tmp", "asset.old"])
-def test_files_of_the_user_are_never_removed(tmp_path: Path, parts, name: str) -> None:
-    precious = tmp_path / name / "precious.txt"
+def test_folders_of_the_user_next_to_it_stay(folder: Path, parts) -> None:
+    """A copy of an asset has the names of our own files."""
+    for name in ("asset.tmp", "asset.old", ".fantasia3d-mine-asset.old"):
+        shutil.copytree(folder, folder.with_name(name))
+    write_asset(folder, *parts, INFO | {"seed": 7})
+    seeds = {x.name: read_asset(x).info["seed"] for x in folder.parent.iterdir()}
+    assert seeds == {
+        "asset": 7, "asset.tmp": 3, "asset.old": 3, ".fantasia3d-mine-asset.old": 3,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["", "tmp", "old"])
+def test_files_of_the_user_are_never_removed(tmp_path: Path, parts, kind: str) -> None:
+    asset = tmp_path / "asset"
+    precious = (temporary(asset, kind) if kind else asset) / "precious.txt"
     precious.parent.mkdir()
     precious.write_text("mine")
     with pytest.raises(UserError, match=r"precious\.txt is not a file of an asset"):
@@ -214,16 +227,16 @@ def test_files_of_the_user_are_never_removed(tmp_path: Path, parts, name: str) -
 
 
 def test_an_older_asset_left_over_by_a_crash_does_not_block_the_next(folder: Path, parts) -> None:
-    shutil.copytree(folder, folder.with_name(folder.name + ".old"))
+    shutil.copytree(folder, temporary(folder, "old"))
     write_asset(folder, *parts, INFO | {"seed": 6})
     assert read_asset(folder).info["seed"] == 6
-    assert not folder.with_name(folder.name + ".old").exists()
+    assert [path.name for path in folder.parent.iterdir()] == ["asset"]
 
 
 def test_leftovers_of_a_crash_do_not_matter(folder: Path, parts) -> None:
     """A process that ended between the two renames: the older asset is found again."""
-    (folder.parent / "asset.tmp").mkdir()
-    folder.rename(folder.parent / "asset.old")
+    temporary(folder).mkdir()
+    folder.rename(temporary(folder, "old"))
     write_asset(folder, *parts, INFO | {"seed": 5})
     assert read_asset(folder).info["seed"] == 5
     assert [path.name for path in folder.parent.iterdir()] == ["asset"]

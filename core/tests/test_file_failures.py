@@ -15,8 +15,9 @@ import torch
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.asset import Maps, export, place, write_asset
+from core.io.atomic import check_target, left_over, temporary
 from core.io.exr import write_exr
-from core.io.job import EventWriter, Job, read_events
+from core.io.job import EventWriter, Job, read_events, write_text
 from core.io.lock import run_lock
 from core.io.png import write_png
 from core.io.run_folder import RunFolder
@@ -24,6 +25,7 @@ from core.stages.preview import write_shape
 from core.tests.file_operations import Operations
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture.bake import bake
+from fantasia3d_addon.environment import files as of_the_add_on
 
 ERRORS = (errno.ENOSPC, errno.EACCES, errno.EROFS, errno.EIO)  # each operation meets one
 
@@ -93,8 +95,9 @@ def test_a_newer_asset_over_an_older_one(parts, tmp_path: Path) -> None:
     newer = {"seed": 2}
     # Where the older one cannot be removed, the next asset does it.
     done = walk(
-        tmp_path, lambda: write_asset(tmp_path / "asset", *parts, newer, picture), "asset.old"
+        tmp_path, lambda: write_asset(tmp_path / "asset", *parts, newer, picture), ".fantasia3d-"
     )
+    assert [x.name for x in tmp_path.iterdir() if x.name.startswith(".")] == []
     assert len(done) > 50 and {"rename asset", "rename asset.tmp", "fsync mesh.obj"} <= {*done}
 
 
@@ -181,8 +184,10 @@ def test_half_a_job_is_no_file_of_the_users_and_anything_else_is(tmp_path: Path)
     for half in ("", job.to_json()[:7], job.to_json()[:40]):
         folder = tmp_path / f"{len(half)}"
         folder.mkdir()
-        (folder / "job.json.tmp").write_text(half)
-        assert [p.name for p in RunFolder.create(folder, job).path.iterdir()] == ["job.json"]
+        temporary(folder / "job.json").write_text(half)
+        run = RunFolder.create(folder, job)
+        run.remove_half_written()
+        assert [p.name for p in run.path.iterdir()] == ["job.json"]
     mine = tmp_path / "mine"
     mine.mkdir()
     (mine / "job.json.tmp").write_text("mine")
@@ -193,12 +198,47 @@ def test_half_a_job_is_no_file_of_the_users_and_anything_else_is(tmp_path: Path)
 def test_what_a_kill_left_half_written_goes_with_the_next_session(tmp_path: Path) -> None:
     run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus"))
     run.save("geometry", {"x": torch.zeros(4)}, {})
-    (run.path / "checkpoint" / "mesh.safetensors.tmp").touch()
-    run.preview_path("color.png.tmp").touch()
-    run.preview_path("mine.txt").touch()
+    (run.path / "preview" / "film").mkdir(parents=True)
+    for name in ("checkpoint/mesh.safetensors", "preview/color.png", "preview/film/1.png"):
+        temporary(run.path / name).touch()
+    mine = {"checkpoint/mesh.safetensors.tmp", "preview/mine.txt", "preview/.fantasia3d-a.tmp"}
+    for name in mine:
+        (run.path / name).touch()
     run.remove_half_written()
-    assert set(contents(run.path)) == {
-        "job.json",
-        "checkpoint/geometry.safetensors",
-        "preview/mine.txt",
-    }
+    assert set(contents(run.path)) == {"job.json", "checkpoint/geometry.safetensors", *mine}
+
+
+@pytest.mark.parametrize("fails", [False, True])
+@pytest.mark.parametrize("write", [write_text, of_the_add_on.write_text])
+def test_a_file_of_the_users_next_to_an_output_stays(tmp_path: Path, write, fails: bool) -> None:
+    """NAME.tmp and NAME.old may be theirs, whether the output is written or not."""
+    out = tmp_path / "chair.json"
+    mine = {f"chair.json{end}": b"precious" for end in (".tmp", ".old", "~", ".part")}
+    for name, content in mine.items():
+        (tmp_path / name).write_bytes(content)
+    if fails:
+        out.mkdir()
+        with pytest.raises((OSError, UserError)):
+            write(out, "text")
+    else:
+        write(out, "text")
+    assert contents(tmp_path) == mine | ({} if fails else {"chair.json": b"text"})
+
+
+@pytest.mark.parametrize("length", [1, 40, 200, 255])
+def test_any_name_that_the_system_takes_can_be_written(tmp_path: Path, length: int) -> None:
+    for letter in ("a", "é" if length % 2 == 0 else "a"):
+        out = tmp_path / (letter * (length // len(letter.encode())))
+        check_target(out)
+        write_text(out, "text")
+        of_the_add_on.write_text(out, "text")
+        assert contents(tmp_path) == {out.name: b"text"}
+        out.unlink()
+
+
+def test_both_sides_name_their_temporary_files_alike(tmp_path: Path, monkeypatch) -> None:
+    """The core removes what a killed Blender left of a job.json."""
+    seen: list[str] = []
+    monkeypatch.setattr(Path, "replace", lambda self, to: seen.append(self.name))
+    of_the_add_on.write_text(tmp_path / "job.json", "{}")
+    assert [x.name for x in left_over(tmp_path, of="job.json")] == seen

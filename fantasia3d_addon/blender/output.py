@@ -39,7 +39,7 @@ def temporary_output(path: Path) -> Iterator[Path]:
             raise OutputError(f"{path} is a folder.", "Name a file.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # On the same disk as ``path``: only then is a rename one step.
-        with _temporary_folder(path.parent) as folder:
+        with temporary_folder(path.parent) as folder:
             temporary = folder / path.name
             yield temporary
             if not temporary.is_file() or not temporary.stat().st_size:
@@ -73,7 +73,7 @@ def raise_if_full(folder: Path) -> None:
 
 
 @contextlib.contextmanager
-def _temporary_folder(parent: Path) -> Iterator[Path]:
+def temporary_folder(parent: Path) -> Iterator[Path]:
     """A new folder in ``parent``; those that killed processes left there are removed."""
     _remove_stale(parent)
     folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=parent))

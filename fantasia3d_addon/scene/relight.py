@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import bpy
 
 from .. import options
 from ..blender import compat
 from ..blender.mesh_arrays import mesh_object
-from ..blender.output import PREFIX, raise_if_full, remove, removed_at_the_end, unwritten
+from ..blender.output import raise_if_full, temporary_folder, unwritten
 from ..errors import AddonError, OutputError
 from . import light
 from . import render as scene_render
@@ -106,22 +107,26 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
         AddonError, OutputError: as :func:`turntable_scene`; or ``out`` can't be written.
     """
     out = Path(out).expanduser().absolute()
-    # A file or a folder, by the kind of ``out``; renamed when it is complete.
-    temporary = out.with_name(f"{PREFIX}{out.name}")
-    remove(temporary)  # what a killed run left: its frames are not of this turntable
-    scene = turntable_scene(obj, temporary, **settings)
     try:
-        with removed_at_the_end(temporary):
-            _render(scene)
-            if not temporary.exists():
-                raise OSError(0, "Blender wrote nothing")
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with temporary_folder(out.parent) as folder:
+            # A file or a folder, by the kind of ``out``; renamed when it is complete.
+            _render_turntable(obj, folder / out.name, settings)
             raise_if_full(out.parent)
-            _move(temporary, out)
+            _move(folder / out.name, out)
     except (OSError, RuntimeError) as error:
         raise unwritten(out, error) from None
+    return out
+
+
+def _render_turntable(obj: bpy.types.Object, out: Path, settings: dict[str, Any]) -> None:
+    scene = turntable_scene(obj, out, **settings)
+    try:
+        _render(scene)
     finally:
         remove_turntable_scene(scene)
-    return out
+    if not out.exists():
+        raise OSError(0, "Blender wrote nothing")
 
 
 def _move(temporary: Path, out: Path) -> None:
