@@ -111,8 +111,6 @@ def test_a_later_output_removes_what_a_killed_one_left_and_nothing_else(tmp_path
 
 def test_frames_of_a_killed_turntable_do_not_come_into_the_next(asset, tmp_path):
     half, mine = left_over(tmp_path, "stale"), tmp_path / f"{output.PREFIX}turn"
-    (half / "turn").mkdir()
-    (half / "turn" / "frame_0040.png").touch()
     mine.mkdir()  # without a lock: the user's
     line = ["relight", str(asset), "--turntable", str(tmp_path / "turn"), "--frames", "2"]
     assert headless.command(run.parse([*line, "--size", "16", "--samples", "1"])) == 0
