@@ -7,14 +7,15 @@ import pytest
 bpy = pytest.importorskip("bpy")
 import numpy as np  # noqa: E402
 
-from blender_tests.asset_fixture import island_colors, write_asset  # noqa: E402
+from blender_tests.asset_fixture import block, island_colors, write_asset  # noqa: E402
 from fantasia3d_addon.asset.asset_folder import read_obj  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.jobs import edit_region, history, submit  # noqa: E402
 from fantasia3d_addon.jobs.paths import Paths  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
-from fantasia3d_addon.mesh import region  # noqa: E402
+from fantasia3d_addon.jobs.target import BOTH, SHAPE  # noqa: E402
+from fantasia3d_addon.mesh import new_shape, region  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 MAPS = ("base_color.png", "orm.png", "normal.png")
@@ -112,6 +113,92 @@ def test_on_arrival_the_maps_alone_change_and_restore_brings_them_back(chair, wa
     assert chair.material_slots[0].material == old
 
 
+@pytest.fixture
+def dented(chair, tmp_path, ready) -> bpy.types.Object:
+    """The fake core hands out the asset with one vertex pushed in, and with other colours."""
+    verts, *rest = block()
+    verts = verts.copy()
+    verts[middle(verts)] *= 0.9
+    made = write_asset(tmp_path / "made", (verts, *rest), base_color=255 - island_colors(64))
+    ready.negative_prompt = str(made)
+    return chair
+
+
+def middle(verts: np.ndarray) -> int:
+    """A vertex inside of one side."""
+    return int(
+        np.abs(verts - np.median(verts[verts[:, 0] == verts[:, 0].max()], 0)).sum(1).argmin()
+    )
+
+
+def positions(obj: bpy.types.Object) -> np.ndarray:
+    flat = np.empty(3 * len(obj.data.vertices), np.float32)
+    obj.data.vertices.foreach_get("co", flat)
+    return flat.reshape(-1, 3)
+
+
+def edit_shape(obj: bpy.types.Object, wait, change: str = SHAPE) -> None:
+    select(obj, range(10))
+    assert bpy.ops.fantasia3d.edit_region(words="a chair", change=change) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    wait()
+
+
+def test_on_arrival_the_vertices_alone_move_and_restore_brings_them_back(dented, wait):
+    twin = dented.copy()  # which shares the mesh
+    bpy.context.scene.collection.objects.link(twin)
+    dented.modifiers.new("Bevel", "BEVEL")
+    before, maps, old = positions(dented), pixels(dented), dented.active_material
+    uv = state(dented)[3]
+    edit_shape(dented, wait)
+    assert session.error is None
+    job = history.read_entry(newest_run()).job
+    assert (job["reshape"], job["retexture"]) == (True, False)
+    moved = (positions(dented) != before).any(1)
+    assert moved.sum() == 1
+    assert np.array_equal(positions(twin), before)
+    assert (state(dented)[3], dented.active_material, len(dented.modifiers)) == (uv, old, 1)
+    assert all(np.array_equal(new, maps[role]) for role, new in pixels(dented).items())
+    edit_shape(dented, wait)  # a second edit must not overwrite the original
+    assert bpy.ops.fantasia3d.restore_shape() == {"FINISHED"}
+    assert np.array_equal(positions(dented), before)
+    assert not bpy.ops.fantasia3d.restore_shape.poll()
+
+
+def test_shape_and_material_arrive_together_and_each_has_its_way_back(dented, wait):
+    before, maps = positions(dented), pixels(dented)
+    edit_shape(dented, wait, BOTH)
+    assert session.error is None
+    job = history.read_entry(newest_run()).job
+    assert (job["reshape"], job["retexture"]) == (True, True)
+    assert (positions(dented) != before).any()
+    assert (pixels(dented)["base_color"] != maps["base_color"]).any()
+    assert bpy.ops.fantasia3d.restore_material() == {"FINISHED"}
+    assert (positions(dented) != before).any()
+    assert bpy.ops.fantasia3d.restore_shape() == {"FINISHED"}
+    assert np.array_equal(positions(dented), before)
+
+
+def test_a_shape_does_not_arrive_on_a_mesh_that_was_changed_meanwhile(dented, wait):
+    select(dented, range(10))
+    edit_region.edit_region(bpy.context, "a chair", change=SHAPE)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    dented.data.vertices[0].co.x += 1
+    changed = positions(dented)
+    wait()
+    assert "was changed after" in session.error[0]
+    assert np.array_equal(positions(dented), changed)
+
+
+def test_the_reasons_against_a_shape(dented):
+    dented.vertex_groups.new(name="seat")
+    assert edit_region.reason_against(bpy.context, "", SHAPE) == ""
+    assert new_shape.reason_against_restore(dented) == "It has its own shape."
+    dented.shape_key_add(name="Basis")
+    assert "shape keys" in edit_region.reason_against(bpy.context, "", SHAPE)
+    assert edit_region.reason_against(bpy.context) == ""  # its material can be edited
+
+
 def test_adjustments_and_other_nodes_stay_over_the_new_maps(chair, wait):
     bpy.ops.fantasia3d.adjust_material(tint=(1, 0.5, 0.5))
     names = {node.name for node in chair.active_material.node_tree.nodes}
@@ -193,17 +280,49 @@ def test_the_reasons(ready, chair):
     assert reason() == "Select a mesh."
 
 
-def test_with_the_real_core_all_but_the_regions_texels_stays(chair, wait, monkeypatch):
-    torch = pytest.importorskip("torch")
-    from core.io.asset import read_asset
+def use_real_core(monkeypatch) -> None:
+    """A short training by the core itself."""
+    pytest.importorskip("torch")
     from core.tests.tiny_runs import OPTIONS
-    from core.texture.texels import texel_points
     from fantasia3d_addon import environment
 
     monkeypatch.setattr(environment, "project_root", lambda: Path(__file__).parents[1])
     settings = bpy.context.scene.fantasia3d
     settings.negative_prompt = ""
     settings.overrides = " ".join(o[6:] for o in OPTIONS if o.startswith("--set="))
+
+
+def test_with_the_real_core_all_but_the_regions_vertices_stays(chair, wait, monkeypatch):
+    use_real_core(monkeypatch)
+    short = (f"geometry.reshape.{key}" for key in ("rounds=1", "steps=2", "views=2"))
+    settings = bpy.context.scene.fantasia3d
+    settings.overrides = " ".join([settings.overrides, *short])
+    chair.data.vertices.foreach_get("co", old := np.empty(3 * len(chair.data.vertices), "f"))
+    before, maps = state(chair), pixels(chair)
+    select(chair, range(256, 384))  # the block's back
+    edit_region.edit_region(bpy.context, "a cube", change=SHAPE)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    wait(seconds=600)
+    assert session.error is None
+    moved = (positions(chair) != old.reshape(-1, 3)).any(1)
+    inside = np.zeros(len(moved), bool)
+    faces = [tuple(polygon.vertices) for polygon in chair.data.polygons]
+    inside[np.unique(faces[256:384])] = True
+    inside[np.unique(faces[:256] + faces[384:])] = False
+    assert moved.any() and not (moved & ~inside).any()
+    assert all(np.array_equal(new, maps[role]) for role, new in pixels(chair).items())
+    assert bpy.ops.fantasia3d.restore_shape() == {"FINISHED"}
+    assert state(chair) == before
+
+
+def test_with_the_real_core_all_but_the_regions_texels_stays(chair, wait, monkeypatch):
+    use_real_core(monkeypatch)
+    import torch
+
+    from core.io.asset import read_asset
+    from core.texture.texels import texel_points
+
+    settings = bpy.context.scene.fantasia3d
     settings.overrides += " texture.feather=0.05"
     before, maps = state(chair), pixels(chair)
     select(chair, range(256, 384))  # the block's back

@@ -12,9 +12,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from blender_tests.asset_fixture import island_colors, write_asset
+from blender_tests.asset_fixture import block, island_colors, write_asset
 
 pytestmark = pytest.mark.window
 HERE = Path(__file__).parent
@@ -74,10 +75,13 @@ def region_report(tmp_path_factory):
     out = tmp_path_factory.mktemp("region")
     asset = write_asset(out / "asset", size=128)
     edited = write_asset(out / "edited", size=128, base_color=255 - island_colors(128))
+    verts, *rest = block()
+    bump = (np.abs(verts[:, [0, 2]] - [0, 0.5]).max(1) < 0.3) & (verts[:, 1] > 0)
+    verts[:, 1] += 0.05 * bump
+    reshaped = write_asset(out / "reshaped", (verts, *rest), size=128)
     (out / "faces.txt").write_text("\n".join(map(str, range(256, 384))))
-    return in_a_window(
-        "window_region_script.py", out, str(asset), str(edited), str(out / "faces.txt")
-    )
+    files = (asset, edited, reshaped, out / "faces.txt")
+    return in_a_window("window_region_script.py", out, *map(str, files))
 
 
 def test_an_edited_region_is_one_undo_step_and_can_be_restored(region_report):
@@ -85,6 +89,13 @@ def test_an_edited_region_is_one_undo_step_and_can_be_restored(region_report):
     assert region_report["edit_error"] is None
     assert edited == redone != undone
     assert undone == restored
+
+
+def test_an_edited_shape_is_one_undo_step_and_can_be_restored(region_report):
+    before, made, undone, redone, restored = region_report["shapes"]
+    assert region_report["shape_error"] is None
+    assert made == redone != before
+    assert undone == restored == before
 
 
 def test_candidates_are_in_the_panel_and_in_the_view(region_report):

@@ -1,8 +1,9 @@
 """Runs inside a real Blender window: a region is edited in Edit Mode, and candidates are chosen.
 
-``blender --enable-event-simulate --python THIS -- OUT ASSET EDITED FACES [RUNS]``
-with the fake core, which hands out EDITED. FACES is a text file of face numbers; RUNS is a folder
-of candidates that ``run.py explore`` made, to be looked at; without it the fake core makes some.
+``blender --enable-event-simulate --python THIS -- OUT ASSET EDITED RESHAPED FACES [RUNS]``
+with the fake core, which hands out EDITED, then RESHAPED. FACES is a text file of face numbers;
+RUNS is a folder of candidates that ``run.py explore`` made, to be looked at; without it the fake
+core makes some.
 """
 
 import math
@@ -27,8 +28,8 @@ from fantasia3d_addon.jobs.session import session
 from fantasia3d_addon.mesh import region
 from fantasia3d_addon.ui.edit_region import FANTASIA3D_PT_edit_region
 
-ASSET, EDITED, FACES = sys.argv[sys.argv.index("--") + 2 :][:3]
-RUNS = [Path(word) for word in sys.argv[sys.argv.index("--") + 5 :]]
+ASSET, EDITED, RESHAPED, FACES = sys.argv[sys.argv.index("--") + 2 :][:4]
+RUNS = [Path(word) for word in sys.argv[sys.argv.index("--") + 6 :]]
 
 
 def steps(screen: Screen) -> Iterator[float]:
@@ -72,6 +73,36 @@ def edit(screen: Screen) -> Iterator[float]:
     report["maps"].append(maps(name))
     bpy.ops.fantasia3d.restore_material()
     report["maps"].append(maps(name))
+    yield from shape(bpy.data.objects[name])
+
+
+def shape(obj: bpy.types.Object) -> Iterator[float]:
+    """The same faces' shape: what the panel says of it, the job, undo and the way back."""
+    tools, name = bpy.context.scene.fantasia3d_tools, obj.name
+    tools.region_change, tools.region_words = "shape", "a cube"
+    bpy.context.scene.fantasia3d.negative_prompt = RESHAPED
+    bpy.ops.object.mode_set(mode="EDIT")
+    yield 1.5
+    screenshot("shape_panel")
+    report["shapes"] = [corners(name)]
+    bpy.ops.fantasia3d.edit_region(words=tools.region_words, change=tools.region_change)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    yield 0.5
+    while session.busy:
+        yield 0.1
+    yield 2.0
+    report["shape_error"] = session.error
+    report["shapes"].append(corners(name))
+    screenshot("reshaped")
+    for act in (bpy.ops.ed.undo, bpy.ops.ed.redo, bpy.ops.fantasia3d.restore_shape):
+        act()
+        report["shapes"].append(corners(name))
+    tools.region_change = "maps"
+
+
+def corners(name: str) -> float:
+    """The sum of all positions' lengths."""
+    return round(math.fsum(v.co.length for v in bpy.data.objects[name].data.vertices), 5)
 
 
 def menu(screen: Screen) -> Iterator[float]:

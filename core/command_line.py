@@ -197,7 +197,9 @@ def _edit(args: argparse.Namespace) -> None:
     args = argparse.Namespace(**vars(args) | {"command": "texture", "mesh": mesh, "uv": "keep"})
     kept = {"kept_asset": absolute(str(asset.folder)), "region": absolute(args.faces)}
     size = args.texture_size or len(asset.maps.base_color)
-    job = replace(job_of(args), texture_size=size, reshape=args.shape, **kept)
+    # Without --shape the material is what is edited: --material says nothing new there.
+    what = {"reshape": args.shape, "retexture": args.shape and args.material}
+    job = replace(job_of(args), texture_size=size, **what, **kept)
     # Recorded as it is seen: a later edit of the result has to know what the whole is.
     _run_new(args.out, replace(job, prompt=prompt_of(job, asset)), "")
 

@@ -25,7 +25,11 @@ PICTURES = {"shape": "normals.png", "color": "color.png"}  # the preview of a fi
 COUNT = (1, 64)  # candidates
 SIDE, LABEL, COLUMNS = 256, 24, 4  # pixels of a picture and of the line under it; pictures in a row
 GREY, INK = (230, 230, 230), (40, 40, 40)  # the previews' own background
-SHAPE_PARTS = ("geometry", "mesh")  # checkpoints that a shape's recoloured runs start from
+SHAPE_PARTS = (
+    "geometry",
+    "reshaped",
+    "mesh",
+)  # checkpoints that a shape's recoloured runs start from
 
 
 def explore(folder: Path, job: Job, count: int, make: Any) -> Path:

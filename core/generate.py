@@ -55,6 +55,7 @@ from core.texture.look_up import maps_source
 from core.texture.region import Region, edited, read_faces
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
+RESHAPED = "reshaped"  # the checkpoint of a region's new shape
 
 
 @dataclass(frozen=True)
@@ -115,11 +116,13 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     progress.check_cancelled()
     for text in inputs.warnings:
         progress.warn(text)
-    if job.reshape:
-        return reshaped_asset(run, inputs, progress)
+    ranks = inputs.ranks
+    if job.reshape and ranks.first:
+        inputs = replace(inputs, shape=reshaped_mesh(run, inputs, progress))
+    if job.reshape and not job.retexture:
+        return reshaped_asset(run, inputs) if ranks.first else run.asset
 
     # The first process alone knows the run folder; what it finds is true for all.
-    ranks = inputs.ranks
     unwrapped = load_unwrapped(run) if ranks.first else None
     if until == "shape" and (unwrapped is not None or job.command == "texture"):
         raise paused(run, until)
@@ -144,7 +147,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     unwrapped = shared_unwrapped(unwrapped, ranks)
     region = inputs.region
     if region is not None:  # its normals keep the relief of the shape before it was simplified
-        unwrapped = unwrapped._replace(fine=region.fine)
+        # ... but of another shape there is none.
+        unwrapped = unwrapped._replace(fine=None if job.reshape else region.fine)
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
@@ -179,15 +183,14 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
-def reshaped_asset(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
-    """The kept asset with another shape in its region; its UVs and its maps stay.
-
-    Nothing is in a checkpoint: a resumed run starts this again, to the same result.
-    """
-    mesh, region, job = inputs.shape, inputs.region, run.job
+def reshaped_mesh(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
+    """The kept asset's mesh with another shape in its region; a resumed run finds it again."""
+    mesh, region = inputs.shape, inputs.region
     assert mesh is not None and region is not None
-    if not inputs.ranks.first:
-        return run.asset
+    found = run.load(RESHAPED)
+    if found:
+        with run.whole_checkpoint(RESHAPED):
+            return replace(mesh, verts=found[0]["verts"].reshape(mesh.verts.shape))
     with progress.timed("geometry"):
         free = free_verts(mesh, region.faces)
         cube, center, scale = normalise(mesh.verts)
@@ -195,11 +198,18 @@ def reshaped_asset(run: RunFolder, inputs: Inputs, progress: Progress) -> Path:
         made = reshaped(run, inputs.config.geometry, inputs.guidance, Part(*parts), progress)
         verts = torch.where(free[:, None], made.cpu() / scale + center, mesh.verts)
         progress.complete("geometry")
-    placed = replace(mesh, verts=verts)
+    run.save(RESHAPED, {"verts": verts}, {})
+    return replace(mesh, verts=verts)
+
+
+def reshaped_asset(run: RunFolder, inputs: Inputs) -> Path:
+    """The kept asset in its new shape; its UVs and its maps stay."""
+    mesh, region = inputs.shape, inputs.region
+    assert mesh is not None and region is not None
     light = Environment.of(inputs.light, inputs.config.appearance.shading).to(inputs.device)
-    seen = UvMesh.of(replace(placed, verts=normalise(verts)[0])).to(inputs.device)
+    seen = UvMesh.of(replace(mesh, verts=normalise(mesh.verts)[0])).to(inputs.device)
     picture = picture_of(maps_source(region.kept), seen, light, PREVIEW_SIZE)
-    return write_asset(run.asset, placed, region.kept, info_of(job, run), picture)
+    return write_asset(run.asset, mesh, region.kept, info_of(run.job, run), picture)
 
 
 def of_seed(inputs: Inputs, job: Job) -> Inputs:

@@ -100,6 +100,9 @@ def add_core_commands(commands: Commands) -> None:
     edit.add_argument(
         "--shape", action="store_true", help="their shape instead: the vertices move, no texel does"
     )
+    edit.add_argument(
+        "--material", action="store_true", help="with --shape: their material as well"
+    )
     edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     _add_job_options(edit)
 

@@ -50,6 +50,7 @@ class Job:
     kept_asset: str = ""  # of "texture": the asset of ``mesh``, whose maps hold outside ``region``
     region: str = ""  # a text file with the faces that get the material, a number a line
     reshape: bool = False  # of a region: its shape changes, and no texel
+    retexture: bool = False  # of a region that is reshaped: its material changes too
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
@@ -119,6 +120,10 @@ def _check(job: Job) -> None:
         )
     if job.reshape and not job.region:
         raise UserError("Reshaping needs a region.", "Use run.py edit with --faces and --shape.")
+    if job.retexture and not job.reshape:
+        raise UserError(
+            "A region gets its material anyway.", "Use retexture with reshape, or leave it out."
+        )
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
         raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
     if job.size_m and not SIZES[0] <= job.size_m <= SIZES[1]:

@@ -1,5 +1,6 @@
 """A region's new material: outside of it no bit changes, inside it is the new one."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -125,14 +126,44 @@ def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Pa
     assert after.info["mesh"]["closed"] == before.info["mesh"]["closed"]
 
 
+def test_shape_and_material_of_a_region_change_together_and_all_the_rest_stays(tmp_path: Path):
+    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
+    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+    before = read_asset(whole)
+    chosen = before.mesh.verts[before.mesh.faces].mean(1)[:, 0] > 0
+    faces.write_text("\n".join(map(str, chosen.nonzero()[:, 0].tolist())))
+    short = [f"--set=geometry.reshape.{key}" for key in ("rounds=2", "steps=2", "views=2")]
+    more = [f"--faces={faces}", f"--out={out}", "--shape", "--material", *OPTIONS, *short]
+    assert main(["edit", str(whole), "a blue metal torus", *more]) == 0
+    after = read_asset(out)
+    moved = (before.mesh.verts != after.mesh.verts).any(1)
+    assert moved.any() and not (moved & ~free_verts(before.mesh, chosen)).any()
+    for name in ("faces", "uv", "face_uvs"):
+        assert torch.equal(getattr(before.mesh, name), getattr(after.mesh, name))
+    texels = texel_points(*before.mesh.atlas, SIZE)
+    outside = torch.zeros(SIZE * SIZE, dtype=torch.bool)
+    outside[texels.index[~chosen[texels.face]]] = True
+    for old, new in zip(before.maps, after.maps, strict=True):
+        same = (old == new).all(-1).reshape(-1)
+        assert same[outside].all() and not same.all()
+    # A resumed run makes no other shape than the one that it has the maps of.
+    shutil.rmtree(out / "asset")
+    (out / "checkpoint" / "mesh.safetensors").unlink()
+    assert main(["resume", str(out)]) == 0
+    assert torch.equal(read_asset(out).mesh.verts, after.mesh.verts)
+
+
 def test_which_command_was_parsed_is_known_after_it(tmp_path: Path, monkeypatch):
     """The launcher asks then whether Blender takes what was made."""
     folder, jobs = tmp_path / "asset", []
     write_asset(folder, grid(), some_maps(0), {"prompt": "a torus"})
     monkeypatch.setattr("core.command_line._run_new", lambda _out, job, _until: jobs.append(job))
-    args = parse(["edit", str(folder), "a blue torus", "--faces=faces.txt", "--shape"])
-    carry_out(args)
-    assert (args.command, jobs[0].command, jobs[0].reshape) == ("edit", "texture", True)
+    for options in (["--shape"], ["--shape", "--material"], ["--material"]):
+        args = parse(["edit", str(folder), "a blue torus", "--faces=faces.txt", *options])
+        carry_out(args)
+        assert (args.command, jobs[-1].command) == ("edit", "texture")
+    found = [(job.reshape, job.retexture) for job in jobs]
+    assert found == [(True, False), (True, True), (False, False)]
 
 
 def test_a_region_without_an_inside_is_refused(tmp_path: Path):

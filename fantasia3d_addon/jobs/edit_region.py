@@ -11,38 +11,44 @@ import numpy as np
 from ..asset.asset_folder import read_info, read_obj
 from ..asset.origin import origin_of
 from ..errors import AddonError
-from ..mesh import region
+from ..mesh import new_shape, region
 from . import history
 from .job_file import FILES, KEPT
 from .job_settings import job_of
 from .session import session
 from .submit import reason_against_jobs
-from .target import MAPS
+from .target import BOTH, MAPS, SHAPE
 
 FACES = FILES["region"]
 
 
-def reason_against(context: bpy.types.Context, group: str = "") -> str:
-    """Why no region of the active object can be edited now; empty if one can."""
+def reason_against(context: bpy.types.Context, group: str = "", change: str = MAPS) -> str:
+    """Why no region of the active object can be edited now; empty if one can.
+
+    ``change``: as :func:`edit_region` has it.
+    """
     obj = context.active_object
     return (
         reason_against_jobs(context)
         or region.reason_against(obj)
+        or (new_shape.reason_against(obj) if change != MAPS else "")
         or region.reason_against_part(obj, group)
     )
 
 
-def edit_region(context: bpy.types.Context, words: str, group: str = "") -> Path:
-    """Request the material that ``words`` describe for the chosen faces of the active object.
+def edit_region(
+    context: bpy.types.Context, words: str, group: str = "", change: str = MAPS
+) -> Path:
+    """Request what ``words`` describe for the chosen faces of the active object; the run folder.
 
     In Edit Mode the selected faces, else those of the vertex group ``group`` or of the active one.
-    The run folder.
+    ``change``: MAPS, their material; SHAPE, their vertices move to where the words have them; BOTH.
 
     Raises:
         AddonError: no faces are chosen, there are no words, or the object shows no baked maps.
         SetupError: the core is missing.
     """
-    reason = reason_against(context, group)
+    reason = reason_against(context, group, change)
     if reason:
         raise AddonError(reason, "Choose faces of an imported asset.")
     if not words.strip():
@@ -53,12 +59,13 @@ def edit_region(context: bpy.types.Context, words: str, group: str = "") -> Path
     faces = region.faces_of(obj, group)
     job = job_of(context.scene.fantasia3d, "texture")
     job |= {"prompt": words.strip(), "mesh": FILES["mesh"], "region": FACES, "kept_asset": KEPT}
+    job |= {"reshape": change in (SHAPE, BOTH), "retexture": change == BOTH}
     look = region.look_of(obj)
     assert look is not None
     job["texture_size"] = look.images["normal"].size[0]
     with tempfile.TemporaryDirectory() as folder:
         files = _files(obj, faces, Path(folder))
-        target = session.target_here(context, object=obj.name, uv_map=look.uv_map, assign=MAPS)
+        target = session.target_here(context, object=obj.name, uv_map=look.uv_map, assign=change)
         return session.submit(context, job, target, files)
 
 

@@ -96,4 +96,7 @@ def stages_of(job: Mapping[str, Any]) -> tuple[str, ...]:
         skipped = {"fit", "geometry"}
         skipped |= {"unwrap"} if job.get("uv") == "keep" else set()
         skipped |= set() if job.get("base_color") else {"start"}
+        if job.get("reshape"):  # of a region; its material stays unless it is asked for
+            skipped = set(STAGES) - {"geometry"} if not job.get("retexture") else skipped
+            skipped -= {"geometry"}
     return tuple(stage for stage in STAGES if stage not in skipped)

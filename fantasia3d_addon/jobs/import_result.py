@@ -10,10 +10,10 @@ from ..asset.asset_folder import AssetFolder, read_asset
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
 from ..errors import AddonError
-from ..mesh import region
-from .job_file import IMPORTED
+from ..mesh import new_shape, region
+from .job_file import IMPORTED, KEPT
 from .place import bounds_of, place_of
-from .target import MAPS, Target
+from .target import MAPS, REGION, SHAPE, Target
 
 # Operators that hold references into the scene while they run: nothing may be added meanwhile.
 MODAL_TOOLS = ("TRANSFORM_OT_", "MESH_OT_", "SCULPT_OT_", "PAINT_OT_", "GPENCIL_OT_")
@@ -43,8 +43,8 @@ def import_result(
                 f"The object “{target.object}” no longer exists.",
                 "Import the asset from the history: it includes the mesh.",
             )
-        if target.assign == MAPS:
-            region.show_maps(obj, asset or read_asset(folder), obj.name)
+        if target.assign in REGION:
+            _show_region(obj, folder, target.assign, asset or read_asset(folder))
         else:
             assign_material(obj, asset or folder, target.uv_map, target.assign)
     else:
@@ -54,9 +54,18 @@ def import_result(
         obj = import_asset(where, asset, place)
     mark_imported(folder)
     if push_undo:
-        verb = "Edit Region of" if target.assign == MAPS else "Generate"
+        verb = "Edit Region of" if target.assign in REGION else "Generate"
         _push_undo(f"{verb} {obj.name}")
     return obj.name
+
+
+def _show_region(obj: bpy.types.Object, folder: Path, what: str, asset: AssetFolder) -> None:
+    """Show what the run in ``folder`` changed in a region of ``obj``: maps, shape or both."""
+    if what != MAPS:
+        # First of both: it is refused where the mesh was changed meanwhile.
+        new_shape.show_shape(obj, asset, folder / KEPT / "mesh.obj")
+    if what != SHAPE:
+        region.show_maps(obj, asset, obj.name)
 
 
 def mark_imported(folder: Path) -> None:

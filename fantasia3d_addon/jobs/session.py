@@ -364,7 +364,7 @@ class Session:
     def _show_shape(self, followed: FollowedRun) -> None:
         """Show the newest preview mesh of ``followed``, in the file that requested it."""
         path, followed.shape = followed.shape, None
-        # A material for the user's own object changes no shape: there is nothing to preview.
+        # On the user's own object nothing changes before its job is done.
         if path and self._is_file_open(followed) and not followed.target.object:
             live_preview.show(scene_of(followed.target), path, followed)
 

@@ -27,7 +27,11 @@ from .target import FREE, Target
 from .words import Report, unknown
 
 # What a run with another material starts from; the last says that the shape is finished.
-SHAPE_PARTS = ("checkpoint/geometry.safetensors", history.SHAPE)
+SHAPE_PARTS = (
+    "checkpoint/geometry.safetensors",
+    "checkpoint/reshaped.safetensors",
+    history.SHAPE,
+)
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
 

@@ -12,12 +12,13 @@ from .untrusted import has_types, is_number, is_text, read_object
 
 NAME = "target.json"
 FREE, EXACT = "free", "exact"  # of a Target's place
-MAPS = "maps"  # of a Target's assign
+MAPS, SHAPE, BOTH = "maps", "shape", "both"  # of a Target's assign: what of a region changes
+REGION = (MAPS, SHAPE, BOTH)
 
 
 KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a target holds
     **dict.fromkeys(("file", "scene", "object", "uv_map"), is_text),
-    "assign": lambda value: value in ("slot", "object", MAPS),
+    "assign": lambda value: value in ("slot", "object", *REGION),
     "location": lambda value: (
         isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
     ),
@@ -35,7 +36,7 @@ class Target:
     object: str = ""  # that receives the material; empty for a new object
     uv_map: str = ""  # of that object: the map that the textures use
     assign: str = "slot"  # "slot": in a new slot; "object": shown on the whole object;
-    # MAPS: its maps alone, in the material that the object has
+    # MAPS: its maps alone, in the material that the object has; SHAPE: its vertices; or BOTH
 
     def write(self, run: Path) -> None:
         """Write it into the run folder; OSError where that can't be written."""

@@ -21,6 +21,7 @@ TOOLS: tuple[tuple[str, tuple[Entry, ...]], ...] = (  # by section
             ("edit_region", "FACESEL"),
             ("replace_material", "MATERIAL"),
             ("restore_material", "LOOP_BACK"),
+            ("restore_shape", "LOOP_BACK"),
             ("adjust_material", "MODIFIER"),
             ("reset_material", "X"),
         ),

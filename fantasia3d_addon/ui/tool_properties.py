@@ -6,6 +6,7 @@ import bpy
 from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from .. import options
+from ..jobs.target import BOTH, MAPS, SHAPE
 from ..material import library as material_library
 from .option_properties import option_property
 from .properties import light_items
@@ -13,6 +14,20 @@ from .properties import light_items
 MATERIALS = tuple(
     (name, name.title(), "A material of the add-on's library") for name in material_library.NAMES
 )
+
+
+# Honest about the shape: vertices move, so that nothing is designed anew.
+CHANGES = (
+    (MAPS, "Material", "Their texels alone become another material"),
+    (
+        SHAPE,
+        "Shape",
+        "Their vertices move toward the words: dents, bumps and cuts are repaired and smoothed; "
+        "no new parts",
+    ),
+    (BOTH, "Both", "Their shape is repaired first, then they get another material"),
+)
+CHANGE = "What of the faces changes"
 
 
 class FANTASIA3D_PG_tools(bpy.types.PropertyGroup):
@@ -28,6 +43,7 @@ class FANTASIA3D_PG_tools(bpy.types.PropertyGroup):
     region_words: StringProperty(
         name="Words", description="What the faces become, such as: red velvet"
     )
+    region_change: EnumProperty(name="Change", description=CHANGE, items=CHANGES)
     region_group: StringProperty(
         name="Vertex Group",
         description="The vertex group whose faces are edited; empty: the active one",
