@@ -119,7 +119,7 @@ def dented(chair, tmp_path, ready) -> bpy.types.Object:
     verts, *rest = block()
     verts = verts.copy()
     verts[middle(verts)] *= 0.9
-    made = write_asset(tmp_path / "made", (verts, *rest), base_color=255 - island_colors(64))
+    made = write_asset(tmp_path / "dented", (verts, *rest), base_color=255 - island_colors(64))
     ready.negative_prompt = str(made)
     return chair
 

@@ -6,17 +6,17 @@ ANIMALS = {
     "pig": Noun(
         "piggy; piglet, piggy bank",
         {"body": "*eda3a6", "snout": "+d97f86", "eyes": "-151212"},
-        Usual(1.2, FLESH),
+        Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
         "; goldfish, clownfish",
         {"body": "*ef7d1a", "fins": "+f5b03c", "eyes": "-111114"},
-        Usual(0.3, FLESH),
+        Usual(0.3, FLESH, 0.31),
     ),
     "rabbit": Noun(
         "bunny, bunnies",
         {"body": "*a58a70", "tail": "+f0ece4", "eyes": "-161212", "nose": "-d98a8f"},
-        Usual(0.35, FLESH),
+        Usual(0.35, FLESH, 0.6),
     ),
     "turtle": Noun(
         "; tortoise",
@@ -26,7 +26,7 @@ ANIMALS = {
     "duck": Noun(
         "rubber duck, bath duck",
         {"body": "*f7cf1f", "wings": "&f2bd14", "bill": "-ee7a14", "eyes": "-131313"},
-        Usual(0.4, FLESH, 0.6),
+        Usual(0.4, FLESH, 0.15),
     ),
     "teddy bear": Noun(
         "teddy",
@@ -41,7 +41,7 @@ ANIMALS = {
     "cat": Noun(
         "kitty, house cat; kitten, tabby cat, tomcat",
         {"body": "*8a7a68", "muzzle": "+e8e0d4", "eyes": "-111111", "nose": "-d98a8f"},
-        Usual(0.45, FLESH),
+        Usual(0.45, FLESH, 0.56),
     ),
     "dog": Noun(
         "doggy, hound; puppy, labrador, beagle, retriever",
@@ -52,7 +52,7 @@ ANIMALS = {
             "eyes": "-111111",
             "nose": "-1a1818",
         },
-        Usual(0.8, FLESH),
+        Usual(0.8, FLESH, 0.76),
     ),
     "wolf": Noun(
         "grey wolf, gray wolf; coyote, husky",
@@ -63,7 +63,7 @@ ANIMALS = {
             "nose": "-1a1818",
             "tail": "&5c5d60",
         },
-        Usual(1.3, FLESH),
+        Usual(1.3, FLESH, 0.38),
     ),
     "fox": Noun(
         "red fox; fox cub",
@@ -74,12 +74,12 @@ ANIMALS = {
             "eyes": "-111111",
             "nose": "-1a1818",
         },
-        Usual(0.9, FLESH),
+        Usual(0.9, FLESH, 0.3),
     ),
     "bear": Noun(
         "brown bear; grizzly, grizzly bear, polar bear, black bear",
         {"body": "*6b4526", "muzzle": "+b08a5e", "eyes": "-111111", "nose": "-1a1818"},
-        Usual(2.0, FLESH),
+        Usual(2.0, FLESH, 0.3),
     ),
     "lion": Noun(
         "; lion king",
@@ -90,7 +90,7 @@ ANIMALS = {
             "eyes": "-111111",
             "nose": "-4a2c22",
         },
-        Usual(2.2, FLESH),
+        Usual(2.2, FLESH, 0.32),
     ),
     "cow": Noun(
         "; bull, ox, calf, cattle, dairy cow",
@@ -102,27 +102,27 @@ ANIMALS = {
             "udder": "-e0a8a0",
             "patches": "+2e2926",
         },
-        Usual(2.3, FLESH),
+        Usual(2.3, FLESH, 0.54),
     ),
     "sheep": Noun(
         "; lamb, ewe",
         {"wool": "*ece7da", "head": "+3a3431", "legs": "+3a3431", "eyes": "-f0f0f0"},
-        Usual(1.2, FLESH, 0.7),
+        Usual(1.2, FLESH, 0.28),
     ),
     "elephant": Noun(
         "; mammoth, baby elephant",
         {"body": "*85868a", "ears": "&95919a", "tusks": "-efe6d0", "eyes": "-111111"},
-        Usual(5.0, FLESH),
+        Usual(5.0, FLESH, 0.26),
     ),
     "giraffe": Noun(
         "",
         {"body": "*d9a84e", "muzzle": "+ead6a8", "horns": "-6b4526", "eyes": "-111111"},
-        Usual(4.8, FLESH),
+        Usual(4.8, FLESH, 0.37),
     ),
     "horse": Noun(
         "; pony, stallion, mare, foal, donkey, mule",
         {"body": "*8a5a34", "mane": "+2e211a", "hooves": "-3a322c", "eyes": "-111111"},
-        Usual(2.4, FLESH),
+        Usual(2.4, FLESH, 0.6),
     ),
     "unicorn": Noun(
         "; pegasus, baby unicorn",
@@ -133,7 +133,7 @@ ANIMALS = {
             "eyes": "-1a1418",
             "horn": "-e8b93c",
         },
-        Usual(2.4, FLESH),
+        Usual(2.4, FLESH, 0.66),
     ),
     "corgi": Noun(
         "welsh corgi; dachshund, sausage dog",
@@ -144,7 +144,7 @@ ANIMALS = {
             "eyes": "-111111",
             "nose": "-1a1818",
         },
-        Usual(0.6, FLESH),
+        Usual(0.6, FLESH, 0.67),
     ),
     "dragon": Noun(
         "; wyvern, baby dragon, fire dragon",
@@ -155,12 +155,12 @@ ANIMALS = {
             "horns": "-e6dcc0",
             "eyes": "-f2c21c",
         },
-        Usual(6.0, FLESH),
+        Usual(6.0, FLESH, 0.23),
     ),
     "dinosaur": Noun(
         "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla",
         {"body": "*6a8a3a", "belly": "+cfc48a", "teeth": "-f0ead8", "eyes": "-16140f"},
-        Usual(12.0, FLESH),
+        Usual(12.0, FLESH, 0.11),
     ),
     "person": Noun(
         (
@@ -175,7 +175,7 @@ ANIMALS = {
             "shoes": "-2a2422",
             "eyes": "-141414",
         },
-        Usual(1.75, FLESH),
+        Usual(1.75, FLESH, 0.38),
     ),
     "knight": Noun(
         "; paladin, crusader, suit of armor, suit of armour, warrior, soldier",
@@ -186,11 +186,11 @@ ANIMALS = {
             "shield": "+b82a28",
             "sword": "-cfd3d8 . metal",
         },
-        Usual(1.9, STEEL, 0.17),
+        Usual(1.9, STEEL, 0.03),
     ),
     "monkey": Noun(
         "; ape, chimp, chimpanzee, gorilla",
         {"body": "*6b452a", "face": "+dcb58c", "eyes": "-111111"},
-        Usual(0.9, FLESH),
+        Usual(0.9, FLESH, 0.32),
     ),
 }

@@ -20,7 +20,7 @@ CLOTHES = {
             "face": "-f2efe6",
             "hands": "-1c1c20",
         },
-        Usual(0.08, STEEL, 0.1),
+        Usual(0.08, STEEL, 0.21),
     ),
     "sneaker": Noun(
         "shoe, trainer, running shoe, sneakers, shoes, gym shoe; sandal, loafer",
@@ -31,7 +31,7 @@ CLOTHES = {
             "stripes": "-f7f5f0",
             "toe": "&f0eee8 . rubber",
         },
-        Usual(0.3, RUBBER, 0.25),
+        Usual(0.3, RUBBER, 0.14),
     ),
     "boot": Noun(
         "boots, leather boot; rain boot, wellington, cowboy boot",
@@ -41,7 +41,7 @@ CLOTHES = {
             "cuff": "+8a5a34",
             "strap": "-3a2617",
         },
-        Usual(0.32, LEATHER, 0.25),
+        Usual(0.32, LEATHER, 0.12),
     ),
     "high heel": Noun(
         "high heels, high heeled shoe, stiletto, pump, lady's shoe",
@@ -61,7 +61,7 @@ CLOTHES = {
             "crest": "+b8231f",
             "rim": "&6e747b . metal",
         },
-        Usual(0.33, PLASTIC, 0.2),
+        Usual(0.33, PLASTIC, 0.087),
     ),
     "baseball cap": Noun(
         "cap, ball cap; visor",
@@ -76,7 +76,7 @@ CLOTHES = {
     "glove": Noun(
         "gloves, mitten, mittens; boxing glove, gauntlet",
         {"body": "*b5342c . fabric", "cuff": "+ece6da . fabric", "band": "-7a211c"},
-        Usual(0.25, FABRIC, 0.5),
+        Usual(0.25, FABRIC, 0.21),
     ),
     "backpack": Noun(
         "rucksack, school bag, schoolbag, knapsack, back pack",
@@ -88,7 +88,7 @@ CLOTHES = {
             "handle": "-33363c . fabric",
             "buckles": "-c7cacf . metal",
         },
-        Usual(0.5, FABRIC, 0.3),
+        Usual(0.5, FABRIC, 0.12),
     ),
     "handbag": Noun(
         "purse, hand bag, bag; briefcase, tote bag",
@@ -109,7 +109,7 @@ CLOTHES = {
             "feet": "-26221f",
             "locks": "-d8b04a . golden",
         },
-        Usual(0.7, LEATHER, 0.15),
+        Usual(0.7, LEATHER, 0.052),
     ),
     "shirt": Noun(
         "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, jacket, hoodie, blouse",
@@ -119,7 +119,7 @@ CLOTHES = {
             "collar": "+f0eee8 . fabric",
             "buttons": "-f7f5f0",
         },
-        Usual(0.75, FABRIC, 0.1),
+        Usual(0.75, FABRIC, 0.019),
     ),
     "trousers": Noun(
         "pants, jeans, pair of trousers, pair of pants; shorts, leggings",
@@ -130,7 +130,7 @@ CLOTHES = {
             "cuffs": "&4a70a8 . fabric",
             "pockets": "-2b4872 . fabric",
         },
-        Usual(1.0, FABRIC, 0.1),
+        Usual(1.0, FABRIC, 0.017),
     ),
     "dress": Noun(
         "gown, frock; skirt",
@@ -141,7 +141,7 @@ CLOTHES = {
             "hem": "&e58fb4 . fabric",
             "bow": "-f0d9e4",
         },
-        Usual(1.2, FABRIC, 0.05),
+        Usual(1.2, FABRIC, 0.0087),
     ),
     "wizard hat": Noun(
         "witch hat, wizard's hat, witch's hat, magic hat; party hat",
@@ -151,7 +151,7 @@ CLOTHES = {
             "stars": "-f4cf3a",
             "buckle": "-e0b84a . golden",
         },
-        Usual(0.45, FABRIC, 0.15),
+        Usual(0.45, FABRIC, 0.053),
     ),
     "cowboy hat": Noun(
         "stetson; sombrero, fedora, straw hat, sun hat",
@@ -172,11 +172,11 @@ CLOTHES = {
             "star": "&c8922a . golden",
             "rim": "&c8922a . golden",
         },
-        Usual(0.14, GOLD, 0.1),
+        Usual(0.14, GOLD, 0.043),
     ),
     "sunglasses": Noun(
         "glasses, spectacles, eyeglasses, shades; goggles",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
-        Usual(0.16, PLASTIC, 0.5),
+        Usual(0.16, PLASTIC, 0.16),
     ),
 }

@@ -11,7 +11,7 @@ DEVICES = {
     "phone": Noun(
         "smartphone, mobile phone, cell phone, cellphone; tablet, iphone",
         {"body": "*2a2c31", "screen": "-3f86c8", "camera": "-131416", "buttons": "+8b9096"},
-        Usual(0.15, 2200.0),
+        Usual(0.15, 2200.0, 0.45),
     ),
     "monitor": Noun(
         "computer monitor, computer screen, screen",
@@ -21,7 +21,7 @@ DEVICES = {
     "keyboard": Noun(
         "computer keyboard",
         {"body": "*33363c", "keys": "+d9dbde", "accents": "-d8562a"},
-        Usual(0.44, PLASTIC, 0.7),
+        Usual(0.44, PLASTIC, 0.17),
     ),
     "camera": Noun(
         "photo camera, film camera; vintage camera",
@@ -49,7 +49,7 @@ DEVICES = {
             "switch": "-d2412b",
             "stand": "-2f3135 . metal",
         },
-        Usual(0.2, STEEL, 0.2),
+        Usual(0.2, STEEL, 0.087),
     ),
     "radio": Noun(
         "transistor radio, portable radio; boombox",
@@ -126,6 +126,6 @@ DEVICES = {
     "television": Noun(
         "tv, tv set, television set; flatscreen, retro tv",
         {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
-        Usual(1.1, PLASTIC, 0.2),
+        Usual(1.1, PLASTIC, 0.064),
     ),
 }

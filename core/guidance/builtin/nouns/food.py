@@ -11,12 +11,12 @@ FOOD = {
     "ice cream": Noun(
         "icecream, ice cream cone; gelato",
         {"scoop": "*f6c6cc", "cone": "+c98a45 waffle", "cherry": "-b8121f"},
-        Usual(0.18, 600.0),
+        Usual(0.18, 600.0, 0.63),
     ),
     "pineapple": Noun(
         "",
         {"body": "*dd9a26 scales", "leaves": "+3c7d33"},
-        Usual(0.3, PLANT),
+        Usual(0.3, PLANT, 0.46),
     ),
     "apple": Noun(
         "",
@@ -26,7 +26,7 @@ FOOD = {
     "carrot": Noun(
         "",
         {"body": "*ee7415", "leaves": "+3f9433"},
-        Usual(0.2, 1000.0),
+        Usual(0.2, 1000.0, 0.5),
     ),
     "cupcake": Noun(
         "cup cake; muffin",
@@ -56,7 +56,7 @@ FOOD = {
     "cherry": Noun(
         "cherries",
         {"fruits": "*b40f22", "stalks": "-6d7a2e", "leaf": "+4d9a35"},
-        Usual(0.08, PLANT),
+        Usual(0.08, PLANT, 0.31),
     ),
     "lemon": Noun(
         "; lime fruit, citrus",
@@ -81,7 +81,7 @@ FOOD = {
     "corn": Noun(
         "maize, corn cob, corncob, corn on the cob",
         {"kernels": "*f2c52e", "husk": "+6fa23c"},
-        Usual(0.25, PLANT),
+        Usual(0.25, PLANT, 0.19),
     ),
     "broccoli": Noun(
         "; cauliflower",
@@ -91,7 +91,7 @@ FOOD = {
     "eggplant": Noun(
         "aubergine",
         {"body": "*3f1d4f", "cap": "+5a8a3a"},
-        Usual(0.22, PLANT),
+        Usual(0.22, PLANT, 0.57),
     ),
     "pepper": Noun(
         "bell pepper, paprika, capsicum; chili, chilli",
@@ -111,7 +111,7 @@ FOOD = {
     "bread": Noun(
         "loaf, loaf of bread, bread loaf; toast, baguette",
         {"crust": "*b8742e", "crumb": "+f1dcae"},
-        Usual(0.28, 300.0),
+        Usual(0.28, 300.0, 0.39),
     ),
     "croissant": Noun(
         "; pastry",
@@ -162,22 +162,22 @@ FOOD = {
     "fries": Noun(
         "french fries; chips",
         {"carton": "*cf1f1c", "fries": "+f3c64a"},
-        Usual(0.16, 350.0),
+        Usual(0.16, 350.0, 0.54),
     ),
     "pancakes": Noun(
         "pancake, stack of pancakes; waffles",
         {"pancakes": "*d99a48", "syrup": "+7a3c12", "butter": "-f8e58a", "plate": "-eceae4"},
-        Usual(0.22, 600.0),
+        Usual(0.22, 600.0, 0.45),
     ),
     "lollipop": Noun(
         "lolly, lollypop; candy",
         {"candy": "*e23a5e", "swirl": "+f8f2ee", "stick": "-f1ece2"},
-        Usual(0.18, 1200.0),
+        Usual(0.18, 1200.0, 0.2),
     ),
     "popsicle": Noun(
         "ice lolly, ice pop, ice cream bar",
         {"ice": "*e8364a", "top": "+f6b02f", "stick": "-d9b382 grain"},
-        Usual(0.18, SNOW),
+        Usual(0.18, SNOW, 0.54),
     ),
     "pretzel": Noun(
         "; bretzel",
@@ -192,12 +192,12 @@ FOOD = {
     "can": Noun(
         "soda can, tin can, beverage can; beer can, soup can",
         {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
-        Usual(0.12, STEEL, 0.14),
+        Usual(0.12, STEEL, 0.071),
     ),
     "jar": Noun(
         "jam jar; honey jar, cookie jar, mason jar",
         {"body": "*b8324a . glass", "lid": "+d9b04a . metal", "label": "-f2ead6"},
-        Usual(0.14, GLASS, 0.5),
+        Usual(0.14, GLASS, 0.16),
     ),
     "taco": Noun(
         "tacos; burrito",
@@ -212,6 +212,6 @@ FOOD = {
     "milk carton": Noun(
         "carton of milk; milk, juice carton, juice box",
         {"carton": "*f2f3f4", "top": "+2f6fc2", "cap": "-d8352a"},
-        Usual(0.24, FLESH),
+        Usual(0.24, FLESH, 0.32),
     ),
 }

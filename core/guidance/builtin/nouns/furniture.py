@@ -6,7 +6,7 @@ FURNITURE = {
     "table": Noun(
         "",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
-        Usual(1.4, WOOD),
+        Usual(1.4, WOOD, 0.24),
     ),
     "chair": Noun(
         "dining chair",
@@ -16,7 +16,7 @@ FURNITURE = {
             "legs": "*754a26 grain",
             "arms": "*754a26 grain",
         },
-        Usual(0.9, WOOD),
+        Usual(0.9, WOOD, 0.14),
     ),
     "armchair": Noun(
         "; recliner",
@@ -37,12 +37,12 @@ FURNITURE = {
     "stool": Noun(
         "; bar stool, barstool",
         {"seat": "&a06a38 grain", "legs": "*70472a grain"},
-        Usual(0.6, WOOD),
+        Usual(0.6, WOOD, 0.21),
     ),
     "bench": Noun(
         "park bench",
         {"seat": "*8f5c30 grain", "legs": "+3a3d40", "back": "*8f5c30 grain"},
-        Usual(1.5, WOOD),
+        Usual(1.5, WOOD, 0.33),
     ),
     "bed": Noun(
         "",
@@ -57,7 +57,7 @@ FURNITURE = {
     "bookshelf": Noun(
         "bookcase, bookshelves, book shelf",
         {"frame": "*8a5a30 grain", "books": "+b03a30 spines"},
-        Usual(1.9, WOOD, 0.5),
+        Usual(1.9, WOOD, 0.12),
     ),
     "lamp": Noun(
         "table lamp; lampshade",
@@ -94,7 +94,7 @@ FURNITURE = {
             "rockers": "&6a4222 grain",
             "arms": "*754a26 grain",
         },
-        Usual(1.1, WOOD),
+        Usual(1.1, WOOD, 0.3),
     ),
     "throne": Noun(
         "royal chair, king's chair",
@@ -104,7 +104,7 @@ FURNITURE = {
             "knobs": "-f0c95a . golden",
             "step": "-7a1620",
         },
-        Usual(1.8, WOOD, 0.6),
+        Usual(1.8, WOOD, 0.21),
     ),
     "wardrobe": Noun(
         "closet, armoire, clothes cupboard",
@@ -114,7 +114,7 @@ FURNITURE = {
             "handles": "+d0b060 . golden",
             "feet": "&5c3a1e grain",
         },
-        Usual(2.0, WOOD, 0.15),
+        Usual(2.0, WOOD, 0.074),
     ),
     "dresser": Noun(
         "chest of drawers, drawers; bureau",
@@ -145,12 +145,12 @@ FURNITURE = {
             "frame": "-a8733e grain",
             "ladder": "-a8733e grain",
         },
-        Usual(2.0, WOOD, 0.2),
+        Usual(2.0, WOOD, 0.077),
     ),
     "coffee table": Noun(
         "low table; side table, tea table",
         {"top": "*96602f grain", "legs": "*70472a grain", "shelf": "&85552b grain"},
-        Usual(1.1, WOOD, 0.5),
+        Usual(1.1, WOOD, 0.26),
     ),
     "cabinet": Noun(
         "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet",
@@ -165,7 +165,7 @@ FURNITURE = {
     "mirror": Noun(
         "looking glass, standing mirror; magic mirror",
         {"frame": "*d3a640 . golden", "glass": "-c6dbe6 . glass", "stand": "+6d4425 grain"},
-        Usual(1.6, WOOD),
+        Usual(1.6, WOOD, 0.17),
     ),
     "floor lamp": Noun(
         "standing lamp, standard lamp",
@@ -218,12 +218,12 @@ FURNITURE = {
             "glass": "-2a1a10",
             "pendulum": "-e0b84a . golden",
         },
-        Usual(2.1, WOOD, 0.3),
+        Usual(2.1, WOOD, 0.1),
     ),
     "beanbag": Noun(
         "bean bag, beanbag chair, bean bag chair",
         {"body": "*d0542f . fabric", "loop": "&b34425 . fabric"},
-        Usual(0.9, FABRIC, 0.2),
+        Usual(0.9, FABRIC, 0.1),
     ),
     "shelf": Noun(
         "wall shelf, shelves; spice rack",
@@ -233,11 +233,11 @@ FURNITURE = {
             "books": "+b03a30",
             "vase": "-3f86a8",
         },
-        Usual(0.9, WOOD),
+        Usual(0.9, WOOD, 0.42),
     ),
     "pillow": Noun(
         "cushion, throw pillow; sofa cushion",
         {"body": "*c9545e . fabric", "button": "+e8c24a . fabric", "tassels": "+e8c24a . fabric"},
-        Usual(0.5, FABRIC, 0.3),
+        Usual(0.5, FABRIC, 0.19),
     ),
 }

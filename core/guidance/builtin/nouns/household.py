@@ -19,17 +19,17 @@ HOUSEHOLD = {
     "mug": Noun(
         "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug",
         {"body": "*e0dbd1", "handle": "&e0dbd1"},
-        Usual(0.1, CERAMIC, 0.4),
+        Usual(0.1, CERAMIC, 0.98),
     ),
     "vase": Noun(
         "; urn",
         {"body": "*b8613d band"},
-        Usual(0.3, CERAMIC, 0.3),
+        Usual(0.3, CERAMIC, 0.12),
     ),
     "bottle": Noun(
         "; flask",
         {"body": "*1f6638 . glass", "cap": "+332b26"},
-        Usual(0.3, GLASS, 0.25),
+        Usual(0.3, GLASS, 0.12),
     ),
     "teapot": Noun(
         "tea pot",
@@ -44,7 +44,7 @@ HOUSEHOLD = {
     "pan": Noun(
         "frying pan, skillet; saucepan, wok",
         {"body": "*33353a . metal", "handle": "+1c1a19"},
-        Usual(0.45, STEEL, 0.3),
+        Usual(0.45, STEEL, 0.13),
     ),
     "goblet": Noun(
         "chalice; wine glass, wineglass",
@@ -54,7 +54,7 @@ HOUSEHOLD = {
     "bucket": Noun(
         "pail",
         {"body": "*8f979e . metal", "handle": "+5c6268 . metal"},
-        Usual(0.3, STEEL, 0.01),
+        Usual(0.3, STEEL, 0.045),
     ),
     "candle": Noun(
         "; candlestick",
@@ -64,7 +64,7 @@ HOUSEHOLD = {
     "crown": Noun(
         "; tiara",
         {"band": "*ffc757 . golden", "pearls": "+f4efe6", "gems": "-c21d2b"},
-        Usual(0.2, GOLD, 0.05),
+        Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
         "top hat",
@@ -84,12 +84,12 @@ HOUSEHOLD = {
     "trophy": Noun(
         "trophies",
         {"cup": "*ffc94f . golden", "handles": "&ffc94f . golden", "base": "-2a211c"},
-        Usual(0.4, STEEL, 0.1),
+        Usual(0.4, STEEL, 0.039),
     ),
     "bowling pin": Noun(
         "skittle, pin",
         {"body": "*f2f0ea collar"},
-        Usual(0.38, WOOD),
+        Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
         "front door, wooden door",
@@ -99,12 +99,12 @@ HOUSEHOLD = {
             "frame": "+e6e0d2",
             "handle": "-d9ad45 . golden",
         },
-        Usual(2.0, WOOD),
+        Usual(2.0, WOOD, 0.072),
     ),
     "window": Noun(
         "house window; sash window",
         {"frame": "*ece8de", "glass": "-9cc4dd . glass", "sill": "&d8d2c4", "shutters": "+3f7a52"},
-        Usual(1.2, WOOD, 0.7),
+        Usual(1.2, WOOD, 0.3),
     ),
     "refrigerator": Noun(
         "fridge, icebox; freezer",
@@ -114,7 +114,7 @@ HOUSEHOLD = {
             "handles": "+8f979e . metal",
             "feet": "-2a2a2c",
         },
-        Usual(1.8, STEEL, 0.015),
+        Usual(1.8, STEEL, 0.0057),
     ),
     "stove": Noun(
         "oven, cooker, kitchen stove; range",
@@ -167,7 +167,7 @@ HOUSEHOLD = {
             "tap": "+aab1b8 . metal",
             "handles": "+aab1b8 . metal",
         },
-        Usual(0.9, CERAMIC, 0.3),
+        Usual(0.9, CERAMIC, 0.12),
     ),
     "clock": Noun(
         "alarm clock; wall clock",
@@ -183,17 +183,17 @@ HOUSEHOLD = {
     "fan": Noun(
         "electric fan, standing fan; ventilator, desk fan",
         {"blades": "+5aa0c8", "cage": "*d8dcdf", "hub": "-3a3e44", "stand": "&c2c8cc"},
-        Usual(1.1, PLASTIC, 0.3),
+        Usual(1.1, PLASTIC, 0.16),
     ),
     "picture frame": Noun(
         "photo frame, framed picture, painting; portrait",
         {"frame": "*c9982f . golden", "picture": "-8fc3e6", "hills": "-4f8a45", "sun": "-f5cf3c"},
-        Usual(0.6, WOOD),
+        Usual(0.6, WOOD, 0.16),
     ),
     "trash can": Noun(
         "garbage can, trashcan, dustbin, trash bin, garbage bin, waste bin; recycling bin",
         {"body": "*7e868c . metal", "lid": "&929aa0 . metal", "handles": "+5c6268 . metal"},
-        Usual(0.9, STEEL, 0.01),
+        Usual(0.9, STEEL, 0.0044),
     ),
     "toaster": Noun(
         "",

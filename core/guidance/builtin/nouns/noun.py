@@ -12,13 +12,14 @@ FLESH, PLANT, WAX, SNOW = 1000.0, 900.0, 900.0, 450.0
 
 
 class Usual(NamedTuple):
-    """Of an ordinary specimen. Most things are not solid: ``filled`` is the part of the outer
-    volume that is material, so that the mass is usual too (a car of 4.2 m weighs 1.4 t, not 60).
+    """Of an ordinary specimen. Most things are not solid, and the prior's are plumper than real
+    ones: ``filled`` is the part of the volume that is material, so that the mass is usual too
+    (a car of 4.2 m weighs 1.4 t, not 90).
     """
 
     size_m: float  # the longest side
     kg_m3: float  # of what it is made of where the prompt names no material
-    filled: float = 1.0  # the part of its volume that is material
+    filled: float = 1.0  # the part of its volume, as the prior makes it, that is material
 
 
 class Noun(NamedTuple):

@@ -6,12 +6,12 @@ PLANTS = {
     "mushroom": Noun(
         "toadstool",
         {"cap": "*cc1a12 dots", "stem": "+e6d9bd"},
-        Usual(0.1, PLANT, 0.7),
+        Usual(0.1, PLANT, 0.4),
     ),
     "tree": Noun(
         "fir, pine, conifer, fir tree, pine tree; christmas tree",
         {"leaves": "*216b29", "trunk": "+613d21"},
-        Usual(6.0, PLANT, 0.05),
+        Usual(6.0, PLANT, 0.011),
     ),
     "cactus": Noun(
         "cacti",
@@ -21,12 +21,12 @@ PLANTS = {
     "flower": Noun(
         "daisy, potted flower",
         {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36", "pot": "-b8623b"},
-        Usual(0.4, PLANT, 0.3),
+        Usual(0.4, PLANT, 0.036),
     ),
     "palm": Noun(
         "palm tree",
         {"leaves": "*3f9038", "trunk": "+94683c", "nuts": "-5a3820"},
-        Usual(8.0, PLANT, 0.3),
+        Usual(8.0, PLANT, 0.039),
     ),
     "bush": Noun(
         "shrub, bushes; hedge, berry bush",
@@ -41,17 +41,17 @@ PLANTS = {
     "sunflower": Noun(
         "sunflowers",
         {"petals": "*f6c11c", "heart": "+4f2d14", "stalk": "-3e8a36"},
-        Usual(1.6, PLANT, 0.3),
+        Usual(1.6, PLANT, 0.025),
     ),
     "rose": Noun(
         "roses; peony, carnation",
         {"petals": "*c4122c", "stalk": "+35752f"},
-        Usual(0.4, PLANT, 0.3),
+        Usual(0.4, PLANT, 0.021),
     ),
     "tulip": Noun(
         "tulips; lily, crocus",
         {"petals": "*e5324a", "stalk": "+4f9a3c"},
-        Usual(0.4, PLANT, 0.3),
+        Usual(0.4, PLANT, 0.023),
     ),
     "bonsai": Noun(
         "bonsai tree",
@@ -81,7 +81,7 @@ PLANTS = {
     "oak tree": Noun(
         "deciduous tree, leafy tree, broadleaf tree, apple tree; maple tree",
         {"leaves": "*3f8a2f", "trunk": "+6a4728"},
-        Usual(8.0, PLANT, 0.05),
+        Usual(12.0, PLANT, 0.0076),
     ),
     "coral": Noun(
         "corals; coral reef",
@@ -91,6 +91,6 @@ PLANTS = {
     "seashell": Noun(
         "sea shell, shell, scallop, clam; conch",
         {"ribs": "*f0cdb0", "grooves": "&d99a7c", "hinge": "+e2b08e"},
-        Usual(0.1, CERAMIC),
+        Usual(0.1, CERAMIC, 0.47),
     ),
 }

@@ -34,7 +34,7 @@ PROPS = {
             "grip": _GRIP,
             "pommel": "+c79a3e . golden",
         },
-        Usual(1.1, STEEL, 0.4),
+        Usual(1.1, STEEL, 0.014),
     ),
     "dagger": Noun(
         "; dirk",
@@ -44,12 +44,12 @@ PROPS = {
             "grip": _GRIP,
             "pommel": "+8a7a4a . metal",
         },
-        Usual(0.35, STEEL, 0.4),
+        Usual(0.35, STEEL, 0.042),
     ),
     "shield": Noun(
         "; buckler",
         {"plate": "*b02a24", "rim": "+9aa0a6 . metal", "emblem": "+e0b84a . golden"},
-        Usual(0.9, WOOD, 0.6),
+        Usual(0.9, WOOD, 0.19),
     ),
     "barrel": Noun(
         "wooden barrel, wine barrel, cask, keg",
@@ -59,7 +59,7 @@ PROPS = {
     "crate": Noun(
         "wooden crate, shipping crate; packing case",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
-        Usual(0.6, WOOD, 0.3),
+        Usual(0.6, WOOD, 0.12),
     ),
     "lantern": Noun(
         "oil lantern, oil lamp",
@@ -69,30 +69,30 @@ PROPS = {
             "roof": "*3a3c40 . metal",
             "handle": "&4a4c50 . metal",
         },
-        Usual(0.35, STEEL, 0.1),
+        Usual(0.35, STEEL, 0.035),
     ),
     "potion": Noun(
         "potion bottle, magic potion, flask of potion; elixir, vial",
         {"flask": "*8a3fc0 . glass", "cork": "-b98a52", "rim": "&a070d0 . glass"},
-        Usual(0.2, GLASS, 0.4),
+        Usual(0.2, GLASS, 0.095),
     ),
     "key": Noun(
         "old key, door key; skeleton key",
         {"bow": "*d8a83c . golden", "shaft": "*d8a83c . golden", "teeth": "&d8a83c . golden"},
-        Usual(0.1, STEEL),
+        Usual(0.1, STEEL, 0.4),
     ),
     "coin": Noun(
         "gold coin, pirate coin; token",
         {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
-        Usual(0.06, GOLD),
+        Usual(0.03, GOLD, 0.52),
     ),
     "skull": Noun(
-        "human skull; cranium", {"bone": "*e6dcc4", "eyes": "-1a1512"}, Usual(0.22, CERAMIC, 0.3)
+        "human skull; cranium", {"bone": "*e6dcc4", "eyes": "-1a1512"}, Usual(0.22, CERAMIC, 0.14)
     ),
     "tombstone": Noun(
         "gravestone, headstone, grave stone",
         {"slab": "*8f9290 . stone", "base": "&7a7d7b . stone", "cross": "&a5a8a6 . stone"},
-        Usual(1.0, STONE),
+        Usual(1.0, STONE, 0.48),
     ),
     "gem": Noun(
         "gemstone, jewel; diamond, emerald stone, sapphire, crystal gem",
@@ -102,22 +102,22 @@ PROPS = {
     "staff": Noun(
         "wizard staff, magic staff; wand, magic wand, sceptre, scepter",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
-        Usual(1.8, WOOD),
+        Usual(1.8, WOOD, 0.043),
     ),
     "torch": Noun(
         "burning torch, flaming torch",
         {"handle": "*6b4424 grain", "flame": "-ff9a1e", "basket": "+3a3c40 . metal"},
-        Usual(0.6, WOOD),
+        Usual(0.6, WOOD, 0.38),
     ),
     "book": Noun(
         "books, spellbook, old book; bible, tome, notebook, diary",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
-        Usual(0.26, WOOD),
+        Usual(0.26, WOOD, 0.47),
     ),
     "scroll": Noun(
         "parchment scroll; parchment, map scroll",
         {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f"},
-        Usual(0.35, WOOD, 0.5),
+        Usual(0.35, WOOD, 0.16),
     ),
     "cauldron": Noun(
         "witch cauldron, kettle pot",
@@ -142,7 +142,7 @@ PROPS = {
     "hourglass": Noun(
         "hour glass, sand glass; egg timer",
         {"glass": "-e8cf96 . glass", "frame": "*7a4a24 grain"},
-        Usual(0.25, WOOD, 0.5),
+        Usual(0.25, WOOD, 0.2),
     ),
     "well": Noun(
         "water well, wishing well, stone well",
@@ -157,7 +157,7 @@ PROPS = {
     "tent": Noun(
         "camping tent; marquee, teepee, tipi",
         {"canvas": "*d87f2a . fabric", "door": "-5a3a20", "poles": "+6e7276 . metal"},
-        Usual(2.2, FABRIC, 0.05),
+        Usual(2.2, FABRIC, 0.013),
     ),
     "campfire": Noun(
         "camp fire, fire pit, bonfire",
@@ -172,15 +172,17 @@ PROPS = {
     "signpost": Noun(
         "sign post, wooden sign, road sign; sign",
         {"boards": "*a5743e grain", "post": "&7a4a24 grain", "base": "-8a8a82 . stone"},
-        Usual(2.0, WOOD),
+        Usual(2.0, WOOD, 0.11),
     ),
     "ladder": Noun(
-        "; stepladder", {"rails": "*b98a52 grain", "rungs": "&a5743e grain"}, Usual(2.4, WOOD)
+        "; stepladder",
+        {"rails": "*b98a52 grain", "rungs": "&a5743e grain"},
+        Usual(2.4, WOOD, 0.056),
     ),
     "fence": Noun(
         "picket fence, wooden fence; paling",
         {"pickets": "*f0eee6", "rails": "&e0ded4"},
-        Usual(1.8, WOOD),
+        Usual(1.8, WOOD, 0.3),
     ),
     "mailbox": Noun(
         "letterbox, letter box, post box",
@@ -190,12 +192,12 @@ PROPS = {
             "flag": "-c9211e",
             "post": "-7a4a24 grain",
         },
-        Usual(1.3, STEEL, 0.1),
+        Usual(1.3, STEEL, 0.0069),
     ),
     "gift": Noun(
         "gift box, present, wrapped present; parcel, package",
         {"box": "*c0262c", "lid": "*c0262c", "ribbon": "+f0c24a", "bow": "+f0c24a"},
-        Usual(0.3, WOOD, 0.3),
+        Usual(0.3, WOOD, 0.14),
     ),
     "basket": Noun(
         "wicker basket, picnic basket; hamper",
@@ -205,12 +207,12 @@ PROPS = {
     "balloon": Noun(
         "party balloon, toy balloon",
         {"body": "*d8262c . rubber", "knot": "&d8262c . rubber", "string": "-e8e4da"},
-        Usual(0.4, RUBBER, 0.02),
+        Usual(0.4, RUBBER, 0.0011),
     ),
     "umbrella": Noun(
         "; parasol, sunshade",
         {"canopy": "*3056b8 . fabric", "stick": "-8a8f94 . metal", "handle": "+5a3a20"},
-        Usual(1.0, STEEL, 0.05),
+        Usual(1.0, STEEL, 0.00085),
     ),
     "pawn": Noun(
         "chess pawn, chess piece; chessman",
@@ -220,7 +222,7 @@ PROPS = {
     "arrow": Noun(
         "; crossbow bolt, dart",
         {"head": "*8f979e . metal", "shaft": "+b98a52 grain", "feathers": "+e8e4da"},
-        Usual(0.75, WOOD),
+        Usual(0.75, WOOD, 0.02),
     ),
     "flag": Noun(
         "banner; pennant",
@@ -230,6 +232,6 @@ PROPS = {
             "knob": "-e0b84a . golden",
             "base": "-6e6a64 . stone",
         },
-        Usual(2.5, STEEL, 0.1),
+        Usual(2.5, STEEL, 0.0051),
     ),
 }

@@ -26,6 +26,6 @@ SOLIDS = {
     "cone": Noun(
         "traffic cone",
         {"body": "*ed610f band"},
-        Usual(0.5, PLASTIC, 0.15),
+        Usual(0.5, PLASTIC, 0.061),
     ),
 }

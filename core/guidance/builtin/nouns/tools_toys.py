@@ -6,12 +6,12 @@ TOOLS_AND_TOYS = {
     "hammer": Noun(
         "",
         {"head": "*8e949b . metal", "handle": "+b07a40 grain"},
-        Usual(0.33, 2500.0),
+        Usual(0.33, 2500.0, 0.38),
     ),
     "axe": Noun(
         "ax; hatchet",
         {"head": "*9aa1a8 . metal", "handle": "+a26c38 grain"},
-        Usual(0.8, 1500.0),
+        Usual(0.8, 1500.0, 0.17),
     ),
     "anvil": Noun(
         "",
@@ -21,7 +21,7 @@ TOOLS_AND_TOYS = {
     "dumbbell": Noun(
         "; barbell",
         {"weights": "*242426", "bar": "+bdbfc4 . metal"},
-        Usual(0.4, STEEL),
+        Usual(0.4, STEEL, 0.33),
     ),
     "guitar": Noun(
         "",
@@ -52,27 +52,27 @@ TOOLS_AND_TOYS = {
     "screwdriver": Noun(
         "screw driver",
         {"handle": "*d8322a", "shaft": "+b4b9bf . metal", "collar": "-2a2a2c"},
-        Usual(0.22, 2500.0),
+        Usual(0.22, 2500.0, 0.18),
     ),
     "wrench": Noun(
         "spanner; adjustable wrench, monkey wrench, pliers",
         {"head": "*a3a9b0 . metal", "handle": "&8f959c . metal"},
-        Usual(0.25, STEEL),
+        Usual(0.25, STEEL, 0.22),
     ),
     "shovel": Noun(
         "spade; trowel",
         {"blade": "*8c9299 . metal", "handle": "+a8713c grain", "grip": "-7a4d26 grain"},
-        Usual(1.1, 1500.0),
+        Usual(1.1, 1500.0, 0.048),
     ),
     "pickaxe": Noun(
         "pick axe, pick; mattock",
         {"head": "*868c93 . metal", "handle": "+9a6534 grain", "grip": "-4a2f1a"},
-        Usual(0.9, 1800.0),
+        Usual(0.9, 1800.0, 0.1),
     ),
     "saw": Noun(
         "handsaw, hand saw; hacksaw",
         {"blade": "*b9bec4 . metal", "handle": "+a3622e grain", "rivets": "-d8b04a . golden"},
-        Usual(0.55, 2500.0),
+        Usual(0.55, 2500.0, 0.062),
     ),
     "paintbrush": Noun(
         "paint brush, brush, artist's brush",
@@ -82,7 +82,7 @@ TOOLS_AND_TOYS = {
             "handle": "*b5672e grain",
             "paint": "+2f6fc4 . paint",
         },
-        Usual(0.25, WOOD),
+        Usual(0.25, WOOD, 0.27),
     ),
     "pencil": Noun(
         "; crayon, colored pencil, coloured pencil, pen, marker",
@@ -93,17 +93,17 @@ TOOLS_AND_TOYS = {
             "eraser": "+e88a92",
             "ferrule": "-b9bec4 . metal",
         },
-        Usual(0.19, WOOD),
+        Usual(0.19, WOOD, 0.062),
     ),
     "scissors": Noun(
         "pair of scissors; shears",
         {"blades": "+b9bec4 . metal", "handles": "*d2322a", "screw": "-70757b . metal"},
-        Usual(0.2, 3500.0),
+        Usual(0.2, 3500.0, 0.15),
     ),
     "broom": Noun(
         "broomstick, besom; mop",
         {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
-        Usual(1.4, 300.0),
+        Usual(1.4, 300.0, 0.03),
     ),
     "toolbox": Noun(
         "tool box, tool chest; lunch box, lunchbox",
@@ -113,7 +113,7 @@ TOOLS_AND_TOYS = {
             "handle": "+2c2d30",
             "latches": "-c3c7cc . metal",
         },
-        Usual(0.45, STEEL, 0.1),
+        Usual(0.45, STEEL, 0.036),
     ),
     "fire extinguisher": Noun(
         "extinguisher",
@@ -125,22 +125,22 @@ TOOLS_AND_TOYS = {
             "label": "-f2f0ea",
             "base": "-2c2d30 . rubber",
         },
-        Usual(0.5, STEEL, 0.2),
+        Usual(0.5, STEEL, 0.073),
     ),
     "knife": Noun(
         "kitchen knife, chef's knife; cleaver, butter knife",
         {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
-        Usual(0.32, 3500.0),
+        Usual(0.32, 3500.0, 0.15),
     ),
     "fork": Noun(
         "table fork; pitchfork, trident",
         {"head": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
-        Usual(0.2, STEEL),
+        Usual(0.2, STEEL, 0.071),
     ),
     "spoon": Noun(
         "teaspoon, tablespoon; wooden spoon, ladle, spatula",
         {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
-        Usual(0.18, STEEL),
+        Usual(0.18, STEEL, 0.11),
     ),
     "watering can": Noun(
         "garden can",
@@ -168,7 +168,7 @@ TOOLS_AND_TOYS = {
             "pegs": "-241a16",
             "chinrest": "+33231b",
         },
-        Usual(0.6, WOOD, 0.25),
+        Usual(0.6, WOOD, 0.093),
     ),
     "trumpet": Noun(
         "; bugle, cornet, trombone, french horn, tuba",
@@ -211,12 +211,12 @@ TOOLS_AND_TOYS = {
             "bridge": "-3c2416",
             "pegs": "-e6e2d8",
         },
-        Usual(0.55, WOOD, 0.25),
+        Usual(0.55, WOOD, 0.11),
     ),
     "saxophone": Noun(
         "sax; clarinet, oboe",
         {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
-        Usual(0.7, COPPER, 0.1),
+        Usual(0.7, COPPER, 0.023),
     ),
     "rocking horse": Noun(
         "wooden horse, toy horse; hobby horse",
@@ -266,7 +266,7 @@ TOOLS_AND_TOYS = {
             "pole": "-2f3237 . metal",
             "square": "-c9211e",
         },
-        Usual(3.6, STEEL, 0.05),
+        Usual(3.6, STEEL, 0.0096),
     ),
     "slide": Noun(
         "playground slide, kids slide; water slide",
@@ -276,7 +276,7 @@ TOOLS_AND_TOYS = {
             "ladder": "-2f6fc4 . paint",
             "rails": "-2f6fc4 . paint",
         },
-        Usual(2.6, PLASTIC, 0.2),
+        Usual(2.6, PLASTIC, 0.071),
     ),
     "trampoline": Noun(
         "",
@@ -286,7 +286,7 @@ TOOLS_AND_TOYS = {
             "legs": "+a3a9b0 . metal",
             "rail": "-a3a9b0 . metal",
         },
-        Usual(3.0, STEEL, 0.01),
+        Usual(3.0, STEEL, 0.0041),
     ),
     "chess knight": Noun(
         "knight chess piece, chess horse, knight piece; horse head",

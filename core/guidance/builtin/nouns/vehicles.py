@@ -13,7 +13,7 @@ VEHICLES = {
             "wheels": "-1c1c1e . rubber",
             "lamps": "+f7eec2",
         },
-        Usual(4.2, STEEL, 0.022),
+        Usual(4.2, STEEL, 0.015),
     ),
     "bus": Noun(
         "coach; school bus",
@@ -23,7 +23,7 @@ VEHICLES = {
             "wheels": "-1c1c1e . rubber",
             "lamps": "+f7f2d8",
         },
-        Usual(12.0, STEEL, 0.019),
+        Usual(12.0, STEEL, 0.0052),
     ),
     "truck": Noun(
         "lorry, lorries",
@@ -34,7 +34,7 @@ VEHICLES = {
             "chassis": "-2b2b2e",
             "wheels": "-1c1c1e . rubber",
         },
-        Usual(7.0, STEEL, 0.03),
+        Usual(7.0, STEEL, 0.016),
     ),
     "airplane": Noun(
         "plane, aeroplane, aircraft",
@@ -44,7 +44,7 @@ VEHICLES = {
             "windows": "-25303a . glass",
             "engines": "-3d6fb3",
         },
-        Usual(12.0, STEEL, 0.015),
+        Usual(12.0, STEEL, 0.0062),
     ),
     "boat": Noun(
         "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat",
@@ -60,12 +60,12 @@ VEHICLES = {
             "frame": "-2e2e31",
             "wheels": "-9c2a22",
         },
-        Usual(12.0, STEEL, 0.1),
+        Usual(12.0, STEEL, 0.051),
     ),
     "rocket": Noun(
         "rocket ship, space rocket",
         {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
-        Usual(20.0, STEEL, 0.03),
+        Usual(20.0, STEEL, 0.0029),
     ),
     "bicycle": Noun(
         "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle",
@@ -99,7 +99,7 @@ VEHICLES = {
             "handlebar": "-a9aeb4 . metal",
             "lamp": "-f7eec2",
         },
-        Usual(1.8, STEEL, 0.03),
+        Usual(1.8, STEEL, 0.048),
     ),
     "tank": Noun(
         "army tank, battle tank; panzer",
@@ -121,12 +121,12 @@ VEHICLES = {
             "skids": "-55595e . metal",
             "tail rotor": "-3a3d40",
         },
-        Usual(11.0, STEEL, 0.01),
+        Usual(11.0, STEEL, 0.0042),
     ),
     "van": Noun(
         "minivan, delivery van; camper van, campervan, minibus",
         {"body": "*e8eaec . paint", "windows": _GLASS, "wheels": _TYRES, "lamps": _LAMPS},
-        Usual(5.2, STEEL, 0.02),
+        Usual(5.2, STEEL, 0.0082),
     ),
     "ambulance": Noun(
         "ambulance car; emergency vehicle",
@@ -138,7 +138,7 @@ VEHICLES = {
             "cross": "+cf1f1f",
             "light": "-2a5fd0",
         },
-        Usual(6.0, STEEL, 0.02),
+        Usual(6.0, STEEL, 0.0093),
     ),
     "taxi": Noun(
         "cab, taxicab, taxi cab",
@@ -149,7 +149,7 @@ VEHICLES = {
             "lamps": "-f7eec2",
             "sign": "+f4f2ea",
         },
-        Usual(4.5, STEEL, 0.022),
+        Usual(4.5, STEEL, 0.015),
     ),
     "fire truck": Noun(
         "fire engine, firetruck; fire brigade truck",
@@ -161,7 +161,7 @@ VEHICLES = {
             "lockers": "-b9bec4 . metal",
             "light": "-2a5fd0",
         },
-        Usual(9.0, STEEL, 0.03),
+        Usual(9.0, STEEL, 0.018),
     ),
     "jeep": Noun(
         "; off road car, off roader, suv, army car",
@@ -185,7 +185,7 @@ VEHICLES = {
             "rims": "+f0c21a",
             "exhaust": "-3a3a3c . metal",
         },
-        Usual(4.0, STEEL, 0.05),
+        Usual(4.0, STEEL, 0.039),
     ),
     "excavator": Noun(
         "digger; backhoe, bulldozer, power shovel",
@@ -196,7 +196,7 @@ VEHICLES = {
             "bucket": "+4a4c50 . metal",
             "tracks": "-29292a",
         },
-        Usual(8.0, STEEL, 0.08),
+        Usual(8.0, STEEL, 0.04),
     ),
     "submarine": Noun(
         "sub, u boat, submarine boat; yellow submarine",
@@ -208,12 +208,12 @@ VEHICLES = {
             "fins": "+c9241e",
             "screw": "-c79a3e . golden",
         },
-        Usual(12.0, STEEL, 0.12),
+        Usual(30.0, STEEL, 0.12),
     ),
     "hot air balloon": Noun(
         "hot-air balloon, air balloon; montgolfier",
         {"balloon": "*d6322a hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
-        Usual(25.0, FABRIC, 0.002),
+        Usual(25.0, FABRIC, 0.00069),
     ),
     "ufo": Noun(
         "flying saucer; alien ship, alien spaceship",
@@ -223,7 +223,7 @@ VEHICLES = {
             "lights": "-f5d63a",
             "legs": "-70777e . metal",
         },
-        Usual(12.0, STEEL, 0.02),
+        Usual(12.0, STEEL, 0.0064),
     ),
     "spaceship": Noun(
         "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet fighter",
@@ -240,7 +240,7 @@ VEHICLES = {
     "canoe": Noun(
         "; kayak, dugout",
         {"hull": "*a5562a", "seats": "&c89a5c grain", "paddle": "+d8b078 grain"},
-        Usual(5.0, WOOD, 0.1),
+        Usual(5.0, WOOD, 0.012),
     ),
     "pirate ship": Noun(
         "pirate boat; galleon, sailing ship, caravel, tall ship",
@@ -281,7 +281,7 @@ VEHICLES = {
     "sled": Noun(
         "sledge, toboggan, sleigh; luge",
         {"seat": "*a8713a grain", "runners": "+8c5628 grain"},
-        Usual(1.1, WOOD, 0.6),
+        Usual(1.1, WOOD, 0.19),
     ),
     "tram": Noun(
         "tramcar, streetcar, trolley; railcar, subway car, metro train",
@@ -292,7 +292,7 @@ VEHICLES = {
             "wheels": "-2a2a2c . metal",
             "roof": "-8b9095",
         },
-        Usual(15.0, STEEL, 0.03),
+        Usual(15.0, STEEL, 0.0086),
     ),
     "space shuttle": Noun(
         "shuttle, orbiter; space plane",
@@ -303,7 +303,7 @@ VEHICLES = {
             "windows": "-1e262d . glass",
             "engines": "-6d7278 . metal",
         },
-        Usual(37.0, STEEL, 0.008),
+        Usual(37.0, STEEL, 0.0028),
     ),
     "satellite": Noun(
         "space satellite, communications satellite; space probe, space station",
