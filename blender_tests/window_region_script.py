@@ -97,7 +97,8 @@ def shape(obj: bpy.types.Object) -> Iterator[float]:
     for act in (bpy.ops.ed.undo, bpy.ops.ed.redo, bpy.ops.fantasia3d.restore_shape):
         act()
         report["shapes"].append(corners(name))
-    tools.region_change = "maps"
+    # Not ``tools``: undo has made the scene anew.
+    bpy.context.scene.fantasia3d_tools.region_change = "maps"
 
 
 def corners(name: str) -> float:
