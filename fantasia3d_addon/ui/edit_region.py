@@ -76,7 +76,9 @@ class FANTASIA3D_PT_edit_region(ToolPanel, bpy.types.Panel):
         layout, tools, obj = self.layout, context.scene.fantasia3d_tools, context.active_object
         layout.use_property_split = True
         layout.use_property_decorate = False
-        layout.row().prop(tools, "region_change", expand=True)
+        row = layout.row()
+        row.use_property_split = False  # the three words fit in the whole width alone
+        row.prop(tools, "region_change", expand=True)
         layout.prop(tools, "region_words", placeholder="red velvet")
         in_object_mode = obj is not None and obj.type == "MESH" and obj.mode == "OBJECT"
         if in_object_mode:

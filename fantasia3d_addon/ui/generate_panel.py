@@ -66,7 +66,10 @@ def _draw_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup
     row.prop(settings, "seed")
     row.operator("fantasia3d.new_seed", text="", icon="FILE_REFRESH")
     if settings.task == "generate":
-        column.prop(settings, "size")
+        row = column.row()
+        row.prop(settings, "size")
+        if not settings.size:
+            row.label(text="Usual")
     column.prop(settings, "guidance")
     if settings.guidance == "folder":
         column.prop(settings, "model_folder")
