@@ -1,4 +1,6 @@
-"""Charts laid side by side in the unit square, at one scale and as large as they go: by xatlas.
+"""Charts laid side by side in the unit square, at one scale and as large as they go.
+
+xatlas first, then :mod:`core.texture.placing`, which mostly finds room for a larger scale.
 
 xatlas takes the scale and makes the atlas as large as it must be, so the scale is sought at which
 that is the square. It turns a chart by transposing it, which mirrors it: charts are turned here, by
@@ -8,27 +10,23 @@ chance, until one order of turns lets a larger scale fit.
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import NamedTuple
 
 import numpy as np
 import xatlas
 from jaxtyping import Float, Int
 
+from core.texture.placing import Chart, placed, turned
+
 CELLS = 512  # along the square: the steps in which xatlas looks for places
 EXPECTED_FILL = 0.7  # fraction of the square that charts fill at the first scale
 PASSES = 24  # at other scales and in other turns
 GROWTH = 0.01  # of the scale, from one that fits to the next tried
+CLOSER_PASSES = 16  # at larger scales, by our own packing
+CLOSER_GROWTH = (0.02, 0.004)  # of the scale: at first, and the least that is tried
+FEW = 150  # charts: our own packing of more takes longer than it is worth
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
 STRAY = 3.0  # cells: more than what xatlas rounds in placing a chart
 REST = 0.25  # s from an atlas's last work to its end
-
-
-class Chart(NamedTuple):
-    """One chart, its box's corner at the origin, its box the least of any turn."""
-
-    uvs: Int[np.ndarray, " n"]  # which rows of uv
-    at: Float[np.ndarray, "n 2"]
-    corners: Int[np.ndarray, "f 3"]  # of its faces, into ``at``
 
 
 class Atlases:
@@ -83,7 +81,7 @@ def pack(
     random, best, step = np.random.default_rng(0), None, GROWTH
     with Atlases() as atlases:
         for round_ in range(PASSES):
-            progress(round_ / PASSES)
+            progress(0.6 * round_ / PASSES)
             # Even rounds leave the charts upright, odd ones turn them.
             turns = random.integers(0, 4, len(found)) * (round_ % 2)
             apart = in_a_row(found, turns, len(uv))
@@ -99,7 +97,36 @@ def pack(
             else:
                 # Nothing has fitted yet: smaller by what is too much, by GROWTH at least.
                 scale *= min(room / side, 1 - GROWTH)
+    if best and len(found) <= FEW:
+        best = closer(found, best, padding, lambda x: progress(0.6 + 0.4 * x))
     return (best[0] + padding) / CELLS if best else None
+
+
+def closer(
+    found: list[Chart],
+    best: tuple[Float[np.ndarray, "u 2"], float],
+    padding: int,
+    progress: Callable[[float], None],
+) -> tuple[Float[np.ndarray, "u 2"], float]:
+    """``best``, the places in cells and their scale, or our own at a larger scale."""
+    random, (step, least), misses = np.random.default_rng(0), CLOSER_GROWTH, 0
+    for round_ in range(CLOSER_PASSES):
+        progress(round_ / CLOSER_PASSES)
+        scale = best[1] * (1 + step)
+        at = placed(found, scale, padding, CELLS - 2 * padding, random)
+        if at is not None:
+            out = np.zeros_like(best[0])
+            for one, places in zip(found, at, strict=True):
+                out[one.uvs] = places
+            best, misses = (out, scale), 0
+            continue
+        # Three orders by chance, then a smaller step.
+        misses += 1
+        if misses % 3 == 0:
+            step /= 2
+        if step < least:
+            break
+    return best
 
 
 def in_a_row(
@@ -108,9 +135,7 @@ def in_a_row(
     """All charts next to one another, each in so many quarter ``turns``."""
     out, x = np.zeros((count, 2)), 0.0
     for one, turn in zip(found, turns, strict=True):
-        at = one.at
-        for _ in range(turn):
-            at = np.stack([at[:, 1].max() - at[:, 1], at[:, 0]], 1)
+        at = turned(one.at, int(turn))
         out[one.uvs] = at + np.array([x, 0.0])
         x += 1.05 * float(at[:, 0].max())
     return out
