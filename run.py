@@ -8,13 +8,15 @@
 Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
-    resume RUN                 go on with a run that was cancelled or died; --blend, --render
+    resume RUN                 go on with a run that was cancelled or died; --blend, --render;
+                               --ray-jobs http://HOST:8265: on a Ray cluster
     explore "PROMPT" --out DIR quick shapes of several seeds; resume finishes one
     recolor RUN --out DIR      quick materials for the shape of a run; resume finishes one
     edit ASSET "WORDS" --faces FILE     another material on some faces; the rest stays
                                         (--shape: another shape, within the same triangles)
     batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
     node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
+                                        (--jobs: and for Blender, resume --ray-jobs)
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
     verify ASSET               makes it again from what it records, and compares the files
