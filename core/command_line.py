@@ -150,7 +150,7 @@ def _run_new(out: Path | None, job: "Job", until: str, gpus: int = 1) -> Path | 
 def _until(args: argparse.Namespace) -> str:
     from core.io.job import UNTIL
 
-    if args.until and args.until not in UNTIL:
+    if args.until is not None and args.until not in UNTIL:
         raise UserError(f"--until is {args.until!r}.", f"Use one of {', '.join(UNTIL)}.")
     return args.until or ""
 
@@ -237,6 +237,9 @@ def _batch(args: argparse.Namespace) -> None:
 
 
 def _node(args: argparse.Namespace) -> None:
+    from core.batch.options import check_node
+
+    check_node(args)  # before Ray is missed
     from core.batch.cluster import be_node
 
     be_node(args)
@@ -332,12 +335,15 @@ def _rehearse(args: argparse.Namespace) -> None:
 
 def _bench(args: argparse.Namespace) -> None:
     from core.benchmarks import bench
-    from core.io.atomic import check_target
+    from core.io.atomic import check_folder, check_target
 
     if args.json:
         check_target(args.json)
-    if args.seeds < 1:
-        raise UserError(f"--seeds is {args.seeds}.", "It takes 1 or more.")
+    if args.out:
+        check_folder(args.out)
+    for name in ("seeds", "calls"):
+        if getattr(args, name) < 1:
+            raise UserError(f"--{name} is {getattr(args, name)}.", "It takes 1 or more.")
     settings = dict(setting_of(text) for text in args.set)
     with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several

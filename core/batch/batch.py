@@ -10,7 +10,7 @@ from types import FrameType
 from typing import NoReturn
 
 from core.batch.local import LocalPool
-from core.batch.needs import Needs, gpus, needs_of
+from core.batch.needs import Needs, check_at_once, gpus, needs_of
 from core.batch.plan import Task, plan
 from core.batch.results import Result, result_of, write_report
 from core.batch.schedule import Batch, Pool, State, is_done
@@ -20,6 +20,7 @@ from core.errors import Cancelled, SomeFailedError, UserError
 from core.io.atomic import disk_errors
 from core.io.job import Job
 from core.io.lock import run_lock
+from core.job_config import config_of
 
 # The batch's own files, by stem and ending; the lock stays, and shows that the others are ours.
 LOCK, REPORT, SHEET = ("batch", ".lock"), ("report", ".csv"), ("contact_sheet", ".html")
@@ -43,11 +44,12 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
     """Make what is missing of ``args.table``; the path of its contact sheet.
 
     Raises:
-        UserError: a table that cannot be read, a folder that cannot be written.
+        UserError: a wrong option, a table that cannot be read, a folder that cannot be written.
         SomeFailedError: some assets could not be made; all others are.
         Cancelled: by Ctrl-C; a second call goes on.
     """
     _check(args)
+    config_of(job_of(Row(0, "a cube")))  # options that are wrong for every row
     part = Part(args.out, *args.shard)
     rows = read_table(args.table)[part.at - 1 :: part.of]
     tasks = plan(rows, part.out, job_of)
@@ -59,6 +61,7 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
 
 
 def _check(args: Namespace) -> None:
+    check_at_once(args.at_once)
     if args.retries < 0:
         raise UserError(f"--retries is {args.retries}.", "It takes 0 or more.")
     if args.timeout is not None and not args.timeout > 0:

@@ -174,8 +174,6 @@ def _jobs_options(args: Namespace) -> list[str]:
 
 def be_node(args: Namespace) -> NoReturn:
     """``run.py node``: make this machine a node of a cluster, until Ctrl-C."""
-    if args.join and args.head:
-        raise UserError("A node is either --head or --join HOST:PORT.", "Give one of them.")
     where = ["--head", f"--port={args.port}"] if not args.join else [f"--address={args.join}"]
     more = _jobs_options(args) if not args.join else []
     limits = [f"--num-cpus={args.cpus}"] if args.cpus is not None else []

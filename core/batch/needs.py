@@ -57,6 +57,12 @@ def gpus() -> int:
     return torch.cuda.device_count()
 
 
+def check_at_once(at_once: int | None) -> None:
+    """Raise UserError where ``--at-once`` is less than 1."""
+    if at_once is not None and at_once < 1:
+        raise UserError(f"--at-once is {at_once}.", "It takes 1 or more.")
+
+
 def places(needs: Needs, at_once: int | None) -> int:
     """How many assets with ``needs`` this machine makes at once; at least one is tried.
 
@@ -64,8 +70,7 @@ def places(needs: Needs, at_once: int | None) -> int:
         UserError: ``at_once`` is less than 1.
     """
     if at_once is not None:
-        if at_once < 1:
-            raise UserError(f"--at-once is {at_once}.", "It takes 1 or more.")
+        check_at_once(at_once)
         return at_once
     by_memory = psutil.virtual_memory().available // needs.memory
     by_gpu = int(gpus() / needs.gpus) if needs.gpus else cores()

@@ -3,7 +3,11 @@
 import argparse
 from pathlib import Path
 
+from core.errors import UserError
+
 RETRIES = 3
+MAX_PARTS = 100_000  # of a table; their numbers are in the names of files
+MAX_PORT = 65535
 OUT_OF_TIME = 124  # instead of an exit code: the attempt was ended by --timeout
 
 
@@ -42,9 +46,31 @@ def add_node_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--cpus", type=int, metavar="N", help="to offer; default: all")
 
 
+def check_node(args: argparse.Namespace) -> None:
+    """Refuse what Ray would report in its own way, or only after it was started.
+
+    Raises:
+        UserError: --head with --join, an address, a port or a number of cores that there is not.
+    """
+    if args.join is not None and args.head:
+        raise UserError("A node is either --head or --join HOST:PORT.", "Give one of them.")
+    host, _, port = (args.join or "").rpartition(":")
+    if args.join is not None and not (host and _is_port(port)):
+        raise UserError(f"--join is {args.join!r}.", "It takes HOST:PORT, the head's address.")
+    if not _is_port(str(args.port)):
+        raise UserError(f"--port is {args.port}.", f"It takes 1 to {MAX_PORT}.")
+    if args.cpus is not None and args.cpus < 1:
+        raise UserError(f"--cpus is {args.cpus}.", "It takes 1 or more.")
+
+
+def _is_port(text: str) -> bool:
+    return text.isdecimal() and len(text) <= 5 and 1 <= int(text) <= MAX_PORT
+
+
 def shard(text: str) -> tuple[int, int]:
     """``2/8``: the second of eight parts."""
     part, slash, of = text.partition("/")
-    if not (slash and part.isdecimal() and of.isdecimal() and 1 <= int(part) <= int(of)):
+    numbers = slash and part.isdecimal() and of.isdecimal() and len(part + of) < 20
+    if not (numbers and 1 <= int(part) <= int(of) <= MAX_PARTS):
         raise argparse.ArgumentTypeError(f"{text!r} is no part; write 1/8 to 8/8 for eight parts")
     return int(part), int(of)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from core.errors import UserError, shown
+from core.io.input_file import check_file
 
 # A column is an option of ``generate`` or ``texture``, with "_" or "-"; or a key of --set.
 FILES = ("mesh", "guide", "base_color", "light", "guidance")  # relative to the table's folder
@@ -75,6 +76,7 @@ def read_table(path: Path) -> list[Row]:
 
 
 def _text(path: Path) -> str:
+    check_file(path, "table")
     try:
         if path.stat().st_size > MAX_BYTES:
             raise UserError(f"{path} is larger than {MAX_BYTES >> 20} MB.", "Split it.")

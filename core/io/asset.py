@@ -212,6 +212,8 @@ def _export_print(mesh: Mesh, format: str, out: Path) -> None:
 def _export_obj(asset: Asset, out: Path) -> None:
     roles = ("base_color", "normal", "roughness", "metallic")
     names = {name: f"{out.stem}_{name}.png" for name in roles}
+    for name in names.values():
+        check_target(out.with_name(name))
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
     texts = {
         out: obj_text(asset.mesh, normals, out.stem),

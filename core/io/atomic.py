@@ -16,6 +16,7 @@ ENOUGH = 40  # characters of a name, so that with ours it stays below the system
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 LOST = (errno.EIO, errno.ENAMETOOLONG, errno.ESTALE, errno.ELOOP)
+MISPLACED = (FileExistsError, FileNotFoundError, NotADirectoryError, IsADirectoryError)
 FORBIDDEN = (errno.EACCES, errno.EPERM, errno.EROFS)
 
 
@@ -63,13 +64,30 @@ def check_target(path: Path) -> None:
         if path.is_dir():
             raise UserError(f"{path} is a folder.", "Name a file.")
         # Each as the system says it: not there, no folder, a name that is too long.
-        if not stat.S_ISDIR(path.parent.stat().st_mode):
-            raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
-        as_it_is = os.access in os.supports_effective_ids
-        if not os.access(path.parent, os.W_OK, effective_ids=as_it_is):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        _check_writable(path.parent)
         with suppress(FileNotFoundError):
             path.lstat()
+
+
+def _check_writable(folder: Path) -> None:
+    if not stat.S_ISDIR(folder.stat().st_mode):
+        raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
+    as_it_is = os.access in os.supports_effective_ids
+    if not os.access(folder, os.W_OK, effective_ids=as_it_is):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+
+def check_folder(path: Path) -> None:
+    """Refuse before the work a folder ``path``, there or to be made, that it cannot be put into.
+
+    Raises:
+        UserError: it is a file, or cannot be made or written.
+    """
+    with disk_errors(path):
+        place = path.absolute()
+        while not os.path.lexists(place) and place != place.parent:  # the first that is there
+            place = place.parent
+        _check_writable(place)
 
 
 @contextmanager
@@ -82,7 +100,7 @@ def disk_errors(path: Path) -> Iterator[None]:
             raise UserError(f"The disk is full: {path} was not written.", "Make room.") from error
         if error.errno in FORBIDDEN:
             raise UserError(f"{path} may not be written.", "Choose another folder.") from error
-        if isinstance(error, FileNotFoundError | NotADirectoryError | IsADirectoryError):
+        if isinstance(error, MISPLACED):
             raise UserError(
                 f"{path} cannot be written: {error.strerror}.", "Choose another folder."
             ) from error

@@ -6,6 +6,7 @@ long each step ran is in docs/model_card.md.
 """
 
 import argparse
+import math
 import sys
 from dataclasses import replace
 from functools import partial
@@ -19,6 +20,8 @@ from core.guidance.builtin.network import UNet
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.weights import load_weights, save_weights
+from core.io.atomic import disk_errors
+from core.io.input_file import check_file
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
     CHANCE,
@@ -62,7 +65,33 @@ TRAININGS = {
     "parts": (partial(UNet, PART_NETWORK), PartMaps, FINDING_PARTS, part_loss),
     "restorer": (partial(UNet, RESTORER), Restoring, RESTORING, restoring_loss),
 }
+MOST = 10_000_000  # of anything that is counted here
 PATTERNED = 32  # objects, of each pattern
+
+
+def count(text: str) -> int:
+    """A whole number of files or views, 0 or more."""
+    if not text.isdecimal() or int(text) > MOST:
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 0 to {MOST}")
+    return int(text)
+
+
+def some(text: str) -> int:
+    """The same, 1 or more."""
+    if not count(text):
+        raise argparse.ArgumentTypeError("0 is too few; it takes 1 or more")
+    return count(text)
+
+
+def minutes(text: str) -> float:
+    """A time that ends."""
+    try:
+        given = float(text)
+    except ValueError:
+        given = math.nan
+    if not 0 < given < MOST:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of minutes between 0 and {MOST}")
+    return given
 
 
 def parser() -> argparse.ArgumentParser:
@@ -71,11 +100,11 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", required=True)
 
     data = commands.add_parser("data", help="render shards of the families")
-    data.add_argument("--shards", type=int, default=24, help="of 1024 views each")
-    data.add_argument("--pairs", type=int, default=0, help="files of 256 soft and crisp views each")
-    data.add_argument("--close-pairs", type=int, default=0, help="the same, of close-ups")
-    data.add_argument("--solids", type=int, default=0, help="files of two solids of each noun")
-    data.add_argument("--workers", type=int, default=2)
+    data.add_argument("--shards", type=count, default=24, help="of 1024 views each")
+    data.add_argument("--pairs", type=count, default=0, help="files of 256 soft and crisp views")
+    data.add_argument("--close-pairs", type=count, default=0, help="the same, of close-ups")
+    data.add_argument("--solids", type=count, default=0, help="files of two solids of each noun")
+    data.add_argument("--workers", type=some, default=2)
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
     )
@@ -84,21 +113,21 @@ def parser() -> argparse.ArgumentParser:
         "train", help="train one network; goes on from the checkpoint in --out if there is one"
     )
     train.add_argument("network", choices=tuple(TRAININGS))
-    train.add_argument("--minutes", type=float, help="the whole budget of this training")
+    train.add_argument("--minutes", type=minutes, help="the whole budget of this training")
     train.add_argument(
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
     )
-    train.add_argument("--batch", type=int, help="pictures of one step; more on a GPU")
-    train.add_argument("--seed", type=int, default=0)
-    train.add_argument("--device", default="cpu", help="cpu or cuda")
+    train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
+    train.add_argument("--seed", type=count, default=0)
+    train.add_argument("--device", default="cpu", choices=("cpu", "cuda"), help="cpu or cuda")
 
     evaluate = commands.add_parser("evaluate", help="nouns, azimuths, colours, on fresh renders")
     evaluate.add_argument("network", choices=tuple(TRAININGS))
     evaluate.add_argument("--weights", type=Path, help="others than the shipped ones")
-    evaluate.add_argument("--views", type=int, default=16, help="of each noun")
+    evaluate.add_argument("--views", type=some, default=16, help="of each noun")
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
     evaluate.add_argument("--close", action="store_true", help="the restorer on close-ups")
-    evaluate.add_argument("--seed", type=int, default=1_000_000, help="the data's end at 100,000")
+    evaluate.add_argument("--seed", type=count, default=1_000_000, help="the data's end at 100,000")
 
     ship = commands.add_parser("ship", help="put the trained weights into the project")
     ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
@@ -117,7 +146,8 @@ def main(arguments: list[str]) -> None:
 
 def data(options: argparse.Namespace) -> None:
     """Make what the folder lacks: the shards, and the real models' views if they are installed."""
-    options.out.mkdir(parents=True, exist_ok=True)
+    with disk_errors(options.out):
+        options.out.mkdir(parents=True, exist_ok=True)
     models = options.out / MODEL_VIEWS
     if not models.exists() and options.catalogue.exists():
         write_samples(models, make_models(options.catalogue))
@@ -179,6 +209,8 @@ def ship(options: argparse.Namespace) -> None:
 
 def evaluate(options: argparse.Namespace) -> None:
     """Print each noun's scores and their means."""
+    if options.weights:
+        check_file(options.weights, "weights")
     net = load_weights(options.weights or WEIGHTS / f"{options.network}.safetensors")
     if options.network == "restorer":
         report(net, options.nouns, options.views, options.seed, close=options.close)

@@ -3,8 +3,10 @@
 from argparse import Namespace
 from pathlib import Path
 
+from core.batch.needs import check_at_once
 from core.errors import Cancelled, UserError
-from core.io.atomic import disk_errors
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint
+from core.io.atomic import check_target, disk_errors
 from core.io.lock import run_lock
 from core.job_config import BUILTIN
 from core.reproduce.figures import FIGURES, Figure
@@ -29,6 +31,11 @@ def run_reproduce(args: Namespace, job_of: JobOf) -> None:
     if args.list:
         put("\n".join(state_of(figure, order) for figure in figures))
         return
+    check_at_once(args.at_once)
+    if order.guidance != BUILTIN:
+        find_checkpoint(order.guidance)
+    if page.parent.absolute() != args.out.absolute():
+        check_target(page)  # what comes before it takes hours
     with disk_errors(args.out):
         args.out.mkdir(parents=True, exist_ok=True)
     with run_lock(args.out, "reproduce.lock"):

@@ -7,10 +7,12 @@ import pytest
 import torch
 
 from core.camera import Cameras
+from core.errors import UserError
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
 from core.guidance.builtin.weights import load_weights, load_words, save_weights
 from core.guidance.sds import add_noise, eps_from_v
+from core.prior.__main__ import main
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, make, read_shards, write_shard
 from core.prior.evaluate import turn_normals
 from core.prior.train import (
@@ -217,3 +219,30 @@ def test_turning_a_pictures_normals_turns_them_with_the_camera():
     angle = torch.tensor([math.pi / 2])  # az 0 at -Y goes to 90 at +X
     expected = Cameras.orbit([90.0], [0.0]).back[0]
     torch.testing.assert_close(turn_normals(x, angle)[0, :3, 0, 0], expected, atol=1e-6, rtol=0)
+
+
+@pytest.mark.parametrize(
+    ("argv", "part"),
+    [
+        ("data --solids -1", "'-1' is no whole number"),
+        ("data --shards 1e3", "'1e3' is no whole number"),
+        ("data --pairs 99999999999", "is no whole number"),
+        ("data --solids 1 --workers 0", "it takes 1 or more"),
+        ("data --out FILE --solids 1", "cannot be written"),
+        ("train solid --minutes nan", "is no number of minutes"),
+        ("train solid --minutes -3", "is no number of minutes"),
+        ("train solid --batch 0", "it takes 1 or more"),
+        ("train solid --device abacus", "invalid choice"),
+        ("train solid --out FOLDER", "There are no files"),
+        ("evaluate geometry --views 0", "it takes 1 or more"),
+        ("evaluate geometry --weights nowhere.safetensors", "There is no weights"),
+        ("ship --without blorb", "There is no word"),
+    ],
+)
+def test_a_wrong_option_is_refused_before_anything_is_made(argv, part, tmp_path, capfd):
+    (tmp_path / "file").touch()
+    words = argv.replace("FILE", str(tmp_path / "file")).replace("FOLDER", str(tmp_path))
+    with pytest.raises((SystemExit, UserError)) as refused:
+        main(words.split())
+    assert part in f"{refused.value} {capfd.readouterr().err}"
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
