@@ -113,7 +113,7 @@ def test_a_table_that_is_no_text_is_refused(tmp_path):
     (tmp_path / "t.csv").write_bytes(b"prompt\n\xff\xfe\n")
     with pytest.raises(UserError, match="no UTF-8"):
         read_table(tmp_path / "t.csv")
-    with pytest.raises(UserError, match="cannot be read"):
+    with pytest.raises(UserError, match="is a folder"):
         read_table(tmp_path)
 
 
