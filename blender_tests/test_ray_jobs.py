@@ -81,7 +81,7 @@ def test_a_wrong_token_is_a_sentence_in_the_panel(cluster, preferences, wait):
     preferences.ray_token = "wrong"
     submit.generate(bpy.context)
     wait()
-    assert "does not accept this token" in session.error[0]
+    assert session.error and "does not accept this token" in session.error[0]
     assert not cluster.jobs
 
 
