@@ -7,6 +7,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from .. import options
 from ..asset.material_nodes import build_material
@@ -20,6 +21,7 @@ from . import health, maps
 QUADS_FRACTION = 0.3  # of the time; the bake of the maps is the rest
 MIN_FACES = 50  # below it nothing keeps its shape
 REACH = 0.02  # of the object's size: the greatest distance of the quads from the surface
+LARGE = 100.0  # metres: of a mesh's longest side while QuadriFlow has it
 
 
 def make_lods(
@@ -149,6 +151,9 @@ def hide(obj: bpy.types.Object) -> None:
 
 
 def _to_quads(quads: bpy.types.Object, faces: int) -> None:
+    # QuadriFlow refuses a mesh with an edge of less than 0.1 mm: a chair of 0.9 m has some.
+    larger = LARGE / max(float(np.ptp(verts_of(quads.data), axis=0).max()), 1e-9)
+    quads.data.transform(Matrix.Scale(larger, 4))
     with acting(quads):
         done = bpy.ops.object.quadriflow_remesh(
             mode="FACES", target_faces=faces, use_preserve_sharp=False, smooth_normals=True
@@ -156,6 +161,7 @@ def _to_quads(quads: bpy.types.Object, faces: int) -> None:
     mesh = quads.data
     if done != {"FINISHED"} or not len(mesh.polygons) or not np.isfinite(verts_of(mesh)).all():
         raise AddonError(f"No quads were found for {quads.name}.", "Use more faces.")
+    mesh.transform(Matrix.Scale(1 / larger, 4))
     # The UVs of the old faces do not fit the new ones.
     while mesh.uv_layers:
         mesh.uv_layers.remove(mesh.uv_layers[0])
