@@ -268,6 +268,15 @@ def test_an_open_mesh_is_not_remeshed(tmp_path):
     assert list(bpy.data.objects) == [obj]
 
 
+def test_a_small_thing_has_quads_at_its_own_size(obj):
+    """QuadriFlow refuses edges of less than 0.1 mm."""
+    for vertex in obj.data.vertices:
+        vertex.co *= 0.002
+    bpy.context.view_layer.update()
+    quads = remesh.quad_remesh(obj, faces=300, size=32)
+    assert max(quads.dimensions) == pytest.approx(max(obj.dimensions), rel=0.05)
+
+
 def test_a_blender_without_a_window_makes_the_same_quads(obj):
     here = remesh.quad_remesh(obj, faces=300, size=32)
     obj.hide_render = False
