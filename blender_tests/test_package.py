@@ -63,7 +63,7 @@ def test_the_zip_holds_the_add_on_and_the_core_and_nothing_else(package):
     assert training
     assert not training & names  # how the built-in prior was made: no run uses it
     assert not [n for n in names if "tests/" in n or "__pycache__" in n or n.endswith(".pyc")]
-    assert package.stat().st_size < 60e6
+    assert package.stat().st_size < 80e6
 
 
 def test_nothing_is_next_to_the_core_that_could_hide_a_library(package):

@@ -276,9 +276,11 @@ def _verify(args: argparse.Namespace) -> None:
 
 def _export(args: argparse.Namespace) -> None:
     from core.io.asset import export
+    from core.simulation.body import check_body
     from core.simulation.export import ENDINGS, export_body, file_for
 
     kind = args.format.lower()
+    check_body(args.mass, args.hulls)
     out = file_for(args.asset, args.out, ENDINGS.get(kind, f".{kind}"))
     if kind in ENDINGS:
         export_body(args.asset, kind, out, args.mass, args.hulls)

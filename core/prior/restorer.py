@@ -22,8 +22,7 @@ RESTORING = TrainConfig(
     minutes=120.0, batch=16, learning_rate=5e-4, warm_up=60, ema=0.995, drop_both=0.05
 )
 EXACT = 0.2  # fraction of the pictures softened on the fly that are left exact
-FROM_SOLIDS = 0.6  # fraction of a batch from soft solids, where the folder has any
-OWN_SOFTNESS = 0.75  # fraction of the close-ups; of the others the picture alone is softened
+FROM_SOLIDS = 0.4  # fraction of a batch from soft solids, where the folder has any
 KNEE = 0.02  # errors above it count linearly: their median keeps planes flat, a mean rounds edges
 
 
@@ -68,11 +67,11 @@ class Restoring(Geometry):
         whole = count - close
         solids = round(whole * FROM_SOLIDS) if self.pairs else 0
         drawn, words, camera, _ = super().batch(whole - solids, generator)
+        # The close-ups' own softness for half of them, for the others one of the pictures alone.
         rows = [(drawn, words, camera, drawn[:0])]
-        own = round(close * OWN_SOFTNESS)
-        rows += [(*some(self.close, close - own, generator)[:3], drawn[:0])] if self.close else []
+        rows += [(*some(self.close, close // 2, generator)[:3], drawn[:0])] if self.close else []
         rows += [some(self.pairs, solids, generator)] if self.pairs else []
-        rows += [some(self.close, own, generator)] if self.close else []
+        rows += [some(self.close, close - close // 2, generator)] if self.close else []
         pictures, words, camera, soft = (torch.cat(part) for part in zip(*rows, strict=True))
         return pictures, words, camera, soft
 

@@ -28,16 +28,21 @@ def body_of(asset: Asset, mass: float | None = None, most: int = MAX_HULLS) -> B
 
     Raises UserError for a mass that is no positive number, or a number of hulls that is none.
     """
-    if mass is not None and not 0 < mass < math.inf:
-        raise UserError(f"--mass is {mass:g}.", "It takes kilograms, such as 4.5.")
-    if most < 1:
-        raise UserError(f"--hulls is {most}.", "It takes 1 or more.")
+    check_body(mass, most)
     mesh = asset.mesh
     found = mass_of(mesh.verts, mesh.faces, density_of(asset.info))
     found = found if mass is None else found.scaled_to(mass)
     title = str(asset.info.get("prompt") or "asset")
     hulls = convex_hulls(mesh.verts, mesh.faces, most)
     return Body(identifier(title), title, asset, found, hulls)
+
+
+def check_body(mass: float | None, most: int) -> None:
+    """Refuse what ``body_of`` refuses, before anything is made."""
+    if mass is not None and not 0 < mass < math.inf:
+        raise UserError(f"--mass is {mass:g}.", "It takes kilograms, such as 4.5.")
+    if most < 1:
+        raise UserError(f"--hulls is {most}.", "It takes 1 or more.")
 
 
 def density_of(info: dict[str, Any]) -> float:

@@ -116,8 +116,11 @@ def test_a_folder_that_is_not_there_is_told(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a disk that is always full")
-def test_a_full_disk_is_seen_though_the_library_reports_success(tmp_path: Path) -> None:
-    (tmp_path / "a.png.tmp").symlink_to("/dev/full")
+def test_a_full_disk_is_seen_though_the_library_reports_success(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "full.tmp").symlink_to("/dev/full")
+    monkeypatch.setattr("core.io.atomic.temporary", lambda _: tmp_path / "full.tmp")
     noise = np.random.default_rng(0).integers(0, 255, (256, 256, 3), np.uint8)
     with pytest.raises(UserError, match="disk is full"):
         images.write_png(tmp_path / "a.png", noise)
