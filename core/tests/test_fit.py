@@ -11,6 +11,8 @@ from core.benchmarks.fit_scores import Truth, curvature_error, scores
 from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
 from core.config import DRAFT, RefineConfig
+from core.geometry.guide import fill
+from core.geometry.init_shape import Shape
 from core.geometry.marching_tets import marching_tets
 from core.geometry.residual import Residual, blurred
 from core.geometry.sdf_net import FOURIER
@@ -129,6 +131,22 @@ def test_a_residual_is_trilinear_between_its_nodes() -> None:
     assert torch.allclose(residual(nodes), at_nodes, atol=1e-6)
     middle = (at_nodes[0] + at_nodes[1]) / 2
     assert torch.allclose(residual(nodes[:2].mean(0, keepdim=True))[0], middle, atol=1e-6)
+
+
+def test_a_lattice_is_filled_with_what_is_smaller_than_its_blur() -> None:
+    """A plate of two cells: the blur alone would lift its middle by half a cell."""
+    config = replace(SHORT, net=replace(SHORT.net, residual=0.1))
+    net = sdf_net(config, torch.Generator().manual_seed(0))
+    n = config.resolution[1]
+    cell, nodes = 2 * EXTENT / n, tet_grid(n).tet_verts
+    plate = Shape(lambda points: points[:, 2].abs() - cell, lambda count, generator: nodes[:count])
+    assert net.residual
+    fill(net.residual, net, plate, 1.0)
+    net.cell = net.residual.cell
+    with torch.no_grad():
+        away = (net(nodes)[0] - plate.sdf(nodes)).abs()
+    inner = nodes.abs().amax(1) < 0.8
+    assert away[inner].max() < 0.15 * cell
 
 
 def test_blur_keeps_what_is_the_same_everywhere_and_stops_what_alternates() -> None:

@@ -99,16 +99,21 @@ def test_what_may_move_is_no_neighbour_of_the_border():
     assert not free[x > 0.3].any()
 
 
-def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Path):
+def edited_torus(tmp_path: Path, prompt: str, *options: str):
+    """A torus, which of its faces the region has, and the torus after ``edit``."""
     whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
     assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
     before = read_asset(whole)
     chosen = before.mesh.verts[before.mesh.faces].mean(1)[:, 0] > 0
     faces.write_text("\n".join(map(str, chosen.nonzero()[:, 0].tolist())))
     short = [f"--set=geometry.reshape.{key}" for key in ("rounds=2", "steps=2", "views=2")]
-    more = [f"--faces={faces}", f"--out={out}", "--shape", *OPTIONS, *short]
-    assert main(["edit", str(whole), "a torus", *more]) == 0
-    after = read_asset(out)
+    more = [f"--faces={faces}", f"--out={out}", *options, *OPTIONS, *short]
+    assert main(["edit", str(whole), prompt, *more]) == 0
+    return before, chosen, read_asset(out)
+
+
+def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Path):
+    before, chosen, after = edited_torus(tmp_path, "a torus", "--shape")
     free = free_verts(before.mesh, chosen)
     fixed = torch.ones(len(before.mesh.verts), dtype=torch.bool)
     fixed[before.mesh.faces[chosen].reshape(-1)] = False
@@ -127,15 +132,9 @@ def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Pa
 
 
 def test_shape_and_material_of_a_region_change_together_and_all_the_rest_stays(tmp_path: Path):
-    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
-    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
-    before = read_asset(whole)
-    chosen = before.mesh.verts[before.mesh.faces].mean(1)[:, 0] > 0
-    faces.write_text("\n".join(map(str, chosen.nonzero()[:, 0].tolist())))
-    short = [f"--set=geometry.reshape.{key}" for key in ("rounds=2", "steps=2", "views=2")]
-    more = [f"--faces={faces}", f"--out={out}", "--shape", "--material", *OPTIONS, *short]
-    assert main(["edit", str(whole), "a blue metal torus", *more]) == 0
-    after = read_asset(out)
+    what = ("a blue metal torus", "--shape", "--material")
+    before, chosen, after = edited_torus(tmp_path, *what)
+    out = tmp_path / "edited"
     moved = (before.mesh.verts != after.mesh.verts).any(1)
     assert moved.any() and not (moved & ~free_verts(before.mesh, chosen)).any()
     for name in ("faces", "uv", "face_uvs"):

@@ -178,3 +178,11 @@ def test_no_vertex_goes_beyond_its_reach():
     torch.testing.assert_close(near[1], torch.tensor([0, 0.006, 0.008]))  # on its way
     torch.testing.assert_close(near[2], verts[2])
     assert torch.equal(within_reach(start, verts, 0), verts)
+
+
+def test_sharpening_keeps_within_its_reach(soft, crisp, progress):
+    verts, faces = soft
+    config = replace(CONFIG, sharpen=replace(SHORT, reach=0.004))
+    away = (sharpened(config, Knows(crisp), verts, faces, progress) - verts).norm(dim=1)
+    freely = (sharpened(CONFIG, Knows(crisp), verts, faces, progress) - verts).norm(dim=1)
+    assert away.max() <= 0.004 + 1e-6 < freely.max()

@@ -87,9 +87,8 @@ def pack(
             apart = in_a_row(found, turns, len(uv))
             with atlases.new() as atlas:
                 at, side = laid_out(atlas, apart, face_uvs, scale, padding, len(found) <= MANY)
-            at = with_strays(at, apart * scale, found)
             if side <= room:
-                best, step = (at, scale), GROWTH
+                best, step = (with_strays(at, apart * scale, found), scale), GROWTH
             elif not round_ % 2:  # upright again, it had to be another scale
                 step += GROWTH / 2
             if best:

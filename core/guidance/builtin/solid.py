@@ -65,7 +65,7 @@ class Solid:
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside, training units; farther off than a tenth, and where
         the frame's scale is uneven, it is less than true."""
-        return self._asked(points)[0] * (min(self.frame.scale) / SCALE) - self.swell
+        return self._asked(points)[0]
 
     def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The part that each point belongs to: its place among the noun's."""
@@ -78,7 +78,7 @@ class Solid:
 
         def at(points: Tensor) -> tuple[Tensor, Tensor]:
             distance, part = self._asked(points)
-            return distance * (min(self.frame.scale) / SCALE), part[:, :parts]
+            return distance, part[:, :parts]
 
         return at
 
@@ -110,6 +110,7 @@ class Solid:
         chunks = (local.to(device) / EXTENT).split(CHUNK)
         found = [self.net.at(self.triplane, chunk[None]) for chunk in chunks]
         distance, part = (torch.cat(both, 1)[0] for both in zip(*found, strict=True))
+        distance = distance * (min(self.frame.scale) / SCALE) - self.swell
         return distance.to(points.device), part.to(points.device)
 
 
