@@ -20,6 +20,8 @@ from jaxtyping import Float, Int
 from scipy.sparse import csr_array
 from torch import Tensor
 
+from core.geometry.faces import areas_and_normals
+
 NORMAL_ROUNDS = 10  # of the normals, in one round of the filter
 VERTEX_ROUNDS = 15  # of the vertices after them
 FOLLOWING_NORMAL_ROUNDS = 3  # of normals that come from elsewhere: less noisy than a mesh's own
@@ -47,7 +49,7 @@ def flattened(
     moved, around = v, Around.of(f, len(v))
     for _ in range(rounds):
         # Two phases: new normals from the present shape, then vertices that follow them.
-        normals = _filtered(moved, around, sigma)
+        normals = filtered(moved, around, sigma)
         for _ in range(VERTEX_ROUNDS):
             moved = _towards(moved, normals, around)
     return torch.from_numpy(_sound(v, moved, f)).to(verts)
@@ -67,9 +69,9 @@ def following(
     v, f = verts.detach().cpu().double().numpy(), faces.cpu().numpy()
     around = Around.of(f, len(v))
     share, wanted = trust.cpu().double().numpy()[:, None], normals.cpu().double().numpy()
-    mixed = share * wanted + (1 - share) * _normals(v, f)[0]
+    mixed = share * wanted + (1 - share) * areas_and_normals(v, f)[1]
     mixed /= np.maximum(np.linalg.norm(mixed, axis=1, keepdims=True), 1e-20)
-    target = _filtered(v, around, sigma, mixed, FOLLOWING_NORMAL_ROUNDS)
+    target = filtered(v, around, sigma, mixed, FOLLOWING_NORMAL_ROUNDS)
     moved = v
     for _ in range(FOLLOWING_VERTEX_ROUNDS):
         moved = _towards(moved, target, around)
@@ -120,7 +122,7 @@ class Around:
         return csr_array((weights, self.other, self.start), shape) @ values
 
 
-def _filtered(
+def filtered(
     verts: Verts,
     around: Around,
     sigma: float,
@@ -128,7 +130,7 @@ def _filtered(
     rounds: int = NORMAL_ROUNDS,
 ) -> Normals:
     """The faces' normals, or those of ``start``, after ``rounds`` (Zheng et al., Eq. 4)."""
-    own, areas = _normals(verts, around.faces)
+    areas, own = areas_and_normals(verts, around.faces)
     normals = own if start is None else start
     centres = verts[around.faces].mean(1)
     apart = np.linalg.norm(centres[around.one] - centres[around.other], axis=1)
@@ -153,9 +155,9 @@ def _towards(verts: Verts, normals: Normals, around: Around) -> Verts:
 def _sound(before: Verts, after: Verts, faces: Faces) -> Verts:
     """``after``, but around faces that have turned over or lost their area as it was before."""
     after = after.copy()
-    was, area_before = _normals(before, faces)
+    area_before, was = areas_and_normals(before, faces)
     for _ in range(UNDO_ROUNDS):
-        now, area = _normals(after, faces)
+        area, now = areas_and_normals(after, faces)
         least = LEAST_AREA * area_before.mean()
         wrong = ((was * now).sum(1) < 0) | ((area < least) & (area_before >= least))
         if not wrong.any():
@@ -163,14 +165,6 @@ def _sound(before: Verts, after: Verts, faces: Faces) -> Verts:
         # What is put back may turn over a face next to it, hence the rounds.
         after[faces[wrong]] = before[faces[wrong]]
     return after
-
-
-def _normals(verts: Verts, faces: Faces) -> tuple[Normals, Float[np.ndarray, " f"]]:
-    """Unit normals, and areas."""
-    a, b, c = (verts[faces[:, k]] for k in range(3))
-    cross = np.cross(b - a, c - a)
-    length = np.linalg.norm(cross, axis=1)
-    return cross / np.maximum(length, 1e-20)[:, None], length / 2
 
 
 def _gauss(x: Float[np.ndarray, " p"], sigma: float) -> Float[np.ndarray, " p"]:

@@ -130,6 +130,13 @@ class Guidance(ABC):
         """
 
 
+class KnownParts(NamedTuple):
+    """Where an object's parts are, and what they are like."""
+
+    at: Callable[[Float[Tensor, "n 3"]], Int[Tensor, " n"]]  # of places in training units
+    flatness: tuple[float, ...]  # of each part, the flat fraction of its surface
+
+
 class PromptedGuidance(ABC):
     """A guidance with its prompts: what the trainings use. The schedule, the latents and their
     encoders are the guidance's own."""
@@ -185,6 +192,10 @@ class PromptedGuidance(ABC):
     def colored_at(self) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None:
         """Where a place of the surface takes its material from, training units: of an object whose
         parts are known, from inside its own part; None: from where it is."""
+        return None
+
+    def parts(self) -> "KnownParts | None":
+        """The parts of that object, of which the mesh's planes are looked for; None: unknown."""
         return None
 
     @abstractmethod

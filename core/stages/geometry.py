@@ -11,11 +11,12 @@ from torch import Tensor
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
 from core.geometry.bilateral import flattened
+from core.geometry.crisp import crisp
 from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
 from core.geometry.struts import joined_by_struts
-from core.geometry.tet_grid import TetGrid, tet_grid
+from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.guidance import Views, coarse_latent
 from core.guidance.sds import anneal
 from core.io.progress import Progress
@@ -65,7 +66,12 @@ def learn_geometry(
     verts, faces = final_mesh(training.module, fine, config)
     show_shape(training.run, verts, faces)
     with progress.timed("sharpen"):
-        return sharpened(config, setup.guidance, verts, faces, progress), faces
+        sharp = sharpened(config, setup.guidance, verts, faces, progress)
+        parts = setup.guidance.parts() if config.planes else None
+        if parts is None:
+            return sharp, faces
+        cell = 2 * EXTENT / config.resolution[1]
+        return crisp(sharp, faces, verts, parts.at(sharp), parts.flatness, cell)
 
 
 def early_steps(config: GeometryConfig) -> int:

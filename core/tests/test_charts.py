@@ -4,16 +4,15 @@ import numpy as np
 import pytest
 import torch
 
+from core.geometry.faces import areas_and_normals, neighbours
 from core.tests.meshes import sphere, torus
 from core.texture import charts as module
 from core.texture.charts import (
-    areas_and_normals,
     borders,
     charts,
     components,
     halved,
     merged,
-    neighbours,
     smooth,
     straightened,
 )

@@ -9,8 +9,8 @@ from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array, csc_array, eye_array
 from scipy.sparse.linalg import splu
 
+from core.geometry.faces import unit
 from core.geometry.mesh import mean_around, taubin
-from core.texture.charts import unit
 
 ITERATIONS = 10
 COTANGENTS = (0.05, 20.0)  # kept within: a sliver would pull with all its weight, or push

@@ -19,11 +19,12 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 from torch import Tensor
 
+from core.geometry.faces import areas_and_normals, neighbours, unit
 from core.geometry.mesh import Mesh, health, mean_around
 from core.geometry.tangents import smooth_normals
 from core.kernels import remesh as loops
 from core.kernels.quadrics import add_planes
-from core.texture.charts import areas_and_normals, charts, neighbours, unit
+from core.texture.charts import charts
 from core.texture.simplify import simplify
 from core.texture.unwrap import at_unit_size
 

@@ -14,8 +14,9 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.errors import UserError
+from core.geometry.faces import neighbours
 from core.kernels.cells import mark
-from core.texture.charts import charts, components, halved, neighbours
+from core.texture.charts import charts, components, halved
 from core.texture.flatten import at_rest, flatten
 from core.texture.packing import charts_of, pack, triangle_areas
 

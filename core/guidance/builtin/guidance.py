@@ -15,6 +15,7 @@ from torch import Tensor
 
 from core.geometry.init_shape import Shape
 from core.guidance.builtin.diffusion import alpha_bar_schedule
+from core.guidance.builtin.flatness import flatness_table
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
@@ -40,6 +41,7 @@ from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
     Guidance,
+    KnownParts,
     MaterialRanges,
     NormalFrame,
     Predictions,
@@ -162,6 +164,11 @@ class PromptedBuiltin(PromptedGuidance):
         if self.solid is None or len(NOUNS[noun].looks) < 2:
             return None
         return PartBorders(self.solid.field(len(NOUNS[noun].looks))).inside
+
+    def parts(self) -> KnownParts | None:
+        """The drawn solid's."""
+        flatness = flatness_table().get(self.words.noun)
+        return KnownParts(self.solid.part, flatness) if self.solid and flatness else None
 
     @torch.no_grad()
     def restore(
