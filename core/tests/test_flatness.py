@@ -1,0 +1,53 @@
+"""How flat a noun's parts are: the shipped table, and what the families say."""
+
+import pytest
+import torch
+
+from core.guidance.builtin.flatness import flatness_table
+from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.nouns import NOUNS
+from core.prior.families import Shape
+from core.prior.flatness import is_flat, part_flatness
+from core.prior.solids import Solid, ball, box, tube
+
+FRAME = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+
+
+def flat_fraction(solid: Solid, points: torch.Tensor) -> float:
+    return float(is_flat(Shape({"all": solid}, *FRAME), points).float().mean())
+
+
+def test_each_noun_has_a_row_with_all_its_parts():
+    table = flatness_table()
+    assert set(table) == set(NOUNS)
+    for noun, row in table.items():
+        assert all(0 <= x <= 1 for x in row)
+        assert not any(row[len(NOUNS[noun].looks) :])
+
+
+@pytest.mark.parametrize("noun", ["mug", "chair"])
+def test_the_table_is_of_the_families_of_today(noun):
+    assert part_flatness(noun).tolist() == pytest.approx(flatness_table()[noun], abs=0.006)
+
+
+def test_flat_is_neither_a_ball_nor_a_cylinder_but_a_box_up_to_its_edges():
+    generator = torch.Generator().manual_seed(0)
+    way = torch.nn.functional.normalize(torch.randn(500, 3, generator=generator), dim=1)
+    assert flat_fraction(ball((0, 0, 0), 0.8), 0.8 * way) == 0
+    around = torch.nn.functional.normalize(way[:, :2], dim=1) * 0.6
+    side = torch.cat([around, torch.rand(500, 1, generator=generator) - 0.5], 1)
+    assert flat_fraction(tube((0, 0, -0.8), (0, 0, 0.8), 0.6), side) == 0
+    wall = torch.rand(500, 3, generator=generator) * 1.2 - 0.6
+    wall[:, 0] = 0.6
+    assert flat_fraction(box((0, 0, 0), (0.6, 0.6, 0.6)), wall) > 0.95
+
+
+def test_the_parts_are_known_once_an_object_is_drawn():
+    prompted = load_builtin("cpu").prompted("a red mug", "")
+    assert prompted.parts() is None
+    drawn = prompted.of_object(0)
+    parts = drawn.parts()
+    assert parts is not None and parts.flatness == flatness_table()["mug"]
+    assert drawn.solid is not None
+    found = parts.at(drawn.solid.mesh[0])
+    assert set(found.unique().tolist()) == {0, 1}  # the body and the handle
