@@ -6,7 +6,7 @@ from core.texture.detail.noise import smoothstep
 from core.texture.detail.place import Layer, Place
 
 HEART = np.array([0.43, 0.61], np.float32)  # of the tree, across the grain: outside most parts
-RINGS = 56.0  # a unit
+RINGS = 48.0  # a unit
 
 
 def wooden(place: Place) -> Layer:
@@ -29,10 +29,10 @@ def wooden(place: Place) -> Layer:
     # Each part is of another board.
     board = np.array([0.0, 0.22, -0.18], np.float32)[place.along]
     return Layer.of(
-        0.5 * late + 0.35 * fibre + 0.5 * pore + 0.4 * broad + board,
+        0.6 * late + 0.35 * fibre + 0.55 * pore + 0.4 * broad + board,
         (0.60, 0.49, 0.40),
-        roughness=0.12 * pore - 0.1 * late + 0.04 * fibre,
-        height=0.0003 * late - 0.0006 * pore + 0.0003 * fibre,
+        roughness=0.13 * pore - 0.1 * late + 0.06 * fibre,
+        height=0.0003 * late - 0.0007 * pore + 0.00035 * fibre,
     )
 
 
