@@ -67,7 +67,7 @@ def started(config: Config, job: Job) -> Config:
         refine=replace(g.refine, rounds=0),
         net=replace(g.net, residual=g.net.residual or START_RESIDUAL),
         polish=min(g.polish, START_POLISH),
-        sharpen=replace(g.sharpen, rounds=4, close_rounds=3, reach=START_REACH),
+        sharpen=replace(g.sharpen, rounds=2, close_rounds=1, reach=START_REACH),
     )
     return replace(config, geometry=less)
 

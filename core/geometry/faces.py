@@ -33,6 +33,6 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     return adjacent.reshape(-1, 3)
 
 
-def unit(x: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+def unit(x: Float[np.ndarray, "n k"]) -> Float[np.ndarray, "n k"]:
     """At length one; a zero stays."""
     return x / np.maximum(np.linalg.norm(x, axis=1, keepdims=True), 1e-30)

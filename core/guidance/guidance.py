@@ -134,7 +134,9 @@ class KnownParts(NamedTuple):
     """Where an object's parts are, and what they are like."""
 
     at: Callable[[Float[Tensor, "n 3"]], Int[Tensor, " n"]]  # of places in training units
-    flatness: tuple[float, ...]  # of each part, the flat fraction of its surface
+    # Of each part, the fraction of its surface that is flat, or the same around an upright axis.
+    flat: tuple[float, ...]
+    round: tuple[float, ...]
 
 
 class PromptedGuidance(ABC):

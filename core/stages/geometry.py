@@ -14,6 +14,7 @@ from core.geometry.bilateral import flattened
 from core.geometry.crisp import crisp
 from core.geometry.mesh import drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
+from core.geometry.revolved import revolved
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
 from core.geometry.struts import joined_by_struts
 from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
@@ -67,11 +68,12 @@ def learn_geometry(
     show_shape(training.run, verts, faces)
     with progress.timed("sharpen"):
         sharp = sharpened(config, setup.guidance, verts, faces, progress)
-        parts = setup.guidance.parts() if config.planes else None
+        parts = setup.guidance.parts() if config.forms else None
         if parts is None:
             return sharp, faces
-        cell = 2 * EXTENT / config.resolution[1]
-        return crisp(sharp, faces, verts, parts.at(sharp), parts.flatness, cell)
+        of, cell = parts.at(sharp), 2 * EXTENT / config.resolution[1]
+        sharp = revolved(sharp, faces, of, parts.round, cell)
+        return crisp(sharp, faces, verts, of, parts.flat, cell)
 
 
 def early_steps(config: GeometryConfig) -> int:

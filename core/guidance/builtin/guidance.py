@@ -15,7 +15,6 @@ from torch import Tensor
 
 from core.geometry.init_shape import Shape
 from core.guidance.builtin.diffusion import alpha_bar_schedule
-from core.guidance.builtin.flatness import flatness_table
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
@@ -31,6 +30,7 @@ from core.guidance.builtin.offered import (
 )
 from core.guidance.builtin.palette import finishes_of
 from core.guidance.builtin.part_borders import PartBorders
+from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
 from core.guidance.builtin.restore import as_render, restored
@@ -167,8 +167,9 @@ class PromptedBuiltin(PromptedGuidance):
 
     def parts(self) -> KnownParts | None:
         """The drawn solid's."""
-        flatness = flatness_table().get(self.words.noun)
-        return KnownParts(self.solid.part, flatness) if self.solid and flatness else None
+        if self.solid is None:
+            return None
+        return KnownParts(self.solid.part, *part_forms_table()[self.words.noun])
 
     @torch.no_grad()
     def restore(

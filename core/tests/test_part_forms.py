@@ -1,13 +1,13 @@
-"""How flat a noun's parts are: the shipped table, and what the families say."""
+"""How flat and how round a noun's parts are: the shipped table, and what the families say."""
 
 import pytest
 import torch
 
-from core.guidance.builtin.flatness import flatness_table
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.part_forms import part_forms_table
 from core.prior.families import Shape
-from core.prior.flatness import is_flat, part_flatness
+from core.prior.part_forms import is_flat, is_round, part_forms
 from core.prior.solids import Solid, ball, box, tube
 
 FRAME = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
@@ -18,16 +18,18 @@ def flat_fraction(solid: Solid, points: torch.Tensor) -> float:
 
 
 def test_each_noun_has_a_row_with_all_its_parts():
-    table = flatness_table()
+    table = part_forms_table()
     assert set(table) == set(NOUNS)
-    for noun, row in table.items():
-        assert all(0 <= x <= 1 for x in row)
-        assert not any(row[len(NOUNS[noun].looks) :])
+    for noun, forms in table.items():
+        for row in forms:
+            assert all(0 <= x <= 1 for x in row)
+            assert not any(row[len(NOUNS[noun].looks) :])
 
 
 @pytest.mark.parametrize("noun", ["mug", "chair"])
 def test_the_table_is_of_the_families_of_today(noun):
-    assert part_flatness(noun).tolist() == pytest.approx(flatness_table()[noun], abs=0.006)
+    for found, row in zip(part_forms(noun).tolist(), part_forms_table()[noun], strict=True):
+        assert found == pytest.approx(row, abs=0.006)
 
 
 def test_flat_is_neither_a_ball_nor_a_cylinder_but_a_box_up_to_its_edges():
@@ -42,12 +44,26 @@ def test_flat_is_neither_a_ball_nor_a_cylinder_but_a_box_up_to_its_edges():
     assert flat_fraction(box((0, 0, 0), (0.6, 0.6, 0.6)), wall) > 0.95
 
 
+def test_round_is_what_stays_where_it_is_when_turned_about_the_axis():
+    parts = {
+        "body": tube((0, 0, -0.5), (0, 0, 0.5), 0.4),
+        "handle": box((0.6, 0, 0), (0.2, 0.1, 0.3)),
+    }
+    shape = Shape(parts, (0.1, 0.0, 0.0), (1.0, 1.0, 1.0))  # its axis is at x = -0.1
+    angle = torch.linspace(0.5, 5.5, 400)
+    side = torch.stack([0.4 * angle.cos() - 0.1, 0.4 * angle.sin(), 0.9 * angle / 6 - 0.45], 1)
+    corner = torch.tensor([[0.7, 0.1, 0.3]]).expand(50, 3)
+    of_body, of_handle = torch.zeros(400, dtype=torch.long), torch.ones(50, dtype=torch.long)
+    assert is_round(shape, side, of_body).all()
+    assert not is_round(shape, corner, of_handle).any()
+
+
 def test_the_parts_are_known_once_an_object_is_drawn():
     prompted = load_builtin("cpu").prompted("a red mug", "")
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
-    assert parts is not None and parts.flatness == flatness_table()["mug"]
+    assert parts is not None and (parts.flat, parts.round) == part_forms_table()["mug"]
     assert drawn.solid is not None
     found = parts.at(drawn.solid.mesh[0])
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle

@@ -1,0 +1,123 @@
+"""Parts that are the same all around an upright axis, made exactly so.
+
+In the half plane through the axis every vertex of such a part lies on one curve, the profile, next
+to vertices from all around. Each goes to the mean of these along its normal (the projection of
+Alexa et al., "Computing and Rendering Point Set Surfaces", 2003, in that half plane): lumps go, and
+what the profile has stays. Lengths are in cells of the lattice that the mesh comes from.
+"""
+
+import numpy as np
+import torch
+from jaxtyping import Bool, Float, Int
+from scipy.spatial import KDTree
+from torch import Tensor
+
+from core.geometry.faces import areas_and_normals, unit
+
+SHARE = (
+    0.92  # of a part's surface that the families have the same all around: a square seat has 0.76
+)
+UPRIGHT = 0.5  # of a normal, above which it says nothing of where the axis is
+ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
+NEAREST, FEWEST = 160, 20  # of them, in the half plane
+REACH = 2.5  # cells
+NORMAL_REACH = 2.0  # cells that normals at a right angle are apart: edges of the profile stay
+ROUNDS = 2
+FARTHEST = 1.5  # cells that a vertex moves
+OUTSIDE = 1.0  # cells off the profile, of a vertex that is not part of it
+LEAST = 200  # vertices of a part
+AXIS_ROUNDS = 10
+
+
+def revolved(
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    part: Int[Tensor, " v"],
+    share: tuple[float, ...],
+    cell: float,
+) -> Float[Tensor, "v 3"]:
+    """The vertices of round parts on their profile; all others stay.
+
+    Args:
+        part: of each vertex.
+        share: of each part, the fraction of its surface that is the same all around.
+        cell: of the lattice that the mesh comes from, in units of ``verts``.
+    """
+    places, of = verts.detach().cpu().double().numpy() / cell, part.cpu().numpy()
+    faces_np = faces.cpu().numpy()
+    for k in np.flatnonzero(np.array(share) >= SHARE):
+        mine = of == k
+        if mine.sum() >= LEAST:
+            places = on_profile(places, faces_np, mine)
+    return torch.from_numpy(places * cell).to(verts)
+
+
+def on_profile(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
+) -> Float[np.ndarray, "v 3"]:
+    """The vertices with those of ``mine`` on the profile about their axis."""
+    start, normal = verts, normals(verts, faces)
+    centre = axis(verts[mine], normal[mine])
+    for _ in range(ROUNDS):
+        out = verts[mine, :2] - centre
+        radius = np.maximum(np.linalg.norm(out, axis=1), 1e-6)
+        out = out / radius[:, None]
+        # The normal in the half plane; short where the surface leans around the axis.
+        across = np.stack([(normal[mine, :2] * out).sum(1), normal[mine, 2]], 1)
+        place = np.stack([radius, verts[mine, 2]], 1)
+        move = _towards_profile(place, unit(across))
+        step = np.concatenate([out * move[:, :1], move[:, 1:]], 1)
+        verts = verts.copy()
+        verts[mine] += step
+        normal = normals(verts, faces)
+    moved = verts - start
+    length = np.linalg.norm(moved, axis=1, keepdims=True)
+    return start + moved * np.minimum(1, FARTHEST / np.maximum(length, 1e-9))
+
+
+def _towards_profile(
+    place: Float[np.ndarray, "n 2"], normal: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "n 2"]:
+    """From each place to the line through the mean of those around it, square to their mean normal;
+    none to what is far off."""
+    at = np.c_[place, NORMAL_REACH * normal]
+    some = slice(None, None, -(-len(at) // ASKED))
+    away, near = KDTree(at[some]).query(at, NEAREST, distance_upper_bound=REACH)
+    # What is farther away than that has the index after the last.
+    weight = np.isfinite(away).astype(float)
+    weight /= np.maximum(weight.sum(1, keepdims=True), 1)
+    values = np.r_[np.c_[place, normal][some], np.zeros((1, 4))]
+    mean = np.einsum("nk,nkc->nc", weight, values[near])
+    way = unit(mean[:, 2:])
+    off = ((mean[:, :2] - place) * way).sum(1)
+    sound = (np.abs(off) < OUTSIDE) & (np.isfinite(away).sum(1) >= FEWEST)
+    return np.where(sound, off, 0.0)[:, None] * way
+
+
+def axis(
+    verts: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, " 2"]:
+    """Where the upright axis is: the normals of the sides point to it or away from it.
+
+    The point with the least sum of distances to the lines along them, by reweighted least squares.
+    """
+    side = np.abs(normal[:, 2]) < UPRIGHT
+    at, way = verts[side, :2], unit(normal[side, :2])
+    across = np.stack([-way[:, 1], way[:, 0]], 1)
+    height, weight = (across * at).sum(1), np.ones(len(at))
+    centre = verts[:, :2].mean(0)
+    for _ in range(AXIS_ROUNDS):
+        system = (across * weight[:, None]).T @ across + 1e-9 * np.eye(2)
+        centre = np.linalg.solve(system, (across * weight[:, None]).T @ height)
+        weight = 1 / np.maximum(np.abs(across @ centre - height), 0.25)
+    return centre
+
+
+def normals(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
+) -> Float[np.ndarray, "v 3"]:
+    """Unit normals of the vertices, by area."""
+    area, normal = areas_and_normals(verts, faces)
+    weighted = np.repeat(normal * area[:, None], 3, 0)
+    corner = faces.reshape(-1)
+    return unit(np.stack([np.bincount(corner, x, len(verts)) for x in weighted.T], 1))

@@ -1,0 +1,51 @@
+"""Round parts brought onto their profile."""
+
+import torch
+
+from core.geometry.revolved import axis, normals, revolved
+from core.geometry.sdf_net import surface
+from core.geometry.tet_grid import EXTENT, tet_grid
+from core.prior.solids import box, join, lathe, moved, tube
+
+GRID = tet_grid(48)
+CELL = 2 * EXTENT / 48
+AXIS = (0.13, -0.07)
+VASE = lathe([(0.3, -0.7), (0.55, -0.1), (0.25, 0.4), (0.4, 0.7)], center=AXIS)
+
+
+def lumpy(solid, height=0.4):
+    """The solid's mesh from a lattice, with lumps of ``height`` cells."""
+    points = GRID.tet_verts
+    lumps = (points * torch.tensor([9.0, 11.0, 5.0])).sin().prod(1)
+    verts, faces, *_ = surface(solid(points) + height * CELL * lumps, points, GRID)
+    return verts, faces
+
+
+def test_a_lumpy_vase_comes_to_its_profile_about_its_own_axis():
+    verts, faces = lumpy(VASE)
+    part = torch.zeros(len(verts), dtype=torch.long)
+    made = revolved(verts, faces, part, (0.95,), CELL)
+    # Away from the rims, which a mean over the profile rounds.
+    inner = verts[:, 2].abs() < 0.6
+    before, after = (VASE(v[inner]).abs() / CELL for v in (verts, made))
+    assert after.mean() < 0.5 * before.mean()
+    assert float((made - verts).norm(dim=1).max()) <= 1.5 * CELL + 1e-6
+
+
+def test_the_axis_is_found_beside_the_middle_and_past_a_handle():
+    solid = join(VASE, moved(tube((0.0, 0.0, -0.3), (0.35, 0.0, 0.3), 0.08), (0.5, -0.07, 0.0)))
+    verts, faces = lumpy(solid, 0.2)
+    v, f = verts.double().numpy() / CELL, faces.numpy()
+    found = axis(v, normals(v, f)) * CELL
+    assert abs(found[0] - AXIS[0]) < 0.5 * CELL and abs(found[1] - AXIS[1]) < 0.5 * CELL
+
+
+def test_other_parts_and_parts_that_are_not_round_stay_to_the_last_bit():
+    leg = box((0.8, 0.0, 0.0), (0.1, 0.1, 0.6))
+    verts, faces = lumpy(join(VASE, leg))
+    part = (verts[:, 0] > 0.7).long()
+    made = revolved(verts, faces, part, (0.95, 0.9), CELL)
+    assert torch.equal(made[part == 1], verts[part == 1].double().to(made.dtype))
+    assert not torch.equal(made[part == 0], verts[part == 0])
+    same = revolved(verts, faces, part, (0.9, 0.9), CELL)
+    assert torch.allclose(same, verts, atol=1e-7)
