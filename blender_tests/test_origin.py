@@ -16,7 +16,12 @@ pytestmark = [pytest.mark.blender]
 INFO = {
     "seed": 2**40,
     "density": 650.0,
-    "made_by": {"software": "Fantasia3D for Blender 0.1.0"},
+    "made_by": {
+        "software": "Fantasia3D for Blender 0.1.0",
+        "python": "3.11.7",
+        "torch": "2.13.0+cpu",
+        "weights": {"geometry.safetensors": "cd" * 32, "parts.safetensors": "ef" * 32},
+    },
     "hashes": {"mesh.obj": "ab" * 32},
 }
 ORIGIN = {
@@ -25,6 +30,9 @@ ORIGIN = {
     "guidance": "builtin",
     "seed": str(2**40),
     "software": "Fantasia3D for Blender 0.1.0",
+    "versions": "python 3.11.7, torch 2.13.0+cpu",
+    "model_hashes": f"geometry.safetensors sha256:{'cd' * 32}, "
+    f"parts.safetensors sha256:{'ef' * 32}",
     "mesh_hash": "ab" * 32,
 }
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from core import __version__
 
+VERSIONS = ("python", "torch", "numpy", "numba")
 SOFTWARE = f"Fantasia3D for Blender {__version__}"
 
 
@@ -13,8 +14,14 @@ def summary(info: dict[str, Any]) -> dict[str, str]:
     """The few lines that a picture's or a GLB's own metadata hold, from asset.json's ``info``."""
     names = ("prompt", "negative_prompt", "seed", "preset")
     given = {key: str(info[key]) for key in names if info.get(key) not in (None, "")}
-    model = info.get("guidance")
-    return given | ({"model": Path(model).name} if model else {}) | {"software": SOFTWARE}
+    model, made_by = info.get("guidance"), info.get("made_by", {})
+    weights = made_by.get("weights", {})
+    made = {
+        "model": Path(model).name if model else "",
+        "model_hashes": ", ".join(f"{name} sha256:{value}" for name, value in weights.items()),
+        "versions": ", ".join(f"{key} {made_by[key]}" for key in VERSIONS if key in made_by),
+    }
+    return given | {key: text for key, text in made.items() if text} | {"software": SOFTWARE}
 
 
 def file_hash(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""The loop of :mod:`core.texture.placing`: charts put one by one where they need the least room."""
+"""The loop of :mod:`core.texture.placing`: charts put one by one, as low as they go."""
 
 import numpy as np
 
@@ -23,9 +23,8 @@ def place(order, sizes, first, spans, room):
             own = spans[first[c * turns + t] : first[c * turns + t + 1]]
             for y in range(room - height + 1):
                 for x in range(room - width + 1):
-                    # The square that is in use grows least; in it, near to the corner.
-                    right, top = x + width, y + height
-                    cost = 2 * room * max(right, top) + right + top
+                    # Its middle lies as low as may be, then as far to the left.
+                    cost = room * (2 * y + height) + x + width
                     if cost >= best:
                         break
                     if _is_free(taken, own, x, y):

@@ -355,17 +355,23 @@ def test_a_closed_asset_of_known_density_has_its_mass(tmp_path: Path) -> None:
 
 def test_pictures_and_glb_say_where_they_came_from(parts, tmp_path: Path) -> None:
     info = INFO | {"prompt": "ein roter Stuhl, größer", "guidance": "builtin", "preset": "draft"}
+    weights = {"geometry.safetensors": "cd" * 32}
+    info["made_by"] = {"python": "3.11.7", "torch": "2.13.0", "weights": weights}
+    hashes = f"geometry.safetensors sha256:{'cd' * 32}"
     folder = write_asset(tmp_path / "made", *parts, info)
     for name in ("base_color.png", "orm.png", "normal.png"):
         data = (folder / name).read_bytes()
         assert b"iTXtPrompt" in data
         assert "ein roter Stuhl, größer".encode() in data
         assert b"iTXtSeed\0\0\0\0\x003" in data
+        assert b"iTXtModel Hashes\0\0\0\0\0" + hashes.encode() in data
     glb = (folder / "asset.glb").read_bytes()
     (length,) = struct.unpack("<I", glb[12:16])
     node = json.loads(glb[20 : 20 + length])["nodes"][0]
     assert node["name"] == "ein roter Stuhl, größer"
     assert node["extras"]["seed"] == "3"
+    assert node["extras"]["versions"] == "python 3.11.7, torch 2.13.0"
+    assert node["extras"]["model_hashes"] == hashes
     report = json.loads((folder / "asset.json").read_text("utf-8"))
     import hashlib
 

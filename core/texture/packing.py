@@ -21,7 +21,8 @@ CELLS = 512  # along the square: the steps in which xatlas looks for places
 EXPECTED_FILL = 0.7  # fraction of the square that charts fill at the first scale
 PASSES = 24  # at other scales and in other turns
 GROWTH = 0.01  # of the scale, from one that fits to the next tried
-CLOSER_PASSES = 16  # at larger scales, by our own packing
+CLOSER_PASSES = 48  # at larger scales, by our own packing
+ORDERS = 6  # by chance, at one scale
 CLOSER_GROWTH = (0.02, 0.004)  # of the scale: at first, and the least that is tried
 FEW = 100  # charts: our own packing of more takes longer than it is worth
 MANY = 500  # charts: of more, xatlas tries some places for each and not all
@@ -119,9 +120,8 @@ def closer(
                 out[one.uvs] = places
             best, misses = (out, scale), 0
             continue
-        # Three orders by chance, then a smaller step.
         misses += 1
-        if misses % 3 == 0:
+        if misses % ORDERS == 0:
             step /= 2
         if step < least:
             break

@@ -1,6 +1,6 @@
 """A closer packing than xatlas's: each chart takes the best of its quarter turns.
 
-Charts as masks of cells, the largest first, each where the square in use grows least. xatlas turns
+Charts as masks of cells, the largest first, each where its middle lies lowest. xatlas turns
 a chart by transposing it, which mirrors it, so it gets turns by chance (:mod:`.packing`).
 """
 

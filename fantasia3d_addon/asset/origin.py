@@ -11,7 +11,8 @@ import bpy
 PREFIX = "fantasia3d_"
 DENSITY = f"{PREFIX}density"  # kg/m³, averaged over the volume; the user may change it
 TEXTS = ("prompt", "negative_prompt", "preset", "guidance", "light")
-NAMES = (*TEXTS, "seed", "software", "mesh_hash")
+VERSIONS = ("python", "torch", "numpy", "numba")
+NAMES = (*TEXTS, "seed", "software", "versions", "model_hashes", "mesh_hash")
 
 
 def set_origin(owner: bpy.types.ID, info: Mapping[str, Any]) -> None:
@@ -31,6 +32,20 @@ def set_origin(owner: bpy.types.ID, info: Mapping[str, Any]) -> None:
         values = info.get(group)
         if isinstance(values, dict) and isinstance(values.get(key), str):
             owner[PREFIX + name] = values[key]
+    for name, line in made_lines(info.get("made_by")).items():
+        if line:
+            owner[PREFIX + name] = line
+
+
+def made_lines(made_by: Any) -> dict[str, str]:
+    """The versions and the hashes of the model's files, a line each, as a GLB's extras have them."""
+    made = made_by if isinstance(made_by, dict) else {}
+    weights = made.get("weights")
+    hashes = weights.items() if isinstance(weights, dict) else ()
+    return {
+        "versions": ", ".join(f"{key} {made[key]}" for key in VERSIONS if key in made),
+        "model_hashes": ", ".join(f"{name} sha256:{value}" for name, value in hashes),
+    }
 
 
 def origin_of(owner: bpy.types.ID) -> dict[str, str]:
