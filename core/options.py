@@ -182,7 +182,7 @@ def add_core_commands(commands: Commands) -> None:
     report.add_argument("run", type=Path)
     report.add_argument("--out", type=Path, metavar="FILE.html", help="default: RUN/report.html")
 
-    words = add("words", "What the built-in prior understands of a prompt, as JSON.")
+    words = add("words", "What the built-in model understands of a prompt, as JSON.")
     words.add_argument("prompt", nargs="?", help="without one: all known words by group")
     words.add_argument(
         "--ignore-unknown-words", action="store_true", help="as generate with this option"
@@ -253,7 +253,7 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--ignore-unknown-words",
         action="store_true",
-        help="leave out what the built-in prior does not know, instead of refusing it",
+        help="leave out what the built-in model does not know, instead of refusing it",
     )
     command.add_argument("--light", metavar="FILE|NAME")
     command.add_argument("--texture-size", type=int, metavar="N")

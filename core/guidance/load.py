@@ -44,7 +44,7 @@ def make_guidance(
         _refuse_view_settings(config)
         if loras or embeddings:
             raise UserError(
-                "The built-in prior takes no LoRA and no embedding.",
+                "The built-in model takes no LoRA and no embedding.",
                 "Leave them out, or name a Stable Diffusion checkpoint with --guidance.",
             )
         return load_builtin(device, ignore_unknown=ignore_unknown)
@@ -63,11 +63,11 @@ def _refuse_view_settings(config: GuidanceConfig) -> None:
     for name in ("soft_views", "perp_neg"):
         if getattr(config, name):
             raise UserError(
-                f"The built-in prior takes no guidance.{name}: it has no texts of views.",
+                f"The built-in model takes no guidance.{name}: it has no texts of views.",
                 "Leave it out, or name a Stable Diffusion checkpoint with --guidance.",
             )
     if config.prediction != "auto":
         raise UserError(
-            "The built-in prior takes no guidance.prediction: what it predicts is known.",
+            "The built-in model takes no guidance.prediction: what it predicts is known.",
             "Leave it out, or name a Stable Diffusion checkpoint with --guidance.",
         )

@@ -58,7 +58,7 @@ def cpu_notice(work: Work | None, config: Config, command: str) -> str:
     return (
         f"On this CPU the run will take about {spoken(seconds)}: {calls.predictions:,} views to "
         f"predict, {calls.encodings:,} to encode, about {spoken(view)} each. Use a GPU "
-        "(--device cuda), fewer steps or views, or the built-in prior. It can be stopped and "
+        "(--device cuda), fewer steps or views, or the built-in model. It can be stopped and "
         "resumed at any time."
     )
 

@@ -192,7 +192,7 @@ def test_the_command_line_names_them_with_a_strength(tmp_path):
 
 
 def test_a_job_takes_them_over_a_checkpoint_alone(checkpoints, tmp_path):
-    with pytest.raises(UserError, match="built-in prior takes no LoRA"):
+    with pytest.raises(UserError, match="built-in model takes no LoRA"):
         prepare(Job(prompt="a chair", loras={"x.safetensors": 1.0}))
     unet, _ = weights(load(checkpoints["1.x"]))
     down, up = pair(unet[f"{QUERY}.weight"])

@@ -223,7 +223,7 @@ def test_what_was_not_taken_to_the_letter_is_a_warning():
     assert inputs.guidance.words.noun == "chair"
     assert inputs.warnings == (
         "'chiar' is read as 'chair'.",
-        "The built-in prior does not know 'gnome': left out.",
+        "The built-in model does not know 'gnome': left out.",
     )
 
 

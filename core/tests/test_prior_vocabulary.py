@@ -221,7 +221,7 @@ def test_a_word_of_another_thing_is_no_slip(word):
 def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
     words = parse("a worn leather armchair")
     assert (words.noun, words.material) == ("armchair", "leather")
-    assert words.notes == ("The built-in prior does not know 'worn': left out.",)
+    assert words.notes == ("The built-in model does not know 'worn': left out.",)
     with pytest.raises(UserError, match="'zebra'") as caught:
         parse("a worn zebra")
     assert "worn" not in caught.value.text

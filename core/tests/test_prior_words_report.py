@@ -210,7 +210,7 @@ def test_a_true_synonym_is_not(prompt):
 
 
 def test_a_narrower_word_that_is_left_out_is_not_made_as_anything():
-    assert parse("a pony lamp").notes == ("The built-in prior does not know 'pony': left out.",)
+    assert parse("a pony lamp").notes == ("The built-in model does not know 'pony': left out.",)
 
 
 def test_narrower_words_are_known_words_and_no_slot_is_all_narrower():
@@ -222,7 +222,7 @@ def test_narrower_words_are_known_words_and_no_slot_is_all_narrower():
 
 def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
     note = parse("a vinyl sofa").notes[-1]
-    assert note == "The built-in prior does not know 'vinyl' (did you mean plastic?): left out."
+    assert note == "The built-in model does not know 'vinyl' (did you mean plastic?): left out."
     assert "(did you mean green?)" in parse("a grren chair").notes[-1]
 
 

@@ -18,7 +18,7 @@ from core.geometry.faces import neighbours
 from core.kernels.cells import mark
 from core.texture.charts import charts, components, halved
 from core.texture.flatten import at_rest, flatten
-from core.texture.packing import charts_of, pack, triangle_areas
+from core.texture.packing import FEW, charts_of, pack, triangle_areas
 
 MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
@@ -26,6 +26,8 @@ REPAIR_ROUNDS = 4  # rounds of cutting out what would not lie flat
 SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
 OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
 OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two
+FILL = 0.6  # of the square: less, and the charts that leave most room are cut in two
+CUTS = 4  # times, at most
 
 
 class Unwrapped(NamedTuple):
@@ -33,6 +35,9 @@ class Unwrapped(NamedTuple):
 
     uv: Float[Tensor, "u 2"]  # in [0, 1], (0, 0) at the bottom left
     face_uvs: Int[Tensor, "f 3"]
+
+
+FlatCharts = tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"], Int[np.ndarray, " f"]]
 
 
 def unwrap(
@@ -65,15 +70,55 @@ def unwrap(
     progress(0.0)
     chart = charts(p, f) if chart is None else chart
     progress(0.2)
-    uv, face_uvs, chart = flat_charts(p, f, chart, lambda x: progress(0.2 + 0.4 * x))
-    out = pack(uv, face_uvs, chart, PADDING / size, lambda x: progress(0.6 + 0.39 * x))
+    flat = flat_charts(p, f, chart, lambda x: progress(0.2 + 0.4 * x))
+    out = pack(*flat, PADDING / size, lambda x: progress(0.6 + 0.2 * x))
     if out is None:
         raise UserError(
-            f"The mesh comes apart into {int(chart.max()) + 1:,} pieces, and a texture of "
+            f"The mesh comes apart into {int(flat[2].max()) + 1:,} pieces, and a texture of "
             f"{size} texels has no room for so many.",
             "Join its faces (Blender: Mesh > Merge > By Distance), or take a larger texture.",
         )
+    out, face_uvs = cut_to_fill(p, f, flat, out, size, lambda x: progress(0.8 + 0.19 * x))
     return Unwrapped(torch.from_numpy(out).to(verts), torch.from_numpy(face_uvs).to(faces))
+
+
+def cut_to_fill(
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    flat: FlatCharts,
+    out: Float[np.ndarray, "u 2"],
+    size: int,
+    progress: Callable[[float], None],
+) -> tuple[Float[np.ndarray, "_ 2"], Int[np.ndarray, "f 3"]]:
+    """``out``, the packed uv of the charts ``flat``, and its indices; or those that fill more.
+
+    A few charts of awkward outlines leave half of the square empty: halves of them fit better.
+    """
+    uv, current, chart = flat
+    best = out, current
+    fill, adjacent = float(triangle_areas(out[current]).sum()), neighbours(faces)
+    for cut in range(CUTS):
+        progress(cut / CUTS)
+        if fill >= FILL or chart.max() >= FEW:
+            break
+        chart = halved(chart, sprawling(uv, current, chart), adjacent, verts[faces].mean(1))
+        uv, current, chart = flat_charts(verts, faces, chart, lambda _: None)
+        again = pack(uv, current, chart, PADDING / size)
+        filled = 0.0 if again is None else float(triangle_areas(again[current]).sum())
+        if again is not None and filled > fill:
+            best, fill = (again, current), filled
+    return best
+
+
+def sprawling(
+    uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"], chart: Int[np.ndarray, " f"]
+) -> Bool[np.ndarray, " c"]:
+    """The charts that leave the most of their boxes empty: all near to the worst."""
+    found = charts_of(uv, face_uvs, chart)
+    empty = [
+        float(one.at.max(0).prod() - triangle_areas(one.at[one.corners]).sum()) for one in found
+    ]
+    return np.array(empty) > 0.8 * max(empty)
 
 
 def at_unit_size(verts: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:
@@ -87,7 +132,7 @@ def flat_charts(
     faces: Int[np.ndarray, "f 3"],
     chart: Int[np.ndarray, " f"],
     progress: Callable[[float], None],
-) -> tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"], Int[np.ndarray, " f"]]:
+) -> FlatCharts:
     """uv, uv indices and charts; charts that would not lie flat are cut until they do."""
     adjacent, centre = neighbours(faces), verts[faces].mean(1)
     area = triangle_areas(at_rest(verts[faces]))

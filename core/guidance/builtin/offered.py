@@ -54,6 +54,6 @@ def offered_words() -> dict[str, list[str]]:
 def weights_error(path: Path, error: Exception) -> MissingError:
     """The error for weights that are missing or broken."""
     return MissingError(
-        f"The built-in prior's weights {path.name} are missing or broken ({error}).",
+        f"The built-in model's weights {path.name} are missing or broken ({error}).",
         "Download the project again, or train them: python -m core.prior train.",
     )

@@ -28,7 +28,7 @@ def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) 
     nearest = {token: near_words(token, qualifiers, known) for token in unknown}
     texts = "; ".join(with_hint(token, near) for token, near in nearest.items())
     return UnknownWordsError(
-        f"The built-in prior does not know {texts}.",
+        f"The built-in model does not know {texts}.",
         f"{known_things(known)} It knows the shapes {', '.join(known['shape'])}; "
         f"the colours {', '.join(known['color'])}; the materials {', '.join(known['material'])}; "
         f"the patterns {', '.join(known['pattern'])}. --ignore-unknown-words leaves out what it "
@@ -40,7 +40,7 @@ def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) 
 def two_error(slot: str, words: list[str]) -> UserError:
     """The error for more than one word where a slot takes one."""
     return PromptError(
-        f"The built-in prior takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
+        f"The built-in model takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
         f"Keep one of them. {ELSEWHERE}",
     )
@@ -50,7 +50,7 @@ def part_error(noun: str, part: str, there: bool, options: list[str]) -> UserErr
     """The error for a part that the noun cannot have (``there``) or lack; ``options`` it can."""
     choice = f"Use one of: {', '.join(options)}." if options else "Leave that out."
     state = f"with {part}" if there else f"without {part}"
-    return UserError(f"The built-in prior cannot make a {noun} {state}.", choice)
+    return UserError(f"The built-in model cannot make a {noun} {state}.", choice)
 
 
 def known_things(known: Vocabulary) -> str:

@@ -197,7 +197,7 @@ class Reading:
             else repr(token)
             for token in dict.fromkeys(self.left_out)
         ]
-        return [f"The built-in prior does not know {', '.join(texts)}: left out."]
+        return [f"The built-in model does not know {', '.join(texts)}: left out."]
 
     def colors(self) -> dict[str, str]:
         """The first colour, the second, and the pattern that a second one implies."""

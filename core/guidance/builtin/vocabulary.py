@@ -118,7 +118,7 @@ def parse(
         if things:
             raise unknown_error(things, [], known)
         raise PromptError(
-            f"The prompt {prompt.strip()!r} does not name a thing the built-in prior knows.",
+            f"The prompt {prompt.strip()!r} does not name a thing the built-in model knows.",
             f"{known_things(known)} {ELSEWHERE}",
         )
     # The part last: what may be stated of it depends on the noun.
