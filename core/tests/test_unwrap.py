@@ -16,7 +16,7 @@ from core.tests.texture_shapes import torus
 from core.texture import unwrap as module
 from core.texture.simplify import simplify
 from core.texture.texels import texel_points, uv_faults
-from core.texture.unwrap import PADDING, overlapping, squashed, unwrap
+from core.texture.unwrap import FILL, PADDING, overlapping, squashed, unwrap
 
 SIZE = 256
 
@@ -192,3 +192,32 @@ def test_a_large_mesh_takes_seconds_and_fills_half(monkeypatch) -> None:
     assert told["uv_fill"] > 0.5
     assert told["uv_stretch"] < 1.05
     assert uv_faults(*atlas) == []
+
+
+def crosses(count: int, steps: int = 6) -> tuple[torch.Tensor, torch.Tensor]:
+    """Flat crosses, each a component: five squares of a box of nine."""
+    verts, faces = [], []
+    for i in range(count):
+        for x, y in ((1, 0), (0, 1), (1, 1), (2, 1), (1, 2)):
+            for cell in range(steps * steps):
+                a, b = x + cell % steps / steps, y + cell // steps / steps
+                corners = [(a, b), (a + 1 / steps, b), (a + 1 / steps, b + 1 / steps)]
+                corners.append((a, b + 1 / steps))
+                start = len(verts)
+                verts += [(p + 4 * i, q, 0.0) for p, q in corners]
+                faces += [(start, start + 1, start + 2), (start, start + 2, start + 3)]
+    welded, index = np.unique(np.round(np.array(verts), 6), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[np.array(faces)]
+    return torch.from_numpy(welded).float(), torch.from_numpy(faces)
+
+
+def test_charts_that_leave_much_room_are_cut_until_they_fill_the_square(monkeypatch) -> None:
+    mesh = crosses(3)
+    cut = uv_health(Mesh(*mesh, *unwrap(*mesh, SIZE)))
+    monkeypatch.setattr(module, "CUTS", 0)
+    whole = uv_health(Mesh(*mesh, *unwrap(*mesh, SIZE)))
+    print(cut, whole)
+    assert whole["uv_fill"] < FILL
+    assert cut["uv_fill"] > whole["uv_fill"] + 0.03
+    assert cut["uv_islands"] > whole["uv_islands"] == 3
+    assert cut["uv_stretch"] == pytest.approx(1, abs=0.02)

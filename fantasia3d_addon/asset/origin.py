@@ -38,7 +38,7 @@ def set_origin(owner: bpy.types.ID, info: Mapping[str, Any]) -> None:
 
 
 def made_lines(made_by: Any) -> dict[str, str]:
-    """The versions and the hashes of the model's files, a line each, as a GLB's extras have them."""
+    """The versions and the hashes of the model's files, a line each."""
     made = made_by if isinstance(made_by, dict) else {}
     weights = made.get("weights")
     hashes = weights.items() if isinstance(weights, dict) else ()
