@@ -13,8 +13,9 @@ def place(order, sizes, first, spans, room):
     ``spans[first[c * T + t] : first[c * T + t + 1]]``: rows of (row, from, to), to exclusive.
     """
     charts, turns = sizes.shape[:2]
-    # How many cells are taken to the left of each: a span is free where both ends have the same.
-    taken = np.zeros((room, room + 1), np.int32)
+    # The last taken cell up to each one of a row, -1 for none: a span is free where that of its
+    # end lies before its start.
+    taken = np.full((room, room), -1, np.int32)
     found = np.full((charts, 3), -1, np.int64)
     for c in order:
         best = 4 * room * room
@@ -22,15 +23,18 @@ def place(order, sizes, first, spans, room):
             width, height = sizes[c, t]
             own = spans[first[c * turns + t] : first[c * turns + t + 1]]
             for y in range(room - height + 1):
-                for x in range(room - width + 1):
+                x = 0
+                while x <= room - width:
                     # Its middle lies as low as may be, then as far to the left.
                     cost = room * (2 * y + height) + x + width
                     if cost >= best:
                         break
-                    if _is_free(taken, own, x, y):
+                    step = _blocked(taken, own, x, y)
+                    if step == 0:
                         best = cost
                         found[c] = (t, x, y)
                         break
+                    x += step
         if found[c, 0] < 0:
             return found
         k = c * turns + found[c, 0]
@@ -39,17 +43,19 @@ def place(order, sizes, first, spans, room):
 
 
 @compiled
-def _is_free(taken, own, x, y):
+def _blocked(taken, own, x, y):
+    """How far to the right the first span that is not free becomes free; 0 where all are."""
     for i in range(len(own)):
-        row = y + own[i, 0]
-        if taken[row, x + own[i, 2]] != taken[row, x + own[i, 1]]:
-            return False
-    return True
+        start = x + own[i, 1]
+        last = taken[y + own[i, 0], x + own[i, 2] - 1]
+        if last >= start:
+            return last - start + 1
+    return 0
 
 
 @compiled
 def _take(taken, own, x, y):
     for i in range(len(own)):
         row, start, end = y + own[i, 0], x + own[i, 1], x + own[i, 2]
-        for column in range(start, taken.shape[1] - 1):
-            taken[row, column + 1] += min(column + 1, end) - start
+        for column in range(start, taken.shape[1]):
+            taken[row, column] = max(taken[row, column], min(column, end - 1))

@@ -10,7 +10,7 @@ from scipy.ndimage import binary_dilation, distance_transform_edt
 from core.kernels.cells import mark
 from core.texture import packing
 from core.texture.packing import PASSES, REST, in_least_box, pack
-from core.texture.placing import placed
+from core.texture.placing import cells_of, placed
 
 RANDOM = np.random.default_rng(0)
 
@@ -94,8 +94,8 @@ def test_a_chart_without_room_is_none_and_one_with_room_is_where_it_is_free() ->
     uv, faces, chart = blobs(12)
     found = packing.charts_of(uv, faces, chart)
     random = np.random.default_rng(0)
-    assert placed(found, 1000.0, 1, 100, random) is None
-    at = placed(found, 60.0, 1, 250, random)
+    assert placed(cells_of(found, 1000.0, 1), 100, random) is None
+    at = placed(cells_of(found, 60.0, 1), 250, random)
     assert min(x.min() for x in at) >= 0
     assert max(x.max() for x in at) <= 250
     count = np.zeros((252, 252), int)

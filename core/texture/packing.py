@@ -15,7 +15,7 @@ import numpy as np
 import xatlas
 from jaxtyping import Float, Int
 
-from core.texture.placing import Chart, placed, turned
+from core.texture.placing import Chart, cells_of, placed, turned
 
 CELLS = 512  # along the square: the steps in which xatlas looks for places
 EXPECTED_FILL = 0.7  # fraction of the square that charts fill at the first scale
@@ -110,10 +110,13 @@ def closer(
 ) -> tuple[Float[np.ndarray, "u 2"], float]:
     """``best``, the places in cells and their scale, or our own at a larger scale."""
     random, (step, least), misses = np.random.default_rng(0), CLOSER_GROWTH, 0
+    scale, cells = 0.0, None
     for round_ in range(CLOSER_PASSES):
         progress(round_ / CLOSER_PASSES)
-        scale = best[1] * (1 + step)
-        at = placed(found, scale, padding, CELLS - 2 * padding, random)
+        wanted = best[1] * (1 + step)
+        if cells is None or wanted != scale:
+            scale, cells = wanted, cells_of(found, wanted, padding)
+        at = placed(cells, CELLS - 2 * padding, random)
         if at is not None:
             out = np.zeros_like(best[0])
             for one, places in zip(found, at, strict=True):

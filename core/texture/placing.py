@@ -31,28 +31,44 @@ def turned(at: Float[np.ndarray, "n 2"], turn: int) -> Float[np.ndarray, "n 2"]:
     return at
 
 
-def placed(
-    found: list[Chart], scale: float, padding: int, room: int, random: np.random.Generator
-) -> list[Float[np.ndarray, "_ 2"]] | None:
-    """Where each chart's uv are at ``scale`` cells a unit, in a square of ``room`` cells a side.
+class Cells(NamedTuple):
+    """Charts at one scale in each of their turns: chart c in turn t is number c * TURNS + t."""
 
-    ``padding`` cells lie round every chart, outside of the square too. None: they do not fit.
-    ``random`` varies the order.
-    """
-    turns = [turned(one.at * scale, turn) for one in found for turn in range(TURNS)]
+    at: list[Float[np.ndarray, "_ 2"]]
+    area: Int[np.ndarray, " c"]  # in cells, the padding too
+    sizes: Int[np.ndarray, "c t 2"]  # width and height, likewise
+    first: Int[np.ndarray, " n"]  # where each one's rows start in ``rows``
+    rows: Int[np.ndarray, "s 3"]
+    padding: int
+
+
+def cells_of(found: list[Chart], scale: float, padding: int) -> Cells:
+    """The cells that charts take at ``scale`` cells a unit, with ``padding`` cells round each."""
+    at = [turned(one.at * scale, turn) for one in found for turn in range(TURNS)]
     corners = [one.corners for one in found for _ in range(TURNS)]
-    masks = [mask_of(*one, padding) for one in zip(turns, corners, strict=True)]
-    area = np.array([mask.sum() for mask in masks[::TURNS]])
-    order = np.argsort(-area * random.uniform(0.8, 1.25, len(area)), kind="stable")
+    masks = [mask_of(*one, padding) for one in zip(at, corners, strict=True)]
     sizes = np.array([mask.shape[::-1] for mask in masks]).reshape(len(found), TURNS, 2)
     rows = [spans_of(mask) for mask in masks]
     first = np.cumsum([0, *map(len, rows)])
-    side = room + 2 * padding  # the square with the padding about it
-    where = place(order, sizes, first, np.concatenate(rows), side)
+    area = np.array([mask.sum() for mask in masks[::TURNS]])
+    return Cells(at, area, sizes, first, np.concatenate(rows), padding)
+
+
+def placed(
+    cells: Cells, room: int, random: np.random.Generator
+) -> list[Float[np.ndarray, "_ 2"]] | None:
+    """Where each chart's uv are in a square of ``room`` cells a side, in cells.
+
+    The padding may lie outside of the square. None: they do not fit. ``random`` varies the order.
+    """
+    factor = random.uniform(0.8, 1.25, len(cells.area))
+    order = np.argsort(-cells.area * factor, kind="stable")
+    side = room + 2 * cells.padding  # the square with the padding about it
+    where = place(order, cells.sizes, cells.first, cells.rows, side)
     if (where < 0).any():
         return None
     return [
-        turns[chart * TURNS + turn] + (x, y) for chart, (turn, x, y) in enumerate(where.tolist())
+        cells.at[chart * TURNS + turn] + (x, y) for chart, (turn, x, y) in enumerate(where.tolist())
     ]
 
 
