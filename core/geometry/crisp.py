@@ -55,13 +55,15 @@ def crisp(
     here, before = v
     patch = patch_of(here, before, f, part.cpu().numpy(), np.array(flatness))
     planes = planes_of(patch)
-    if not planes.normal:
-        return verts, faces
-    at = Meeting.of(here, patch, planes)
-    share = blend(patch, planes, len(here))
-    places = here + share[:, None] * (at.spread(here, f) - here)
-    wanted = np.where(planes.label[:, None] >= 0, planes.table[planes.label, :3], patch.normal)
-    left = without_turned(places, f, wanted, at.member)
+    places, held = here, csr_array((len(here), 1))
+    if planes.normal:
+        at = Meeting.of(here, patch, planes)
+        share = blend(patch, planes, len(here))
+        places, held = here + share[:, None] * (at.spread(here, f) - here), at.member
+    _, wanted = areas_and_normals(before, f)
+    flat = planes.label >= 0
+    wanted[flat] = planes.table[planes.label[flat], :3]
+    left = without_turned(places, f, wanted, held)
     used, left = np.unique(left, return_inverse=True)
     made = places[used] * cell, left.reshape(-1, 3)
     return torch.from_numpy(made[0]).to(verts), torch.from_numpy(made[1]).to(faces)

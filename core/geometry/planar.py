@@ -79,7 +79,7 @@ class Planes:
     @property
     def table(self) -> Float[np.ndarray, "p 4"]:
         """Normal and offset of each."""
-        return np.c_[np.array(self.normal), np.array(self.offset)]
+        return np.c_[np.reshape(self.normal, (-1, 3)), self.offset]
 
 
 def planes_of(patch: Patch) -> Planes:

@@ -13,6 +13,7 @@ from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.faces import areas_and_normals, unit
+from core.geometry.mesh import mean_around
 
 SHARE = (
     0.92  # of a part's surface that the families have the same all around: a square seat has 0.76
@@ -22,7 +23,8 @@ ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
 NEAREST, FEWEST = 160, 20  # of them, in the half plane
 REACH = 2.5  # cells
 NORMAL_REACH = 2.0  # cells that normals at a right angle are apart: edges of the profile stay
-ROUNDS = 2
+SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the vertices
+FADE = 4  # the same, of where the part is: its border goes as its neighbours do
 FARTHEST = 1.5  # cells that a vertex moves
 OUTSIDE = 1.0  # cells off the profile, of a vertex that is not part of it
 LEAST = 200  # vertices of a part
@@ -56,9 +58,11 @@ def on_profile(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
 ) -> Float[np.ndarray, "v 3"]:
     """The vertices with those of ``mine`` on the profile about their axis."""
-    start, normal = verts, normals(verts, faces)
-    centre = axis(verts[mine], normal[mine])
-    for _ in range(ROUNDS):
+    start, normal, around = verts, normals(verts, faces), mean_around(faces, len(verts))
+    centre, share = axis(verts[mine], normal[mine]), mine.astype(float)
+    for _ in range(FADE):
+        share = np.where(mine, around @ share, 0.0)
+    for rounds in SMOOTHING:
         out = verts[mine, :2] - centre
         radius = np.maximum(np.linalg.norm(out, axis=1), 1e-6)
         out = out / radius[:, None]
@@ -67,8 +71,12 @@ def on_profile(
         place = np.stack([radius, verts[mine, 2]], 1)
         move = _towards_profile(place, unit(across))
         step = np.concatenate([out * move[:, :1], move[:, 1:]], 1)
-        verts = verts.copy()
-        verts[mine] += step
+        every = np.zeros_like(verts)
+        every[mine] = step
+        # Neighbours go alike: at a rim they may be of two sides of the profile.
+        for _ in range(rounds):
+            every = around @ every
+        verts = verts + every * (share if rounds == 0 else mine)[:, None]
         normal = normals(verts, faces)
     moved = verts - start
     length = np.linalg.norm(moved, axis=1, keepdims=True)

@@ -49,3 +49,14 @@ def test_other_parts_and_parts_that_are_not_round_stay_to_the_last_bit():
     assert not torch.equal(made[part == 0], verts[part == 0])
     same = revolved(verts, faces, part, (0.9, 0.9), CELL)
     assert torch.allclose(same, verts, atol=1e-7)
+
+
+def test_where_the_part_ends_its_vertices_go_as_their_neighbours_do():
+    handle = moved(tube((0.0, 0.0, -0.1), (0.35, 0.0, 0.1), 0.1), (0.45, -0.07, 0.0))
+    verts, faces = lumpy(join(VASE, handle))
+    part = (verts[:, 0] > 0.62).long()
+    made = revolved(verts, faces, part, (0.95, 0.0), CELL)
+    one, other = faces[:, [0, 1, 2]].reshape(-1), faces[:, [1, 2, 0]].reshape(-1)
+    border = part[one] != part[other]
+    stretched = (made[one] - made[other] - verts[one] + verts[other]).norm(dim=1)[border]
+    assert len(stretched) > 10 and float(stretched.quantile(0.95)) < 0.3 * CELL
