@@ -59,4 +59,4 @@ def test_where_the_part_ends_its_vertices_go_as_their_neighbours_do():
     one, other = faces[:, [0, 1, 2]].reshape(-1), faces[:, [1, 2, 0]].reshape(-1)
     border = part[one] != part[other]
     stretched = (made[one] - made[other] - verts[one] + verts[other]).norm(dim=1)[border]
-    assert len(stretched) > 10 and float(stretched.quantile(0.95)) < 0.3 * CELL
+    assert len(stretched) > 10 and float(stretched.quantile(0.95)) < 0.4 * CELL
