@@ -111,7 +111,7 @@ def packed_once() -> Callable:
     """The packing, remembered, for ``unwrap.pack``. It reports no progress, which a remembered
     result has none of: each session has the same events."""
     pack = remembered(packing.pack)
-    return lambda uv, face_uvs, chart, gap, _: pack(uv, face_uvs, chart, gap)
+    return lambda uv, face_uvs, chart, gap, _=None: pack(uv, face_uvs, chart, gap)
 
 
 def remembered(function: Callable) -> Callable:
