@@ -101,7 +101,10 @@ def cut_to_fill(
         progress(cut / CUTS)
         if fill >= FILL or chart.max() >= FEW:
             break
-        chart = halved(chart, sprawling(uv, current, chart), adjacent, verts[faces].mean(1))
+        cut_up = halved(chart, sprawling(uv, current, chart), adjacent, verts[faces].mean(1))
+        if cut_up.max() == chart.max():  # single faces: there is nothing to cut
+            break
+        chart = cut_up
         uv, current, chart = flat_charts(verts, faces, chart, lambda _: None)
         again = pack(uv, current, chart, PADDING / size)
         filled = 0.0 if again is None else float(triangle_areas(again[current]).sum())
