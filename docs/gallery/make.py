@@ -17,7 +17,12 @@ ROOT = HERE.parent.parent
 BATCH = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
-FIRST = ("a rusty metal robot", "a golden crown", "a corgi", "a white car with red wheels")
+FIRST = (
+    "a rusty metal robot",
+    "a golden crown",
+    "a red wooden chair",
+    "a white car with red wheels",
+)
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
 
