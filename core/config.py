@@ -126,11 +126,11 @@ class GeometryConfig:
     join: bool = False  # struts between the connected components of the finished mesh
     floaters: Fraction = 0.08  # a component of less area than this much of the largest is dropped
     polish: Annotated[int, Range(0, 1000)] = 0  # rounds of Taubin smoothing of the finished mesh
-    forms: bool = True  # of known parts: what was meant to be flat or round is exactly so
     # Rounds of bilateral filtering of its normals after that.
     flatten: Annotated[int, Range(0, 1000)] = 0
     # How far unit normals may differ and still be of one plane.
     flatten_sigma: Annotated[float, Range(0.01, 2.0)] = 0.3
+    forms: bool = True  # of known parts: what was meant to be flat or round is exactly so
 
 
 @dataclass(frozen=True, kw_only=True)

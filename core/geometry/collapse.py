@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int
 from scipy.sparse import csr_array
 
-from core.geometry.faces import areas_and_normals, unit
+from core.geometry.faces import areas_and_normals
 
 LEAST_COSINE = 0.2  # between a face and where it should look
 STEADY = 0.95  # the same, where a vertex leaves a plane of its own
@@ -90,5 +90,4 @@ class _Mesh:
         return True
 
     def _cosines(self, faces: np.ndarray, of: list[int]) -> np.ndarray:
-        a, b, c = (self.verts[faces[:, k]] for k in range(3))
-        return (unit(np.cross(b - a, c - a)) * self.wanted[of]).sum(1)
+        return (areas_and_normals(self.verts, faces)[1] * self.wanted[of]).sum(1)

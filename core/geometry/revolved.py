@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.spatial import KDTree
 from torch import Tensor
 
-from core.geometry.faces import areas_and_normals, unit
+from core.geometry.faces import normals_of, unit
 from core.geometry.mesh import mean_around
 
 SHARE = (
@@ -58,7 +58,7 @@ def on_profile(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
 ) -> Float[np.ndarray, "v 3"]:
     """The vertices with those of ``mine`` on the profile about their axis."""
-    start, normal, around = verts, normals(verts, faces), mean_around(faces, len(verts))
+    start, normal, around = verts, unit(normals_of(verts, faces)), mean_around(faces, len(verts))
     centre, share = axis(verts[mine], normal[mine]), mine.astype(float)
     for _ in range(FADE):
         share = np.where(mine, around @ share, 0.0)
@@ -77,7 +77,7 @@ def on_profile(
         for _ in range(rounds):
             every = around @ every
         verts = verts + every * (share if rounds == 0 else mine)[:, None]
-        normal = normals(verts, faces)
+        normal = unit(normals_of(verts, faces))
     moved = verts - start
     length = np.linalg.norm(moved, axis=1, keepdims=True)
     return start + moved * np.minimum(1, FARTHEST / np.maximum(length, 1e-9))
@@ -119,13 +119,3 @@ def axis(
         centre = np.linalg.solve(system, (across * weight[:, None]).T @ height)
         weight = 1 / np.maximum(np.abs(across @ centre - height), 0.25)
     return centre
-
-
-def normals(
-    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
-) -> Float[np.ndarray, "v 3"]:
-    """Unit normals of the vertices, by area."""
-    area, normal = areas_and_normals(verts, faces)
-    weighted = np.repeat(normal * area[:, None], 3, 0)
-    corner = faces.reshape(-1)
-    return unit(np.stack([np.bincount(corner, x, len(verts)) for x in weighted.T], 1))

@@ -4,6 +4,8 @@ import numpy as np
 
 from core.kernels.compiled import compiled
 
+LEAST_COSINE, FARTHEST = 0.3, 1.6  # to a plane that a face may take, and cells off it
+
 
 @compiled
 def connected(seed, plane, least, far, normal, middle, part, label, adjacent, mark, stamp, queue):
@@ -61,7 +63,7 @@ def relabel(label, planes, costs, normal, middle, area, part, part_of, adjacent,
                     for k in range(3):
                         cosine += normal[face, k] * planes[mine, k]
                         off += middle[face, k] * planes[mine, k]
-                    if cosine < 0.3 or abs(off) > 1.6:
+                    if cosine < LEAST_COSINE or abs(off) > FARTHEST:
                         continue
                     cost = by_distance * off * off + by_angle * (1 - cosine)
                     if part_of[mine] != part[face]:

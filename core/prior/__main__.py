@@ -32,6 +32,7 @@ from core.prior.evaluate import (
     score_pattern,
 )
 from core.prior.models import CATALOGUE, INSTALL, make_models
+from core.prior.part_forms import write_forms
 from core.prior.part_score import report_parts
 from core.prior.part_training import FINDING_PARTS, PART_NETWORK, PartMaps, part_loss
 from core.prior.restorer import RESTORER, RESTORING, Restoring, restoring_loss
@@ -95,7 +96,7 @@ def minutes(text: str) -> float:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The four commands."""
+    """The five commands."""
     top = argparse.ArgumentParser("core.prior", description=__doc__)
     commands = top.add_subparsers(dest="command", required=True)
 
@@ -132,6 +133,8 @@ def parser() -> argparse.ArgumentParser:
     ship = commands.add_parser("ship", help="put the trained weights into the project")
     ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
 
+    commands.add_parser("forms", help="ask the families how flat and how round each part is")
+
     for command in (data, train, ship):
         command.add_argument("--out", type=Path, default=DEFAULT_FOLDER, metavar="FOLDER")
     return top
@@ -141,7 +144,8 @@ def main(arguments: list[str]) -> None:
     """Run one command."""
     options = parser().parse_args(arguments)
     torch.set_num_threads(1)
-    {"data": data, "train": train, "evaluate": evaluate, "ship": ship}[options.command](options)
+    known = {"data": data, "train": train, "evaluate": evaluate, "ship": ship, "forms": forms}
+    known[options.command](options)
 
 
 def data(options: argparse.Namespace) -> None:
@@ -231,6 +235,12 @@ def evaluate(options: argparse.Namespace) -> None:
     for pattern in SLOTS["pattern"]:
         fraction = score_pattern(net, pattern, PATTERNED, generator)
         print(f"{pattern}: {fraction:.2f} of the colours' variance explained, {PATTERNED} objects")
+
+
+def forms(options: argparse.Namespace) -> None:
+    """Write the project's table; about 10 minutes of one core."""
+    del options
+    write_forms()
 
 
 def summary(scores: list[Score]) -> None:

@@ -2,7 +2,8 @@
 
 import torch
 
-from core.geometry.revolved import axis, normals, revolved
+from core.geometry.faces import normals_of, unit
+from core.geometry.revolved import axis, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 from core.prior.solids import box, join, lathe, moved, tube
@@ -36,7 +37,7 @@ def test_the_axis_is_found_beside_the_middle_and_past_a_handle():
     solid = join(VASE, moved(tube((0.0, 0.0, -0.3), (0.35, 0.0, 0.3), 0.08), (0.5, -0.07, 0.0)))
     verts, faces = lumpy(solid, 0.2)
     v, f = verts.double().numpy() / CELL, faces.numpy()
-    found = axis(v, normals(v, f)) * CELL
+    found = axis(v, unit(normals_of(v, f))) * CELL
     assert abs(found[0] - AXIS[0]) < 0.5 * CELL and abs(found[1] - AXIS[1]) < 0.5 * CELL
 
 

@@ -19,7 +19,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 from torch import Tensor
 
-from core.geometry.faces import areas_and_normals, neighbours, unit
+from core.geometry.faces import areas_and_normals, neighbours, normals_of, unit
 from core.geometry.mesh import Mesh, health, mean_around
 from core.geometry.tangents import smooth_normals
 from core.kernels import remesh as loops
@@ -305,15 +305,6 @@ def fit(mesh: Table, surface: Surface, length: float) -> None:
     _, nearest = tree.query(np.c_[surface.middles, NEAR * length * surface.normals])
     own = add_planes(live[nearest], surface.middles, surface.normals, surface.areas, used)
     mesh.quadrics[:used] = own + AROUND * (mean_around(faces, used) @ own)
-
-
-def normals_of(
-    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
-) -> Float[np.ndarray, "v 3"]:
-    """Of the vertices, by area, as long as it comes; zero for a vertex without faces."""
-    a, b, c = (verts[faces[:, i]] for i in range(3))
-    cross = np.repeat(np.cross(b - a, c - a), 3, 0)
-    return np.stack([np.bincount(faces.reshape(-1), x, len(verts)) for x in cross.T], 1)
 
 
 def spread(mesh: Table, surface: Surface, lines: tuple, length: float) -> None:
