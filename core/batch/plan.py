@@ -91,18 +91,29 @@ def _builtin_weights() -> dict[str, str]:
     return made_by(Job(prompt="a cube"))["weights"]
 
 
-@cache
 def _content(value: str) -> str:
     """A file's hash, a folder's (a checkpoint's), or the ``value`` that names neither."""
     path = Path(value)
     if not value or not path.exists():
         return value
     if path.is_file():
-        return file_hash(path)
+        return _hashed(path)
     files = sorted(x for x in path.rglob("*") if x.is_file())
     found = [(x.relative_to(path).as_posix(), x.stat().st_size, _small(x)) for x in files]
     return hashlib.sha256(json.dumps(found).encode()).hexdigest()
 
 
 def _small(path: Path) -> str:
-    return file_hash(path) if path.stat().st_size <= SMALL else ""
+    return _hashed(path) if path.stat().st_size <= SMALL else ""
+
+
+def _hashed(path: Path) -> str:
+    known = path.stat()
+    return _hash_of(path, known.st_size, known.st_mtime_ns)
+
+
+@cache
+def _hash_of(path: Path, size: int, time_ns: int) -> str:
+    """Read once for the rows that share a file, and again where it was written anew."""
+    del size, time_ns
+    return file_hash(path)

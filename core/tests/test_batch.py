@@ -148,10 +148,14 @@ def test_what_does_not_decide_it_is_not():
 
 def test_a_file_counts_by_what_it_holds(tmp_path):
     files = [tmp_path / name for name in ("a.obj", "b.obj", "c.obj")]
+    jobs = [Job(prompt="x", command="texture", mesh=str(file)) for file in files]
+    missing = digest(jobs[0])
     for file, text in zip(files, ("v 0 0 0", "v 0 0 0", "v 1 0 0"), strict=True):
         file.write_text(text)
-    a, b, c = (digest(Job(prompt="x", command="texture", mesh=str(f))) for f in files)
-    assert a == b != c
+    a, b, c = map(digest, jobs)
+    assert missing != a == b != c
+    files[0].write_text("v 2 0 0 # written anew while this process runs")
+    assert digest(jobs[0]) not in (missing, a, c)
 
 
 def test_new_weights_are_another_asset(monkeypatch):
