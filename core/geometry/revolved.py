@@ -1,4 +1,4 @@
-"""Parts that are the same all around an upright axis, made exactly so.
+"""Parts that are the same all around an axis, made exactly so: a mug's body, a car's wheels.
 
 In the half plane through the axis every vertex of such a part lies on one curve, the profile, next
 to vertices from all around. Each goes to the mean of these along its normal (the projection of
@@ -9,15 +9,16 @@ what the profile has stays. Lengths are in cells of the lattice that the mesh co
 import numpy as np
 import torch
 from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.faces import normals_of, unit
 from core.geometry.mesh import mean_around
 
-SHARE = (
-    0.92  # of a part's surface that the families have the same all around: a square seat has 0.76
-)
+# Of a part's surface that the families have the same all around: a square seat has 0.76.
+SHARE = 0.92
 UPRIGHT = 0.5  # of a normal, above which it says nothing of where the axis is
 ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
 NEAREST, FEWEST = 160, 20  # of them, in the half plane
@@ -27,7 +28,7 @@ SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the 
 FADE = 4  # the same, of where the part is: its border goes as its neighbours do
 FARTHEST = 1.5  # cells that a vertex moves
 OUTSIDE = 1.0  # cells off the profile, of a vertex that is not part of it
-LEAST = 200  # vertices of a part
+LEAST = 80  # vertices of a piece
 AXIS_ROUNDS = 10
 
 
@@ -35,23 +36,39 @@ def revolved(
     verts: Float[Tensor, "v 3"],
     faces: Int[Tensor, "f 3"],
     part: Int[Tensor, " v"],
-    share: tuple[float, ...],
+    share: tuple[tuple[float, ...], ...],
     cell: float,
 ) -> Float[Tensor, "v 3"]:
     """The vertices of round parts on their profile; all others stay.
 
     Args:
         part: of each vertex.
-        share: of each part, the fraction of its surface that is the same all around.
+        share: of each part, the fraction of its surface that is the same all around an axis of
+            each of its pieces: along x, along y, along z.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
     """
     places, of = verts.detach().cpu().double().numpy() / cell, part.cpu().numpy()
     faces_np = faces.cpu().numpy()
-    for k in np.flatnonzero(np.array(share) >= SHARE):
-        mine = of == k
-        if mine.sum() >= LEAST:
-            places = on_profile(places, faces_np, mine)
+    for k, around in enumerate(np.array(share).T):
+        if around.max() < SHARE:
+            continue
+        along = int(around.argmax())
+        upright = np.roll(np.arange(3), 2 - along)  # the axes, turned so that this one is the third
+        for mine in connected(faces_np, of == k):
+            if mine.sum() >= LEAST:
+                places = on_profile(places[:, upright], faces_np, mine)[:, np.argsort(upright)]
     return torch.from_numpy(places * cell).to(verts)
+
+
+def connected(
+    faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
+) -> list[Bool[np.ndarray, " v"]]:
+    """The connected pieces of the vertices of ``mine``."""
+    edges = faces[:, [0, 1, 1, 2]].reshape(-1, 2)
+    edges = edges[mine[edges].all(1)]
+    graph = coo_array((np.ones(len(edges)), edges.T), shape=(len(mine), len(mine)))
+    piece = np.where(mine, connected_components(graph, directed=False)[1], -1)
+    return [piece == each for each in np.unique(piece[mine])]
 
 
 def on_profile(

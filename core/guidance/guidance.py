@@ -134,9 +134,10 @@ class KnownParts(NamedTuple):
     """Where an object's parts are, and what they are like."""
 
     at: Callable[[Float[Tensor, "n 3"]], Int[Tensor, " n"]]  # of places in training units
-    # Of each part, the fraction of its surface that is flat, or the same around an upright axis.
+    # Of each part, the fraction of its surface that is flat, ...
     flat: tuple[float, ...]
-    round: tuple[float, ...]
+    # ... and the same all around an axis of each of its pieces: along x, along y, along z.
+    round: tuple[tuple[float, ...], ...]
 
 
 class PromptedGuidance(ABC):

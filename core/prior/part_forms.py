@@ -2,12 +2,18 @@
 
 import json
 import math
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 import torch
 from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
 from torch import Tensor
 
+from core.geometry.revolved import axis
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.part_forms import TABLE
 from core.guidance.builtin.part_map import PARTS
@@ -23,38 +29,81 @@ FLAT_DEG = 2.5  # between them at the first
 CURVED_DEG = (3.0, 25.0)  # at the second; more is an edge
 TURNS_DEG = (37.0, 101.0, 164.0, 229.0, 311.0)
 ON = 0.012  # training units off a surface that is still on it
+CELL = 2 * EXTENT / 64  # training units, of the lattice that objects are drawn on
+APART = 0.07  # training units between the nearest surface points of two pieces of a part
 SEED = 9_000_000
 
 
-def part_forms(noun: str, objects: int = OBJECTS) -> Float[Tensor, "2 p"]:
-    """The flat fraction of the surface of each of the noun's parts, and the fraction that is the
-    same all around; 0 of a part never seen."""
+def part_forms(noun: str, objects: int = OBJECTS) -> Float[Tensor, "4 p"]:
+    """Fractions of the surface of each of the noun's parts; 0 of a part never seen.
+
+    What is flat, and what is the same all around an axis of its piece along x, along y, along z.
+    """
     draw = Draw(torch.Generator().manual_seed(SEED + NOUNS.index(noun)))
-    found, seen = torch.zeros(2, PARTS), torch.zeros(PARTS)
+    found, seen = torch.zeros(4, PARTS), torch.zeros(PARTS)
     for _ in range(objects):
         shape = build(noun, "", draw)
         points = _surface(shape, draw.generator)
         part = shape.part(points)
-        kinds = torch.stack([is_flat(shape, points), is_round(shape, points, part)])
-        found.index_add_(1, part, kinds.float())
+        axes = axes_of(shape, points, part)
+        around = [is_round(shape, points, part, axes[along], along) for along in range(3)]
+        found.index_add_(1, part, torch.stack([is_flat(shape, points), *around]).float())
         seen.index_add_(0, part, torch.ones(len(part)))
     return found / seen.clamp_min(1)
 
 
 def is_round(
-    shape: Shape, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]
+    shape: Shape,
+    points: Float[Tensor, "n 3"],
+    part: Int[Tensor, " n"],
+    on_axis: Float[Tensor, "*n 3"],
+    along: int,
 ) -> Bool[Tensor, " n"]:
-    """Whether a point stays on its part's surface when it is turned about the family's axis."""
-    axis = -torch.tensor(shape.center[:2]) * torch.tensor(shape.scale[:2])
+    """Whether a point stays on its part's surface when it is turned about the line through
+    ``on_axis`` along one of x, y, z."""
+    first, second = (along + 1) % 3, (along + 2) % 3
     hits = torch.zeros(len(points))
+    off = points - on_axis
     for degrees in TURNS_DEG:
         turn = torch.tensor(math.radians(degrees))
         c, s = turn.cos(), turn.sin()
-        x, y = (points[:, :2] - axis).T
-        turned = torch.stack([c * x - s * y + axis[0], s * x + c * y + axis[1], points[:, 2]], 1)
-        off = shape.distances(turned).gather(1, part[:, None])[:, 0]
-        hits += off.abs() < ON
+        turned = off.clone()
+        turned[:, first] = c * off[:, first] - s * off[:, second]
+        turned[:, second] = s * off[:, first] + c * off[:, second]
+        distance = shape.distances(turned + on_axis).gather(1, part[:, None])[:, 0]
+        hits += distance.abs() < ON
     return hits >= len(TURNS_DEG) - 1  # a handle may be in the way
+
+
+def axes_of(
+    shape: Shape, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]
+) -> Float[Tensor, "3 n 3"]:
+    """A point on each axis, along x, y and z, of the piece of its part that a point is on."""
+    found = torch.zeros(3, len(points), 3)
+    for k in part.unique().tolist():
+        solid = partial(_distance_to, shape, k)
+        own = surface_points(solid, 2 * EXTENT / 1.5)
+        normal = gradient(solid, own)
+        tree = KDTree(own.numpy())
+        pairs = tree.query_pairs(APART, output_type="ndarray")
+        graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(own), len(own)))
+        piece = connected_components(graph, directed=False)[1]
+        mine = torch.nonzero(part == k)[:, 0]
+        of = piece[tree.query(points[mine].numpy())[1]]
+        for each in np.unique(of):
+            some = piece == each
+            for along in range(3):
+                aside = [(along + 1) % 3, (along + 2) % 3]
+                turned = [*aside, along]
+                cells = own.numpy()[some][:, turned] / CELL
+                at = CELL * axis(cells, normal.numpy()[some][:, turned])
+                here = mine[torch.from_numpy(of == each)]
+                found[along, here[:, None], torch.tensor(aside)] = torch.from_numpy(at).float()
+    return found
+
+
+def _distance_to(shape: Shape, part: int, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+    return shape.distances(points)[:, part]
 
 
 def is_flat(shape: Shape, points: Float[Tensor, "n 3"]) -> Bool[Tensor, " n"]:
@@ -92,7 +141,7 @@ def write_forms(path: Path = TABLE) -> None:
     """The table of all nouns."""
     table = {}
     for noun in NOUNS:
-        flat, around = ([round(x, 2) for x in row] for row in part_forms(noun).tolist())
+        flat, *around = ([round(x, 2) for x in row] for row in part_forms(noun).tolist())
         table[noun] = {"flat": flat, "round": around}
     lines = [f"{json.dumps(noun)}: {json.dumps(row)}" for noun, row in table.items()]
     write_text(path, "{\n" + ",\n".join(lines) + "\n}\n")

@@ -120,8 +120,25 @@ def test_same_twice() -> None:
     assert np.array_equal(pack(*blobs(9), 1 / 256), pack(*blobs(9), 1 / 256))
 
 
-def test_too_many_find_no_room() -> None:
+def test_too_many_find_no_room(monkeypatch) -> None:
+    monkeypatch.setattr(packing, "PASSES", 3)
     assert pack(*blobs(9), 0.2) is None
+
+
+def test_no_scale_is_tried_at_which_a_chart_is_longer_than_the_square(monkeypatch) -> None:
+    """By its area alone a needle would be millions of cells long, which xatlas leaves out."""
+    scales = []
+
+    def watched(atlas, uv, face_uvs, scale, *rest):
+        scales.append(scale)
+        return laid_out(atlas, uv, face_uvs, scale, *rest)
+
+    laid_out, own = packing.laid_out, packing.cells_of
+    monkeypatch.setattr(packing, "laid_out", watched)
+    monkeypatch.setattr(packing, "cells_of", lambda *x: scales.append(x[1]) or own(*x))
+    needle = np.array([[0.0, 0], [1, 0], [0.5, 1e-7]])
+    pack(needle, np.array([[0, 1, 2]]), np.zeros(1, np.int64), 1 / 256)
+    assert scales and max(scales) <= packing.CELLS
 
 
 def test_progress_grows_and_may_stop_it() -> None:
@@ -154,6 +171,7 @@ def test_no_atlas_ends_before_its_threads_sleep(monkeypatch) -> None:
             raise KeyboardInterrupt
 
     monkeypatch.setattr(packing.xatlas, "Atlas", Watched)
+    monkeypatch.setattr(packing, "FEW", 0)  # xatlas alone, in all its passes
     pack(*blobs(9), 1 / 256)
     assert len(rests) == PASSES
     with pytest.raises(KeyboardInterrupt):

@@ -7,8 +7,8 @@ from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_forms import part_forms_table
 from core.prior.families import Shape
-from core.prior.part_forms import is_flat, is_round, part_forms
-from core.prior.solids import Solid, ball, box, tube
+from core.prior.part_forms import axes_of, is_flat, is_round, part_forms
+from core.prior.solids import Solid, ball, box, join, tube
 
 FRAME = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
 
@@ -21,14 +21,16 @@ def test_each_noun_has_a_row_with_all_its_parts():
     table = part_forms_table()
     assert set(table) == set(NOUNS)
     for noun, forms in table.items():
-        for row in forms:
+        assert len(forms.round) == 3
+        for row in (forms.flat, *forms.round):
             assert all(0 <= x <= 1 for x in row)
             assert not any(row[len(NOUNS[noun].looks) :])
 
 
 @pytest.mark.parametrize("noun", ["mug", "chair"])
 def test_the_table_is_of_the_families_of_today(noun):
-    for found, row in zip(part_forms(noun).tolist(), part_forms_table()[noun], strict=True):
+    forms = part_forms_table()[noun]
+    for found, row in zip(part_forms(noun).tolist(), (forms.flat, *forms.round), strict=True):
         assert found == pytest.approx(row, abs=0.006)
 
 
@@ -54,8 +56,30 @@ def test_round_is_what_stays_where_it_is_when_turned_about_the_axis():
     side = torch.stack([0.4 * angle.cos() - 0.1, 0.4 * angle.sin(), 0.9 * angle / 6 - 0.45], 1)
     corner = torch.tensor([[0.7, 0.1, 0.3]]).expand(50, 3)
     of_body, of_handle = torch.zeros(400, dtype=torch.long), torch.ones(50, dtype=torch.long)
-    assert is_round(shape, side, of_body).all()
-    assert not is_round(shape, corner, of_handle).any()
+    points, part = torch.cat([side, corner]), torch.cat([of_body, of_handle])
+    x_axis, _, z_axis = axes_of(shape, points, part)
+    assert is_round(shape, side, of_body, z_axis[:400], 2).all()
+    assert is_round(shape, side, of_body, x_axis[:400], 0).float().mean() < 0.5
+    assert not is_round(shape, corner, of_handle, z_axis[400:], 2).any()
+
+
+def test_each_piece_of_a_part_has_an_axis_of_its_own():
+    ends = [(y, z) for y in (-0.5, 0.5) for z in (0.0, 0.1)]
+    wheels = join(*(tube((-0.6, y, z), (-0.4, y, z), 0.3) for y, z in (ends[0], ends[3])))
+    shape = Shape({"wheels": wheels}, *FRAME)
+    points = torch.tensor([[-0.5, -0.2, 0.0], [-0.4, 0.5, 0.3]])
+    found, part = axes_of(shape, points, torch.zeros(2, dtype=torch.long)), torch.zeros(2).long()
+    assert torch.allclose(found[0, :, 1:], torch.tensor([[-0.5, 0.0], [0.5, 0.1]]), atol=0.01)
+    assert is_round(shape, points, part, found[0], 0).all()
+
+
+@pytest.mark.parametrize(
+    ("words", "kept"), [("a car", True), ("a wide car", True), ("a tall car", False)]
+)
+def test_what_an_adjective_makes_oval_is_not_round(words, kept):
+    parts = load_builtin("cpu").prompted(words, "").of_object(0).parts()
+    wheels = list(NOUNS["car"].looks).index("wheels")
+    assert parts is not None and (parts.round[0][wheels] > 0.9) == kept
 
 
 def test_the_parts_are_known_once_an_object_is_drawn():
@@ -63,7 +87,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
-    assert parts is not None and (parts.flat, parts.round) == part_forms_table()["mug"]
+    assert parts is not None and tuple(parts[1:]) == part_forms_table()["mug"]
     assert drawn.solid is not None
     found = parts.at(drawn.solid.mesh[0])
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle

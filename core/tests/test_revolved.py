@@ -1,9 +1,10 @@
 """Round parts brought onto their profile."""
 
+import numpy as np
 import torch
 
 from core.geometry.faces import normals_of, unit
-from core.geometry.revolved import axis, revolved
+from core.geometry.revolved import axis, connected, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 from core.prior.solids import box, join, lathe, moved, tube
@@ -22,10 +23,15 @@ def lumpy(solid, height=0.4):
     return verts, faces
 
 
+def upright(*share: float) -> tuple[tuple[float, ...], ...]:
+    """Of each part, the same all around an upright axis."""
+    return (0.0,) * len(share), (0.0,) * len(share), share
+
+
 def test_a_lumpy_vase_comes_to_its_profile_about_its_own_axis():
     verts, faces = lumpy(VASE)
     part = torch.zeros(len(verts), dtype=torch.long)
-    made = revolved(verts, faces, part, (0.95,), CELL)
+    made = revolved(verts, faces, part, upright(0.95), CELL)
     # Away from the rims, which a mean over the profile rounds.
     inner = verts[:, 2].abs() < 0.6
     before, after = (VASE(v[inner]).abs() / CELL for v in (verts, made))
@@ -45,10 +51,10 @@ def test_other_parts_and_parts_that_are_not_round_stay_to_the_last_bit():
     leg = box((0.8, 0.0, 0.0), (0.1, 0.1, 0.6))
     verts, faces = lumpy(join(VASE, leg))
     part = (verts[:, 0] > 0.7).long()
-    made = revolved(verts, faces, part, (0.95, 0.9), CELL)
+    made = revolved(verts, faces, part, upright(0.95, 0.9), CELL)
     assert torch.equal(made[part == 1], verts[part == 1].double().to(made.dtype))
     assert not torch.equal(made[part == 0], verts[part == 0])
-    same = revolved(verts, faces, part, (0.9, 0.9), CELL)
+    same = revolved(verts, faces, part, upright(0.9, 0.9), CELL)
     assert torch.allclose(same, verts, atol=1e-7)
 
 
@@ -56,8 +62,29 @@ def test_where_the_part_ends_its_vertices_go_as_their_neighbours_do():
     handle = moved(tube((0.0, 0.0, -0.1), (0.35, 0.0, 0.1), 0.1), (0.45, -0.07, 0.0))
     verts, faces = lumpy(join(VASE, handle))
     part = (verts[:, 0] > 0.62).long()
-    made = revolved(verts, faces, part, (0.95, 0.0), CELL)
+    made = revolved(verts, faces, part, upright(0.95, 0.0), CELL)
     one, other = faces[:, [0, 1, 2]].reshape(-1), faces[:, [1, 2, 0]].reshape(-1)
     border = part[one] != part[other]
     stretched = (made[one] - made[other] - verts[one] + verts[other]).norm(dim=1)[border]
     assert len(stretched) > 10 and float(stretched.quantile(0.95)) < 0.4 * CELL
+
+
+def test_each_wheel_comes_to_a_profile_about_its_own_lying_axis():
+    wheels = [tube((-0.9, y, z), (-0.5, y, z), 0.3, 0.04) for y, z in ((-0.5, 0.0), (0.5, 0.1))]
+    verts, faces = lumpy(join(*wheels), 0.8)
+    part = torch.zeros(len(verts), dtype=torch.long)
+    along_x = (0.95,), (0.2,), (0.2,)
+    made = revolved(verts, faces, part, along_x, CELL)
+    for wheel, side in zip(wheels, (verts[:, 1] < 0, verts[:, 1] > 0), strict=True):
+        # Away from the edges, which a mean over the profile rounds.
+        middle = side & ((verts[:, 0] + 0.7).abs() < 0.12)
+        before, after = (wheel(v[middle]).abs() / CELL for v in (verts, made))
+        assert after.mean() < 0.6 * before.mean()
+    upright_instead = revolved(verts, faces, part, along_x[::-1], CELL)
+    assert (join(*wheels)(upright_instead).abs()).mean() > join(*wheels)(made).abs().mean()
+
+
+def test_pieces_are_told_apart_by_their_edges():
+    faces = np.array([[0, 1, 2], [2, 3, 4], [5, 6, 7]])
+    found = connected(faces, np.array([1, 1, 0, 1, 1, 1, 1, 0], bool))
+    assert sorted(np.flatnonzero(each).tolist() for each in found) == [[0, 1], [3, 4], [5, 6]]

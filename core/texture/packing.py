@@ -72,12 +72,14 @@ def pack(
     ``gap`` is in parts of the square's side. None where so many charts and gaps find no room.
     """
     found = charts_of(uv, face_uvs, chart)
+    few = len(found) <= FEW
     # 1e-6: a gap of a whole number of cells is not rounded up to the next.
     padding = max(1, int(np.ceil(gap * CELLS - 1e-6)))
     # The padding along the square's own sides, which the result is moved by.
     room = CELLS - 2 * padding
     area = float(triangle_areas(uv[face_uvs]).sum())
     scale = room * np.sqrt(EXPECTED_FILL / max(area, 1e-30))
+    scale = min(scale, room / longest(found))
     # A fixed seed: the same mesh gives the same atlas.
     random, best, step = np.random.default_rng(0), None, GROWTH
     with Atlases() as atlases:
@@ -92,12 +94,14 @@ def pack(
                 best, step = (with_strays(at, apart * scale, found), scale), GROWTH
             elif not round_ % 2:  # upright again, it had to be another scale
                 step += GROWTH / 2
+            if best and few:  # our own packing goes on from there
+                break
             if best:
                 scale = best[1] * (1 + step)
             else:
                 # Nothing has fitted yet: smaller by what is too much, by GROWTH at least.
                 scale *= min(room / side, 1 - GROWTH)
-    if best and len(found) <= FEW:
+    if best and few:
         best = closer(found, best, padding, lambda x: progress(0.6 + 0.4 * x))
     return (best[0] + padding) / CELLS if best else None
 
@@ -111,9 +115,12 @@ def closer(
     """``best``, the places in cells and their scale, or our own at a larger scale."""
     random, (step, least), misses = np.random.default_rng(0), CLOSER_GROWTH, 0
     scale, cells = 0.0, None
+    largest = (CELLS - 2 * padding) / longest(found)
     for round_ in range(CLOSER_PASSES):
         progress(round_ / CLOSER_PASSES)
-        wanted = best[1] * (1 + step)
+        wanted = min(best[1] * (1 + step), largest)
+        if wanted <= best[1]:
+            break
         if cells is None or wanted != scale:
             scale, cells = wanted, cells_of(found, wanted, padding)
         at = placed(cells, CELLS - 2 * padding, random)
@@ -129,6 +136,11 @@ def closer(
         if step < least:
             break
     return best
+
+
+def longest(found: list[Chart]) -> float:
+    """The longest side of a chart's box: no scale makes it longer than the square."""
+    return max(float(one.at.max()) for one in found) + 1e-30
 
 
 def in_a_row(

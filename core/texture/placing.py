@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
-from scipy.ndimage import binary_dilation
+from scipy.ndimage import maximum_filter
 
 from core.kernels.cells import mark
 from core.kernels.placing import place
@@ -79,7 +79,7 @@ def mask_of(
     width, height = np.floor(at.max(0)).astype(int) + 1
     mask = np.zeros((height + 2 * padding, width + 2 * padding), np.bool_)
     mark(at[corners] + padding, mask)
-    return binary_dilation(mask, np.ones((3, 3), np.bool_), padding)
+    return maximum_filter(mask.view(np.uint8), 2 * padding + 1, mode="constant").view(np.bool_)
 
 
 def spans_of(mask: Bool[np.ndarray, "h w"]) -> Int[np.ndarray, "s 3"]:

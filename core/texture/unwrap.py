@@ -108,8 +108,9 @@ def cut_to_fill(
         uv, current, chart = flat_charts(verts, faces, chart, lambda _: None)
         again = pack(uv, current, chart, PADDING / size)
         filled = 0.0 if again is None else float(triangle_areas(again[current]).sum())
-        if again is not None and filled > fill:
-            best, fill = (again, current), filled
+        if again is None or filled <= fill:  # more charts have more gaps
+            break
+        best, fill = (again, current), filled
     return best
 
 

@@ -4,6 +4,7 @@ The geometry network paints object-frame normals, the appearance network paints 
 normals. Both work on pictures of 64² without an autoencoder: the latent is the picture.
 """
 
+import math
 import warnings
 from collections.abc import Callable
 from dataclasses import replace
@@ -55,6 +56,7 @@ from core.guidance.sds import eps_from_v
 
 SIZE = 64
 # In the order of the networks' embeddings.
+EVEN = 0.02  # of a scale, along two axes: a circle stays one
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 
 
@@ -166,10 +168,14 @@ class PromptedBuiltin(PromptedGuidance):
         return PartBorders(self.solid.field(len(NOUNS[noun].looks))).inside
 
     def parts(self) -> KnownParts | None:
-        """The drawn solid's."""
+        """The drawn solid's; what its adjective makes oval is not round."""
         if self.solid is None:
             return None
-        return KnownParts(self.solid.part, *part_forms_table()[self.words.noun])
+        flat, around = part_forms_table()[self.words.noun]
+        x, y, z = self.solid.frame.scale
+        even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
+        kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
+        return KnownParts(self.solid.part, flat, kept)
 
     @torch.no_grad()
     def restore(

@@ -12,11 +12,14 @@ class PartForms(NamedTuple):
     """Of each part of a noun, fractions of its surface."""
 
     flat: tuple[float, ...]
-    round: tuple[float, ...]  # the same all around an upright axis
+    # The same all around an axis of its piece (of a car's wheels each is one): along x, y, z.
+    round: tuple[tuple[float, ...], ...]
 
 
 @cache
 def part_forms_table() -> dict[str, PartForms]:
     """By noun."""
     rows = json.loads(TABLE.read_text("utf-8"))
-    return {noun: PartForms(tuple(r["flat"]), tuple(r["round"])) for noun, r in rows.items()}
+    return {
+        noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"]))) for noun, r in rows.items()
+    }
