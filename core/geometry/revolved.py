@@ -23,12 +23,13 @@ UPRIGHT = 0.5  # of a normal, above which it says nothing of where the axis is
 ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
 NEAREST, FEWEST = 160, 20  # of them, in the half plane
 REACH = 2.5  # cells
-NORMAL_REACH = 2.0  # cells that normals at a right angle are apart: edges of the profile stay
+NORMAL_REACH = 3.5  # cells that normals at a right angle are apart: edges of the profile stay
 SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the vertices
 FADE = 4  # the same, of where the part is: its border goes as its neighbours do
 FARTHEST = 1.5  # cells that a vertex moves
 OUTSIDE = 1.0  # cells off the profile, of a vertex that is not part of it
 LEAST = 80  # vertices of a piece
+SAME = 2.0  # cells between the axes of pieces that are on one
 AXIS_ROUNDS = 10
 
 
@@ -54,10 +55,28 @@ def revolved(
             continue
         along = int(around.argmax())
         upright = np.roll(np.arange(3), 2 - along)  # the axes, turned so that this one is the third
-        for mine in connected(faces_np, of == k):
-            if mine.sum() >= LEAST:
-                places = on_profile(places[:, upright], faces_np, mine)[:, np.argsort(upright)]
+        for mine in on_one_axis(places[:, upright], faces_np, of == k):
+            places = on_profile(places[:, upright], faces_np, mine)[:, np.argsort(upright)]
     return torch.from_numpy(places * cell).to(verts)
+
+
+def on_one_axis(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
+) -> list[Bool[np.ndarray, " v"]]:
+    """The vertices of ``mine`` that are round about each upright axis: of a barrel between its
+    hoops all, of wheels those of one axle. Where there is one axis, small pieces are about it."""
+    normal = unit(normals_of(verts, faces))
+    large = [piece for piece in connected(faces, mine) if piece.sum() >= LEAST]
+    found: list[tuple[np.ndarray, np.ndarray]] = []
+    for piece in sorted(large, key=np.sum, reverse=True):
+        at = axis(verts[piece], normal[piece])
+        for k, (other, already) in enumerate(found):
+            if np.linalg.norm(at - other) < SAME:
+                found[k] = other, already | piece
+                break
+        else:
+            found.append((at, piece))
+    return [mine] if len(found) == 1 else [pieces for _, pieces in found]
 
 
 def connected(

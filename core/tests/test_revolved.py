@@ -4,7 +4,7 @@ import numpy as np
 import torch
 
 from core.geometry.faces import normals_of, unit
-from core.geometry.revolved import axis, connected, revolved
+from core.geometry.revolved import axis, connected, on_one_axis, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 from core.prior.solids import box, join, lathe, moved, tube
@@ -88,3 +88,16 @@ def test_pieces_are_told_apart_by_their_edges():
     faces = np.array([[0, 1, 2], [2, 3, 4], [5, 6, 7]])
     found = connected(faces, np.array([1, 1, 0, 1, 1, 1, 1, 0], bool))
     assert sorted(np.flatnonzero(each).tolist() for each in found) == [[0, 1], [3, 4], [5, 6]]
+
+
+def test_pieces_on_one_axis_are_one_and_small_ones_join_where_there_is_no_other():
+    vase, faces = lumpy(VASE, 0.2)
+    v, f = vase.double().numpy() / CELL, faces.numpy()
+    band = np.abs(v[:, 2]) < 1.5  # a hoop parts the vase in two
+    (found,) = on_one_axis(v, f, ~band)
+    assert np.array_equal(found, ~band)
+    stands = join(VASE, tube((-0.8, 0.7, -0.3), (-0.8, 0.7, 0.3), 0.2))
+    verts, faces = lumpy(stands, 0.2)
+    every = np.ones(len(verts), bool)
+    both = on_one_axis(verts.double().numpy() / CELL, faces.numpy(), every)
+    assert len(both) == 2 and not (both[0] & both[1]).any()
