@@ -24,6 +24,10 @@ ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
 NEAREST, FEWEST = 160, 20  # of them, in the half plane
 REACH = 2.5  # cells
 NORMAL_REACH = 3.5  # cells that normals at a right angle are apart: edges of the profile stay
+TANGENTS = 1.3  # cells: the deviation of the weights of tangents, for where they cross
+TURNS = 0.1  # the least share of the tangents that go another way: the profile turns there
+SNAP = 0.9  # cells to a corner, of what goes there
+CORNER_ROUNDS = 3  # of mean shift
 SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the vertices
 FADE = 4  # the same, of where the part is: its border goes as its neighbours do
 FARTHEST = 1.5  # cells that a vertex moves
@@ -122,20 +126,52 @@ def on_profile(
 def _towards_profile(
     place: Float[np.ndarray, "n 2"], normal: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n 2"]:
-    """From each place to the line through the mean of those around it, square to their mean normal;
-    none to what is far off."""
+    """From each place to the profile: to its corner, where one is near, or else to the line through
+    the mean of those around it, square to their mean normal; none to what is far off."""
     at = np.c_[place, NORMAL_REACH * normal]
-    some = slice(None, None, -(-len(at) // ASKED))
-    away, near = KDTree(at[some]).query(at, NEAREST, distance_upper_bound=REACH)
+    asked = slice(None, None, -(-len(at) // ASKED))
+    tree = KDTree(at[asked])
+    away, near = tree.query(at[asked], NEAREST, distance_upper_bound=REACH)
     # What is farther away than that has the index after the last.
     weight = np.isfinite(away).astype(float)
     weight /= np.maximum(weight.sum(1, keepdims=True), 1)
-    values = np.r_[np.c_[place, normal][some], np.zeros((1, 4))]
+    values = np.r_[np.c_[place, normal][asked], np.zeros((1, 4))]
     mean = np.einsum("nk,nkc->nc", weight, values[near])
-    way = unit(mean[:, 2:])
-    off = ((mean[:, :2] - place) * way).sum(1)
-    sound = (np.abs(off) < OUTSIDE) & (np.isfinite(away).sum(1) >= FEWEST)
-    return np.where(sound, off, 0.0)[:, None] * way
+    way, enough = unit(mean[:, 2:]), np.isfinite(away).sum(1) >= FEWEST
+    on_line = values[:-1, :2] + ((mean[:, :2] - values[:-1, :2]) * way).sum(1, keepdims=True) * way
+    corners = _corners(on_line[enough], values[:-1, 2:][enough])
+    mine = tree.query(at)[1]
+    off = ((mean[mine, :2] - place) * way[mine]).sum(1)
+    sound = (np.abs(off) < OUTSIDE) & enough[mine]
+    move = np.where(sound, off, 0.0)[:, None] * way[mine]
+    if len(corners):
+        away, which = KDTree(corners).query(place + move, distance_upper_bound=SNAP)
+        there = np.isfinite(away)
+        move[there] = corners[which[there]] - place[there]
+    return move
+
+
+def _corners(
+    place: Float[np.ndarray, "n 2"], normal: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "m 2"]:
+    """The corners of a profile: where the point with the least squared distances to the tangents
+    of those around it, as in Ju et al., "Dual Contouring of Hermite Data", 2002, is near by."""
+    away, near = KDTree(place).query(place, NEAREST, distance_upper_bound=REACH)
+    near_by = np.minimum(away, REACH)  # what is farther away has an infinite distance
+    weight = np.isfinite(away) * np.exp(-0.5 * (near_by / TANGENTS) ** 2)
+    values = np.r_[np.c_[place, normal], np.zeros((1, 4))][near]
+    at, square = values[..., :2], values[..., 2:]
+    system = np.einsum("nk,nki,nkj->nij", weight, square, square)
+    right = np.einsum("nk,nki,nk->ni", weight, square, (square * at).sum(-1))
+    least, most = np.linalg.eigvalsh(system).T
+    turns = least > TURNS * most
+    found = np.linalg.solve(system[turns], right[turns, :, None])[..., 0]
+    found = found[np.linalg.norm(found - place[turns], axis=1) < SNAP]
+    for _ in range(CORNER_ROUNDS if len(found) else 0):  # those of one corner become one point
+        away, near = KDTree(found).query(found, NEAREST, distance_upper_bound=SNAP)
+        one = np.isfinite(away)[..., None]
+        found = (np.r_[found, np.zeros((1, 2))][near] * one).sum(1) / one.sum(1)
+    return found
 
 
 def axis(

@@ -82,7 +82,7 @@ ASSETS = {
     ),
     "torus": Asset("a blue ceramic torus", noun="torus", color="blue"),
     "trophy": Asset("a golden trophy", noun="trophy"),
-    "frame": Asset("a wooden bookshelf", ("--guide-strength=0.9",), "frame", "bookshelf"),
+    "ladder": Asset("a wooden ladder", noun="ladder"),
     "sds-mug": Asset("a blue ceramic mug", ("--preset=sds",), noun="mug", color="blue"),
     "sds-chair": Asset("a red wooden chair", ("--preset=sds",), noun="chair", color="red"),
     "sds-torus": Asset("a blue ceramic torus", ("--preset=sds",), noun="torus", color="blue"),
@@ -178,13 +178,12 @@ FIGURES = (
         "genus",
         "Genus 0, 1, 2 and 5",
         "Fig. 8: shapes of higher genus, as marching tetrahedra allow.",
-        "No noun of the built-in prior has five holes: there a guide brings them, and they "
-        "must survive the fit and the refinement at a guide strength of 0.9.",
+        "A bust, a torus, a trophy with two handles, a ladder of six rungs.",
         (
             Row("genus 0 wanted", "bust", SHAPE),
             Row("genus 1 wanted", "torus", SHAPE),
             Row("genus 2 wanted", "trophy", SHAPE),
-            Row("genus 5 wanted", "frame", SHAPE, ("guide_distance", *HEALTH)),
+            Row("genus 5 wanted", "ladder", SHAPE),
         ),
     ),
     Figure(

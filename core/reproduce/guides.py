@@ -109,18 +109,7 @@ def hut() -> Mesh:
     )
 
 
-def frame() -> Mesh:
-    """An upright frame with five openings, one above the other."""
-    posts = [box((x, -0.16, 0.0), (x + 0.16, 0.16, 2.0)) for x in (-0.5, 0.34)]
-    boards = [box((-0.5, -0.16, z), (0.5, 0.16, z + 0.12)) for z in _even(0.0, 1.88, 6)]
-    return joined(*posts, *boards)
-
-
-def _even(low: float, high: float, count: int) -> list[float]:
-    return [low + (high - low) * i / (count - 1) for i in range(count)]
-
-
-GUIDES = {"bus": bus, "person": person, "seat": seat, "hut": hut, "frame": frame}
+GUIDES = {"bus": bus, "person": person, "seat": seat, "hut": hut}
 
 
 def guide_file(folder: Path, name: str) -> Path:

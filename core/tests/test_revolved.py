@@ -101,3 +101,19 @@ def test_pieces_on_one_axis_are_one_and_small_ones_join_where_there_is_no_other(
     every = np.ones(len(verts), bool)
     both = on_one_axis(verts.double().numpy() / CELL, faces.numpy(), every)
     assert len(both) == 2 and not (both[0] & both[1]).any()
+
+
+def test_a_rim_is_a_sharp_line():
+    cup = tube((0.0, 0.0, -0.6), (0.0, 0.0, 0.6), 0.5)
+    verts, faces = lumpy(cup, 0.1)
+    part = torch.zeros(len(verts), dtype=torch.long)
+    made = revolved(verts, faces, part, upright(0.95), CELL)
+    corner = torch.tensor([0.5, 0.6])
+    near = (radius_and_height(verts) - corner).norm(dim=1) < 0.6 * CELL
+    before, after = (radius_and_height(m)[near].std(0) / CELL for m in (verts, made))
+    assert near.sum() > 50
+    assert (after < before / 2).all(), (before, after)
+
+
+def radius_and_height(verts: torch.Tensor) -> torch.Tensor:
+    return torch.stack([verts[:, :2].norm(dim=1), verts[:, 2].abs()], 1)
