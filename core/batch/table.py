@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from core.errors import UserError, shown
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_size
 
 # A column is an option of ``generate`` or ``texture``, with "_" or "-"; or a key of --set.
 FILES = ("mesh", "guide", "base_color", "light", "guidance")  # relative to the table's folder
@@ -78,8 +78,7 @@ def read_table(path: Path) -> list[Row]:
 def _text(path: Path) -> str:
     check_file(path, "table")
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise UserError(f"{path} is larger than {MAX_BYTES >> 20} MB.", "Split it.")
+        check_size(path, MAX_BYTES, "Split it.")
         return path.read_text(encoding="utf-8-sig")  # spreadsheets write the mark
     except UnicodeDecodeError:
         raise UserError(f"{path} is no UTF-8 text.", "Save it as CSV in UTF-8.") from None

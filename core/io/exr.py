@@ -14,6 +14,7 @@ from core.io.input_file import check_file
 # A larger picture is a broken header or an attack on the memory.
 MAX_PIXELS = 1 << 27  # a light of 16384 x 8192
 MAX_VALUES = 1 << 29  # of all channels and parts, which the library reads all; 2 GB
+MAX_RATIO = 40_000  # values for each byte of a file; a flat picture packed by DWAA has 12,000
 
 
 def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
@@ -57,6 +58,7 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
 
 def _check_size(library, path: "str | Path") -> None:
     """Before any memory is taken: the header alone says how much."""
+    size = Path(path).stat().st_size
     with library.File(str(path), header_only=True) as file:
         values = 0
         for part in file.parts:
@@ -69,6 +71,11 @@ def _check_size(library, path: "str | Path") -> None:
                     f"{MAX_VALUES:,} values.",
                     "Make it smaller, or save it again with the colours alone.",
                 )
+        if values > MAX_RATIO * size:
+            raise UserError(
+                f"{path} declares {values:,} values, which cannot be in {size:,} bytes.",
+                "Save it again.",
+            )
 
 
 def find_channel(channels: dict[str, np.ndarray], letter: str) -> np.ndarray | None:

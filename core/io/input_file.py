@@ -41,5 +41,11 @@ def check_file(
         raise _forbidden(path) from None
 
 
+def check_size(path: Path, most: int, fix: str) -> None:
+    """Raise UserError for a file of more than ``most`` bytes, before any of it is read."""
+    if path.stat().st_size > most:
+        raise UserError(f"{path} is larger than {most >> 20} MB.", fix)
+
+
 def _forbidden(path: Path) -> UserError:
     return UserError(f"{path} may not be read.", "Change its permissions, or name another file.")

@@ -15,6 +15,7 @@ from typing import Any, BinaryIO, get_origin
 
 from core.errors import UserError, shown
 from core.io.atomic import atomic_file
+from core.io.input_file import check_file, check_size
 from core.io.json_file import parse_object
 
 VERSION = 1
@@ -24,6 +25,7 @@ EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancell
 LAST = ("done", "error", "cancelled", "paused")  # exactly one of these ends a session
 UNTIL = ("shape", "color")  # where a session may be told to pause: with a first look at either
 MAX_PROMPT = 2000  # characters
+MAX_EVENTS = 256 << 20  # bytes of events.jsonl; a day of work writes less than 10 MB
 MAX_LINE = 1 << 16  # bytes of an event: far more than any has
 MAX_STRENGTH = 5.0  # of a LoRA
 SIZES = (0.001, 1000.0)  # metres, of an asset's longest side
@@ -220,9 +222,16 @@ def _remove_half_a_line(file: BinaryIO) -> None:
 
 
 def read_events(run: Path) -> list[dict[str, Any]]:
-    """All whole lines of a run's events.jsonl; UserError for one that is no JSON object."""
+    """All whole lines of a run's events.jsonl.
+
+    Raises UserError for a line that is no JSON object, and for a file too large.
+    """
     path = run / "events.jsonl"
-    text = path.read_bytes() if path.exists() else b""
+    if not path.exists():
+        return []
+    check_file(path, fix="Start a new run.")
+    check_size(path, MAX_EVENTS, "Start a new run.")
+    text = path.read_bytes()
     lines = text[: text.rfind(b"\n") + 1].decode("utf-8", "replace").split("\n")[:-1]
     return [parse_object(line, str(path), "Start a new run.") for line in lines]
 

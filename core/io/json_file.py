@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from core.errors import UserError
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_size
 
 MAX_BYTES = 8 << 20  # job.json and asset.json are a few kilobytes
 
@@ -19,8 +19,7 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
     """
     try:
         check_file(path, fix=fix)
-        if path.stat().st_size > MAX_BYTES:
-            raise UserError(f"{path} is larger than {MAX_BYTES >> 20} MB.", fix)
+        check_size(path, MAX_BYTES, fix)
         return parse_object(path.read_text(encoding="utf-8"), str(path), fix)
     except UnicodeDecodeError:
         raise UserError(f"{path} is no UTF-8 text.", fix) from None

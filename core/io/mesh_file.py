@@ -12,12 +12,13 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh, compact
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_size
 from core.ops import srgb_to_linear
 
 # Formats whose files stand +Y up; Blender's importers turn them, and leave the others alone.
 Y_UP = {".obj", ".glb", ".gltf"}
 Z_UP = {".ply", ".stl"}
+MAX_BYTES = 1 << 30  # 20 million faces of an STL; a reader takes many times as much memory
 MAX_COORDINATE = 1e15  # its square, and the sum of many, is a float32 still
 EXPORT_AGAIN = "Open it in Blender and export it as OBJ, PLY, STL or GLB without compression."
 
@@ -35,6 +36,7 @@ def load_mesh(path: "str | Path") -> Mesh:
             f"{path.name} is not an OBJ, PLY, STL, GLB or glTF file by its ending.", EXPORT_AGAIN
         )
     check_file(path, fix="Check the path of the mesh.")
+    check_size(path, MAX_BYTES, "Decimate it in Blender, and export it again.")
     parts = _read_parts(path)
     if not parts:
         raise UserError(

@@ -14,7 +14,9 @@ from torch import Tensor
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.atomic import atomic_file
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_size
+
+MAX_BYTES = 2 << 30  # of an asset's mesh: 20 million faces
 
 
 def to_y_up(world: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
@@ -84,6 +86,7 @@ def read_obj(path: Path) -> Mesh:
     Raises UserError for a file that is not there or is no triangle mesh with uv.
     """
     check_file(path, "mesh")
+    check_size(path, MAX_BYTES, "Make the asset again.")
     try:
         lines = path.read_bytes().splitlines()
         verts, uv = _read(lines, b"v ", 3), _read(lines, b"vt ", 2)

@@ -14,6 +14,7 @@ from tqdm import tqdm
 
 from core.errors import UserError
 from core.io.atomic import OURS, atomic_file, left_over
+from core.io.input_file import check_file, check_size
 from core.io.job import EventWriter, Job, write_text
 from core.io.json_file import read_object
 
@@ -22,6 +23,9 @@ FILE_MANAGERS = (".DS_Store", "Thumbs.db", "desktop.ini")
 
 # Where a killed session may leave the temporary file of a job, a checkpoint, a preview, a frame.
 WRITTEN_INTO = ("", "checkpoint", "preview", "preview/film")
+
+MAX_CHECKPOINT = 4 << 30  # bytes
+REMOVE = "Remove it: on resume the stage then starts again."
 
 
 class RunFolder:
@@ -124,6 +128,8 @@ class RunFolder:
         path = self._checkpoint(name)
         if not path.exists():
             return None
+        check_file(path, fix=REMOVE)
+        check_size(path, MAX_CHECKPOINT, REMOVE)
         with self.whole_checkpoint(name), safe_open(path, "pt") as file:
             meta = json.loads((file.metadata() or {})["meta"])
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
@@ -140,7 +146,7 @@ class RunFolder:
                 SafetensorError, TypeError, ValueError) as error:  # fmt: skip
             raise UserError(
                 f"{self._checkpoint(name)} is broken.",
-                "Remove it: on resume the stage then starts again.",
+                REMOVE,
             ) from error
 
     def _checkpoint(self, name: str) -> Path:

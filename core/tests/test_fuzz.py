@@ -6,10 +6,12 @@
 Every file follows from its format and its number alone. ``FUZZ_FIRST`` starts at another number.
 """
 
+import contextlib
 import json
 import os
 import random
 import resource
+import struct
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -29,6 +31,7 @@ from core.io.mesh_file import load_mesh
 from core.io.obj import obj_text, read_obj
 from core.io.png import read_png
 from core.io.run_folder import RunFolder
+from core.job_config import config_of
 from core.stages.state import Training
 from core.tests.bad_files import CORNERS, FACES, OBJ, glb, hdr, png
 from core.tests.mutate import mutate, mutate_glb, mutate_png
@@ -99,6 +102,12 @@ def read_stream(path: Path) -> None:
         assert isinstance(event, dict)
 
 
+def read_job(path: Path) -> None:
+    """As ``resume`` reads it, up to the settings of the run."""
+    path.replace(path.with_name("job.json"))
+    config_of(RunFolder.open(path.parent).job)
+
+
 @pytest.fixture(scope="module")
 def formats(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Format]:
     made = tmp_path_factory.mktemp("seeds")
@@ -114,6 +123,7 @@ def formats(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Format]:
     run.report("started", pid=7)
     run.report("progress", stage="geometry", step=1, steps=9, loss=0.5, seconds_left=3.0)
     run.report("error", text="It was cold.", fix="Wait for June.")
+    job = Job(prompt="a red cube", loras={"a.safetensors": 0.5}, settings={"geometry.views": 2})
     plain = OBJ + b"vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\ng a\ns 1\n"
     corners = Mesh(
         torch.from_numpy(CORNERS), torch.from_numpy(FACES.astype(np.int64)),
@@ -150,6 +160,7 @@ def formats(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Format]:
             read_checkpoint,
         ),
         "events": Format(".jsonl", ((made / "run" / "events.jsonl").read_bytes(),), read_stream),
+        "job": Format(".json", (job.to_json().encode(),), read_job),
     }
 
 
@@ -206,6 +217,7 @@ def peak() -> int:
 
 NAMES = (
     "obj", "asset obj", "ply", "stl", "glb", "png", "hdr", "exr", "safetensors", "events",
+    "job",
 )  # fmt: skip
 
 
@@ -213,6 +225,28 @@ NAMES = (
 def test_a_changed_file_is_read_or_refused(name, formats, tmp_path):
     failed = [execute(name, formats[name], number, tmp_path) for number in range(SHORT)]
     assert not any(failed), [text for text in failed if text][:5]
+
+
+@pytest.mark.skipif(not hasattr(os, "truncate"), reason="no file of holes")
+@pytest.mark.parametrize("name", NAMES)
+def test_a_file_of_40_gb_takes_no_memory(name, formats, tmp_path):
+    """It is refused by its size, or no more of it is read than its header declares."""
+    path, before = tmp_path / f"large{formats[name].suffix}", peak()
+    path.write_bytes(formats[name].seeds[0])
+    os.truncate(path, 40 << 30)  # a hole, which needs no room
+    with contextlib.suppress(UserError):
+        formats[name].read(path)
+    assert peak() - before < MEMORY
+
+
+def test_an_exr_too_small_for_what_it_declares_is_refused(tmp_path):
+    path = tmp_path / "a.exr"
+    write_exr(path, torch.zeros(8, 16, 3))
+    window = struct.pack("<4i", 0, 0, 15, 7)
+    assert path.read_bytes().count(window) == 2  # of the data, and of the display
+    path.write_bytes(path.read_bytes().replace(window, struct.pack("<4i", 0, 0, 8191, 8191)))
+    with pytest.raises(UserError, match="which cannot be in"):
+        read_exr(path)
 
 
 @pytest.mark.slow

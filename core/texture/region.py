@@ -12,11 +12,12 @@ from torch import Tensor
 from core.errors import UserError, shown
 from core.geometry.mesh import Mesh
 from core.io.asset import Maps
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_size
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
 from core.texture.texels import texel_bands
 
+MAX_BYTES = 256 << 20  # of 25 million numbers
 POINTS = 8  # along the border, for each width of the feather
 MOST = 1 << 20  # of them
 
@@ -35,6 +36,7 @@ def read_faces(path: Path, count: int) -> Bool[Tensor, " f"]:
     Raises UserError for what is no number or no face, and for a file that names none.
     """
     check_file(path, fix="Check the path of the faces.")
+    check_size(path, MAX_BYTES, "Name each face once.")
     fix = "Write a number a line, as mesh.obj orders its faces, from 0 on."
     chosen = torch.zeros(count, dtype=torch.bool)
     for word in path.read_bytes().decode("utf-8", "replace").split():

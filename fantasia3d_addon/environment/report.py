@@ -33,6 +33,7 @@ FIELDS = (
 )  # fmt: skip  # of job.json
 FILE_FIELDS = ("guidance", "guide_mesh", "mesh", "base_color", "light")  # or a name
 PRIVATE_FIELDS = ("prompt", "negative_prompt")
+MAX_BYTES = 256 << 20  # of a log or a run's events
 SYSTEM = ("/usr/", "/bin/", "/lib", "/opt/", "/etc/ssl", "/proc/", "/dev/null")
 ADDRESS = re.compile(r"\b[a-z][a-z0-9+.-]*://\S+", re.IGNORECASE)
 MAIL = re.compile(r"[\w.+-]+@[\w-]+\.[\w.-]+")
@@ -144,6 +145,8 @@ def _variables() -> dict[str, str]:
 
 def _last_lines(log: Path) -> list[str]:
     try:
+        if log.stat().st_size > MAX_BYTES:
+            return []
         return log.read_text(encoding="utf-8", errors="replace").splitlines()[-LOG_LINES:]
     except OSError:
         return []
@@ -196,6 +199,8 @@ def _kind_of_file(text: str) -> str:
 def _objects(file: Path, whole: bool = False) -> list[dict[str, Any]]:
     """The JSON objects of a file: one, or one in each line; what is none is left out."""
     try:
+        if file.stat().st_size > MAX_BYTES:
+            return []
         text = file.read_text(encoding="utf-8", errors="replace")
     except OSError:
         return []

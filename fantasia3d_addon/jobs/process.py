@@ -26,6 +26,7 @@ from .events import Event, parse_event
 from .job_file import unwritable, write_job
 from .lock import worker
 
+CHUNK = 16 << 20  # bytes of events.jsonl read at once
 FULL = 1e5  # bytes free: less than that can't hold a picture or a checkpoint
 START_SECONDS = 90.0  # a process that loads torch from a cold disk may write nothing for this long
 
@@ -198,11 +199,12 @@ class Run:
             require_file(events)
             with events.open("rb") as file:
                 file.seek(self._offset)
-                chunk = file.read()
+                chunk = file.read(CHUNK)
         except OSError:  # not written yet; or the folder is gone, and the core ends by itself
             return []
         whole = chunk[: chunk.rfind(b"\n") + 1]
-        self._offset += len(whole)
+        # A line as long as that is no event of ours.
+        self._offset += len(whole) or (CHUNK if len(chunk) == CHUNK else 0)
         return [parse_event(line) for line in whole.splitlines() if line.strip()]
 
 
