@@ -140,14 +140,14 @@ def _towards_profile(
     way, enough = unit(mean[:, 2:]), np.isfinite(away).sum(1) >= FEWEST
     on_line = values[:-1, :2] + ((mean[:, :2] - values[:-1, :2]) * way).sum(1, keepdims=True) * way
     corners = _corners(on_line[enough], values[:-1, 2:][enough])
-    mine = np.asarray(tree.query(at)[1])
+    mine = tree.query(at)[1]
     off = ((mean[mine, :2] - place) * way[mine]).sum(1)
     sound = (np.abs(off) < OUTSIDE) & enough[mine]
     move = np.where(sound, off, 0.0)[:, None] * way[mine]
     if len(corners):
         away, which = KDTree(corners).query(place + move, distance_upper_bound=SNAP)
         there = np.isfinite(away)
-        move[there] = corners[which[there]] - place[there]
+        move[there] = corners[np.asarray(which)[there]] - place[there]
     return move
 
 
