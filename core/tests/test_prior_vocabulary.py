@@ -161,6 +161,24 @@ def test_a_pattern_has_the_second_colour_for_itself_and_says_so():
     assert any("handle, blue: left out" in note for note in words.notes)
 
 
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("a bronze statue of a lion", Words("lion", material="copper")),
+        ("a lion statue", Words("lion")),
+        ("the stone sculpture of a man on a horse", Words("person", material="stone")),
+        ("a statue", Words("bust")),
+        ("a statue holding a sword", Words("bust")),
+        ("a bust of a cat", Words("bust")),
+    ],
+)
+def test_what_is_depicted_is_made_and_not_the_statue(prompt, words):
+    read = parse(prompt)
+    assert read == words
+    form = next((form for form in ("statue", "sculpture") if form in prompt), "")
+    assert not form or f"{form}: made as a {words.noun}." in read.notes
+
+
 def test_the_order_of_words_does_not_matter():
     assert parse("wooden tall blue lamp") == parse("lamp, blue, tall, wooden")
 

@@ -24,7 +24,7 @@ NEAREST = {
     "lamp": "streetlight, flashlight, chandelier",
     "house": ("building, hotel, shop, store, palace, temple, mosque, windmill"),
     "church": "cathedral, monastery",
-    "tower": "pillar, column, obelisk, minaret, silo",
+    "tower": "obelisk, minaret, silo",
     "cottage": "igloo, bungalow, treehouse",
     "arch": "bridge, portal, tunnel",
     "flower": "orchid, bouquet",

@@ -7,6 +7,7 @@ from core.guidance.builtin.part_names import always_has, as_part, own_name
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
     CHOICES,
+    DEPICTIONS,
     FILLER,
     GOES_WITH,
     IGNORED_ADJECTIVES,
@@ -18,6 +19,7 @@ from core.guidance.builtin.words import (
 )
 
 MADE_AS = {"color": "painted as", "pattern": "drawn as", "shape": "made"}  # else "made as"
+ARTICLES = ("a", "an", "the")
 LONGEST = 3  # words of a phrase
 
 
@@ -39,6 +41,7 @@ class Reading:
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether an unknown word was read in it
+        self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, breaks = _tokens(prompt)
         at = 0
@@ -70,6 +73,8 @@ class Reading:
             self.left_out.append(token)
         elif token in PHRASE_ENDS:
             self._end_phrase()
+            # "a statue of a lion": the article says nothing new.
+            self._ended_by = self._ended_by if token in ARTICLES else token
             if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
                 self._accessory = {slot: len(found) for slot, found in self.found.items()}
         elif token not in FILLER:
@@ -103,6 +108,8 @@ class Reading:
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
         slot, word = entry.slot, entry.word
+        if slot == "noun" and self._is_depicted(entry):
+            return
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.found["noun"]:
             part = as_part(entry, self.found["noun"][0].word)
@@ -129,6 +136,24 @@ class Reading:
             self.found[slot].append(entry)
         self._after_color = slot == "color" and bool(self.found["noun"])
         self._without = False
+
+    def _is_depicted(self, entry: Entry) -> bool:
+        """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
+        lion", "a lion statue". The thing is made then."""
+        nouns = self.found["noun"]
+        if len(nouns) != 1 or nouns[0].word == entry.word:
+            return False
+        before = nouns[0]
+        if before.form in DEPICTIONS and self._accessory is not None and self._ended_by == "of":
+            nouns[:] = [entry]
+            self._accessory = None
+            thing, depiction = entry, before
+        elif entry.form in DEPICTIONS and self._noun_end >= 0:
+            thing, depiction = before, entry
+        else:
+            return False
+        self.notes.append(f"{depiction.form}: made as {_with_article('noun', thing.word)}.")
+        return True
 
     def _leave_strange_parts_aside(self) -> None:
         """A part that the thing never has is an accessory: icing on a torus."""

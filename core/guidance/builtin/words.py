@@ -94,7 +94,7 @@ FILLER = frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair set bunch slice piece wearing holding old new classic modern traditional elegant lovely
-    pretty""".split()
+    pretty figurine statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = frozenset(
@@ -109,8 +109,11 @@ IGNORED_ADJECTIVES = frozenset(
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     carved handmade hand crafted painted decorated tiny huge giant miniature empty full racing
-    electric acoustic""".split()
+    electric acoustic sitting standing running sleeping lying walking flying jumping swimming
+    smiling""".split()
 )
+# What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
+DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
 WITHOUT = ("without", "no", "lacking")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".

@@ -44,7 +44,7 @@ ANIMALS = {
         Usual(0.45, FLESH, 0.56),
     ),
     "dog": Noun(
-        "doggy, hound; puppy, labrador, beagle, retriever",
+        "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, dalmatian, poodle",
         {
             "body": "*b98a55",
             "ears": "&7a5632",

@@ -47,7 +47,7 @@ HOUSEHOLD = {
         Usual(0.45, STEEL, 0.13),
     ),
     "goblet": Noun(
-        "chalice; wine glass, wineglass",
+        "chalice; wine glass, wineglass, glass of wine, glass of water, glass of milk",
         {"cup": "*e0b84a . golden", "stem": "&c9a03c . golden"},
         Usual(0.18, STEEL, 0.15),
     ),

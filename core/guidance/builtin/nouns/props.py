@@ -27,7 +27,7 @@ PROPS = {
         Usual(0.8, WOOD, 0.3),
     ),
     "sword": Noun(
-        "longsword, broadsword; katana, sabre, saber, rapier, claymore",
+        "longsword, broadsword; katana, sabre, saber, rapier, claymore, cutlass, scimitar",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+c79a3e . golden",

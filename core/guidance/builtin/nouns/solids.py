@@ -19,7 +19,7 @@ SOLIDS = {
         Usual(0.3, RUBBER, 0.3),
     ),
     "cylinder": Noun(
-        "",
+        "; column, pillar",
         {"body": "*597a99"},
         Usual(0.4, WOOD),
     ),
