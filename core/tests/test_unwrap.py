@@ -15,9 +15,11 @@ from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
 from core.texture import packing
 from core.texture import unwrap as module
+from core.texture.flatten import at_rest
+from core.texture.packing import triangle_areas
 from core.texture.simplify import simplify
 from core.texture.texels import texel_points, uv_faults
-from core.texture.unwrap import FILL, PADDING, overlapping, squashed, unwrap
+from core.texture.unwrap import FILL, PADDING, flat_charts, overlapping, squashed, unwrap
 
 SIZE = 256
 
@@ -181,6 +183,16 @@ def test_what_lies_over_itself_or_shrank_is_told() -> None:
     down = np.array([[0, 1, 2], [0, 3, 2]])
     assert squashed(uv[down], np.array([0.5, 0.5])).tolist() == [False, True]
     assert squashed(uv[apart], np.array([0.5, 2.1])).tolist() == [False, True]
+
+
+def test_a_chart_that_folds_to_a_point_is_cut_until_it_lies_flat() -> None:
+    # A fold of a coarse mesh: as one chart each of its triangles lies face down.
+    corners = [(0.27, -0.05, -0.12), (0.2, 0.33, 0.11), (0, 0.35, -0.11), (0.5, 0.1, -0.03)]
+    verts = np.array([*corners, (0.19, 0.46, 0.05)])
+    faces = np.array([[0, 1, 2], [3, 4, 1], [2, 4, 3], [0, 2, 3]])
+    uv, face_uvs, chart = flat_charts(verts, faces, np.zeros(4, np.int64), lambda _: None)
+    assert not squashed(uv[face_uvs], triangle_areas(at_rest(verts[faces]))).any()
+    assert chart.max() > 0
 
 
 @pytest.mark.slow

@@ -147,7 +147,9 @@ def flat_charts(
         # In the last round nothing more is cut: each chart returned has its uv.
         if round_ == REPAIR_ROUNDS - 1 or not (bad.any() or folded.any()):
             break
-        chart = halved(chart, folded, adjacent, centre)
+        # A chart that is squashed as a whole has nothing to be cut out of.
+        whole = np.bincount(chart, bad) == np.bincount(chart)
+        chart = halved(chart, folded | whole, adjacent, centre)
         # Squashed faces get a number beyond all charts; each connected group is a new chart.
         chart = components(np.where(bad, chart + chart.max() + 1, chart), adjacent)
     return uv, face_uvs, chart
