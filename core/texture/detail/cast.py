@@ -9,17 +9,16 @@ GREY = (0.70, 0.70, 0.70)
 
 
 def ceramic(place: Place) -> Layer:
-    """A glaze: thicker here and there, slightly wavy, with a net of fine cracks."""
+    """A clean glaze: thicker here and there, slightly wavy; the cracks show in its gloss alone."""
     noise, p = place.noise, place.point
     wave, pool = noise.waves(p, 6.0, 1, 2), noise.waves(p, 3.0, 2, 3)
     _, edge, _ = noise.cells(p + 0.02 * noise.waves(p, 8.0, 3)[:, None], 11.0, 4)
-    crack = smoothstep(0.035, 0.008, edge) * smoothstep(-0.15, 0.3, noise.waves(p, 2.5, 5, 2))
-    speck = smoothstep(0.93, 0.97, noise.cells(p, 38.0, 6)[2]) * noise.seen(38.0)
+    crack = smoothstep(0.035, 0.008, edge) * smoothstep(0.1, 0.5, noise.waves(p, 2.5, 5, 2))
     return Layer.of(
-        0.4 * pool + 0.55 * crack + 0.35 * speck,
+        0.25 * pool + 0.06 * crack,
         (0.62, 0.58, 0.53),
-        roughness=0.05 * np.abs(pool) + 0.15 * crack,
-        height=0.0032 * wave - 0.0003 * crack,
+        roughness=0.05 * np.abs(pool) + 0.08 * crack,
+        height=0.0032 * wave - 0.0002 * crack,
     )
 
 
