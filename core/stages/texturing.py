@@ -67,7 +67,7 @@ def unwrap_shape(
         )
     with progress.timed("unwrap"):
         # Before the unwrap, whose charts would not survive it.
-        verts, faces, chart = _within_budget(shape, config, keep_faces)
+        verts, faces, chart = _within_budget(shape, config, keep_faces, progress.check_cancelled)
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress), chart)
         progress.complete("unwrap")  # a small mesh is done before it reports anything
     fine = None if faces is shape.faces else shape
@@ -75,13 +75,13 @@ def unwrap_shape(
 
 
 def _within_budget(
-    shape: Mesh, config: TextureConfig, keep_faces: bool
+    shape: Mesh, config: TextureConfig, keep_faces: bool, check: Callable[[], None]
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"], Int[np.ndarray, " f"] | None]:
     """Even triangles in charts at small budgets; at large ones fewer of the shape's own."""
     kept = keep_faces and len(shape.faces) <= config.max_faces
     if kept or config.max_faces > config.even_faces:
-        return *simplify(shape.verts, shape.faces, config.max_faces), None
-    return even_in_charts(shape, config.max_faces)
+        return *simplify(shape.verts, shape.faces, config.max_faces, check), None
+    return even_in_charts(shape, config.max_faces, check)
 
 
 def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:

@@ -13,7 +13,7 @@ from core.geometry.tangents import smooth_normals
 from core.io.asset import Maps, read_asset, write_asset
 from core.ops import normalize
 from core.stages.reshape import free_verts
-from core.tests.tiny_runs import OPTIONS
+from core.tests.tiny_runs import OPTIONS, once
 from core.texture.region import Region, edited, read_faces, region_weight
 from core.texture.texels import texel_points
 
@@ -99,10 +99,18 @@ def test_what_may_move_is_no_neighbour_of_the_border():
     assert not free[x > 0.3].any()
 
 
-def edited_torus(tmp_path: Path, prompt: str, *options: str):
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory) -> Path:
+    """The run folder of a red torus; only read."""
+    run = tmp_path_factory.mktemp("torus") / "whole"
+    with once():
+        assert main(["generate", "a red torus", f"--out={run}", *OPTIONS]) == 0
+    return run
+
+
+def edited_torus(whole: Path, tmp_path: Path, prompt: str, *options: str):
     """A torus, which of its faces the region has, and the torus after ``edit``."""
-    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
-    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+    out, faces = tmp_path / "edited", tmp_path / "faces.txt"
     before = read_asset(whole)
     chosen = before.mesh.verts[before.mesh.faces].mean(1)[:, 0] > 0
     faces.write_text("\n".join(map(str, chosen.nonzero()[:, 0].tolist())))
@@ -112,8 +120,8 @@ def edited_torus(tmp_path: Path, prompt: str, *options: str):
     return before, chosen, read_asset(out)
 
 
-def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Path):
-    before, chosen, after = edited_torus(tmp_path, "a torus", "--shape")
+def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(whole: Path, tmp_path: Path):
+    before, chosen, after = edited_torus(whole, tmp_path, "a torus", "--shape")
     free = free_verts(before.mesh, chosen)
     fixed = torch.ones(len(before.mesh.verts), dtype=torch.bool)
     fixed[before.mesh.faces[chosen].reshape(-1)] = False
@@ -131,9 +139,11 @@ def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(tmp_path: Pa
     assert after.info["mesh"]["closed"] == before.info["mesh"]["closed"]
 
 
-def test_shape_and_material_of_a_region_change_together_and_all_the_rest_stays(tmp_path: Path):
+def test_shape_and_material_of_a_region_change_together_and_all_the_rest_stays(
+    whole: Path, tmp_path: Path
+):
     what = ("a blue metal torus", "--shape", "--material")
-    before, chosen, after = edited_torus(tmp_path, *what)
+    before, chosen, after = edited_torus(whole, tmp_path, *what)
     out = tmp_path / "edited"
     moved = (before.mesh.verts != after.mesh.verts).any(1)
     assert moved.any() and not (moved & ~free_verts(before.mesh, chosen)).any()
@@ -165,18 +175,15 @@ def test_which_command_was_parsed_is_known_after_it(tmp_path: Path, monkeypatch)
     assert found == [(True, False), (True, True), (False, False)]
 
 
-def test_a_region_without_an_inside_is_refused(tmp_path: Path):
-    whole, faces = tmp_path / "whole", tmp_path / "faces.txt"
-    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+def test_a_region_without_an_inside_is_refused(whole: Path, tmp_path: Path):
+    faces = tmp_path / "faces.txt"
     faces.write_text("0\n")
     more = [f"--faces={faces}", f"--out={tmp_path / 'out'}", "--shape", *OPTIONS]
     assert main(["edit", str(whole), "a torus", *more]) == 2
 
 
-@pytest.mark.usefixtures("once")
-def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(tmp_path: Path):
-    whole, out, faces = tmp_path / "whole", tmp_path / "edited", tmp_path / "faces.txt"
-    assert main(["generate", "a red torus", f"--out={whole}", *OPTIONS]) == 0
+def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(whole: Path, tmp_path: Path):
+    out, faces = tmp_path / "edited", tmp_path / "faces.txt"
     faces.write_text("\n".join(map(str, range(50))))
     more = [f"--faces={faces}", f"--out={out}", *OPTIONS[:-2], "--set=texture.feather=0.0"]
     assert main(["edit", str(whole), "a blue metal torus", *more]) == 0

@@ -17,6 +17,7 @@ from core.stages.texturing import unwrap_shape
 from core.tests.meshes import sphere
 from core.tests.test_simplify import chair  # noqa: F401  (a fixture)
 from core.tests.texture_shapes import torus
+from core.texture import packing
 from core.texture.charts import charts
 from core.texture.remesh import across_of, even, even_in_charts
 from core.texture.simplify import simplify
@@ -167,7 +168,12 @@ def test_the_best_place_of_three_planes_is_their_corner() -> None:
     assert place == pytest.approx(np.array([1.0, 5.0, 7.0]))
 
 
-def test_the_budget_decides_and_a_users_mesh_is_kept(chair, tmp_path) -> None:  # noqa: F811
+def test_the_budget_decides_and_a_users_mesh_is_kept(
+    chair,  # noqa: F811
+    tmp_path,
+    monkeypatch,
+) -> None:
+    monkeypatch.setattr(packing, "CLOSER_PASSES", 1)  # how well it fills is not looked at
     progress = Progress(RunFolder.create(tmp_path / "run", Job(prompt="a chair")))
     shape, config = Mesh(*chair), TextureConfig(size=256, max_faces=3000)
     made = unwrap_shape(shape, config, progress)

@@ -5,11 +5,12 @@ import pytest
 import torch
 import trimesh
 
-from core.errors import UserError
+from core.errors import Cancelled, UserError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
 from core.tests.texture_shapes import torus
+from core.texture import simplify as module
 from core.texture.simplify import simplify, unfolded
 
 
@@ -75,6 +76,28 @@ def test_same_twice(chair) -> None:
     first, second = simplify(*chair, 2000), simplify(*chair, 2000)
     assert torch.equal(first[0], second[0])
     assert torch.equal(first[1], second[1])
+
+
+def test_a_mesh_of_many_faces_is_halved_first_and_stays_closed(chair, monkeypatch) -> None:
+    monkeypatch.setattr(module, "MANY", 2000)
+    monkeypatch.setattr(module, "MANY_TIMES", 2)
+    calls: list[int] = []
+    verts, faces = simplify(*chair, 600, lambda: calls.append(1))
+    assert len(calls) > 3
+    before, after = health(*chair), health(verts, faces)
+    for key in ("closed", "manifold", "oriented", "genus", "components", "loose_verts"):
+        assert after[key] == before[key], key
+    assert after["volume"] == pytest.approx(before["volume"], rel=0.02)
+
+
+def test_it_stops_where_it_is_told_to(chair, monkeypatch) -> None:
+    monkeypatch.setattr(module, "MANY", 2000)
+
+    def cancel() -> None:
+        raise Cancelled("Stopped.")
+
+    with pytest.raises(Cancelled):
+        simplify(*chair, 100, cancel)
 
 
 def test_three_faces_on_an_edge_are_refused() -> None:

@@ -8,6 +8,7 @@ only along it, and at a corner not at all. Lines of truly sharp edges are edges 
 leaves a manifold of the same topology and refuses what would fold.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import igl
@@ -43,28 +44,33 @@ NEAR = 0.7  # edge lengths: the distance that two opposite halves of a right ang
 AROUND = 0.2  # weight of the neighbours' quadrics: a vertex of few faces has too little of its own
 
 
-def even(shape: Mesh, max_faces: int) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+def even(
+    shape: Mesh, max_faces: int, check: Callable[[], None] = lambda: None
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """The shape with ``max_faces`` even triangles or fewer, and never with more than it has.
 
     Where three faces share an edge, or neighbours look to opposite sides, it is only simplified.
+    ``check`` is called now and then; what it raises stops the work.
     """
-    verts, faces = simplify(shape.verts, shape.faces, max_faces)
+    verts, faces = simplify(shape.verts, shape.faces, max_faces, check)
     report = health(verts, faces)
     if not (report["manifold"] and report["oriented"]) or report["degenerate_faces"]:
         return verts, faces
     surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
     count = min(max_faces, len(shape.faces))
     coarse = _doubles(verts), faces.cpu().numpy().astype(np.int64)
+    check()
     new_verts, new_faces = remesh(*coarse, surface, count)
+    check()
     out = torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
     return simplify(*out, count)
 
 
 def even_in_charts(
-    shape: Mesh, max_faces: int
+    shape: Mesh, max_faces: int, check: Callable[[], None] = lambda: None
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"], Int[np.ndarray, " f"] | None]:
     """:func:`even`, and a chart for each face, the borders smooth; None where it is no manifold."""
-    verts, faces = even(shape, max_faces)
+    verts, faces = even(shape, max_faces, check)
     report = health(verts, faces)
     if not (report["manifold"] and report["oriented"]) or report["degenerate_faces"]:
         return verts, faces, None
