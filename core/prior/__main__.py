@@ -43,6 +43,7 @@ from core.prior.solid_training import (
     FITTING,
     Autoencoder,
     SolidSource,
+    SolidTraining,
     solid_loss,
     trained_solid_net,
 )
@@ -182,7 +183,8 @@ def train(options: argparse.Namespace) -> None:
         config = replace(config, minutes=options.minutes)
     if options.batch is not None:
         config = replace(config, batch=options.batch)
-    training = Training(make, config, options.device, objective)
+    kind = SolidTraining if options.network == SOLID else Training
+    training = kind(make, config, options.device, objective)
     checkpoint = options.out / f"{options.network}.safetensors"
     if checkpoint.exists():
         training.resume(checkpoint)

@@ -4,6 +4,7 @@ Welling 2014; Sohn et al. 2015) over distances of the families' solids.
 
 import itertools
 from pathlib import Path
+from typing import NamedTuple
 
 import torch
 import torch.nn.functional as F
@@ -11,6 +12,7 @@ from jaxtyping import Float, Int
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
+from core.guidance.builtin.solid import solid_tensors
 from core.guidance.builtin.solid_net import KINDS, SCALE, SolidNet, SolidNetConfig
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
 from core.prior.solid_data import SOLIDS, Solids, read_solids
@@ -19,8 +21,11 @@ from core.prior.train import TrainConfig, Training
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
 SOLID = SolidNetConfig(WORDS)
-FITTING = TrainConfig(minutes=120.0, batch=8, learning_rate=1.5e-3, warm_up=100)
-ASKED = 1024  # points of an object in one step
+FITTING = TrainConfig(minutes=120.0, batch=16, learning_rate=1.5e-3, warm_up=100)
+ASKED = 2048  # points of an object in one step
+# Nouns of larger errors are drawn more often, within these bounds; the mean of the last so many.
+OFTEN, REMEMBERED = (0.5, 3.0), 20
+HOLD = 800  # steps in which what was taken over stays, until what is new fits it
 PRIOR_WEIGHT = 4e-5  # of the code's distance to the normal distribution, nats
 INSIDE = 2.5  # weight of a distance inside the solid
 INSIDE_WEIGHT = 0.03  # of the cross entropy of what is inside
@@ -30,8 +35,16 @@ PART_WEIGHT = 0.05  # of the parts' cross entropy
 PART_REACH = 0.6  # within which of the surface parts are asked for, / SCALE
 LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
 
-# Volumes, words' rows, points in [-1, 1]³ with their distances (times SCALE) and parts.
-SolidBatch = tuple[Tensor, Tensor, Tensor, Tensor, Tensor]
+
+class SolidBatch(NamedTuple):
+    """Objects, and what is asked of each."""
+
+    volumes: Float[Tensor, "b 1 32 32 32"]
+    words: Int[Tensor, "b 4"]  # rows
+    points: Float[Tensor, "b n 3"]  # in [-1, 1]³
+    distances: Float[Tensor, "b n"]  # times SCALE
+    parts: Int[Tensor, "b n"]
+    errors: Float[Tensor, " m"]  # each noun's, in the mean over the last ones; the loss adds to it
 
 
 class Encoder(nn.Module):
@@ -74,6 +87,7 @@ class SolidSource:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.middles = kinds_of(folder)
+        self.errors = torch.ones(len(NOUNS))  # of each noun, in the mean over the last ones drawn
         self.paths: list[Path] = []
         self.rescan()
 
@@ -86,10 +100,13 @@ class SolidSource:
             self.rows = torch.cat([self.samples.rows(), kinds[:, None]], 1)
 
     def batch(self, count: int, generator: torch.Generator) -> SolidBatch:
-        """Random objects, and some of the points of each."""
-        index = torch.randint(len(self.rows), (count,), generator=generator)
+        """Random objects, and some of the points of each; nouns with large errors more often."""
+        often = (self.errors / self.errors.mean()).clamp(*OFTEN)
+        chance = often[self.samples.words[:, 0].long()]
+        index = torch.multinomial(chance, count, replacement=True, generator=generator)
         points, distance, part = asked(self.samples, index, ASKED, generator)
-        return self.samples.volumes(index), self.rows[index], points, distance, part
+        volumes, rows = self.samples.volumes(index), self.rows[index]
+        return SolidBatch(volumes, rows, points, distance, part, self.errors)
 
     def counts(self) -> Float[Tensor, "a p k"]:
         """How many objects there are, by adjective, state of the parts and kind."""
@@ -111,18 +128,25 @@ def asked(
 
 def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
     """The distances' mean error, the parts' cross entropy near the surface, the code's prior."""
-    volume, words, points, distance, part = (tensor.to(training.device) for tensor in batch)
+    volume, words, points, distance, part, _ = (x.to(training.device) for x in batch)
     net: Autoencoder = training.net  # pyright: ignore[reportAssignmentType]
     with torch.autocast(training.device.type, torch.bfloat16):
         mean, log_variance = net.encode(volume, words)
         noise = torch.randn(mean.shape, generator=training.generator).to(mean)
         triplane = net.decoder.triplane(words, mean + noise * (log_variance / 2).exp())
         found, logits = net.decoder.at(triplane, points)
+    remember(batch, (found - distance).detach().abs().mean(1).cpu())
     near = distance.abs() < PART_REACH
     parts = F.cross_entropy(logits[near], part[near])
     prior = (mean.square() + log_variance.exp() - 1 - log_variance).sum(1).mean() / 2
     solid = distance_loss(found, distance) + INSIDE_WEIGHT * inside_loss(found, distance)
     return solid + PART_WEIGHT * parts + PRIOR_WEIGHT * prior
+
+
+def remember(batch: SolidBatch, errors: Float[Tensor, " b"]) -> None:
+    """Add the objects' errors to their nouns'."""
+    for noun, error in zip((batch.words[:, 0] - 1).tolist(), errors, strict=True):
+        batch.errors[noun] += (error - batch.errors[noun]) / REMEMBERED
 
 
 def distance_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
@@ -138,6 +162,29 @@ def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> 
     clear = distance.abs() > UNCLEAR
     inside = (distance < 0).float()
     return F.binary_cross_entropy_with_logits(-STEEPNESS * found[clear], inside[clear])
+
+
+class SolidTraining(Training):
+    """A training of the autoencoder, whose decoder may begin with shipped weights."""
+
+    def start_from(self, path: Path) -> None:
+        """Begin with a shipped decoder.
+
+        What it lacks begins by chance, but for a layer's further inputs, which count nothing yet.
+        The decoder stays at first: by a code that says nothing it would unlearn.
+        """
+        old = {f"decoder.{name}": tensor for name, tensor in solid_tensors(path).items()}
+        with torch.no_grad():
+            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                if name in old:
+                    p.zero_()
+                    p[tuple(slice(n) for n in old[name].shape)] = old[name]
+                mean.copy_(p)
+                if name in old and old[name].shape == p.shape:
+                    p.register_hook(self._held)
+
+    def _held(self, gradient: Tensor) -> Tensor:
+        return gradient if self.step >= HOLD else torch.zeros_like(gradient)
 
 
 def trained_solid_net(folder: Path) -> SolidNet:

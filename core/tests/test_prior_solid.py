@@ -46,8 +46,10 @@ from core.prior.solid_training import (
     WORDS,
     Autoencoder,
     SolidSource,
+    SolidTraining,
     distance_loss,
     inside_loss,
+    remember,
     solid_loss,
     trained_solid_net,
 )
@@ -251,6 +253,41 @@ def test_a_training_learns_ships_and_draws(folder, tmp_path, monkeypatch):
     assert net.counts.sum() == len(source.samples)
     drawn = drawn_kind(net, _rows("chair")[:, :3], _generator())
     assert net.counts[..., drawn].sum() > 0
+
+
+def test_a_training_goes_on_from_a_shipped_decoder_of_fewer_features(tmp_path):
+    old = SolidNet(replace(TINY, fine=2))
+    torch.nn.init.normal_(old.own.weight)
+    save_solid_net(tmp_path / "old.safetensors", old)
+    training = SolidTraining(partial(Autoencoder, TINY), TrainConfig(), objective=solid_loss)
+    training.start_from(tmp_path / "old.safetensors")
+    new, loaded = training.net.decoder, load_solid_net(tmp_path / "old.safetensors")
+    for name in (
+        "point.weight",
+        "fine.0.weight",
+    ):  # more inputs of the one, more outputs of the other
+        wide, narrow = new.get_parameter(name), loaded.get_parameter(name)
+        assert torch.equal(wide[tuple(slice(n) for n in narrow.shape)], narrow)
+        assert wide.shape != narrow.shape
+    assert torch.equal(new.own.weight, loaded.own.weight)
+    # What was taken over waits for what is new.
+    new.own.weight.sum().backward()
+    assert not new.own.weight.grad.any()
+    training.step = solid_training.HOLD
+    new.own.weight.sum().backward()
+    assert new.own.weight.grad.any()
+
+
+def test_nouns_of_larger_errors_are_drawn_more_often(folder):
+    source = SolidSource(folder)
+    chair = NOUNS.index("chair")
+    evenly = (source.batch(40, _generator()).words[:, 0] == chair + 1).sum()
+    batch = source.batch(8, _generator())
+    batch.words[:, 0] = chair + 1
+    for _ in range(9):
+        remember(batch, torch.full((8,), 5.0))
+    assert source.errors[chair] > 3
+    assert (source.batch(40, _generator()).words[:, 0] == chair + 1).sum() > evenly
 
 
 # Of things with legs, handles, wheels and spikes.

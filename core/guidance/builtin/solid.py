@@ -25,6 +25,7 @@ LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn f
 TABLES = ("own.weight", "kind.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole
+LEAST_SWELL = 0.01  # training units
 RARE = 0.05  # fraction of a noun's objects below which a kind is too little known
 # Adjectives that make another thing of a noun than a stretched one. The network knows these.
 FORMS = {("table", "round")}
@@ -57,10 +58,18 @@ class Solid:
         return min(found, key=lambda solid: solid.complexity)
 
     def placed(self, adjective: str = "") -> "Solid":
-        """The solid as the adjective has it, about the origin and of the training's size."""
+        """The solid as the adjective has it, about the origin and of the training's size.
+
+        It is moved outwards by less where that would bring up pieces: far from the surface the
+        network's distance may dip.
+        """
         factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
-        frame = frame_of(self.mesh[0], factors, swell, adjective == "round")
-        return replace(self, frame=frame, swell=swell)
+        while True:
+            frame = frame_of(self.mesh[0], factors, swell, adjective == "round")
+            solid = replace(self, frame=frame, swell=swell)
+            if not swell or solid.pieces <= self.pieces:
+                return solid
+            swell = swell / 2 if swell > LEAST_SWELL else 0.0
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside, training units; farther off than a tenth, and where
@@ -89,12 +98,17 @@ class Solid:
         verts, faces, *_ = surface(self.sdf(grid.tet_verts), grid.tet_verts, grid)
         return verts, faces
 
+    @cached_property
+    def pieces(self) -> int:
+        """How many components the surface has."""
+        verts, faces = self.mesh
+        return component_labels(faces, len(verts))[0]
+
     @property
     def complexity(self) -> int:
         """Pieces and handles, by the surface's Euler characteristic: V - E + F, with 2 E = 3 F."""
         verts, faces = self.mesh
-        pieces, _ = component_labels(faces, len(verts))
-        return 2 * pieces - (len(verts) - len(faces) // 2) // 2
+        return 2 * self.pieces - (len(verts) - len(faces) // 2) // 2
 
     def shape(self) -> Shape:
         """What Ψ can be fitted to."""
@@ -150,9 +164,14 @@ def load_solid_net(path: Path) -> SolidNet:
     for name in ("words", "widths"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
     net = SolidNet(SolidNetConfig(**facts))
+    net.load_state_dict(solid_tensors(path))
+    return net.eval().requires_grad_(False)
+
+
+def solid_tensors(path: Path) -> dict[str, Tensor]:
+    """The weights of the shipped form, in single precision."""
     tensors = {name: tensor.float() for name, tensor in load_file(path).items()}
     for name in TABLES:
         step = tensors.pop(f"{name}.step")[:, None]
         tensors[name] = (tensors[name].view(len(step), -1) * step).view(tensors[name].shape)
-    net.load_state_dict(tensors)
-    return net.eval().requires_grad_(False)
+    return tensors

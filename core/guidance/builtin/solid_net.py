@@ -33,6 +33,9 @@ class SolidNetConfig:
     # Channels of the planes: of the base at 8², after the first block at 16², the second and the
     # last at 32². A finer plane is dear, and the MLP reads what lies between its features.
     widths: tuple[int, int, int, int] = (64, 48, 32, 24)
+    # Channels of the planes of 64², a sub-pixel convolution (Shi et al. 2016) of the last: a
+    # robot's eye is one and a half cells of 32² wide.
+    fine: int = 12
     hidden: int = 96  # units of the MLP
 
 
@@ -44,6 +47,7 @@ class Triplane(NamedTuple):
     """Features of one batch of objects."""
 
     planes: list[Float[Tensor, "b c s s"]]  # of PLANES
+    fine: list[Float[Tensor, "b d t t"]]  # the same, twice as fine
     embedding: Float[Tensor, "b e"]
 
 
@@ -102,7 +106,10 @@ class SolidNet(nn.Module):
             nn.ModuleList(PlaneBlock(a, b, size, r) for _ in PLANES)
             for a, b, r in zip(inner, widths[1:], reach, strict=True)
         )
-        self.point = nn.Linear(len(PLANES) * widths[-1] + 3, hidden)
+        self.fine = nn.ModuleList(
+            nn.Conv2d(widths[-1], 4 * config.fine, 3, padding=1) for _ in PLANES
+        )
+        self.point = nn.Linear(len(PLANES) * (widths[-1] + config.fine) + 3, hidden)
         self.point_code = nn.Linear(size, hidden)
         self.layers = nn.ModuleList(nn.Linear(hidden, hidden) for _ in range(2))
         self.exit = nn.Linear(hidden, 1 + PARTS)
@@ -131,7 +138,8 @@ class SolidNet(nn.Module):
         planes = [F.interpolate(plane, scale_factor=2.0) for plane in planes]
         for row in (second, last):
             planes = [block(x, embedding) for block, x in zip(row, planes, strict=True)]
-        return Triplane(planes, embedding)
+        fine = [F.pixel_shuffle(F.silu(c(p)), 2) for c, p in zip(self.fine, planes, strict=True)]
+        return Triplane(planes, fine, embedding)
 
     def _own(self, words: Int[Tensor, "b n"]) -> Float[Tensor, "b 3 c m m"]:
         """The features of the nouns and of their kinds."""
@@ -145,18 +153,26 @@ class SolidNet(nn.Module):
         self, triplane: Triplane, points: Float[Tensor, "b n 3"]
     ) -> tuple[Float[Tensor, "b n"], Float[Tensor, "b n 8"]]:
         """Signed distances (times SCALE) and the logits of the parts, at points in [-1, 1]³."""
-        features = []
-        for plane, (row, column) in zip(triplane.planes, PLANES, strict=True):
-            # grid_sample's first coordinate runs along the columns.
-            at = points[:, None, :, [column, row]].float()
-            found = F.grid_sample(plane.float(), at, align_corners=False, padding_mode="border")
-            features.append(found[:, :, 0].transpose(1, 2))
-        h = self.point(torch.cat([*features, points], -1))
+        features = [_read(triplane.planes, points), points, _read(triplane.fine, points)]
+        h = self.point(torch.cat(features, -1))
         h = F.silu(h + self.point_code(triplane.embedding)[:, None])
         for layer in self.layers:
             h = h + F.silu(layer(h))
         out = self.exit(h).float()
         return out[..., 0], out[..., 1:]
+
+
+def _read(
+    planes: list[Float[Tensor, "b c s s"]], points: Float[Tensor, "b n 3"]
+) -> Float[Tensor, "b n _"]:
+    """The planes' features at the points' projections, side by side."""
+    features = []
+    for plane, (row, column) in zip(planes, PLANES, strict=True):
+        # grid_sample's first coordinate runs along the columns.
+        at = points[:, None, :, [column, row]].float()
+        found = F.grid_sample(plane.float(), at, align_corners=False, padding_mode="border")
+        features.append(found[:, :, 0].transpose(1, 2))
+    return torch.cat(features, -1)
 
 
 def with_others(planes: list[Float[Tensor, "b c s s"]]) -> list[Float[Tensor, "b _ s s"]]:
