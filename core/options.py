@@ -266,7 +266,7 @@ def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
     of = "of guidance --architecture"
     bench.add_argument(
         "--architecture",
-        metavar="sd15|sd21|sdxl",
+        metavar="sd15|sd21|sdxl|mvdream",
         help="of guidance: with random weights",
     )
     bench.add_argument("--scale", default="full", metavar="full|tiny", help=f"{of}: its widths")

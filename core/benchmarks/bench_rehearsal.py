@@ -32,6 +32,9 @@ from core.guidance.stable_diffusion.checkpoint import read_json
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
 from core.guidance.stable_diffusion.conditions import takes_pooled
 from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion, StableDiffusion
+from core.guidance.stable_diffusion.multi_view import MultiViewUNet
+from core.guidance.stable_diffusion.multi_view_names import TOGETHER
+from core.guidance.stable_diffusion.multi_view_names import unet_config as of_multi_view
 from core.guidance.stable_diffusion.networks import (
     AutoencoderKL,
     DDPMScheduler,
@@ -53,7 +56,7 @@ STEPS = 3  # of each phase that are timed, after one that is not
 FACES = 20_000  # of the mesh that the appearance is learned on
 PHASES = ("coarse", "fine", "appearance")
 # The shipped configuration of each architecture.
-ARCHITECTURES = {"sd15": "sd15", "sd21": "sd21_base", "sdxl": "sdxl"}
+ARCHITECTURES = {"sd15": "sd15", "sd21": "sd21_base", "sdxl": "sdxl", "mvdream": "mvdream"}
 SCALES = ("full", "tiny")
 
 
@@ -74,9 +77,12 @@ class Rehearsal:
                     f"There is no {name} {getattr(self, name)!r} to rehearse.",
                     f"Use one of {', '.join(known)}.",
                 )
+        least = TOGETHER if self.architecture == "mvdream" else 1
         for name in ("batch", "chunk"):
-            if getattr(self, name) < 1:
-                raise UserError(f"--{name} is {getattr(self, name)}.", "It takes 1 or more.")
+            given = getattr(self, name)
+            if given < 1 or given % least:
+                takes = f"a multiple of {least}" if least > 1 else "1 or more"
+                raise UserError(f"--{name} is {given}.", f"It takes {takes}.")
 
 
 def bench_rehearsal(rehearsal: Rehearsal, out: Path | None = None) -> list[dict]:
@@ -108,6 +114,8 @@ def random_guidance(rehearsal: Rehearsal, device: torch.device) -> PromptedStabl
     unet_config, vae_config = configurations(rehearsal)
     with torch.device(device):
         unet: Any = UNet2DConditionModel.from_config(unet_config)
+        if rehearsal.architecture == "mvdream":
+            unet = MultiViewUNet(unet)
         vae: Any = AutoencoderKL.from_config(vae_config)
     vae.decoder = None
     torch.nn.Module.to(unet, device, dtype)
@@ -126,6 +134,8 @@ def configurations(rehearsal: Rehearsal) -> tuple[dict[str, Any], dict[str, Any]
     """Of the U-Net and of the VAE: the shipped ones, or the same blocks with small widths."""
     folder = CONFIGURATIONS / ARCHITECTURES[rehearsal.architecture]
     unet, vae = (read_json(folder / part / "config.json") for part in ("unet", "vae"))
+    if rehearsal.architecture == "mvdream":
+        unet = of_multi_view(unet)
     if rehearsal.scale == "full":
         return unet, vae
     blocks = len(unet["block_out_channels"])

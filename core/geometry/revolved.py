@@ -12,6 +12,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
+from scipy.spatial.distance import cdist
 from torch import Tensor
 
 from core.geometry.faces import normals_of, unit
@@ -26,6 +27,10 @@ REACH = 2.5  # cells
 NORMAL_REACH = 3.5  # cells that normals at a right angle are apart: edges of the profile stay
 TANGENTS = 1.3  # cells: the deviation of the weights of tangents, for where they cross
 TURNS = 0.1  # the least share of the tangents that go another way: the profile turns there
+# Cosines to a normal, below which others go another way and the opposite way, and the share of
+# such, to either side of a place, or opposite to it, that is no corner: a rim's wall is thin there.
+OTHER_WAY, OPPOSITE, ON_RIM = 0.5, -0.6, 0.03
+RIM_ASKED = 800  # vertices that tell it
 SNAP = 0.9  # cells to a corner, of what goes there
 CORNER_ROUNDS = 3  # of mean shift
 SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the vertices
@@ -171,7 +176,24 @@ def _corners(
         away, near = KDTree(found).query(found, NEAREST, distance_upper_bound=SNAP)
         one = np.isfinite(away)[..., None]
         found = (np.r_[found, np.zeros((1, 2))][near] * one).sum(1) / one.sum(1)
+    rim = place[_on_rim(place, normal)]
+    if len(rim) and len(found):
+        found = found[KDTree(rim).query(found)[0] > SNAP]
     return found
+
+
+def _on_rim(
+    place: Float[np.ndarray, "n 2"], normal: Float[np.ndarray, "n 2"]
+) -> Bool[np.ndarray, " n"]:
+    """Whether the profile turns to either side of a place within reach, or comes back, as at a thin
+    wall's rim: its two corners would be taken for one, a blade."""
+    some = slice(None, None, -(-len(place) // RIM_ASKED))
+    near = cdist(place, place[some]) < REACH
+    cosine = normal @ normal[some].T
+    side = normal[:, :1] * normal[some, 1] - normal[:, 1:] * normal[some, 0]
+    other, least = near & (cosine < OTHER_WAY), ON_RIM * near.sum(1)
+    either = np.minimum((other & (side > 0)).sum(1), (other & (side < 0)).sum(1))
+    return np.maximum(either, (near & (cosine < OPPOSITE)).sum(1)) > least
 
 
 def axis(

@@ -178,9 +178,9 @@ def test_one_view_that_does_not_fit_ends_the_run(tmp_path):
         learn_appearance(setup, mesh, light, Progress(run))
 
 
-@pytest.mark.parametrize("architecture", ["sd15", "sdxl"])
-def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, capsys):
-    lines = bench_rehearsal(Rehearsal(architecture, "tiny", batch=2, chunk=2, device="cpu"))
+@pytest.mark.parametrize(("architecture", "views"), [("sd15", 2), ("sdxl", 2), ("mvdream", 4)])
+def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, views, capsys):
+    lines = bench_rehearsal(Rehearsal(architecture, "tiny", views, views, device="cpu"))
     names = [line["name"] for line in lines]
     for phase in PHASES:
         parts = [n.split(": ")[1].split(",")[0] for n in names if n.startswith(f"{phase}: ")]
@@ -189,7 +189,7 @@ def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, 
         assert parts[:-1] == wanted
     assert names[-1] == "the paper's whole schedule"
     values = {line["name"]: line["value"] for line in lines}
-    assert values["coarse: U-Net, 2 views"] > 0
+    assert values[f"coarse: U-Net, {views} views"] > 0
     total = sum(line["value"] for line in lines if "steps of 24" in line["name"])
     assert values["the paper's whole schedule"] == pytest.approx(total)
     assert "fine: VAE" in capsys.readouterr().out
@@ -197,8 +197,11 @@ def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, 
 
 def test_an_unknown_architecture_is_one_sentence(capsys):
     assert main(["bench", "guidance", "--architecture", "sd99", "--device", "cpu"]) == 2
-    assert "Use one of sd15, sd21, sdxl." in capsys.readouterr().err
+    assert "Use one of sd15, sd21, sdxl, mvdream." in capsys.readouterr().err
     with pytest.raises(UserError, match="--batch is 0"):
         Rehearsal("sd15", batch=0)
+    with pytest.raises(UserError, match="--chunk is 2") as caught:
+        Rehearsal("mvdream", batch=8, chunk=2)
+    assert "a multiple of 4" in caught.value.fix
     assert main(["bench", "render", "--architecture", "sd15"]) == 2
     assert "belongs to bench guidance" in capsys.readouterr().err

@@ -51,7 +51,7 @@ TINY = {
 OPTIONS = [f"--set={key}={value}" for key, value in TINY.items()]
 OPTIONS += ["--texture-size=64", "--max-faces=100"]
 STAGES = ("start", "fit", "geometry", "unwrap", "appearance", "bake", "asset")
-PASSES = 10  # of the packing, which would be half of so short a run
+PASSES = 16  # of the packing, which would be half of so short a run
 
 
 def generate(run: Path) -> list[str]:
