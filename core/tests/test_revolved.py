@@ -7,7 +7,7 @@ from core.geometry.faces import normals_of, unit
 from core.geometry.revolved import axis, connected, on_one_axis, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
-from core.prior.solids import box, cut, join, lathe, moved, tube
+from core.prior.solids import box, cut, join, lathe, moved, ring, tube
 
 GRID = tet_grid(48)
 CELL = 2 * EXTENT / 48
@@ -115,18 +115,17 @@ def test_a_rim_is_a_sharp_line():
     assert (after < before / 2).all(), (before, after)
 
 
-def test_the_rim_of_a_thin_wall_stays_round():
-    wall, height = 2.6 * CELL, 0.6
+def test_the_rim_of_a_thin_wall_is_no_blade():
+    wall, height = 2.2 * CELL, 0.6
     outer = tube((0.0, 0.0, -height), (0.0, 0.0, height), 0.6)
     inner = tube((0.0, 0.0, wall - height), (0.0, 0.0, 1.0), 0.6 - wall)
-    verts, faces = lumpy(cut(outer, inner), 0.15)
+    rim = ring((0.0, 0.0, height), 0.6 - wall / 2, wall / 2)
+    verts, faces = lumpy(join(cut(outer, inner), rim), 0.5)
     part = torch.zeros(len(verts), dtype=torch.long)
     made = radius_and_height(revolved(verts, faces, part, upright(0.95), CELL))
-    top = made[(verts[:, 2] > height - 0.7 * CELL) & (verts[:, :2].norm(dim=1) > 0.6 - wall)]
+    top = made[(verts[:, 2] > height) & (verts[:, :2].norm(dim=1) > 0.6 - wall)]
     assert len(top) > 100
-    # No blade: as wide as before, and no vertex stands out.
-    assert top[:, 0].std() > 0.5 * CELL
-    assert top[:, 1].max() - top[:, 1].quantile(0.9) < 0.3 * CELL
+    assert top[:, 0].std() > 0.5 * CELL  # of a half circle of that width: 0.78
 
 
 def radius_and_height(verts: torch.Tensor) -> torch.Tensor:
