@@ -16,7 +16,7 @@ def make_guidance(
     spec: str,
     device: "torch.device | str",
     *,
-    chunk: int = 4,
+    chunk: int | None = None,
     ignore_unknown: bool = False,
     config: GuidanceConfig = GUIDANCE,
     loras: Mapping[str, float] = NO_LORAS,
@@ -27,7 +27,7 @@ def make_guidance(
     Args:
         spec: "builtin", or a Stable Diffusion checkpoint: its folder in diffusers' format, its
             .safetensors file, or its hub id where it is in the local cache.
-        chunk: pictures that go through a large network at a time.
+        chunk: at most so many pictures go through a large network at a time; None: as many as fit.
         ignore_unknown: whether words that "builtin" does not know are left out, not refused.
         config: how a checkpoint is used.
         loras: LoRA files on top of a checkpoint, each with its strength.

@@ -1,5 +1,7 @@
 """On tiny random-weight checkpoints, written with diffusers' own API and loaded offline."""
 
+from functools import cache
+
 import pytest
 import torch
 from diffusers import StableDiffusionPipeline as Pipeline
@@ -12,7 +14,8 @@ from core.generate import config_of, prepare
 from core.guidance import sds
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
-from core.guidance.stable_diffusion.fit import estimate_memory
+from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
+from core.guidance.stable_diffusion.fit import chunk_that_fits, estimate_memory
 from core.guidance.stable_diffusion.guidance import StableDiffusion
 from core.guidance.stable_diffusion.memory import peak_bytes
 from core.guidance.stable_diffusion.prompts import DEFAULT_NEGATIVE_PROMPT, PromptCutWarning
@@ -369,6 +372,33 @@ def test_the_chunk_shrinks_to_what_fits_and_too_little_memory_is_an_error(checkp
     with pytest.raises(MemoryShortError, match=r"needs about 0\.0 GB of 0\.0 GB") as error:
         StableDiffusion.load(str(folder), "cpu")
     assert error.value.status == 4
+
+
+@pytest.mark.parametrize(
+    ("gigabytes", "least", "chunk"),
+    [
+        (6, 1, 1),
+        (8, 1, 2),
+        (12, 1, 4),
+        (24, 1, 8),
+        (80, 1, 24),
+        (12, 4, 4),
+        (24, 4, 8),
+        (80, 4, 24),
+    ],
+)
+def test_a_gpus_memory_says_how_many_pictures_go_together(gigabytes, least, chunk, monkeypatch):
+    """At Stable Diffusion 1.5's true size, in 16 bit, from its shipped configuration."""
+    fit = "core.guidance.stable_diffusion.fit."
+    monkeypatch.setattr(fit + "available_bytes", lambda _: gigabytes * 1e9)
+    monkeypatch.setattr(fit + "estimate_memory", of_sd15)
+    gpu, checkpoint = torch.device("cuda"), Checkpoint(CONFIGURATIONS / "sd15")
+    assert chunk_that_fits(checkpoint, gpu, torch.float16, texts=2, least=least) == chunk
+
+
+@cache
+def of_sd15(checkpoint, **given):
+    return estimate_memory(checkpoint, **given)
 
 
 def test_perp_negs_other_predictions_are_in_the_estimate(checkpoints, monkeypatch):

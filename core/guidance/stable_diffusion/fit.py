@@ -8,6 +8,10 @@ from core.guidance.stable_diffusion.networks import empty_networks, vae_dtype
 from core.guidance.stable_diffusion.source import Checkpoint
 
 RESERVE = 1.25  # fragments, the kernels' work space, the renderer
+# Pictures at a time, the largest that fits: with Stable Diffusion 1.5 in 16 bit 24 in 80 GB, 8 in
+# 24, 4 in 12, 2 in 8 and 1 in 6.
+CHUNKS = (24, 12, 8, 4, 2, 1)
+MOST_ON_CPU = 4  # more at a time are no faster there
 
 
 def estimate_memory(
@@ -49,24 +53,31 @@ def chunk_that_fits(
     checkpoint: Checkpoint,
     device: torch.device,
     dtype: torch.dtype,
-    chunk: int,
+    most: int | None = None,
     *,
     texts: int,
     least: int = 1,
 ) -> int:
-    """The most pictures at a time, ``chunk`` or a half of it, a quarter ..., that fit.
+    """The most pictures at a time that fit, of ``CHUNKS``.
 
     Args:
+        most: no more than these; None: as many as the device is the faster for.
         least: a multiple of it is returned: pictures that go together.
 
     Raises:
         MemoryShortError: not even ``least`` do.
     """
+    if most is None:
+        most = max(CHUNKS) if device.type == "cuda" else MOST_ON_CPU
     available, needed = available_bytes(device), 0
-    chunk = max(least, chunk // least * least)
-    while chunk >= least:
+    for chunk in _chunks(most, least):
         needed = estimate_memory(checkpoint, chunk=chunk, dtype=dtype, texts=texts)
         if needed <= available:
             return chunk
-        chunk = chunk // 2 // least * least
     raise memory_short(f'the checkpoint "{checkpoint.name}"', needed, available)
+
+
+def _chunks(most: int, least: int) -> list[int]:
+    """``most`` and the smaller ones of CHUNKS, in multiples of ``least``; ``least`` at the end."""
+    some = [n // least * least for n in (most, *(n for n in CHUNKS if n < most))]
+    return [n for n in dict.fromkeys(some) if n > least] + [least]

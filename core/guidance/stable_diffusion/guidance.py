@@ -128,14 +128,14 @@ class StableDiffusion(Guidance):
         spec: str,
         device: "torch.device | str",
         *,
-        chunk: int = 4,
+        chunk: int | None = None,
         config: GuidanceConfig = GUIDANCE,
         additions: Additions = NOTHING,
     ) -> "StableDiffusion":
         """The checkpoint that ``spec`` names: in 16 bit on CUDA, in 32 bit elsewhere.
 
-        The text encoder stays in the machine's memory: it runs once. Without enough memory for
-        ``chunk`` pictures at a time, the largest number that fits is taken.
+        The text encoder stays in the machine's memory: it runs once. At most ``chunk``
+        pictures go through at a time; without it, as many as fit.
 
         Raises:
             UserError: no such checkpoint, or one that cannot be used; the text says why.
