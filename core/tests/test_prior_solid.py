@@ -262,10 +262,8 @@ def test_a_training_goes_on_from_a_shipped_decoder_of_fewer_features(tmp_path):
     training = SolidTraining(partial(Autoencoder, TINY), TrainConfig(), objective=solid_loss)
     training.start_from(tmp_path / "old.safetensors")
     new, loaded = training.net.decoder, load_solid_net(tmp_path / "old.safetensors")
-    for name in (
-        "point.weight",
-        "fine.0.weight",
-    ):  # more inputs of the one, more outputs of the other
+    # More inputs of the one, more outputs of the other.
+    for name in ("point.weight", "fine.0.weight"):
         wide, narrow = new.get_parameter(name), loaded.get_parameter(name)
         assert torch.equal(wide[tuple(slice(n) for n in narrow.shape)], narrow)
         assert wide.shape != narrow.shape

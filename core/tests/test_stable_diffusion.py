@@ -15,7 +15,7 @@ from core.guidance import sds
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
-from core.guidance.stable_diffusion.fit import chunk_that_fits, estimate_memory
+from core.guidance.stable_diffusion.fit import MOST_ON_CPU, chunk_that_fits, estimate_memory
 from core.guidance.stable_diffusion.guidance import StableDiffusion
 from core.guidance.stable_diffusion.memory import peak_bytes
 from core.guidance.stable_diffusion.prompts import DEFAULT_NEGATIVE_PROMPT, PromptCutWarning
@@ -392,8 +392,15 @@ def test_a_gpus_memory_says_how_many_pictures_go_together(gigabytes, least, chun
     fit = "core.guidance.stable_diffusion.fit."
     monkeypatch.setattr(fit + "available_bytes", lambda _: gigabytes * 1e9)
     monkeypatch.setattr(fit + "estimate_memory", of_sd15)
-    gpu, checkpoint = torch.device("cuda"), Checkpoint(CONFIGURATIONS / "sd15")
-    assert chunk_that_fits(checkpoint, gpu, torch.float16, texts=2, least=least) == chunk
+    gpu, cpu = torch.device("cuda"), torch.device("cpu")
+    checkpoint, given = Checkpoint(CONFIGURATIONS / "sd15"), {"texts": 2, "least": least}
+    assert chunk_that_fits(checkpoint, gpu, torch.float16, **given) == chunk
+    assert chunk_that_fits(checkpoint, cpu, torch.float16, **given) == min(chunk, MOST_ON_CPU)
+
+
+def test_pictures_that_go_together_stay_together(checkpoints):
+    checkpoint, cpu = Checkpoint(checkpoints["1.x"]), torch.device("cpu")
+    assert chunk_that_fits(checkpoint, cpu, torch.float32, 6, texts=2, least=4) == 4
 
 
 @cache
