@@ -165,6 +165,9 @@ class AppearanceConfig:
     # Strength of what the bake adds for the materials that a guidance names (grain, rust, a weave);
     # 0 is none. Stable Diffusion paints its own and names none.
     detail: Annotated[float, Range(0, 2)] = 1.0
+    # How much of what Γ's colour varies within an area of one colour is taken out at the bake. The
+    # pictures' network is unsure there, which shows as blotches.
+    evenness: Annotated[float, Range(0, 1)] = 0.8
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -34,7 +34,7 @@ from core.provenance import made_by, recorded
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
 from core.stages.distill import require_groups
-from core.stages.geometry import learn_geometry
+from core.stages.geometry import assembled_shape, learn_geometry, learns
 from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
@@ -169,7 +169,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         return run.asset
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
-    known = {"surfaces": guidance.surfaces(), "colored_at": guidance.colored_at()}
+    known = {"surfaces": guidance.surfaces(), "areas": guidance.areas()}
     seed = job.color_seed or job.seed
     maps = bake_maps(unwrapped, net, config, progress, seed=seed, **known)
     if region is not None:
@@ -252,7 +252,8 @@ def paused(run: RunFolder, until: str) -> Paused:
 def learned_shape(
     run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False
 ) -> Mesh | None:
-    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide.
+    """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide; or what
+    the guidance has drawn, where nothing of it is left to learn.
 
     ``early``: as :func:`core.stages.geometry.learn_geometry` has it. None in a process that is not
     the first of several.
@@ -260,7 +261,11 @@ def learned_shape(
     guide, strength = inputs.shape, run.job.guide_strength
     if guide and strength == 1:
         return kept_guide(guide, run, progress)
-    config, generator = inputs.config.geometry, torch.Generator().manual_seed(run.job.seed)
+    config, parts = inputs.config.geometry, inputs.guidance.parts()
+    if parts and not learns(config):
+        first = inputs.ranks.first
+        return assembled_shape(parts, config, run, progress) if first else None
+    generator = torch.Generator().manual_seed(run.job.seed)
     net = sdf_net(config, generator).to(inputs.device)
     look = within(inputs.config.appearance, inputs.guidance.ranges())
     lit = lit_shape(net, config, look, inputs.light.to(inputs.device), generator)

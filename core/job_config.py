@@ -52,8 +52,9 @@ def config_of(job: Job) -> Config:
 def started(config: Config, job: Job) -> Config:
     """``config`` for what the geometry starts from: a drawn solid, where the job can have one.
 
-    All is there then, so that nothing is left to distil, to grow and to refine, unless the job's
-    own settings say so; the fine lattice holds what Ψ lacks of the solid.
+    All is there then, so that nothing is left to distil, to grow, to refine and to sharpen, and
+    the solid itself becomes the mesh, unless the job's own settings say otherwise; the fine
+    lattice then holds what Ψ lacks of the solid.
     """
     g, asked = config.geometry, with_settings(config, job.settings).geometry
     # An ablation learns the shape in another way, which is what it is there to show.
@@ -67,7 +68,7 @@ def started(config: Config, job: Job) -> Config:
         refine=replace(g.refine, rounds=0),
         net=replace(g.net, residual=g.net.residual or START_RESIDUAL),
         polish=min(g.polish, START_POLISH),
-        sharpen=replace(g.sharpen, rounds=2, close_rounds=1, reach=START_REACH),
+        sharpen=replace(g.sharpen, rounds=0, close_rounds=1, reach=START_REACH),
     )
     return replace(config, geometry=less)
 

@@ -12,13 +12,14 @@ background adds ``(1 - o) * background`` itself.
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.camera import Cameras
+from core.geometry.assembly import Forms
 from core.geometry.init_shape import Shape
 
 NormalFrame = Literal["object", "camera"]
@@ -133,11 +134,21 @@ class Guidance(ABC):
 class KnownParts(NamedTuple):
     """Where an object's parts are, and what they are like."""
 
-    at: Callable[[Float[Tensor, "n 3"]], Int[Tensor, " n"]]  # of places in training units
-    # Of each part, the fraction of its surface that is flat, ...
-    flat: tuple[float, ...]
-    # ... and the same all around an axis of each of its pieces: along x, along y, along z.
-    round: tuple[tuple[float, ...], ...]
+    # Of each part, at places in training units; columns beyond the parts are none.
+    distances: Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
+    forms: Forms
+
+
+@runtime_checkable
+class Areas(Protocol):
+    """The areas of an object that are of one colour each."""
+
+    plain: tuple[bool, ...]  # of each: no more than one colour is meant
+
+    def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
+        """The area of each place of the surface, training units, and where the place takes its
+        material from: farther inside its area where it is near a border."""
+        ...
 
 
 class PromptedGuidance(ABC):
@@ -192,13 +203,12 @@ class PromptedGuidance(ABC):
         """The solid of that object, for Ψ to start from; None where there is none."""
         return None
 
-    def colored_at(self) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None:
-        """Where a place of the surface takes its material from, training units: of an object whose
-        parts are known, from inside its own part; None: from where it is."""
+    def areas(self) -> Areas | None:
+        """The areas of that object; None where its parts are not known."""
         return None
 
     def parts(self) -> "KnownParts | None":
-        """The parts of that object, of which the mesh's planes are looked for; None: unknown."""
+        """The parts of that object, each a solid of its own; None: unknown."""
         return None
 
     @abstractmethod

@@ -49,5 +49,5 @@ class Redrawing:
         side = torch.linspace(-HALF, HALF, cells + 1).clamp(-EXTENT, EXTENT) / EXTENT
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
         chunks = nodes.view(-1, 3).split(CHUNK)
-        found = [self.net.decoder.at(triplane, chunk[None])[0] for chunk in chunks]
+        found = [self.net.decoder.at(triplane, chunk[None]).amin(-1) for chunk in chunks]
         return LatticeShape(torch.cat(found, 1).view(1, 1, *nodes.shape[:3]) / SCALE)

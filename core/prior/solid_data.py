@@ -1,4 +1,4 @@
-"""Solids of the families as numbers: a coarse volume of distances, and points with theirs.
+"""Solids of the families as numbers: a coarse volume of distances, and points with their parts'.
 
 The volume is what the encoder reads, the points what the decoder is asked for. A file holds two
 objects of each noun, and takes half a minute of one core.
@@ -16,6 +16,7 @@ from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.solid import FORMS
+from core.guidance.builtin.solid_net import PARTS
 from core.guidance.builtin.words import OPTIONS
 from core.io.atomic import atomic_file
 from core.prior.data import ADJECTIVES, NO_PART_STATE, NOUNS, PART_STATES
@@ -41,8 +42,7 @@ class Solids:
 
     grid: Tensor  # (N, 32, 32, 32) int8, distance / REACH × 127, axes x, y, z
     points: Tensor  # (N, p, 3) int16, place / EXTENT × 32767
-    sdf: Tensor  # (N, p) float16, within ±REACH
-    part: Tensor  # (N, p) uint8, index into the noun's parts
+    distances: Tensor  # (N, p, PARTS) float16, of each part, within ±REACH; REACH of none
     words: (
         Tensor  # (N, 3) int16: noun, adjective, state of the parts; indices of ``core.prior.data``
     )
@@ -77,12 +77,12 @@ def _object(noun: int, draw: Draw) -> Solids:
     own = Draw(draw.generator, PART_STATES[state])
     shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER)
     points = _points(shape, draw.generator)
-    sdf, part = shape.distances(points).min(1)
+    distances = shape.distances(points).clamp(-REACH, REACH)
+    none = torch.full((len(points), PARTS - distances.shape[1]), REACH)
     return Solids(
         grid=volume_of(shape),
         points=(points / EXTENT * 32767).round().to(torch.int16),
-        sdf=sdf.clamp(-REACH, REACH).half(),
-        part=part.to(torch.uint8),
+        distances=torch.cat([distances, none], 1).half(),
         words=torch.tensor([noun, adjective, state], dtype=torch.int16),
     )
 

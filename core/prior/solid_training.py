@@ -1,5 +1,5 @@
 """Training of the network that draws solids: a conditional variational autoencoder (Kingma and
-Welling 2014; Sohn et al. 2015) over distances of the families' solids.
+Welling 2014; Sohn et al. 2015) over the distances of the families' solids, part by part.
 """
 
 import itertools
@@ -8,16 +8,16 @@ from typing import NamedTuple
 
 import torch
 import torch.nn.functional as F
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.builtin.solid import solid_tensors
-from core.guidance.builtin.solid_net import KINDS, SCALE, SolidNet, SolidNetConfig
+from core.guidance.builtin.solid_net import KINDS, PARTS, SCALE, SolidNet, SolidNetConfig
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
 from core.prior.solid_data import SOLIDS, Solids, read_solids
-from core.prior.solid_kinds import kind_rows, kinds_of
-from core.prior.train import TrainConfig, Training
+from core.prior.solid_kinds import NEAR, compared, kind_rows, kinds_of
+from core.prior.train import Batches, TrainConfig, Training
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
 SOLID = SolidNetConfig(WORDS)
@@ -31,8 +31,10 @@ INSIDE = 2.5  # weight of a distance inside the solid
 INSIDE_WEIGHT = 0.03  # of the cross entropy of what is inside
 STEEPNESS = 8.0  # of its logits, / SCALE of the distance
 UNCLEAR = 0.02  # distance, / SCALE, that is neither inside nor outside
-PART_WEIGHT = 0.05  # of the parts' cross entropy
-PART_REACH = 0.6  # within which of the surface parts are asked for, / SCALE
+PART_WEIGHT = 0.4  # of the error of each part's own distance
+OWNER_WEIGHT = 0.03  # of the cross entropy of whose the surface is
+OWNER_REACH = 0.6  # within which of the surface that is asked for, / SCALE
+ALIKE = 0.01  # training units: how far apart the sides of what is mirrored may be
 LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
 
 
@@ -42,8 +44,7 @@ class SolidBatch(NamedTuple):
     volumes: Float[Tensor, "b 1 32 32 32"]
     words: Int[Tensor, "b 4"]  # rows
     points: Float[Tensor, "b n 3"]  # in [-1, 1]³
-    distances: Float[Tensor, "b n"]  # times SCALE
-    parts: Int[Tensor, "b n"]
+    distances: Float[Tensor, "b n 8"]  # of the parts, times SCALE
     errors: Float[Tensor, " m"]  # each noun's, in the mean over the last ones; the loss adds to it
 
 
@@ -98,15 +99,16 @@ class SolidSource:
             self.paths, self.samples = paths, read_solids(paths)
             kinds = kind_rows(self.samples, self.middles)
             self.rows = torch.cat([self.samples.rows(), kinds[:, None]], 1)
+            self.mirrored = self._mirrored()
 
     def batch(self, count: int, generator: torch.Generator) -> SolidBatch:
         """Random objects, and some of the points of each; nouns with large errors more often."""
         often = (self.errors / self.errors.mean()).clamp(*OFTEN)
         chance = often[self.samples.words[:, 0].long()]
         index = torch.multinomial(chance, count, replacement=True, generator=generator)
-        points, distance, part = asked(self.samples, index, ASKED, generator)
+        points, distances = asked(self.samples, index, ASKED, generator)
         volumes, rows = self.samples.volumes(index), self.rows[index]
-        return SolidBatch(volumes, rows, points, distance, part, self.errors)
+        return SolidBatch(volumes, rows, points, distances, self.errors)
 
     def counts(self) -> Float[Tensor, "a p k"]:
         """How many objects there are, by adjective, state of the parts and kind."""
@@ -114,33 +116,53 @@ class SolidSource:
         index = tuple(self.rows[:, 1:].T)
         return counts.index_put(index, torch.ones(len(self.rows)), accumulate=True)
 
+    def _mirrored(self) -> Bool[Tensor, "k 2"]:
+        """Which kinds have none but objects that are the same on both sides of x = 0, of y = 0."""
+        alike = torch.stack([mirrored(self.samples.grid, axis) for axis in (0, 1)], 1)
+        unlike = torch.zeros(WORDS[3] + 1, 2).index_add(0, self.rows[:, 3], (~alike).float())
+        seen = self.rows[:, 3].bincount(minlength=WORDS[3] + 1) > 0
+        return (unlike == 0) & seen[:, None]
+
+
+def mirrored(grid: Int[Tensor, "n s s s"], axis: int) -> Bool[Tensor, " n"]:
+    """Which volumes, as ``Solids.grid`` has them, are the same from both ends of an axis."""
+    same = []
+    for some in grid.split(256):
+        here = compared(some)
+        there = compared(some.flip(1 + axis))
+        same.append((here - there).abs().amax(1) <= ALIKE / NEAR)
+    return torch.cat(same)
+
 
 def asked(
     solids: Solids, index: Tensor, count: int, generator: torch.Generator
-) -> tuple[Float[Tensor, "b n 3"], Float[Tensor, "b n"], Int[Tensor, "b n"]]:
-    """``count`` points of each object, in [-1, 1]³, their distances times SCALE, their parts."""
+) -> tuple[Float[Tensor, "b n 3"], Float[Tensor, "b n 8"]]:
+    """``count`` points of each object, in [-1, 1]³, and the parts' distances times SCALE."""
     points = solids.points[index]
     some = torch.randint(points.shape[1], (len(index), count), generator=generator)
     points = points.gather(1, some[..., None].expand(-1, -1, 3)).float() / 32767
-    distance = (solids.sdf[index].gather(1, some).float() * SCALE).clamp(-1, 1)
-    return points, distance, solids.part[index].gather(1, some).long()
+    distances = torch.stack([solids.distances[i, row] for i, row in zip(index, some, strict=True)])
+    return points, (distances.float() * SCALE).clamp(-1, 1)
 
 
 def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
-    """The distances' mean error, the parts' cross entropy near the surface, the code's prior."""
-    volume, words, points, distance, part, _ = (x.to(training.device) for x in batch)
+    """The mean error of the distance and of the parts' own, the cross entropy of whose the surface
+    is, the code's prior."""
+    volume, words, points, distances, _ = (x.to(training.device) for x in batch)
     net: Autoencoder = training.net  # pyright: ignore[reportAssignmentType]
     with torch.autocast(training.device.type, torch.bfloat16):
         mean, log_variance = net.encode(volume, words)
         noise = torch.randn(mean.shape, generator=training.generator).to(mean)
         triplane = net.decoder.triplane(words, mean + noise * (log_variance / 2).exp())
-        found, logits = net.decoder.at(triplane, points)
-    remember(batch, (found - distance).detach().abs().mean(1).cpu())
-    near = distance.abs() < PART_REACH
-    parts = F.cross_entropy(logits[near], part[near])
+        found = net.decoder.at(triplane, points)
+    whole, distance = found.amin(-1), distances.amin(-1)
+    remember(batch, (whole - distance).detach().abs().mean(1).cpu())
+    near = distance.abs() < OWNER_REACH
+    owner = F.cross_entropy(-STEEPNESS * found[near], distances[near].argmin(-1))
+    parts = PARTS * distance_loss(found, distances)
     prior = (mean.square() + log_variance.exp() - 1 - log_variance).sum(1).mean() / 2
-    solid = distance_loss(found, distance) + INSIDE_WEIGHT * inside_loss(found, distance)
-    return solid + PART_WEIGHT * parts + PRIOR_WEIGHT * prior
+    solid = distance_loss(whole, distance) + INSIDE_WEIGHT * inside_loss(whole, distance)
+    return solid + PART_WEIGHT * parts + OWNER_WEIGHT * owner + PRIOR_WEIGHT * prior
 
 
 def remember(batch: SolidBatch, errors: Float[Tensor, " b"]) -> None:
@@ -149,7 +171,9 @@ def remember(batch: SolidBatch, errors: Float[Tensor, " b"]) -> None:
         batch.errors[noun] += (error - batch.errors[noun]) / REMEMBERED
 
 
-def distance_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
+def distance_loss(
+    found: Float[Tensor, "*b n"], distance: Float[Tensor, "*b n"]
+) -> Float[Tensor, ""]:
     """Mean absolute error; what is rightly farther off than 1 has none (Park et al. 2019,
     "DeepSDF", Eq. 4). Inside it counts more: a wall thinner than the error would be torn."""
     beyond = (distance.abs() >= 1) & (found * distance >= 1)
@@ -166,6 +190,12 @@ def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> 
 
 class SolidTraining(Training):
     """A training of the autoencoder, whose decoder may begin with shipped weights."""
+
+    def advance(self, source: Batches) -> None:
+        """One step; what is mirrored is so by all objects that there are."""
+        if isinstance(source, SolidSource):
+            self.net.decoder.mirrored.copy_(source.mirrored)
+        super().advance(source)
 
     def start_from(self, path: Path) -> None:
         """Begin with a shipped decoder.
@@ -193,5 +223,7 @@ def trained_solid_net(folder: Path) -> SolidNet:
     path = folder / "solid_ema.safetensors"
     weights = {name: tensor.float() for name, tensor in load_file(path).items()}
     net.load_state_dict(net.state_dict() | weights)
-    net.decoder.counts.copy_(SolidSource(folder).counts())
+    source = SolidSource(folder)
+    net.decoder.counts.copy_(source.counts())
+    net.decoder.mirrored.copy_(source.mirrored)
     return net.decoder

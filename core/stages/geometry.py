@@ -10,17 +10,19 @@ from torch import Tensor
 
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
+from core.geometry.assembly import assembled
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import crisp
-from core.geometry.mesh import drop_floaters, polished
+from core.geometry.mesh import Mesh, drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.revolved import revolved
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
 from core.geometry.struts import joined_by_struts
 from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
-from core.guidance.guidance import Views, coarse_latent
+from core.guidance.guidance import KnownParts, Views, coarse_latent
 from core.guidance.sds import anneal
 from core.io.progress import Progress
+from core.io.run_folder import RunFolder
 from core.stages.distill import Draw, distill
 from core.stages.lit_shape import LitShape
 from core.stages.preview import show_shape
@@ -71,9 +73,38 @@ def learn_geometry(
         parts = setup.guidance.parts() if config.forms else None
         if parts is None:
             return sharp, faces
-        of, cell = parts.at(sharp), 2 * EXTENT / config.resolution[1]
-        sharp = revolved(sharp, faces, of, parts.round, cell)
-        return crisp(sharp, faces, verts, of, parts.flat, cell)
+        of, cell = parts.distances(sharp).argmin(1), 2 * EXTENT / config.resolution[1]
+        sharp = revolved(sharp, faces, of, parts.forms.round, cell)
+        return crisp(sharp, faces, verts, of, parts.forms.flat, cell)
+
+
+def assembled_shape(
+    parts: KnownParts, config: GeometryConfig, run: RunFolder, progress: Progress
+) -> Mesh:
+    """The drawn solid's mesh, part by part: where nothing is to be learnt, the solid is the shape.
+
+    Raises:
+        NoSurfaceError: it has no surface.
+    """
+    with progress.timed("geometry"):
+        made = assembled(
+            parts.distances,
+            len(parts.forms.flat),
+            parts.forms if config.forms else None,
+            config.floaters,
+            lambda done: progress.advance("geometry", round(100 * done), 100),
+        )
+        if made is None:
+            raise NoSurfaceError("What was drawn has no surface.", "Use another seed.")
+        show_shape(run, *made)
+        progress.complete("geometry")
+    return Mesh(*made)
+
+
+def learns(config: GeometryConfig) -> bool:
+    """Whether there is anything that Ψ or its mesh would learn from pictures."""
+    steps = [phase.steps for phase in (config.coarse, config.fine)]
+    return any([*steps, config.grow.rounds, config.refine.rounds, config.sharpen.rounds])
 
 
 def early_steps(config: GeometryConfig) -> int:

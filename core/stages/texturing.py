@@ -13,12 +13,13 @@ from core.appearance.shaded import UvMesh
 from core.config import Config, TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.guidance.guidance import Surface
+from core.guidance.guidance import Areas, Surface
 from core.io.asset import Maps
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ranks import Ranks
 from core.texture.bake import bake
+from core.texture.even import evened
 from core.texture.fine_surface import FineSurface
 from core.texture.finish import Finish, detail_of
 from core.texture.remesh import even_in_charts
@@ -140,23 +141,21 @@ def bake_maps(
     progress: Progress,
     *,
     surfaces: tuple[Surface, ...] = (),
-    colored_at: Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None = None,
+    areas: Areas | None = None,
     seed: int = 0,
 ) -> Maps:
-    """Γ on every texel, with the detail of ``surfaces`` and the relief of the fine shape.
-
-    ``colored_at``: where a point takes its material from; None: from where it is.
-    """
+    """Γ on every texel, even within each of the ``areas``, with the detail of ``surfaces`` and the
+    relief of the fine shape."""
     device, size = next(net.parameters()).device, config.texture.size
 
     @torch.no_grad()
-    def material(points: Float[Tensor, "n 3"]) -> Material:
-        points = colored_at(points) if colored_at else points
+    def learnt(points: Float[Tensor, "n 3"]) -> Material:
         return Material(*(x.cpu() for x in net(points.to(device))))
 
     with progress.timed("bake"):
         mesh = shape.mesh.to("cpu")
-        strength = config.appearance.detail
+        evenness, strength = config.appearance.evenness, config.appearance.detail
+        material = evened(learnt, areas, mesh, evenness) if areas else learnt
         detail = detail_of(mesh, material, surfaces, strength=strength, size=size, seed=seed)
         fine = FineSurface(shape.fine) if shape.fine else None
         return bake(

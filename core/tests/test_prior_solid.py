@@ -19,6 +19,7 @@ from core.guidance.builtin.solid_net import (
     SCALE,
     SolidNet,
     SolidNetConfig,
+    folded,
     with_others,
 )
 from core.io.job import Job
@@ -104,9 +105,9 @@ def test_an_answer_depends_on_noun_kind_code_and_point():
     code = torch.zeros(1, 4)
 
     def at(words, code=code, points=points):
-        distance, parts = net.at(net.triplane(words, code), points)
-        assert distance.shape == (1, 50) and parts.shape == (1, 50, PARTS)
-        return distance
+        distances = net.at(net.triplane(words, code), points)
+        assert distances.shape == (1, 50, PARTS)
+        return distances
 
     plain = at(_rows("mug"))
     assert not torch.equal(plain, at(_rows("chair")))
@@ -122,6 +123,9 @@ def test_weights_travel_in_halves_and_bytes(tmp_path):
     again = load_solid_net(tmp_path / "solid.safetensors")
     assert again.config == net.config
     for (name, old), new in zip(net.state_dict().items(), again.state_dict().values(), strict=True):
+        if old.dtype == torch.bool:
+            assert torch.equal(old, new)
+            continue
         step = old.abs().max() / 127 if name in ("own.weight", "kind.weight") else 1e-2
         assert (old - new).abs().max() <= 0.51 * step + 1e-3, name
 
@@ -170,10 +174,12 @@ def test_solids_are_what_their_family_says():
     # A volume's cell and a point near to its middle agree.
     cell = ((points + EXTENT) * (SIDE / (2 * EXTENT))).long().clamp_max(SIDE - 1)
     volume = solids.volumes(slice(1, 2))[0, 0][tuple(cell.T)] * REACH
-    assert (volume - solids.sdf[1].float()).abs().max() < 1.8 * EXTENT / SIDE + 0.01
-    near = solids.sdf[1].float().abs() < 0.05
-    assert near.float().mean() > 0.5
-    assert solids.part[1].unique().numel() > 1  # a chair has legs and a seat
+    distances = solids.distances[1].float()
+    whole, part = distances.min(1)
+    assert (volume - whole).abs().max() < 1.8 * EXTENT / SIDE + 0.01
+    assert (whole.abs() < 0.05).float().mean() > 0.5
+    assert part.unique().numel() > 1  # a chair has legs and a seat
+    assert (solids.distances[0, :, 2:] == distances.max()).all()  # a mug has no more than two
     again = make_solids(3, of_each=1, nouns=NOUN)
     assert torch.equal(again.points, solids.points)
 
@@ -373,7 +379,7 @@ def test_a_redrawn_solid_is_what_the_network_answers_at_the_lattice_nodes():
     # Nodes by their places along x, y and z: all different, so that swapped axes would show.
     nodes = torch.tensor([[3, 7, 12], [8, 8, 8], [14, 2, 5]])
     points = nodes * (2 * HALF / cells) - HALF
-    true = redrawing.net.decoder.at(triplane, points[None] / EXTENT)[0][0] / SCALE
+    true = redrawing.net.decoder.at(triplane, points[None] / EXTENT)[0].amin(1) / SCALE
     torch.testing.assert_close(lattice.sdf(points), SAFETY * true, atol=1e-5, rtol=1e-4)
 
 
@@ -384,9 +390,7 @@ def test_a_folder_without_a_trained_network_redraws_nothing(tmp_path):
 def test_a_folders_network_comes_back_with_its_encoder(tmp_path, monkeypatch):
     monkeypatch.setattr("core.prior.redrawn.Autoencoder", partial(Autoencoder, TINY))
     there = _redrawing()
-    weights = {
-        n: x.half().contiguous() for n, x in there.net.state_dict().items() if "counts" not in n
-    }
+    weights = {n: x.half().contiguous() for n, x in there.net.named_parameters()}
     save_file(weights, tmp_path / "solid_ema.safetensors")
     save_file({"middles": there.kinds.half()}, tmp_path / "kinds.safetensors")
     back = Redrawing.of(tmp_path)
@@ -409,6 +413,34 @@ def test_most_soft_pairs_are_redrawn_once_there_is_a_network(monkeypatch):
     assert 1 <= len(asked) <= 4 and set(asked) == {NOUNS.index("mug")}
     without = make_pairs(1, 4, "mug")
     assert not torch.equal(with_it.soft, without.soft)
+
+
+def test_what_is_mirrored_is_the_same_on_both_sides_and_smooth_between():
+    net = _tiny()
+    words, code = _rows("mug"), torch.zeros(1, 4)
+    points = torch.rand(1, 200, 3, generator=_generator()) * 2 - 1
+    flip = torch.tensor([-1.0, 1.0, 1.0])
+    there, back = (net.at(net.triplane(words, code), p) for p in (points, points * flip))
+    assert not torch.allclose(there, back)
+    net.mirrored[words[0, 3], 0] = True
+    there, back = (net.at(net.triplane(words, code), p) for p in (points, points * flip))
+    assert torch.equal(there, back)
+    ahead = net.at(net.triplane(words, code), points * torch.tensor([1.0, -1.0, 1.0]))
+    assert not torch.allclose(there, ahead)  # y is not mirrored
+    near = torch.linspace(-1e-3, 1e-3, 3)[None, :, None] * torch.tensor([1.0, 0, 0])
+    left, middle, right = folded(near, torch.tensor([[True, False]]))[0, :, 0].tolist()
+    assert left == right == pytest.approx(3.3e-5, rel=0.02) and middle == 0
+
+
+def test_a_kind_is_mirrored_where_all_of_its_objects_are(folder):
+    source = SolidSource(folder)
+    sides = source.mirrored[source.rows[:, 3]]
+    mugs = source.samples.words[:, 0] == NOUNS.index("mug")
+    assert not sides[mugs, 0].all()  # a handle at one side, or none
+    assert sides[mugs, 1].all()
+    assert sides[~mugs, 0].all()  # chairs
+    assert not sides[~mugs, 1].any()  # a back
+    assert not source.mirrored[0].any()  # of no kind
 
 
 def test_a_torn_drawing_is_drawn_again(monkeypatch):

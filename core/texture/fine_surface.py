@@ -12,6 +12,7 @@ from core.ops import dot, normalize
 
 # Cosine to the coarse surface's normal: below it the nearest point is another side of a thin part.
 SAME_SIDE = 0.2
+EDGE_DEG = 50.0  # between two faces, from which they are shaded apart
 
 
 class FineSurface:
@@ -20,9 +21,16 @@ class FineSurface:
     def __init__(self, mesh: Mesh) -> None:
         self._verts = np.ascontiguousarray(mesh.verts.cpu().double().numpy())
         self._faces = np.ascontiguousarray(mesh.faces.cpu().numpy().astype(np.int64))
-        self._normals = smooth_normals(mesh.verts.cpu().double(), mesh.faces.cpu())
+        self._normals = torch.from_numpy(self._by_corner(smooth_normals(mesh.verts, mesh.faces)))
         self._tree = igl.AABB()
         self._tree.init(self._verts, self._faces)
+
+    def _by_corner(self, smooth: Float[Tensor, "v 3"]) -> Float[np.ndarray, "f 3 3"]:
+        """Each corner's normal: the vertex's, or at an edge of the shape its own side's."""
+        found = smooth.cpu().double().numpy()[self._faces]
+        apart = igl.per_corner_normals(self._verts, self._faces, EDGE_DEG).reshape(-1, 3, 3)
+        edge = (found * apart).sum(-1) < np.cos(np.radians(EDGE_DEG / 2))
+        return np.where(edge[..., None], apart, found)
 
     def normals(
         self, points: Float[Tensor, "n 3"], coarse: Float[Tensor, "n 3"]
@@ -34,12 +42,13 @@ class FineSurface:
         """
         query = np.ascontiguousarray(points.double().numpy())
         _, face, at = self._tree.squared_distance(self._verts, self._faces, query)
-        corners = self._faces[np.asarray(face).reshape(-1)]
+        face = np.asarray(face).reshape(-1)
+        corners = self._faces[face]
         a, b, c = (np.ascontiguousarray(self._verts[corners[:, k]]) for k in range(3))
         weights = torch.from_numpy(igl.barycentric_coordinates(np.ascontiguousarray(at), a, b, c))
         # A face without area has none.
         weights = weights.nan_to_num(1 / 3, 1 / 3, 1 / 3)
-        fine = torch.einsum("nk,nkc->nc", weights, self._normals[torch.from_numpy(corners)])
+        fine = torch.einsum("nk,nkc->nc", weights, self._normals[torch.from_numpy(face)])
         fine = normalize(fine).to(points)
         return torch.where(dot(fine, coarse) > SAME_SIDE, fine, coarse)
 

@@ -6,7 +6,6 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 
 import math
 import warnings
-from collections.abc import Callable
 from dataclasses import replace
 
 import torch
@@ -14,12 +13,13 @@ from jaxtyping import Float, Int
 from safetensors import SafetensorError
 from torch import Tensor
 
+from core.geometry.assembly import Forms
 from core.geometry.init_shape import Shape
+from core.guidance.builtin.areas import SolidAreas, patterned
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
-from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.offered import (
     NETWORKS,
     PARTS,
@@ -29,11 +29,11 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import finishes_of
-from core.guidance.builtin.part_borders import PartBorders
+from core.guidance.builtin.palette import finishes_of, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
+from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
@@ -160,12 +160,19 @@ class PromptedBuiltin(PromptedGuidance):
         """The drawn solid."""
         return self.solid and self.solid.shape()
 
-    def colored_at(self) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]] | None:
-        """Away from the drawn solid's borders."""
-        noun = self.words.noun
-        if self.solid is None or len(NOUNS[noun].looks) < 2:
+    def areas(self) -> SolidAreas | None:
+        """The drawn solid's parts, each in the colours of its stated pattern."""
+        if self.solid is None:
             return None
-        return PartBorders(self.solid.field(len(NOUNS[noun].looks))).inside
+        parts = list(painted(self.words.noun, self.words))
+        margins = [MARGINS.get(part.pattern) for part in parts]
+        # What is patterned by nature alone is not plain: where its colours lie is learnt.
+        own = [part.pattern in ("", part.finish.pattern) for part in parts]
+        plain = [
+            x for x, m in zip(own, margins, strict=True) for x in ((True, True) if m else (x,))
+        ]
+        field = patterned(self.solid.field(len(parts)), margins)
+        return SolidAreas(field, tuple(plain))
 
     def parts(self) -> KnownParts | None:
         """The drawn solid's; what its adjective makes oval is not round."""
@@ -175,7 +182,7 @@ class PromptedBuiltin(PromptedGuidance):
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        return KnownParts(self.solid.part, flat, kept)
+        return KnownParts(self.solid.distances, Forms(flat, kept))
 
     @torch.no_grad()
     def restore(

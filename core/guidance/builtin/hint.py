@@ -11,7 +11,7 @@ from torch import Tensor
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.vocabulary import Words
 
 SURFACE = 7  # channels: normals, coverage, points
@@ -62,7 +62,7 @@ def _part_colors(row: tuple[int, ...]) -> PartColors:
     for k, part in enumerate(painted(words.noun, words) if words.noun else ()):
         first[k] = torch.tensor([*(2 * c - 1 for c in part.color), 1.0])
         second[k] = torch.tensor([*(2 * c - 1 for c in part.second), 1.0])
-        if part.pattern in PATTERNS:
+        if part.pattern in MARGINS:
             patterned[k], pattern = 1.0, part.pattern
     return PartColors(first, second, patterned, pattern)
 
@@ -75,9 +75,6 @@ def stencil(surface: Float[Tensor, "b 7 h w"], patterns: list[str]) -> Bool[Tens
     for name in set(patterns) - {""}:
         mine = torch.tensor([pattern == name for pattern in patterns], device=surface.device)
         place = point[mine].permute(0, 2, 3, 1).reshape(-1, 3)
-        zero = torch.zeros_like(place)
-        # Drawn in black and white, a pattern is its own mask.
-        drawn = PATTERNS[name](zero, zero + 1, Place(place, place))[:, 0] > 0
-        out[mine] = drawn.view(-1, 1, *out.shape[2:])
+        out[mine] = (MARGINS[name](place) > 0).view(-1, 1, *out.shape[2:])
     # Outside of the object the point is none.
     return out & (surface[:, 3:4] > -1)

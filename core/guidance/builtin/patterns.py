@@ -1,9 +1,10 @@
 """Patterns that words may ask for, in the object's space: the same in every view.
 
-A pattern takes the part's colour and the second colour (P, 3), sRGB, and gives the painted one.
-Lengths are in training units; a pixel of the prior's pictures is 0.034.
+Each is given by its margin: how far inside the second colour a place is, about in training units,
+negative in the first. A pixel of the prior's pictures is 0.034.
 """
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -19,7 +20,10 @@ class Place(NamedTuple):
     normal: Float[Tensor, "p 3"]
 
 
+# The part's colour and the second colour (P, 3), sRGB, and where: to what is painted.
 Pattern = Callable[[Tensor, Tensor, Place], Tensor]
+Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
+STRIPE, CELL, SPOT, CHECK = 0.21, 0.42, 0.14, 0.21
 
 
 def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, float]") -> Tensor:
@@ -27,36 +31,44 @@ def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, floa
     return torch.where(mask[:, None], torch.as_tensor(other, dtype=color.dtype), color)
 
 
-def striped(color: Tensor, second: Tensor, place: Place) -> Tensor:
+def striped(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     """Level stripes of six pixels."""
-    return where((place.point[:, 2] * (torch.pi / 0.21)).sin() < 0, color, second)
+    return (points[:, 2] * (math.pi / STRIPE)).sin() * (-STRIPE / math.pi)
 
 
-def spotted(color: Tensor, second: Tensor, place: Place) -> Tensor:
+def spotted(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     """Balls of the second colour on a body-centred lattice."""
-    # Neighbours of the lattice are 0.36 apart, so balls of radius 0.14 do not touch.
-    cell = 0.42
-    first = place.point / cell
-    other = first + 0.5
-    far = [((p - p.round()) * cell).norm(dim=1) for p in (first, other)]
-    return where(torch.minimum(*far) < 0.14, color, second)
+    # Neighbours of the lattice are 0.36 apart, so that the balls do not touch.
+    first = points / CELL
+    far = [((p - p.round()) * CELL).norm(dim=1) for p in (first, first + 0.5)]
+    return SPOT - torch.minimum(*far)
 
 
-def checkered(color: Tensor, second: Tensor, place: Place) -> Tensor:
+def checkered(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     """Cubes of six pixels in turn."""
     # About half a cell off, so that no border lies in a plane of symmetry.
-    cell = ((place.point + 0.1) / 0.21).floor().sum(1)
-    return where(cell.remainder(2) == 1, color, second)
+    place = (points + 0.1) / CHECK
+    side = (place - place.round()).abs().amin(1) * CHECK  # to the nearest border
+    second = place.floor().sum(1).remainder(2) == 1
+    return torch.where(second, side, -side)
 
 
-def two_tone(color: Tensor, second: Tensor, place: Place) -> Tensor:
+def two_tone(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     """The lower half in the second colour."""
-    return where(place.point[:, 2] < 0, color, second)
+    return -points[:, 2]
 
 
-PATTERNS: dict[str, Pattern] = {
+MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
     "checkered": checkered,
     "two-tone": two_tone,
 }
+
+
+def painter(margin: Margin) -> Pattern:
+    """The pattern that a margin stands for."""
+    return lambda color, second, place: where(margin(place.point) > 0, color, second)
+
+
+PATTERNS: dict[str, Pattern] = {name: painter(margin) for name, margin in MARGINS.items()}

@@ -74,20 +74,20 @@ class Solid:
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside, training units; farther off than a tenth, and where
         the frame's scale is uneven, it is less than true."""
-        return self._asked(points)[0]
+        return self.distances(points).amin(1)
 
     def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The part that each point belongs to: its place among the noun's."""
-        return self._asked(points)[1].argmax(1)
+        return self.distances(points).argmin(1)
 
     def field(
         self, parts: int
     ) -> Callable[[Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n p"]]]:
-        """Signed distance, and the logits of the first ``parts`` parts, of points."""
+        """Signed distance, and how deep in each of the first ``parts`` parts, of points."""
 
         def at(points: Tensor) -> tuple[Tensor, Tensor]:
-            distance, part = self._asked(points)
-            return distance, part[:, :parts]
+            distances = self.distances(points)
+            return distances.amin(1), -distances[:, :parts]
 
         return at
 
@@ -118,14 +118,14 @@ class Solid:
         )
 
     @torch.no_grad()
-    def _asked(self, points: Tensor) -> tuple[Tensor, Tensor]:
+    def distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
+        """Each part's signed distance."""
         device = self.triplane.embedding.device
         local = points / points.new_tensor(self.frame.scale) + points.new_tensor(self.frame.center)
         chunks = (local.to(device) / EXTENT).split(CHUNK)
         found = [self.net.at(self.triplane, chunk[None]) for chunk in chunks]
-        distance, part = (torch.cat(both, 1)[0] for both in zip(*found, strict=True))
-        distance = distance * (min(self.frame.scale) / SCALE) - self.swell
-        return distance.to(points.device), part.to(points.device)
+        distances = torch.cat(found, 1)[0] * (min(self.frame.scale) / SCALE) - self.swell
+        return distances.to(points.device)
 
 
 def drawn_kind(net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> int:
@@ -154,7 +154,7 @@ def save_solid_net(path: Path, net: SolidNet) -> None:
             tensors[name] = (groups / step).round().to(torch.int8).view(tensor.shape)
             tensors[f"{name}.step"] = step[:, 0].half()
         else:
-            tensors[name] = tensor.half()
+            tensors[name] = tensor if tensor.dtype == torch.bool else tensor.half()
     write_tensors(path, tensors, {"config": json.dumps(asdict(net.config))})
 
 
@@ -170,7 +170,10 @@ def load_solid_net(path: Path) -> SolidNet:
 
 def solid_tensors(path: Path) -> dict[str, Tensor]:
     """The weights of the shipped form, in single precision."""
-    tensors = {name: tensor.float() for name, tensor in load_file(path).items()}
+    tensors = {
+        name: tensor if tensor.dtype == torch.bool else tensor.float()
+        for name, tensor in load_file(path).items()
+    }
     for name in TABLES:
         step = tensors.pop(f"{name}.step")[:, None]
         tensors[name] = (tensors[name].view(len(step), -1) * step).view(tensors[name].shape)

@@ -1,0 +1,67 @@
+"""The union of closed meshes as one closed mesh; the only file that imports manifold3d.
+
+Its result is a manifold however the meshes lie to each other (Smith, "Towards robust inexact
+geometric computation", 2009).
+"""
+
+from collections.abc import Sequence
+
+import manifold3d
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from scipy.spatial import KDTree
+from torch import Tensor
+
+Mesh = tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]
+
+ROUND = 16  # segments of a strut's ends
+MOST_STRUTS = 12  # rubble of more pieces than these join is left in pieces
+
+
+def union(meshes: Sequence[Mesh], strut: float) -> Mesh:
+    """All of ``meshes``, closed and facing outwards, as one; what does not touch is joined.
+
+    Args:
+        strut: radius of the capsules between pieces that do not touch; 0 leaves them apart.
+    """
+    whole = manifold3d.Manifold.batch_boolean([_solid(*m) for m in meshes], manifold3d.OpType.Add)
+    for _ in range(MOST_STRUTS if strut else 0):
+        pieces = sorted(whole.decompose(), key=lambda piece: piece.volume())
+        if len(pieces) < 2:
+            break
+        whole = whole + _strut(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])]), strut)
+    made = whole.to_mesh()
+    verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
+    first, _ = meshes[0]
+    return torch.from_numpy(np.array(verts)).to(first), torch.from_numpy(faces).to(first.device)
+
+
+def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:
+    """Whether a mesh can be united with others: closed, manifold and oriented."""
+    return not _solid(verts, faces).is_empty()
+
+
+def _solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> manifold3d.Manifold:
+    """As manifold3d has it; nothing, where it is no closed mesh."""
+    places, corners = verts.detach().cpu().numpy(), faces.cpu().numpy()
+    # Each face is a face of its own, or those of one plane would be merged into large ones, whose
+    # vertices' normals lean at every edge.
+    own = np.arange(len(corners), dtype=np.uint32)
+    mesh = manifold3d.Mesh(places.astype(np.float32), corners.astype(np.uint32), face_id=own)
+    return manifold3d.Manifold(mesh)
+
+
+def _verts(solid: manifold3d.Manifold) -> Float[np.ndarray, "v 3"]:
+    return np.asarray(solid.to_mesh().vert_properties, np.float64)[:, :3]
+
+
+def _strut(
+    piece: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"], radius: float
+) -> manifold3d.Manifold:
+    """A capsule over the shortest way between two clouds of vertices."""
+    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
+    best = int(distance.argmin())
+    ball = manifold3d.Manifold.sphere(radius, ROUND)
+    ends = [ball.translate(list(map(float, at))) for at in (piece[best], rest[nearest[best]])]
+    return manifold3d.Manifold.batch_hull(ends)

@@ -1,0 +1,103 @@
+"""The areas of a drawn solid that are of one colour each: its parts, and in a part that the words
+give a pattern the places of its two colours.
+
+Γ learns colours from pictures of 64², where a border between two areas is a pixel or two wide, 6 %
+of the object. The areas themselves are known in space, so a texel near a border takes the material
+from a little farther inside its own area, and the border is as sharp as the texture.
+"""
+
+from collections.abc import Callable
+
+import torch
+import torch.nn.functional as F
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.patterns import Margin
+
+CELLS = 80  # of the lattice on which the parts are known, along an edge
+INSET = 0.06  # training units: what a picture's blur covers
+STEPS = 3  # on the way; each looks anew where the border is
+LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
+
+Field = Callable[
+    [Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]
+]  # signed distance and how deep in each area, at points
+
+
+def patterned(field: Field, margins: "list[Margin | None]") -> Field:
+    """The field of the areas, from that of the parts: one for each part, two where the part has a
+    pattern, the first colour's and the second's."""
+
+    def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
+        distance, depths = field(points)
+        areas = []
+        for depth, margin in zip(depths.T, margins, strict=True):
+            second = margin(points) if margin else torch.zeros_like(depth)
+            areas += [depth - second.clamp_min(0)] + [depth + second.clamp_max(0)] * bool(margin)
+        return distance, torch.stack(areas, 1)
+
+    return at
+
+
+class SolidAreas:
+    """Where the areas of one solid are, on a lattice of their depths."""
+
+    def __init__(self, field: Field, plain: tuple[bool, ...], cells: int = CELLS) -> None:
+        """``plain``: which areas are of one colour, as far as the words and nature say."""
+        self.plain = plain
+        self.spacing = 2 * EXTENT / cells
+        side = torch.linspace(-EXTENT, EXTENT, cells + 1)
+        nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
+        distance, depths = field(nodes.view(-1, 3))
+        values = torch.cat([distance[:, None], depths], 1)
+        # grid_sample's first coordinate runs along the last axis.
+        self.values = values.T.view(-1, cells + 1, cells + 1, cells + 1).permute(0, 3, 2, 1)[None]
+
+    def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
+        """The area of each point, and the point itself, or where it is near a border the place
+        along the surface that is ``INSET`` from the border, in the same area."""
+        start = self._at(points)
+        area, level = start[:, 1:].argmax(1), start[:, 0]
+        if start.shape[1] == 2:  # no border
+            return area, points
+        moved = points
+        for step in range(STEPS):
+            margin, slope, normal = self._margin(moved, area)
+            slope = slope - (slope * normal).sum(1, keepdim=True) * normal  # along the surface
+            steep = slope.norm(dim=1, keepdim=True)
+            away = margin[:, None] / steep.clamp_min(LEAST_SLOPE)
+            way = (INSET - away).clamp(0, INSET) / (STEPS - step)
+            moved = moved + torch.where(steep > LEAST_SLOPE, way * slope / steep, 0.0)
+            # Back to the distance from the surface that the point had.
+            moved = moved - (self._at(moved)[:, :1] - level[:, None]) * normal
+        return area, moved
+
+    def _margin(
+        self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]
+    ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"], Float[Tensor, "n 3"]]:
+        """How far deeper the area is than the others, that margin's gradient, and the surface's
+        normal; by central differences."""
+        taps = torch.eye(3).to(points) * self.spacing
+        here = self._over(self._at(points), area)
+        ahead = [self._over(self._at(points + tap), area) for tap in taps]
+        behind = [self._over(self._at(points - tap), area) for tap in taps]
+        slopes = torch.stack(ahead, 1) - torch.stack(behind, 1)  # (n, 3, 2)
+        slope = slopes / (2 * self.spacing)
+        normal = F.normalize(slope[..., 1], dim=1)
+        return here[:, 0], slope[..., 0], normal
+
+    @staticmethod
+    def _over(values: Float[Tensor, "n c"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 2"]:
+        """The area's margin over the deepest of the others, and the distance."""
+        depths = values[:, 1:]
+        own = depths.gather(1, area[:, None])
+        others = depths.scatter(1, area[:, None], -torch.inf).amax(1, keepdim=True)
+        return torch.cat([own - others, values[:, :1]], 1)
+
+    def _at(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n c"]:
+        """Distance and depths, trilinear."""
+        at = (points / EXTENT)[None, None, None]
+        found = F.grid_sample(self.values, at, align_corners=True, padding_mode="border")
+        return found[0, :, 0, 0].T

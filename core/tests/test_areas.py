@@ -1,0 +1,113 @@
+"""The areas of one colour: points near a border go into their own area, along the surface."""
+
+import pytest
+import torch
+
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.areas import INSET, SolidAreas, patterned
+from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.patterns import MARGINS
+
+
+def _ball(radius=0.6):
+    """A ball; the second part is what lies at x > 0."""
+
+    def field(points):
+        x = points[:, 0]
+        return points.norm(dim=1) - radius, torch.stack([-8 * x, 8 * x], 1)
+
+    return SolidAreas(field, (True, True)), field
+
+
+def _on_the_ball(count=2000, radius=0.6):
+    points = torch.randn(count, 3, generator=torch.Generator().manual_seed(0))
+    return radius * points / points.norm(dim=1, keepdim=True)
+
+
+def test_a_point_near_the_border_goes_to_the_inset_and_others_stay():
+    borders, _ = _ball()
+    points = _on_the_ball()
+    area, moved = borders.at(points)
+    near = points[:, 0].abs() < INSET / 2
+    assert near.sum() > 20
+    # On the ball the way to the border is an arc; at x = 0 its tangent is the x axis.
+    assert moved[near, 0].abs().min() > 0.8 * INSET
+    assert moved[near, 0].abs().max() < 1.2 * INSET
+    assert torch.equal(moved[near, 0] > 0, points[near, 0] > 0)  # in the area that it was in
+    assert torch.equal(area == 1, points[:, 0] > 0)
+    far = points[:, 0].abs() > 1.5 * INSET
+    assert (moved - points)[far].norm(dim=1).max() < 0.002
+
+
+def test_a_moved_point_stays_on_the_surface():
+    borders, field = _ball()
+    points = _on_the_ball()
+    before, after = (field(p)[0] for p in (points, borders.at(points)[1]))
+    assert (after - before).abs().max() < 0.004
+
+
+def test_a_part_smaller_than_the_inset_is_not_left():
+    def field(points):  # a disc of radius 0.04 on a plane
+        r = points[:, :2].norm(dim=1)
+        return points[:, 2], torch.stack([20 * (r - 0.04), 20 * (0.04 - r)], 1)
+
+    borders = SolidAreas(field, (True, True))
+    angle = torch.arange(32) * (2 * torch.pi / 32)
+    points = 0.035 * torch.stack([angle.cos(), angle.sin(), torch.zeros(32)], 1)
+    moved = borders.at(points)[1]
+    assert moved[:, :2].norm(dim=1).max() < 0.035
+    assert moved[:, 2].abs().max() < 1e-3
+
+
+def test_the_axes_are_those_of_the_field():
+    def field(points):
+        x, y, z = points.unbind(1)
+        return z - 0.2, torch.stack([x + 2 * y, -x - 2 * y + 0.3], 1)
+
+    points = (torch.rand(100, 3, generator=torch.Generator().manual_seed(1)) - 0.5) * EXTENT
+    values = SolidAreas(field, (True, True))._at(points)
+    distance, logits = field(points)
+    torch.testing.assert_close(values, torch.cat([distance[:, None], logits], 1), atol=1e-4, rtol=0)
+
+
+def test_a_pattern_parts_its_part_in_two():
+    def field(points):  # two parts, left and right of x = 0
+        x = points[:, 0]
+        return points[:, 2], torch.stack([-x, x], 1)
+
+    areas = patterned(field, [MARGINS["two-tone"], None])
+    points = torch.tensor([[-0.5, 0, 0.3], [-0.5, 0, -0.3], [0.5, 0, 0.3], [0.5, 0, -0.3]])
+    distance, depths = areas(points)
+    assert depths.argmax(1).tolist() == [0, 1, 2, 2]
+    assert torch.equal(distance, points[:, 2])
+    # The margin between the two is the way to the border.
+    assert (depths[0, 0] - depths[0, 1]).item() == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("name", MARGINS)
+def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
+    points = torch.rand(4000, 3, generator=torch.Generator().manual_seed(2)) * 2 - 1
+    margin = MARGINS[name](points)
+    assert 0.1 < (margin > 0).float().mean() < 0.6
+    near = margin.abs() < 0.03
+    way = torch.randn(int(near.sum()), 3, generator=torch.Generator().manual_seed(3))
+    moved = points[near] + way * (margin[near].abs() / way.norm(dim=1) * 0.6)[:, None]
+    # What goes less far than the margin stays on its side.
+    assert ((MARGINS[name](moved) > 0) == (margin[near] > 0)).float().mean() > 0.99
+
+
+@pytest.mark.parametrize(
+    ("prompt", "plain"),
+    [
+        ("a blue robot", (True,) * 4),
+        ("a red ball with white stripes", (True, True)),
+        ("a lighthouse", (False, True, True, True)),  # its rings are of its nature
+    ],
+)
+def test_the_areas_of_what_is_drawn(prompt, plain):
+    prompted = load_builtin("cpu").prompted(prompt, "")
+    assert prompted.areas() is None  # not drawn yet
+    areas = prompted.of_object(0).areas()
+    assert areas.plain[: len(plain)] == plain
+    area, inside = areas.at(torch.rand(50, 3) - 0.5)
+    assert area.max() < len(areas.plain) and inside.shape == (50, 3)

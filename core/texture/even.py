@@ -1,0 +1,48 @@
+"""The learnt material, even where one colour is meant.
+
+Reflectance is mostly constant in pieces (Land and McCann 1971, "Lightness and Retinex Theory").
+What is learnt from small pictures varies within each piece all the same, in blotches that an artist
+sees as dirt. Where the pieces are known they are drawn towards their median.
+"""
+
+from collections.abc import Callable
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.appearance.material import Material
+from core.appearance.shaded import UvMesh
+from core.guidance.guidance import Areas
+from core.texture.detail.survey import spread
+
+SURVEYED = 1 << 14  # points of the surface, for the medians
+
+MaterialAt = Callable[[Float[Tensor, "n 3"]], Material]
+
+
+def evened(learnt: MaterialAt, areas: Areas, mesh: UvMesh, evenness: float) -> MaterialAt:
+    """``learnt`` with sharp borders, and with ``evenness`` of the variation within each plain area
+    taken out of colour, roughness and metallic; relief stays."""
+    face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
+    points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
+    area, inside = areas.at(points)
+    values = _values(learnt(inside))
+    median = torch.zeros(len(areas.plain), values.shape[1])
+    share = torch.zeros(len(areas.plain), 1)
+    for index, plain in enumerate(areas.plain):
+        mine = values[area == index]
+        if plain and len(mine):
+            median[index], share[index] = mine.median(0).values, evenness
+
+    def at(points: Float[Tensor, "n 3"]) -> Material:
+        area, inside = areas.at(points)
+        material = learnt(inside)
+        values = torch.lerp(_values(material), median[area], share[area])
+        return Material(values[:, :3], values[:, 3:4], values[:, 4:5], material.kn)
+
+    return at
+
+
+def _values(material: Material) -> Float[Tensor, "n 5"]:
+    return torch.cat([material.kd, material.roughness, material.metallic], 1)
