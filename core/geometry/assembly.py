@@ -20,7 +20,7 @@ from core.geometry.mesh import compact, component_labels, drop_floaters, polishe
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
-from core.geometry.union import Mesh, is_solid, union
+from core.geometry.union import is_solid, union
 
 SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
 BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
@@ -37,6 +37,7 @@ TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
 ENDS = 0.5  # the most that is flat of what is round: its ends
 STRUT = 0.03  # radius, training units
 
+Mesh = tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]
 Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
 
 

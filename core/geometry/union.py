@@ -13,14 +13,15 @@ from jaxtyping import Float, Int
 from scipy.spatial import KDTree
 from torch import Tensor
 
-Mesh = tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]
-
 ROUND = 16  # segments of a strut's ends
 MOST_STRUTS = 12  # rubble of more pieces than these join is left in pieces
 
 
-def union(meshes: Sequence[Mesh], strut: float) -> Mesh:
-    """All of ``meshes``, closed and facing outwards, as one; what does not touch is joined.
+def union(
+    meshes: Sequence[tuple[Tensor, Tensor]], strut: float
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """All of ``meshes`` (vertices, faces), closed and facing outwards, as one; what does not touch
+    is joined.
 
     Args:
         strut: radius of the capsules between pieces that do not touch; 0 leaves them apart.

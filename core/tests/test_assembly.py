@@ -1,0 +1,149 @@
+"""A solid of known parts as a mesh: pieces of their own, exact forms, one union."""
+
+import math
+
+import pytest
+import torch
+
+from core.geometry.assembly import Forms, assembled, pieces_of, turned_share
+from core.geometry.mesh import health
+from core.geometry.union import is_solid, union
+from core.render.normals import face_normals
+from core.tests.meshes import torus
+
+BOARD, LEGS, BALL = range(3)
+FORMS = Forms((1.0, 0.8, 0.0), ((0.3, 0.2, 1.0),) * 3)
+
+
+def box(points, center, half):
+    q = (points - torch.tensor(center)).abs() - torch.tensor(half)
+    return q.clamp_min(0).norm(dim=1) + q.amax(1).clamp_max(0)
+
+
+def table(points, wave=0.0):
+    """A board on two legs, a ball on it, far things beyond; each distance waves by ``wave``."""
+    board = box(points, (0.0, 0.0, 0.2), (0.7, 0.5, 0.06))
+    legs = [box(points, (x, 0.0, -0.25), (0.08, 0.3, 0.42)) for x in (-0.5, 0.5)]
+    ball = (points - torch.tensor([0.2, 0.1, 0.3])).norm(dim=1) - 0.09
+    distances = torch.stack([board, torch.minimum(*legs), ball, torch.ones(len(points))], 1)
+    return distances + wave * (17 * points).sin().sum(1, keepdim=True)
+
+
+def made(distances=table, forms=FORMS, parts=3):
+    return assembled(distances, parts, forms, 0.05, lambda done: None)
+
+
+def test_every_connected_piece_of_a_part_is_one():
+    pieces = list(pieces_of(table, 4))
+    assert [piece.part for piece in pieces] == [BOARD, LEGS, LEGS, BALL]
+    for piece, low in zip(pieces, (-0.7, -0.58, 0.42, 0.11), strict=True):
+        assert -0.07 < piece.low[0] - low < 0
+    # Each knows where the other of its part is.
+    left, right = pieces[1], pieces[2]
+    places = torch.tensor([[-0.5, 0.0, -0.2], [0.5, 0.0, -0.2], [0.0, 0.0, -0.2]])
+    assert left.others(places).tolist() == [False, True, False]
+    assert right.others(places).tolist() == [True, False, False]
+
+
+def test_what_waves_comes_out_with_its_planes_and_its_ball():
+    verts, faces = made(lambda points: table(points, wave=0.002))
+    found = health(verts, faces)
+    assert found["closed"] and found["manifold"] and found["components"] == 1
+    assert found["genus"] == 0
+    normal = torch.nn.functional.normalize(face_normals(verts, faces), dim=1)
+    area = torch.linalg.cross(*(verts[faces[:, k]] - verts[faces[:, 0]] for k in (1, 2))).norm(
+        dim=1
+    )
+    middle = verts[faces].mean(1)
+    ball = (middle - torch.tensor([0.2, 0.1, 0.3])).norm(dim=1) < 0.12
+    along = normal.abs().amax(1) > 0.999
+    assert (area * along)[~ball].sum() / area[~ball].sum() > 0.97
+    # As exact as the waves of a piece's middle let it be.
+    low, high = verts.amin(0), verts.amax(0)
+    torch.testing.assert_close(low, torch.tensor([-0.7, -0.5, -0.67]), atol=0.012, rtol=0)
+    torch.testing.assert_close(high[:2], torch.tensor([0.7, 0.5]), atol=0.012, rtol=0)
+    wavy = health(*made(lambda points: table(points, wave=0.002), forms=None))
+    assert wavy["area"] > 0 and wavy["closed"]
+
+
+def test_what_is_round_is_told_by_the_piece_itself():
+    def disc(points):
+        across = points[:, :2].norm(dim=1) - 0.5
+        return torch.maximum(across, points[:, 2].abs() - 0.08)[:, None]
+
+    def square(points):
+        return box(points, (0.0, 0.0, 0.0), (0.5, 0.5, 0.08))[:, None]
+
+    angle = torch.arange(0, 2 * math.pi, 0.1)
+    rim = torch.stack([0.5 * angle.cos(), 0.5 * angle.sin(), 0 * angle], 1)
+    edge = torch.stack([torch.full((60,), 0.5), torch.linspace(-0.5, 0.5, 60), torch.zeros(60)], 1)
+    edge = torch.cat([edge, -edge])
+    assert turned_share(disc, 0, rim, 2, 0.03) == 1
+    assert turned_share(disc, 0, rim, 0, 0.03) < 0.5
+    assert turned_share(square, 0, edge, 2, 0.03) < 0.5
+    # Its profile is a circle, though the table of forms says square.
+    verts, _ = made(disc, Forms((1.0,), ((0.3,), (0.3,), (0.3,))), parts=1)
+    wall = verts[verts[:, 2].abs() < 0.04]
+    assert (wall[:, :2].norm(dim=1) - 0.5).abs().max() < 0.01
+
+
+def test_what_does_not_touch_is_joined():
+    def apart(points):
+        ends = [box(points, (x, 0.0, 0.0), (0.2, 0.2, 0.2)) for x in (-0.4, 0.4)]
+        return torch.stack(ends, 1)
+
+    found = health(*made(apart, Forms((1.0, 1.0), ((0.0, 0.0),) * 3), parts=2))
+    assert found["components"] == 1 and found["closed"] and found["genus"] == 0
+
+
+def test_there_is_none_where_nothing_is_inside():
+    assert made(lambda points: torch.ones(len(points), 3)) is None
+
+
+def test_a_stop_asked_for_stops_it():
+    def stop(done):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        assembled(table, 3, FORMS, 0.05, stop)
+
+
+def test_the_same_solid_gives_the_same_mesh():
+    one, two = made(), made()
+    assert all(torch.equal(a, b) for a, b in zip(one, two, strict=True))
+
+
+def test_a_union_keeps_its_faces_small_and_its_volume_right():
+    verts, faces = _cube()
+    for _ in range(3):  # 12 faces become 768
+        verts, faces = _halved(verts, faces)
+    size = float((verts.amax(0) - verts.amin(0)).max())
+    moved = verts + torch.tensor([size / 2, size / 3, size / 5])
+    both, corners = union([(verts, faces), (moved, faces)], 0.0)
+    found, one = health(both, corners), health(verts, faces)
+    assert found["closed"] and found["manifold"] and found["components"] == 1
+    assert found["volume"] == pytest.approx(one["volume"] * (2 - 1 / 2 * 2 / 3 * 4 / 5), rel=1e-4)
+    assert len(corners) > 768  # those of one plane are not merged
+
+
+def test_an_open_mesh_is_no_solid():
+    verts, faces = torus()
+    assert is_solid(verts, faces)
+    assert not is_solid(verts, faces[1:])
+
+
+def _cube():
+    verts = torch.tensor([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    faces = [f for a, b, c, d in sides for f in ((a, b, c), (a, c, d))]
+    return verts, torch.tensor(faces)
+
+
+def _halved(verts, faces):
+    """Each face becomes four."""
+    edges = torch.sort(faces[:, [0, 1, 1, 2, 2, 0]].view(-1, 2), 1).values
+    unique, index = torch.unique(edges, dim=0, return_inverse=True)
+    a, b, c = (index.view(-1, 3) + len(verts)).T
+    u, v, w = faces.T
+    parts = [(u, a, c), (v, b, a), (w, c, b), (a, b, c)]
+    return torch.cat([verts, verts[unique].mean(1)]), torch.cat([torch.stack(p, 1) for p in parts])
