@@ -81,7 +81,10 @@ def settings(ready):
 
 def test_an_unknown_word_disables_generate_until_it_is_replaced_or_ignored(settings):
     prompt = settings("a red Ferry")
-    assert submit.reason_against_generate(bpy.context) == "Replace or ignore the unknown words of the prompt."
+    assert (
+        submit.reason_against_generate(bpy.context)
+        == "Replace or ignore the unknown words of the prompt."
+    )
     assert not bpy.ops.fantasia3d.generate.poll()
     assert words.unknown(submit.report_of(prompt)) == {"ferry": ["boat"]}
     bpy.ops.fantasia3d.replace_word(old="ferry", new="boat")
