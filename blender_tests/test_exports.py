@@ -95,8 +95,9 @@ def test_a_glb_holds_its_pictures_and_tangents(obj, tmp_path):
 def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
     export.export_object(obj, tmp_path / "x.obj")
     text = (tmp_path / "x.mtl").read_text()
-    named = {line.split()[0]: line.split()[-1] for line in text.splitlines() if "map_" in line}
-    assert named.keys() == {"map_Kd", "map_Pr", "map_Pm", "map_Bump"}
+    named = {line.split()[0]: line.split()[-1] for line in text.splitlines() if ".png" in line}
+    assert named.keys() == {"map_Kd", "map_Pr", "map_Pm", "map_Bump", "norm"}
+    assert named["norm"] == named["map_Bump"]
     assert all((tmp_path / name).is_file() for name in named.values())
 
 

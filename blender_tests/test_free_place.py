@@ -15,6 +15,7 @@ from fantasia3d_addon.blender.mesh_arrays import world_verts  # noqa: E402
 from fantasia3d_addon.jobs import live_preview  # noqa: E402
 from fantasia3d_addon.jobs.process import Run  # noqa: E402
 from fantasia3d_addon.jobs.progress import FollowedRun  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 from fantasia3d_addon.jobs.target import Target  # noqa: E402
 from fantasia3d_addon.scene import view  # noqa: E402
 from fantasia3d_addon.scene.free_place import free_place  # noqa: E402
@@ -128,6 +129,14 @@ def test_the_place_is_on_the_side_that_the_view_shows(default_scene, asset):
     graph = bpy.context.evaluated_depsgraph_get()
     assert bpy.context.scene.ray_cast(graph, eye, ray)[4] == obj
     assert np.linalg.norm(obj.location) < 2.5
+
+
+def test_an_asset_that_is_imported_by_hand_is_shown_and_offered_its_colours(default_scene, asset):
+    (region_3d,) = views()
+    region_3d.view_distance = 100
+    bpy.ops.fantasia3d.import_asset(directory=str(asset))
+    assert region_3d.view_distance < 5
+    assert session.asset == bpy.context.object.name
 
 
 def followed(tmp_path, **target) -> FollowedRun:

@@ -41,6 +41,11 @@ def test_a_prompt_is_reported_once_it_rests():
     assert not reader.pending
 
 
+def test_a_part_with_a_color_is_named_once():
+    report = words.ask(CORE, ("a blue mug with a red handle", False))
+    assert words.summary(report) == "mug, blue, red handle"
+
+
 def test_the_words_are_known_before_the_installation_by_blenders_own_python(tmp_path):
     core = Core(tmp_path / "no python", ROOT)
     assert words.ask(core, ("a mug", False))["thing"] == "mug"
@@ -76,7 +81,10 @@ def settings(ready):
 
 def test_an_unknown_word_disables_generate_until_it_is_replaced_or_ignored(settings):
     prompt = settings("a red Ferry")
-    assert submit.reason_against_generate(bpy.context) == "The prompt has unknown words."
+    assert (
+        submit.reason_against_generate(bpy.context)
+        == "Replace or ignore the unknown words of the prompt."
+    )
     assert not bpy.ops.fantasia3d.generate.poll()
     assert words.unknown(submit.report_of(prompt)) == {"ferry": ["boat"]}
     bpy.ops.fantasia3d.replace_word(old="ferry", new="boat")

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from core.guidance.builtin.offered import NETWORKS, PARTS, RESTORER, WEIGHTS
+from core.guidance.builtin.offered import NETWORKS, PARTS, RESTORER, SOLID, WEIGHTS
 from core.io.job import Job
 from core.io.provenance import SOFTWARE, file_hash
 
@@ -38,7 +38,8 @@ def made_by(job: Job) -> dict[str, Any]:
     versions = {name: importlib.metadata.version(name) for name in LIBRARIES}
     weights = {}
     if job.guidance == "builtin":
-        paths = [WEIGHTS / f"{name}.safetensors" for name in (*NETWORKS, PARTS, RESTORER)]
+        names = (*NETWORKS, PARTS, SOLID, RESTORER)
+        paths = [WEIGHTS / f"{name}.safetensors" for name in names]
         weights = {path.name: file_hash(path) for path in paths if path.exists()}
     here = {"software": SOFTWARE, "python": platform.python_version()} | versions
     return here | {"machine": platform.machine(), "weights": weights}

@@ -231,6 +231,12 @@ def test_what_was_corrected_is_in_the_notes():
     assert parse("a dark yellow car").notes == ("dark yellow is painted as yellow.",)
 
 
+def test_a_corrected_word_begins_a_phrase_like_any_other():
+    assert parse("a wizzard hat").noun == "wizard hat"
+    assert parse("a tedy bear").noun == "teddy bear"
+    assert parse("a snowman witout a hat").part == "no hat"
+
+
 @pytest.mark.parametrize("word", ["coffee", "crow", "three", "towel", "goat", "chess", "shark"])
 def test_a_word_of_another_thing_is_no_slip(word):
     assert corrected(word) == ""

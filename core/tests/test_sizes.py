@@ -1,17 +1,15 @@
 """Usual sizes and densities: every noun has them, and what is made has the size and the mass."""
 
 import pytest
-import torch
 
 from core.command_line import job_of, parse
 from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.physical import usual_of
-from core.guidance.builtin.sizes import DENSITIES, UNKNOWN, usual
+from core.guidance.builtin.sizes import DENSITIES, UNKNOWN
 from core.guidance.builtin.words import MATERIALS
 from core.io.job import Job
-from core.prior.draw import Draw
-from core.prior.families import build
+from core.prior.masses import PAGE, cell, usual_mass
 from core.stages.preview import size_of
 
 
@@ -41,18 +39,6 @@ def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):
     assert size_of(Job(prompt=prompt, size_m=0.25)) == 0.25
 
 
-def usual_mass(noun: str, side: int = 40) -> float:
-    """Kilograms of the prior's own solid at the thing's usual size."""
-    axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
-    cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
-    shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0)
-    inside = cells[shape.sdf(cells) < 0]
-    step = 2.1 / side
-    longest = float((inside.amax(0) - inside.amin(0)).max()) + step
-    size, density = usual(noun)
-    return len(inside) * (step * size / longest) ** 3 * density
-
-
 # What a person expects of an ordinary specimen, kg.
 @pytest.mark.parametrize(
     ("noun", "low", "high"),
@@ -77,6 +63,14 @@ def usual_mass(noun: str, side: int = 40) -> float:
 )
 def test_the_mass_is_that_of_an_ordinary_specimen(noun, low, high):
     assert low < usual_mass(noun) < high
+
+
+def test_the_page_of_sizes_has_every_thing_as_it_is_now():
+    text = PAGE.read_text(encoding="utf-8")
+    for noun, row in NOUNS.items():
+        assert f"| {noun} | {row.usual.size_m:g} m | " in text
+    for noun in list(NOUNS)[::20]:  # their masses; all take a minute
+        assert f"| {cell(noun)} |" in text
 
 
 def test_the_material_of_the_prompt_decides_the_density_and_the_thing_how_hollow_it_is():

@@ -235,7 +235,7 @@ def reason_against_generate(context: bpy.types.Context) -> str:
     if reason:
         return reason
     if unknown(report_of(context.scene.fantasia3d)):
-        return "The prompt has unknown words."
+        return "Replace or ignore the unknown words of the prompt."
     try:
         job_of(context.scene.fantasia3d)
     except AddonError as error:

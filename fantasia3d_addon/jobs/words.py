@@ -105,9 +105,11 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 
 def summary(report: Report) -> str:
     """What is understood, in the order of the prompt's grammar: "chair, red, wooden"."""
-    parts = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
-    colored = [f"{color} {part}" for part, color in report.get("part_colours", {}).items()]
-    return ", ".join(filter(None, [*parts, *report["materials"], *report["parts"], *colored]))
+    words = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
+    colors = report.get("part_colours", {})
+    parts = [part for part in report["parts"] if part not in colors]
+    colored = [f"{color} {part}" for part, color in colors.items()]
+    return ", ".join(filter(None, [*words, *report["materials"], *parts, *colored]))
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

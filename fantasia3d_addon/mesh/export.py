@@ -8,6 +8,7 @@ baked into it, from files on the disk.
 from __future__ import annotations
 
 import contextlib
+import re
 import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -173,6 +174,11 @@ def _obj(path: str) -> None:
         filepath=path, export_selected_objects=True, export_pbr_extensions=True,
         path_mode="RELATIVE", export_animation=False,
     )  # fmt: skip
+    # Blender calls a normal map map_Bump, for other programs a map of heights; theirs is norm.
+    material = Path(path).with_suffix(".mtl")
+    text = material.read_text(encoding="utf-8")
+    normals = re.sub(r"^map_Bump (?:-bm \S+ )?(.*)$", r"\g<0>\nnorm \1", text, flags=re.MULTILINE)
+    material.write_text(normals, encoding="utf-8")
 
 
 _OPERATORS = {"GLB": write_glb, "USD": _usd, "FBX": _fbx, "OBJ": _obj}

@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 SENSOR = 36.0  # millimetres; a view is as wide as a lens on twice the sensor of a camera
-MIN_SIZE = 0.04  # of the view's height or width: what is smaller is hardly seen
+MIN_SIZE = 0.1  # of the view's height or width: in what is smaller no shape is seen
 MAX_SIZE = 2.0
 FRAMED = 0.6  # of the view that a framed object covers
 TOO_FAR = 3.0  # view distances

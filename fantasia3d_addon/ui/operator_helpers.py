@@ -14,6 +14,7 @@ from ..environment import SetupError
 from ..errors import AddonError
 from ..jobs.place import bounds_of, place_of
 from ..jobs.session import session
+from ..scene import view
 
 UNDO = {"REGISTER", "UNDO"}
 USER_ERRORS = (AddonError, SetupError)  # what the user can fix; anything else is a bug
@@ -67,7 +68,7 @@ def report_error(operator: bpy.types.Operator, error: AddonError | SetupError) -
 
 
 def import_and_select(context: bpy.types.Context, folder: Path) -> bpy.types.Object:
-    """Import the asset in ``folder`` where the panel's setting places it, and select it.
+    """Import the asset in ``folder`` where the panel's setting places it, select and show it.
 
     Raises:
         AddonError: the folder is no asset.
@@ -79,4 +80,7 @@ def import_and_select(context: bpy.types.Context, folder: Path) -> bpy.types.Obj
         other.select_set(False)
     obj.select_set(True)
     context.view_layer.objects.active = obj
+    session.asset = obj.name  # the panel offers to show its colours
+    context.view_layer.update()  # the framing reads its matrix
+    view.frame_if_unseen(context.scene, obj)
     return obj

@@ -38,7 +38,7 @@ PRESETS = (
 )
 GUIDANCE = (
     ("builtin", "Built-in", "The small model that comes with the add-on: some nouns and colours"),
-    ("folder", "On Disk", "A Stable Diffusion model on this machine: a folder or a file"),
+    ("folder", "Folder or File", "A Stable Diffusion model on this machine"),
     ("hub", "Hugging Face", "A Stable Diffusion model by its id on the Hugging Face hub"),
 )
 SIZES = (
@@ -131,7 +131,7 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
         name="Model", description="The diffusion model that guides the run", items=GUIDANCE
     )
     model_folder: StringProperty(
-        name="Model",
+        name="Path",
         description=(
             "A Stable Diffusion model: one .safetensors file, or a folder that contains "
             "model_index.json"
@@ -211,7 +211,7 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     )
     uv: EnumProperty(name="UV Map", description="The UV map for the textures", items=UV_MODES)
     use_present_color: BoolProperty(
-        name="Start from Present Color",
+        name="Use Present Color",
         description="The material starts from the base color that the mesh has now",
     )
     color_strength: FloatProperty(

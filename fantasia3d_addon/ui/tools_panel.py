@@ -94,9 +94,9 @@ class FANTASIA3D_PT_scene(ToolPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        row = layout.row(align=True)
-        row.operator("fantasia3d.drop", icon="TRIA_DOWN_BAR")
-        row.operator("fantasia3d.origin_to_base", icon="OBJECT_ORIGIN")
+        column = layout.column(align=True)  # in one row their names would be cut
+        column.operator("fantasia3d.drop", icon="TRIA_DOWN_BAR")
+        column.operator("fantasia3d.origin_to_base", icon="OBJECT_ORIGIN")
         if cornell_box.box_of(context.scene):
             layout.operator("fantasia3d.remove_cornell_box", icon="X")
         else:

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words import OPTIONS
 
-ADJECTIVES = {"Shapes": "shape", "Colours": "color", "Materials": "material", "Patterns": "pattern"}
+ADJECTIVES = {"Shapes": "shape", "Colors": "color", "Materials": "material", "Patterns": "pattern"}
 
 
 def word_groups() -> list[dict[str, object]]:

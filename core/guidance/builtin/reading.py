@@ -78,7 +78,7 @@ class Reading:
             if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
                 self._accessory = {slot: len(found) for slot, found in self.found.items()}
         elif token not in FILLER:
-            self._correct(token, at)
+            return self._correct(token, at)
         return 1
 
     def _end_phrase(self) -> None:
@@ -92,19 +92,20 @@ class Reading:
         self.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end = [], [], -1
 
-    def _correct(self, token: str, at: int) -> None:
+    def _correct(self, token: str, at: int) -> int:
+        """Read an unknown token as the word that it is a slip of; how many tokens that were."""
         # Only where it is surely one known word; anything less is a hint in the error.
         close = corrected(token)
-        entry = look_up(close, self.known) if close else None
-        if entry is None:
+        if not close or (close not in WITHOUT and look_up(close, self.known) is None):
             self.left_out.append(token)
             self._strange = self._accessory is not None
             # What goes with the thing may be unknown, the thing itself may not.
             if self._accessory is None:
                 self._pending.append(token)
-        else:
-            self.notes.append(f"{token!r} is read as {close!r}.")
-            self._put(entry, at, at + 1)
+            return 1
+        self.notes.append(f"{token!r} is read as {close!r}.")
+        self._tokens[at] = close
+        return self._take(at)  # it may begin a phrase: "a wizzard hat"
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
         slot, word = entry.slot, entry.word

@@ -51,7 +51,7 @@ CLOTHES = {
             "sole": "-2a1c1a",
             "bow": "+d8b04a . golden",
         },
-        Usual(0.24, LEATHER, 0.3),
+        Usual(0.24, LEATHER, 0.65),
     ),
     "helmet": Noun(
         "motorcycle helmet, knight helmet, knight's helmet; hard hat, viking helmet, bike helmet",

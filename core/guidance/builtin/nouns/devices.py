@@ -72,7 +72,7 @@ DEVICES = {
             "sticks": "-2b2d31 . rubber",
             "triggers": "&5b6068",
         },
-        Usual(0.16, PLASTIC, 0.5),
+        Usual(0.16, PLASTIC, 0.7),
     ),
     "light bulb": Noun(
         "lightbulb, bulb",
@@ -126,6 +126,6 @@ DEVICES = {
     "television": Noun(
         "tv, tv set, television set; flatscreen, retro tv",
         {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
-        Usual(1.1, PLASTIC, 0.064),
+        Usual(1.1, PLASTIC, 0.041),
     ),
 }

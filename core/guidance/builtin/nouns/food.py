@@ -41,12 +41,12 @@ FOOD = {
     "banana": Noun(
         "bananas; plantain",
         {"peel": "*f4cf2e", "ends": "+5a4422"},
-        Usual(0.19, PLANT),
+        Usual(0.19, PLANT, 0.72),
     ),
     "pear": Noun(
         "",
         {"body": "*b7c23a", "stalk": "-523219", "leaf": "+4d9a35"},
-        Usual(0.12, PLANT),
+        Usual(0.12, PLANT, 0.75),
     ),
     "strawberry": Noun(
         "strawberries; raspberry, berry",
@@ -106,7 +106,7 @@ FOOD = {
     "peach": Noun(
         "; nectarine, apricot, plum",
         {"body": "*f2a065", "stalk": "-5c3a1e", "leaf": "+4d9a35"},
-        Usual(0.08, PLANT),
+        Usual(0.08, PLANT, 0.75),
     ),
     "bread": Noun(
         "loaf, loaf of bread, bread loaf; toast, baguette",
@@ -121,12 +121,12 @@ FOOD = {
     "pizza": Noun(
         "; pizza slice",
         {"crust": "+c98a42", "cheese": "*f4c64f", "salami": "-b5301f", "olives": "-26231c"},
-        Usual(0.3, 700.0),
+        Usual(0.3, 700.0, 0.6),
     ),
     "hot dog": Noun(
         "hotdog; sausage",
         {"bun": "*d79a4c", "sausage": "+b0452a", "mustard": "-f4c820"},
-        Usual(0.18, 600.0),
+        Usual(0.18, 600.0, 0.55),
     ),
     "sandwich": Noun(
         "club sandwich; toastie",
@@ -157,7 +157,7 @@ FOOD = {
     "egg": Noun(
         "; easter egg",
         {"shell": "*ead2b4"},
-        Usual(0.06, FLESH),
+        Usual(0.06, FLESH, 0.9),
     ),
     "fries": Noun(
         "french fries; chips",
@@ -202,7 +202,7 @@ FOOD = {
     "taco": Noun(
         "tacos; burrito",
         {"shell": "*e5b04a", "meat": "-6a3a1c", "lettuce": "+5fae34", "tomato": "-cc2a1e"},
-        Usual(0.16, 600.0),
+        Usual(0.16, 600.0, 0.55),
     ),
     "sushi": Noun(
         "sushi roll; maki, nigiri",

@@ -74,7 +74,7 @@ HOUSEHOLD = {
     "bell": Noun(
         "church bell",
         {"body": "*e0ab48 . golden", "loop": "&b98530 . golden", "clapper": "-5a5a5e . metal"},
-        Usual(0.4, COPPER, 0.25),
+        Usual(0.4, COPPER, 0.4),
     ),
     "bust": Noun(
         "head bust, statue head; statue, sculpture",
@@ -114,7 +114,7 @@ HOUSEHOLD = {
             "handles": "+8f979e . metal",
             "feet": "-2a2a2c",
         },
-        Usual(1.8, STEEL, 0.0057),
+        Usual(1.8, STEEL, 0.0043),
     ),
     "stove": Noun(
         "oven, cooker, kitchen stove; range",
@@ -125,7 +125,7 @@ HOUSEHOLD = {
             "knobs": "+3a3c40",
             "handle": "&a8aeb4 . metal",
         },
-        Usual(0.9, STEEL, 0.025),
+        Usual(0.9, STEEL, 0.018),
     ),
     "washing machine": Noun(
         "washer, laundry machine; dryer, tumble dryer",
@@ -136,7 +136,7 @@ HOUSEHOLD = {
             "panel": "-3c4248",
             "knob": "&c4c9ce",
         },
-        Usual(0.85, STEEL, 0.025),
+        Usual(0.85, STEEL, 0.019),
     ),
     "toilet": Noun(
         "loo, lavatory, toilet bowl; commode",
@@ -225,6 +225,6 @@ HOUSEHOLD = {
             "buttons": "&9aa0a6",
             "display": "-2f9f6a",
         },
-        Usual(0.5, STEEL, 0.03),
+        Usual(0.5, STEEL, 0.047),
     ),
 }

@@ -207,7 +207,7 @@ PROPS = {
     "balloon": Noun(
         "party balloon, toy balloon",
         {"body": "*d8262c . rubber", "knot": "&d8262c . rubber", "string": "-e8e4da"},
-        Usual(0.4, RUBBER, 0.0011),
+        Usual(0.4, RUBBER, 0.00045),
     ),
     "umbrella": Noun(
         "; parasol, sunshade",

@@ -26,7 +26,7 @@ TOOLS_AND_TOYS = {
     "guitar": Noun(
         "",
         {"body": "*c4772e . paint", "neck": "+5c3519", "hole": "-1d1410", "bridge": "-3c2416"},
-        Usual(1.0, WOOD, 0.2),
+        Usual(1.0, WOOD, 0.11),
     ),
     "drum": Noun(
         "snare drum",
@@ -178,7 +178,7 @@ TOOLS_AND_TOYS = {
             "buttons": "-f2efe6",
             "mouthpiece": "+c3c8cd . metal",
         },
-        Usual(0.5, COPPER, 0.1),
+        Usual(0.5, COPPER, 0.066),
     ),
     "xylophone": Noun(
         "glockenspiel; marimba",

@@ -261,7 +261,7 @@ VEHICLES = {
             "handle": "-5a381c",
             "cover": "+ece2cc . fabric",
         },
-        Usual(3.5, WOOD, 0.1),
+        Usual(3.5, WOOD, 0.25),
     ),
     "wheelbarrow": Noun(
         "wheel barrow, barrow",
@@ -276,7 +276,7 @@ VEHICLES = {
     "skateboard": Noun(
         "skate board; longboard",
         {"board": "*c9302a", "wheels": "+efe8d6", "trucks": "-8d9399 . metal"},
-        Usual(0.8, WOOD, 0.5),
+        Usual(0.8, WOOD, 0.29),
     ),
     "sled": Noun(
         "sledge, toboggan, sleigh; luge",

@@ -1,0 +1,69 @@
+"""The usual size and mass of every thing that the built-in prior knows, as docs/sizes.md.
+
+``python -m core.prior.masses`` writes the page.
+"""
+
+from pathlib import Path
+
+import torch
+
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.sizes import usual
+from core.prior.draw import Draw
+from core.prior.families import build
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "sizes.md"
+ACROSS = 3  # things in a row
+HEAD = """# Usual sizes and masses
+
+What `generate` makes is as large and as heavy as an ordinary specimen: the longest side, and the
+mass of the prior's own solid (one of each, seed 1) in the material that the thing is of where the
+prompt names none. `--size METRES` sets another size. The data is in
+`core/guidance/builtin/nouns/`; `python -m core.prior.masses` writes this page, a test compares it.
+"""
+
+
+def usual_mass(noun: str, side: int = 40) -> float:
+    """Kilograms of the prior's own solid at the thing's usual size."""
+    axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
+    cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
+    shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0)
+    inside = cells[shape.sdf(cells) < 0]
+    step = 2.1 / side
+    longest = float((inside.amax(0) - inside.amin(0)).max()) + step
+    size, density = usual(noun)
+    return len(inside) * (step * size / longest) ** 3 * density
+
+
+def cell(noun: str) -> str:
+    """A thing's cells of the table: its name, its size, its mass in two figures."""
+    return f"{noun} | {usual(noun)[0]:g} m | {_mass(usual_mass(noun))}"
+
+
+def _mass(kilograms: float) -> str:
+    rounded = float(f"{kilograms:.2g}")
+    unit, factor = ("t", 1e-3) if rounded >= 1e3 else ("kg", 1.0) if rounded >= 1 else ("g", 1e3)
+    return f"{rounded * factor:,.10g} {unit}"
+
+
+def page() -> str:
+    """The whole page, in Markdown."""
+    lines = [HEAD]
+    for group, nouns in GROUPS.items():
+        cells = [cell(noun) for noun in nouns]
+        cells += [" |  | "] * (-len(cells) % ACROSS)
+        lines += [
+            f"## {group}",
+            "",
+            "| thing | size | mass " * ACROSS + "|",
+            "|---|---|---" * ACROSS + "|",
+        ]
+        lines += [
+            "| " + " | ".join(cells[at : at + ACROSS]) + " |" for at in range(0, len(cells), ACROSS)
+        ]
+        lines.append("")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")
