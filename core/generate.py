@@ -42,7 +42,7 @@ from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.reshape import Part, free_verts, reshaped
 from core.stages.start_color import fit_start_color, start_picture
-from core.stages.start_shape import fit_guide, fit_start_shape, leash, sdf_net
+from core.stages.start_shape import fit_guide, fit_start_shape, leash, sdf_net, solid_guide
 from core.stages.state import Training
 from core.stages.texturing import (
     bake_maps,
@@ -297,13 +297,14 @@ def learned_shape(
     look = within(inputs.config.appearance, inputs.guidance.ranges())
     lit = lit_shape(net, config, look, inputs.light.to(inputs.device), generator)
     training = Training("geometry", net, generator, run)
-    if not run.has(training.name):
-        if guide:
-            fit_guide(training, config, guide, strength, progress)
-        else:
-            fit_start_shape(training, config, progress, inputs.guidance.start_shape())
+    new = not run.has(training.name)
     if guide:
-        leash(net, config, guide, strength)
+        shape = solid_guide(guide, config)
+        if new:
+            fit_guide(training, shape, strength, progress)
+        leash(net, config, guide, shape, strength)
+    elif new:
+        fit_start_shape(training, config, progress, inputs.guidance.start_shape())
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
     learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))

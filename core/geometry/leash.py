@@ -8,6 +8,7 @@ the guide's distance g and a leash of length r
 so |s - g| < r: what is deeper in the guide than r stays solid, what is farther off than r empty.
 """
 
+import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
@@ -37,6 +38,7 @@ class Leash(nn.Module):
         [-extent, extent]³, of the guide with the skin that its thin parts need."""
         super().__init__()
         self.solid, self.extent, self.reach = solid, extent, max(reach, LEAST_REACH)
+        self.cell = 2 * extent / (distance.shape[-1] - 1)
         # Made from the guide, whenever a run goes on: in no checkpoint.
         self.register_buffer("distance", distance, persistent=False)
 
@@ -53,8 +55,14 @@ class Leash(nn.Module):
         return guide + self.reach * away / (1 + away.abs()), offset * min(1, 2 * self.reach / cell)
 
     def hold(self, verts: Float[Tensor, "v 3"]) -> Float[Tensor, "v 3"]:
-        """Vertices, none farther from the guide's own triangles than the leash is long."""
+        """Vertices, none farther from the guide's own triangles than the leash is long.
+
+        Up to a cell beyond it they are of the skin that the lattice gives to sheets, or of what
+        came after Ψ. From two on they are of a wall that closes a hole of the guide, and stay.
+        """
         nearest = self.solid.nearest(verts)
         away = verts - nearest
         length = away.norm(dim=1, keepdim=True).clamp_min(1e-12)
-        return nearest + away * (self.reach / length).clamp(max=1)
+        beyond = length - self.reach
+        kept = beyond * (beyond / self.cell - 1).clamp(0, 1)
+        return torch.where(beyond > 0, nearest + away * ((self.reach + kept) / length), verts)

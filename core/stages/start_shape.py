@@ -46,14 +46,10 @@ def fit_start_shape(
 
 
 def fit_guide(
-    training: Training[SdfNet],
-    config: GeometryConfig,
-    guide: Mesh,
-    strength: float,
-    progress: Progress,
+    training: Training[SdfNet], shape: Shape, strength: float, progress: Progress
 ) -> None:
-    """Fit Ψ to ``guide`` (Eq. 3), and let its lattice hold ``strength`` of what it then lacks."""
-    net, shape = training.module, solid_guide(guide, config)
+    """Fit Ψ to the guide's ``shape`` (Eq. 3); its lattice holds ``strength`` of what it lacks."""
+    net = training.module
     with progress.timed("fit"):
         fit_until_still(
             net,
@@ -66,11 +62,10 @@ def fit_guide(
         progress.complete("fit")
 
 
-def leash(net: SdfNet, config: GeometryConfig, guide: Mesh, strength: float) -> None:
+def leash(net: SdfNet, config: GeometryConfig, guide: Mesh, shape: Shape, strength: float) -> None:
     """Keep Ψ's surface within the reach of ``guide`` that ``strength`` allows; 0: anywhere."""
     if strength > 0:
-        shape, resolution = solid_guide(guide, config), config.resolution[1]
-        made = guide_leash(guide, shape, strength, resolution, EXTENT)
+        made = guide_leash(guide, shape, strength, config.resolution[1], EXTENT)
         net.leash = made.to(next(net.parameters()).device)
 
 
