@@ -74,7 +74,6 @@ class Inputs:
     region: Region | None = None  # the part that gets the material; None: all of it
     warnings: tuple[str, ...] = ()  # what the user should know first: a cut prompt, days of work
     ranks: Ranks = ALONE  # the processes that make the asset together
-    turn: float = 0.0  # radians about +Z, of the guide; the asset is turned back
 
 
 def prepare(job: Job, place: int | None = None) -> Inputs:
@@ -183,7 +182,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         maps = edited(unwrapped.mesh.mesh, region, maps, feather, config.texture.samples)
     verts = mesh.verts.cpu()
     generated = job.command == "generate"
-    verts = turned(verts, -inputs.turn) if inputs.turn else verts
+    verts = turned(verts, -run.turn) if run.turn else verts
     verts = place(verts, size_of(job)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
@@ -251,8 +250,8 @@ def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
                 "--set geometry.find_front=false takes it as it is.",
             )
     turn = float(ranks.rows([turn])[0, 0])
-    guide = replace(guide, verts=turned(guide.verts, turn)) if turn else guide
-    return replace(inputs, shape=guide, turn=turn)
+    run.turn = turn
+    return replace(inputs, shape=replace(guide, verts=turned(guide.verts, turn)) if turn else guide)
 
 
 def prompt_of(job: Job, asset: Asset | None) -> str:

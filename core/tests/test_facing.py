@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import torch
 import trimesh
@@ -77,17 +78,23 @@ def test_a_run_keeps_its_turn_and_tells_of_it(prior, tmp_path, monkeypatch) -> N
     inputs = inputs_of(guide, prior.prompted("a wooden chair", ""))
     first = facing(run, inputs, Progress(run))
     assert first.shape is not None
-    torch.testing.assert_close(turned(first.shape.verts, -first.turn), guide.verts)
-    assert math.sin(first.turn) == pytest.approx(-1, abs=1e-6)
+    torch.testing.assert_close(turned(first.shape.verts, -run.turn), guide.verts)
+    assert math.sin(run.turn) == pytest.approx(-1, abs=1e-6)
     (event,) = [e for e in read_events(run.path) if e["type"] == "warning"]
     assert "°" in event["text"] and "find_front" in event["fix"]
 
     monkeypatch.setattr("core.generate.front_turn", lambda *_: pytest.fail("asked again"))
-    again = facing(RunFolder.open(run.path), inputs, Progress(run))
-    assert again.turn == first.turn
-    assert inputs_of(guide, inputs.guidance, find_front=False).turn == 0
-    off = inputs_of(guide, inputs.guidance, find_front=False)
-    assert facing(RunFolder.create(tmp_path / "off", job_of()), off, Progress(run)).shape is guide
+    again = RunFolder.open(run.path)
+    facing(again, inputs, Progress(again))
+    assert again.turn == run.turn
+
+
+def test_a_guide_can_be_taken_as_it_is(prior, tmp_path) -> None:
+    guide = replace(seat(), verts=turned(seat().verts, quarter(1)))
+    inputs = inputs_of(guide, prior.prompted("a wooden chair", ""), find_front=False)
+    run = RunFolder.create(tmp_path / "run", job_of())
+    assert facing(run, inputs, Progress(run)).shape is guide
+    assert run.turn == 0
 
 
 def test_the_asset_stands_as_the_user_s_guide_does(tmp_path) -> None:
@@ -100,7 +107,8 @@ def test_the_asset_stands_as_the_user_s_guide_does(tmp_path) -> None:
         assert main([*argv, "--out", str(run), *tiny_runs.OPTIONS]) == 0
     texts = [event.get("text", "") for event in read_events(run)]
     assert any("270°" in text for text in texts)
-    verts = read_asset(run).mesh.verts
-    top = verts[verts[:, 2] > 0.8 * float(verts[:, 2].max())]
-    middle = (verts.amin(0) + verts.amax(0)) / 2
-    assert bool((top[:, 0] < middle[0]).all())
+    seen = torch.from_numpy(np.load(run / "preview" / "shape.npz")["verts"])
+    for verts in (read_asset(run).mesh.verts, seen):
+        low, high = verts.amin(0), verts.amax(0)
+        top = verts[verts[:, 2] > low[2] + 0.8 * (high - low)[2]]
+        assert bool((top[:, 0] < (low + high)[0] / 2).all())
