@@ -5,7 +5,9 @@ the guide's distance g and a leash of length r
 
     s(p) = g(p) + r φ((Ψ(p) - g(p)) / r),   φ(x) = x / (1 + |x|)
 
-so |s - g| < r: what is deeper in the guide than r stays solid, what is farther off than r empty.
+so |s - g| < r: what is farther off than r stays empty. Inwards r is shorter: what is deeper in the
+guide than that stays solid, so that words add to a guide more than they take from it, and its limbs
+do not come off.
 """
 
 import torch
@@ -17,6 +19,7 @@ from core.geometry.signed_distance import SolidMesh
 
 # Length at strength 1/2, training units: a ninth of the radius of the guide's sphere.
 HALF_REACH = 0.1
+INWARD = 1 / 3  # fraction of the leash that reaches into the guide
 # Two sides of a sheet stay this far from it: in one place, no renderer could tell them apart.
 LEAST_REACH = 0.001
 
@@ -51,8 +54,9 @@ class Leash(nn.Module):
     ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
         """Ψ's values at lattice nodes, leashed; the offsets, too, end with the leash."""
         guide = read_lattice(self.distance, points, self.extent)[:, 0]
-        away = (sdf - guide) / self.reach
-        return guide + self.reach * away / (1 + away.abs()), offset * min(1, 2 * self.reach / cell)
+        missing = sdf - guide  # positive where Ψ lacks what the guide has
+        reach = torch.where(missing > 0, self.reach * INWARD, self.reach)
+        return guide + missing / (1 + missing.abs() / reach), offset * min(1, 2 * self.reach / cell)
 
     def hold(self, verts: Float[Tensor, "v 3"]) -> Float[Tensor, "v 3"]:
         """Vertices, none farther from the guide's own triangles than the leash is long.

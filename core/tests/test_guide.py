@@ -164,6 +164,17 @@ def test_just_below_strength_1_nothing_jumps(name) -> None:
     assert health(mesh.verts, mesh.faces)["closed"]
 
 
+def test_the_leash_is_shorter_inwards() -> None:
+    """A limb that is thinner than the leash stays, though in places Ψ has none."""
+    guide = mesh_of(box((0.2, 0.2, 2.0)))  # half as thick as 0.09 training units
+    net = leashed(guide, 0.5)
+    assert reach_of(0.5) > 0.09
+    net.mlp[-1].bias.data[0] += 5.0
+    with torch.no_grad():
+        surface = extract(net, tet_grid(32))
+    assert float(surface.verts[:, 2].amax() - surface.verts[:, 2].amin()) > 1.6
+
+
 def test_the_wall_over_a_hole_is_not_drawn_to_its_rim() -> None:
     net = leashed(wild()["open"], 0.9)
     middle = torch.tensor([[0.0, 0.0, -0.45], [0.1, 0.0, -0.4]])
