@@ -99,6 +99,8 @@ class GeometryConfig:
     # The ellipsoid, training units; the lattice reaches 1.05.
     radii: Annotated[tuple[float, float, float], Range(0.05, 1.0)] = (0.6, 0.6, 0.6)
     fit_steps: Count = 401  # Eq. 3
+    # A guide that faces another way than what the guidance knows is turned for the trainings.
+    find_front: bool = True
     coarse: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2")
     grow: RefineConfig = RefineConfig()  # on the coarse lattice
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")

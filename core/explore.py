@@ -28,6 +28,7 @@ GREY, INK = (230, 230, 230), (40, 40, 40)  # the previews' own background
 SHAPE_PARTS = (
     "geometry",
     "reshaped",
+    "front",
     "mesh",
 )  # checkpoints that a shape's recoloured runs start from
 

@@ -4,6 +4,7 @@ Every stage leaves its result in the run folder's checkpoint, so a resumed run c
 middle of the stage where it stopped.
 """
 
+import math
 import warnings
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -19,7 +20,7 @@ from core.config import Config
 from core.device import device_of
 from core.errors import Paused, UserError
 from core.geometry.guide import kept
-from core.geometry.mesh import Mesh, normalise
+from core.geometry.mesh import Mesh, normalise, turned
 from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
@@ -34,13 +35,14 @@ from core.provenance import made_by, recorded
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
 from core.stages.distill import require_groups
+from core.stages.facing import front_turn
 from core.stages.geometry import assembled_shape, learn_geometry, learns
 from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.reshape import Part, free_verts, reshaped
 from core.stages.start_color import fit_start_color, start_picture
-from core.stages.start_shape import fit_guide, fit_start_shape, sdf_net
+from core.stages.start_shape import fit_guide, fit_start_shape, leash, sdf_net, solid_guide
 from core.stages.state import Training
 from core.stages.texturing import (
     bake_maps,
@@ -56,6 +58,7 @@ from core.texture.region import Region, edited, read_faces
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
 RESHAPED = "reshaped"  # the checkpoint of a region's new shape
+FRONT = "front"  # that of the guide's turn
 
 
 @dataclass(frozen=True)
@@ -117,6 +120,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     for text in inputs.warnings:
         progress.warn(text)
     ranks = inputs.ranks
+    inputs = facing(run, inputs, progress)
     if job.reshape and ranks.first:
         inputs = replace(inputs, shape=reshaped_mesh(run, inputs, progress))
     if job.reshape and not job.retexture:
@@ -177,7 +181,9 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         feather = config.texture.feather * float((verts.amax(0) - verts.amin(0)).max())
         maps = edited(unwrapped.mesh.mesh, region, maps, feather, config.texture.samples)
     verts = mesh.verts.cpu()
-    verts = place(verts, size_of(job)) if job.command == "generate" else back(verts, inputs.shape)
+    generated = job.command == "generate"
+    verts = turned(verts, -run.turn) if run.turn else verts
+    verts = place(verts, size_of(job)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
@@ -221,6 +227,31 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
     if not drawn or inputs.config.geometry.start != "learned":
         return inputs
     return replace(inputs, guidance=inputs.guidance.of_object(job.seed))
+
+
+def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
+    """``inputs`` with the guide turned so that its front is where the guidance knows it."""
+    guide, ranks = inputs.shape, inputs.ranks
+    wanted = run.job.command == "generate" and inputs.config.geometry.find_front
+    if guide is None or not wanted:
+        return inputs
+    # The first process decides, once: a training goes on as it was begun.
+    turn, found = 0.0, run.load(FRONT) if ranks.first else None
+    if found:
+        with run.whole_checkpoint(FRONT):
+            turn = float(found[1]["turn"])
+    elif ranks.first and not (run.has("geometry") or run.has("mesh")):  # of an older run
+        turn = front_turn(guide, inputs.guidance)
+        run.save(FRONT, {}, {"turn": turn})
+        if turn:
+            progress.warn(
+                f"The guide's front seems to be {round(math.degrees(turn))}° off: it is turned for "
+                "the training, and the asset back.",
+                "--set geometry.find_front=false takes it as it is.",
+            )
+    turn = float(ranks.rows([turn])[0, 0])
+    run.turn = turn
+    return replace(inputs, shape=replace(guide, verts=turned(guide.verts, turn)) if turn else guide)
 
 
 def prompt_of(job: Job, asset: Asset | None) -> str:
@@ -270,11 +301,14 @@ def learned_shape(
     look = within(inputs.config.appearance, inputs.guidance.ranges())
     lit = lit_shape(net, config, look, inputs.light.to(inputs.device), generator)
     training = Training("geometry", net, generator, run)
-    if not run.has(training.name):
-        if guide:
-            fit_guide(training, config, guide, strength, progress)
-        else:
-            fit_start_shape(training, config, progress, inputs.guidance.start_shape())
+    new = not run.has(training.name)
+    if guide:
+        shape = solid_guide(guide, config)
+        if new:
+            fit_guide(training, shape, strength, progress)
+        leash(net, config, guide, shape, strength)
+    elif new:
+        fit_start_shape(training, config, progress, inputs.guidance.start_shape())
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
     learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))

@@ -6,8 +6,9 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.leash import Leash, reach_of
 from core.geometry.mesh import Mesh, normalise
-from core.geometry.residual import Residual, blurred
+from core.geometry.residual import Residual, blurred, lattice_nodes
 from core.geometry.sdf_net import SdfNet
 from core.geometry.signed_distance import SolidMesh
 
@@ -43,6 +44,14 @@ def guide_shape(mesh: Mesh, least: float) -> Shape:
     return Shape(sdf, lambda n, generator: sample_surface(verts, mesh.faces, n, generator))
 
 
+def guide_leash(mesh: Mesh, shape: Shape, strength: float, resolution: int, extent: float) -> Leash:
+    """How far Ψ's surface may go from the guide; ``shape``: its :func:`guide_shape`."""
+    n = resolution + 1
+    distance = [shape.sdf(points) for points in lattice_nodes(resolution, extent).split(CHUNK)]
+    solid = SolidMesh(normalise(mesh.verts)[0], mesh.faces)
+    return Leash(solid, torch.cat(distance).view(1, 1, n, n, n), extent, reach_of(strength))
+
+
 @torch.no_grad()
 def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
     """Give ``residual`` that much of what Ψ lacks of ``shape`` at the nodes; 1 is all of it."""
@@ -51,10 +60,8 @@ def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
     # The offsets are scaled by the cell, so Ψ is asked as on the residual's lattice.
     net.cell = residual.cell
     n = residual.resolution + 1
-    axis = torch.linspace(-residual.extent, residual.extent, n)
-    nodes = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
     missing = []
-    for points in nodes.split(CHUNK):
+    for points in lattice_nodes(residual.resolution, residual.extent).split(CHUNK):
         sdf, offset = net(points.to(residual.values.device))
         # The shape's distances hold at nodes that have not moved, so Ψ's offsets are taken back.
         missing.append(torch.cat([(shape.sdf(points).to(sdf) - sdf)[:, None], -offset], 1))

@@ -1,5 +1,6 @@
 """Triangle meshes as plain tensors: into the training's cube, and their health."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,6 +48,13 @@ def normalise(
         raise UserError("All the mesh's vertices are one point.", "Give a mesh with an extent.")
     scale = NORMAL_RADIUS / radius
     return (verts - center) * scale, center, scale
+
+
+def turned(verts: Float[Tensor, "v 3"], angle: float) -> Float[Tensor, "v 3"]:
+    """Vertices turned about +Z by ``angle``, radians."""
+    c, s = math.cos(angle), math.sin(angle)
+    x, y, z = verts.unbind(1)
+    return torch.stack([c * x - s * y, s * x + c * y, z], 1)
 
 
 def face_areas(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, " f"]:

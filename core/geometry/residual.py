@@ -32,12 +32,23 @@ class Residual(nn.Module):
         return 2 * self.extent / self.resolution
 
     def forward(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 4"]:
-        # grid_sample's last axis runs along the volume's last: z, y, x here.
-        at = (points / self.extent).flip(-1)[None, None, None]
-        found = nn.functional.grid_sample(
-            blurred(self.values), at, padding_mode="border", align_corners=True
-        )
-        return self.scale * found[0, :, 0, 0].T
+        return self.scale * read_lattice(blurred(self.values), points, self.extent)
+
+
+def lattice_nodes(resolution: int, extent: float) -> Float[Tensor, "n 3"]:
+    """The nodes of a lattice over [-extent, extent]³, as a volume (x, y, z) runs, z fastest."""
+    axis = torch.linspace(-extent, extent, resolution + 1)
+    return torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
+
+
+def read_lattice(
+    values: Float[Tensor, "1 c x y z"], points: Float[Tensor, "n 3"], extent: float
+) -> Float[Tensor, "n c"]:
+    """Values of a lattice over [-extent, extent]³ at points, trilinear between its nodes."""
+    # grid_sample's last axis runs along the volume's last: z, y, x here.
+    at = (points / extent).flip(-1)[None, None, None]
+    found = nn.functional.grid_sample(values, at, padding_mode="border", align_corners=True)
+    return found[0, :, 0, 0].T
 
 
 def blurred(values: Float[Tensor, "1 c x y z"]) -> Float[Tensor, "1 c x y z"]:

@@ -16,6 +16,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from core.geometry.leash import Leash
 from core.geometry.marching_tets import crossing_edges, marching_tets
 from core.geometry.residual import Residual
 from core.geometry.tet_grid import EXTENT, TetGrid
@@ -112,6 +113,7 @@ class SdfNet(nn.Module):
         layers.append(_linear(widths[-1], 4, not hashed, generator))
         self.mlp = nn.Sequential(*layers)
         self.residual: Residual | None = None
+        self.leash: Leash | None = None  # of a guide
         # Γ, where one network is responsible for both (the paper's entangled ablation).
         self.material: nn.Module | None = None
 
@@ -125,10 +127,13 @@ class SdfNet(nn.Module):
         y = torch.cat([self.mlp(part) for part in features.split(at_once)])
         # tanh: no node gets farther than half a cell, so neighbours along an axis cannot pass.
         sdf, offset = y[:, 0], y[:, 1:].tanh() * (self.cell / 2)
-        if self.residual is None or self.cell > FINER * self.residual.cell:
-            return sdf, offset
-        more = self.residual(points)
-        return sdf + more[:, 0], (offset + more[:, 1:]).clamp(-self.cell / 2, self.cell / 2)
+        if self.residual is not None and self.cell <= FINER * self.residual.cell:
+            more = self.residual(points)
+            sdf = sdf + more[:, 0]
+            offset = (offset + more[:, 1:]).clamp(-self.cell / 2, self.cell / 2)
+        if self.leash is not None:
+            sdf, offset = self.leash(points, sdf, offset, self.cell)
+        return sdf, offset
 
 
 def _linear(inputs: int, outputs: int, bias: bool, generator: torch.Generator | None) -> nn.Linear:

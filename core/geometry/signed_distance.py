@@ -62,6 +62,12 @@ class SolidMesh:
         squared = self._tree.squared_distance(self._verts, self._faces, query)[0]
         return torch.from_numpy(squared).sqrt().to(points)
 
+    def nearest(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """The point of the surface that is nearest to each."""
+        query = np.ascontiguousarray(points.detach().cpu().double().numpy())
+        found = self._tree.squared_distance(self._verts, self._faces, query)[2]
+        return torch.from_numpy(found).to(points)
+
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside."""
         distance = self.distance(points)

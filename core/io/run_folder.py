@@ -36,6 +36,8 @@ class RunFolder:
         self.events = EventWriter(path)
         # Seconds by stage. They are in every checkpoint, so earlier sessions are included.
         self.timings: dict[str, float] = {}
+        # Radians about +Z by which its guide is turned; the previews are turned back.
+        self.turn = 0.0
 
     @classmethod
     def create(cls, path: Path, job: Job) -> "RunFolder":

@@ -70,6 +70,8 @@ def learn_geometry(
     show_shape(training.run, verts, faces)
     with progress.timed("sharpen"):
         sharp = sharpened(config, setup.guidance, verts, faces, progress)
+        if training.module.leash is not None:
+            sharp = training.module.leash.hold(sharp)
         parts = setup.guidance.parts() if config.forms else None
         if parts is None:
             return sharp, faces
@@ -338,7 +340,8 @@ def final_mesh(
     # Smoothing moves vertices and keeps the faces, so it comes after all that changes these.
     verts, faces = drop_floaters(surface.verts, surface.faces, config.floaters)
     verts = polished(verts, faces, config.polish)
-    return flattened(verts, faces, config.flatten, config.flatten_sigma), faces
+    verts = flattened(verts, faces, config.flatten, config.flatten_sigma)
+    return verts if net.leash is None else net.leash.hold(verts), faces
 
 
 def random_rotations(n: int, generator: torch.Generator) -> Float[Tensor, "n 3 3"]:

@@ -10,6 +10,7 @@ from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
 from core.camera import Cameras
+from core.geometry.mesh import turned
 from core.guidance.builtin.physical import usual_of
 from core.io.atomic import atomic_file
 from core.io.job import Job
@@ -26,6 +27,7 @@ VIEW = {"azimuth_deg": [30.0], "elevation_deg": [20.0]}
 def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
     """The geometry training's shape as normals, and as a light mesh in training units."""
     cameras = Cameras.orbit(**VIEW).to(verts.device)
+    verts = turned(verts, -run.turn) if run.turn else verts
     n, o = render_normals(verts, faces, cameras, SIZE, "camera")
     picture = over_grey((n[0] + o[0]) / 2, o[0])
     write_png(run.preview_path("normals.png"), picture)

@@ -3,7 +3,7 @@
 import torch
 
 from core.config import GeometryConfig
-from core.geometry.guide import fill, guide_shape
+from core.geometry.guide import fill, guide_leash, guide_shape
 from core.geometry.init_shape import MOST_STEPS, Shape, ellipsoid, fit, fit_until_still
 from core.geometry.mesh import Mesh
 from core.geometry.residual import Residual
@@ -46,15 +46,10 @@ def fit_start_shape(
 
 
 def fit_guide(
-    training: Training[SdfNet],
-    config: GeometryConfig,
-    guide: Mesh,
-    strength: float,
-    progress: Progress,
+    training: Training[SdfNet], shape: Shape, strength: float, progress: Progress
 ) -> None:
-    """Fit Ψ to ``guide`` (Eq. 3), and let its lattice hold ``strength`` of what it then lacks."""
+    """Fit Ψ to the guide's ``shape`` (Eq. 3); its lattice holds ``strength`` of what it lacks."""
     net = training.module
-    shape = guide_shape(guide, THIN_CELLS * 2 * EXTENT / config.resolution[1])
     with progress.timed("fit"):
         fit_until_still(
             net,
@@ -65,3 +60,15 @@ def fit_guide(
         if net.residual is not None:
             fill(net.residual, net, shape, strength)
         progress.complete("fit")
+
+
+def leash(net: SdfNet, config: GeometryConfig, guide: Mesh, shape: Shape, strength: float) -> None:
+    """Keep Ψ's surface within the reach of ``guide`` that ``strength`` allows; 0: anywhere."""
+    if strength > 0:
+        made = guide_leash(guide, shape, strength, config.resolution[1], EXTENT)
+        net.leash = made.to(next(net.parameters()).device)
+
+
+def solid_guide(guide: Mesh, config: GeometryConfig) -> Shape:
+    """``guide`` as a solid that the fine lattice can hold."""
+    return guide_shape(guide, THIN_CELLS * 2 * EXTENT / config.resolution[1])

@@ -1,5 +1,7 @@
 """A guide mesh is kept: all of it at strength 1, nearly all just below, its start at 0."""
 
+import itertools
+
 import pytest
 import torch
 import trimesh
@@ -7,7 +9,7 @@ import trimesh
 from core.config import DRAFT, preset
 from core.generate import Inputs, learned_shape
 from core.geometry import init_shape
-from core.geometry.guide import fill, guide_shape, kept
+from core.geometry.guide import fill, guide_leash, guide_shape, kept
 from core.geometry.init_shape import (
     MOST_STEPS,
     fit,
@@ -15,6 +17,7 @@ from core.geometry.init_shape import (
     mesh_shape,
     sample_surface,
 )
+from core.geometry.leash import LEAST_REACH, reach_of
 from core.geometry.mesh import Mesh, health, normalise, signed_volume
 from core.geometry.residual import Residual
 from core.geometry.sdf_net import FOURIER, SdfNet, extract
@@ -61,12 +64,17 @@ def wild() -> dict[str, Mesh]:
 
 def apart(one: Mesh, other: Mesh) -> float:
     """The larger of the mean distances from one to the other and back, of the longest side."""
+    return max(ways(one, other))
+
+
+def ways(one: Mesh, other: Mesh) -> list[float]:
+    """Both of them."""
     side = float((other.verts.amax(0) - other.verts.amin(0)).max())
-    ways = []
+    found = []
     for a, b in ((one, other), (other, one)):
         points = sample_surface(a.verts, a.faces, 4000, seeded())
-        ways.append(float(SolidMesh(b.verts, b.faces).distance(points).mean()))
-    return max(ways) / side
+        found.append(float(SolidMesh(b.verts, b.faces).distance(points).mean()) / side)
+    return found
 
 
 @pytest.mark.parametrize("name", wild())
@@ -114,6 +122,83 @@ def test_the_lattice_gives_what_psi_lacks_by_the_strength() -> None:
     assert found[0] > 2 * found[2]
     assert found[0] > found[1] > found[2]
     assert found[2] < 0.0015
+
+
+def leashed(guide: Mesh, strength: float, resolution: int = 32) -> SdfNet:
+    """A Ψ that knows nothing of the guide, on its leash."""
+    net = SdfNet(2 * EXTENT / resolution, FOURIER, generator=seeded())
+    shape = guide_shape(guide, 1.2 * EXTENT / resolution)
+    net.leash = guide_leash(guide, shape, strength, resolution, EXTENT)
+    return net
+
+
+@pytest.mark.parametrize("strength", [0.99, 0.9, 0.7, 0.5, 0.3])
+def test_the_surface_stays_within_the_leash(strength) -> None:
+    """Of an inward torus and of a plate that is thinner than a cell, whatever Ψ wants."""
+    for name in ("inward", "thin plate"):
+        guide = wild()[name]
+        net, reach = leashed(guide, strength), max(reach_of(strength), LEAST_REACH)
+        solid = SolidMesh(normalise(guide.verts)[0], guide.faces)
+        for wanted in (-5.0, 5.0):  # full, and empty
+            net.mlp[-1].bias.data[0] += wanted
+            surface = extract(net, tet_grid(32))
+            # The distance is trilinear between nodes: right to a fraction of a cell.
+            slack = (0.25 if name == "inward" else 0.75) * net.cell
+            assert float(solid.distance(surface.verts).max()) < reach + slack
+            held = net.leash.hold(surface.verts)
+            assert float(solid.distance(held).max()) < reach + 1e-6
+
+
+@pytest.mark.parametrize("name", wild())
+def test_just_below_strength_1_nothing_jumps(name) -> None:
+    """Sheets and thin plates have a skin of a cell on the lattice, and none in the mesh."""
+    guide = wild()[name]
+    net = leashed(guide, 0.99, 64)
+    with torch.no_grad():
+        surface = extract(net, tet_grid(64))
+    mesh = Mesh(net.leash.hold(surface.verts), surface.faces)
+    whole = Mesh(normalise(guide.verts)[0], guide.faces)
+    assert ways(whole, mesh)[0] < BOUND
+    if health(guide.verts, guide.faces)["closed"]:  # a hole is closed by a wall of its own
+        assert apart(mesh, whole) < BOUND
+    assert health(mesh.verts, mesh.faces)["closed"]
+
+
+def test_the_leash_is_shorter_inwards() -> None:
+    """A limb that is thinner than the leash stays, though in places Ψ has none."""
+    guide = mesh_of(box((0.2, 0.2, 2.0)))  # half as thick as 0.09 training units
+    net = leashed(guide, 0.5)
+    assert reach_of(0.5) > 0.09
+    net.mlp[-1].bias.data[0] += 5.0
+    with torch.no_grad():
+        surface = extract(net, tet_grid(32))
+    assert float(surface.verts[:, 2].amax() - surface.verts[:, 2].amin()) > 1.6
+
+
+def test_the_wall_over_a_hole_is_not_drawn_to_its_rim() -> None:
+    net = leashed(wild()["open"], 0.9)
+    middle = torch.tensor([[0.0, 0.0, -0.45], [0.1, 0.0, -0.4]])
+    torch.testing.assert_close(net.leash.hold(middle), middle)
+
+
+def test_the_leash_grows_smoothly_as_the_strength_falls() -> None:
+    reach = [reach_of(s / 100) for s in range(100, 0, -1)]
+    assert reach[0] == 0
+    assert all(a < b for a, b in itertools.pairwise(reach))
+    # Nowhere does a hundredth of the strength change it by more than a tenth of what is there,
+    # and a hundredth of a unit.
+    steps = zip(reach[1:70], reach[:69], strict=True)
+    assert all(b - a < 0.01 + 0.1 * a for b, a in steps)
+    assert reach_of(0.0) == float("inf")
+
+
+def test_without_a_pull_the_leash_gives_the_surface_free() -> None:
+    """Within it Ψ's gradient is what it was, and a long leash is none."""
+    guide, points = wild()["inward"], torch.rand(200, 3, generator=seeded()) * 2 - 1
+    net = leashed(guide, 1e-6)
+    held = net(points)
+    net.leash = None
+    torch.testing.assert_close(held, net(points), atol=2e-5, rtol=0)
 
 
 def test_a_fit_ends_by_itself_near_the_surface(monkeypatch) -> None:

@@ -30,6 +30,7 @@ from .words import Report, unknown
 SHAPE_PARTS = (
     "checkpoint/geometry.safetensors",
     "checkpoint/reshaped.safetensors",
+    "checkpoint/front.safetensors",
     history.SHAPE,
 )
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
