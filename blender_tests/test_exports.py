@@ -4,6 +4,7 @@ import json
 import shutil
 import struct
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -98,6 +99,14 @@ def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
     named = {line.split()[0]: line.split()[-1] for line in text.splitlines() if "map_" in line}
     assert named.keys() == {"map_Kd", "map_Pr", "map_Pm", "map_Bump"}
     assert all((tmp_path / name).is_file() for name in named.values())
+
+
+def test_a_usdz_leaves_the_process_in_its_folder(obj, tmp_path, monkeypatch):
+    if not compat.has_usd():
+        pytest.skip("this build writes no USD")
+    monkeypatch.chdir(tmp_path)
+    assert export.export_object(obj, tmp_path / "x.usdz").is_file()
+    assert Path.cwd() == tmp_path
 
 
 def test_directx_flips_green_alone(obj, tmp_path):
