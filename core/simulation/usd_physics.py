@@ -115,7 +115,7 @@ def _picture(path: str, folder: str, role: str) -> str:
     return (
         f'            def Shader "{role}"\n            {{\n'
         '                uniform token info:id = "UsdUVTexture"\n'
-        f"                asset inputs:file = @@@./{folder}/{file}.png@@@\n"
+        f"                asset inputs:file = @./{folder}/{file}.png@\n"
         f'                token inputs:sourceColorSpace = "{space}"\n'
         f"                float2 inputs:st.connect = <{path}/st.outputs:result>\n{shift}"
         f"                {kind} outputs:{output}\n            }}\n"
