@@ -34,7 +34,7 @@ _emptied: set[object] = set()  # the module whose last test left a file with not
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Who does not ask for an empty file may leave one that is not."""
-    if "empty" not in item.fixturenames:  # pyright: ignore[reportAttributeAccessIssue]
+    if "empty" not in item.fixturenames:
         _emptied.clear()
 
 

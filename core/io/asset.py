@@ -36,8 +36,8 @@ from core.io.printing import check_printable, stl_bytes, three_mf_bytes
 from core.io.provenance import file_hash, summary
 
 __all__ = [
-    "Asset", "check_output", "export", "inspect", "place", "read_asset", "write_asset",
-    "write_plain_obj",
+    "Asset", "check_asset_folder", "check_output", "export", "inspect", "place", "read_asset",
+    "write_asset", "write_plain_obj",
 ]  # fmt: skip
 
 VERSION = 1
@@ -203,6 +203,12 @@ def export(folder: Path, format: str, out: Path) -> Path:
     else:
         _export_obj(asset, out)
     return out
+
+
+def check_asset_folder(folder: Path) -> None:
+    """Refuse before the work a folder that :func:`write_asset` would refuse after it."""
+    with disk_errors(folder):
+        _refuse_foreign_files(folder)
 
 
 def check_output(path: Path) -> None:
