@@ -91,6 +91,7 @@ if str(ROOT) not in sys.path:  # Blender runs this file without its folder
 from core import terminal
 from core.errors import UserError
 from fantasia3d_addon import environment
+from fantasia3d_addon.blender.output import is_of_asset
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -175,6 +176,8 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
         may = os.access(str(place), os.W_OK, effective_ids=as_it_is)
         if full.is_dir() or not place.is_dir() or not may:
             raise UserError(f"{full} cannot be written.", fix)
+        if is_of_asset(full):
+            raise UserError(f"{full} is a file of the asset itself.", "Name another file.")
     except OSError as error:  # a name that is too long
         raise UserError(f"{full} cannot be written: {error.strerror}.", fix) from None
 

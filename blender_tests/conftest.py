@@ -29,13 +29,25 @@ def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     session.config.ended_with = int(exitstatus)
 
 
+_emptied: set[object] = set()  # the module whose last test left a file with nothing in it
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Who does not ask for an empty file may leave one that is not."""
+    if "empty" not in item.fixturenames:
+        _emptied.clear()
+
+
 @pytest.fixture
-def empty() -> Iterator[None]:
-    """A file with nothing in it, before and after."""
+def empty(request: pytest.FixtureRequest) -> Iterator[None]:
+    """A file with nothing in it, before and after; made once between two such tests of a module."""
     bpy = pytest.importorskip("bpy")
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if request.module not in _emptied:  # its own fixtures may have used Blender since another's
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+    _emptied.clear()
     yield
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    _emptied.add(request.module)
 
 
 @pytest.fixture

@@ -4,6 +4,9 @@ import json
 import shutil
 import struct
 import sys
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,6 +21,7 @@ from fantasia3d_addon.background import blender_process  # noqa: E402
 from fantasia3d_addon.blender import compat, png  # noqa: E402
 from fantasia3d_addon.blender.mesh_arrays import corner_uv, triangles, verts_of, world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
+from fantasia3d_addon.jobs import print_export  # noqa: E402
 from fantasia3d_addon.material import edit as material_edit  # noqa: E402
 from fantasia3d_addon.mesh import asset_browser, export, health, maps, remesh  # noqa: E402
 
@@ -101,6 +105,14 @@ def test_an_mtl_names_every_map_by_a_relative_path(obj, tmp_path):
     assert all((tmp_path / name).is_file() for name in named.values())
 
 
+def test_a_usdz_leaves_the_process_in_its_folder(obj, tmp_path, monkeypatch):
+    if not compat.has_usd():
+        pytest.skip("this build writes no USD")
+    monkeypatch.chdir(tmp_path)
+    assert export.export_object(obj, tmp_path / "x.usdz").is_file()
+    assert Path.cwd() == tmp_path
+
+
 def test_directx_flips_green_alone(obj, tmp_path):
     export.export_object(obj, tmp_path / "gl.obj")
     export.export_object(obj, tmp_path / "dx.obj", flip_normal_y=True)
@@ -171,6 +183,20 @@ def test_a_budget_of_faces_is_kept_from_few_to_nearly_all(obj):
             remesh.make_lods(obj, max_faces=wrong)
 
 
+@contextmanager
+def core_in_this_process(monkeypatch):
+    """The core's command lines are carried out here: a process that loads torch takes 3 s."""
+    from core.command_line import main
+
+    def carried_out(command, **_):
+        assert command[1:3] == ["-m", "core"]
+        return SimpleNamespace(returncode=main(command[3:]), stderr="")
+
+    with monkeypatch.context() as patches:
+        patches.setattr(print_export.subprocess, "run", carried_out)
+        yield
+
+
 def test_the_operator_prints_what_is_watertight(addon, obj, tmp_path, monkeypatch):
     """In millimetres, where it stands; an open mesh is refused by the core's own sentence."""
     pytest.importorskip("torch")
@@ -178,10 +204,11 @@ def test_the_operator_prints_what_is_watertight(addon, obj, tmp_path, monkeypatc
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
     obj.location = (0.5, 0, 0)
     bpy.context.view_layer.objects.active = obj
-    for ending in ("stl", "3mf"):
-        path = tmp_path / f"x.{ending}"
-        assert bpy.ops.fantasia3d.export(filepath=str(path)) == {"FINISHED"}
-        assert path.stat().st_size > 1000
+    with core_in_this_process(monkeypatch):
+        for ending in ("stl", "3mf"):
+            path = tmp_path / f"x.{ending}"
+            assert bpy.ops.fantasia3d.export(filepath=str(path)) == {"FINISHED"}
+            assert path.stat().st_size > 1000
     printed = trimesh.load(tmp_path / "x.stl")
     assert printed.is_watertight
     points = world_verts(obj) * 1000
@@ -200,13 +227,18 @@ def test_the_operator_prints_what_is_watertight(addon, obj, tmp_path, monkeypatc
     ("chosen", "ending"), [("urdf", ".urdf"), ("mjcf", ".xml"), ("usd-physics", ".usda")]
 )
 def test_the_operator_writes_a_simulators_body(addon, obj, tmp_path, monkeypatch, chosen, ending):
-    """Turned and enlarged as it is in the scene, about its own origin, with its maps."""
+    """Turned and enlarged as it is in the scene, about its own origin, with its maps; of the mass
+    of its rigid body where it is one."""
     pytest.importorskip("torch")
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
     obj.location, obj.scale = (3, 0, 1), (2, 2, 2)
     bpy.context.view_layer.objects.active = obj
+    if chosen == "urdf":
+        bpy.ops.rigidbody.object_add()
+        obj.rigid_body.mass = 3.25
     bpy.context.view_layer.update()
-    made = bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x"), format=chosen)
+    with nullcontext() if chosen == "urdf" else core_in_this_process(monkeypatch):
+        made = bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x"), format=chosen)
     assert made == {"FINISHED"}
     text, parts = (tmp_path / f"x{ending}").read_text(), tmp_path / "x_parts"
     assert "a_red_wooden_chair" in text
@@ -214,6 +246,8 @@ def test_the_operator_writes_a_simulators_body(addon, obj, tmp_path, monkeypatch
     if chosen == "usd-physics":
         assert "PhysicsRigidBodyAPI" in text
         return
+    if chosen == "urdf":
+        assert 'value="3.25' in text
     lines = (parts / "visual.obj").read_text().splitlines()
     points = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)
     expected = world_verts(obj) - (3, 0, 1)
@@ -224,16 +258,6 @@ def test_the_operator_writes_a_simulators_body(addon, obj, tmp_path, monkeypatch
         model = mujoco.MjModel.from_xml_path(str(tmp_path / "x.xml"))
         assert model.body_mass.sum() > 1
         assert model.ngeom > 1
-
-
-def test_a_bodys_mass_is_its_rigid_bodys(addon, obj, tmp_path, monkeypatch):
-    pytest.importorskip("torch")
-    monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)
-    bpy.context.view_layer.objects.active = obj
-    bpy.ops.rigidbody.object_add()
-    obj.rigid_body.mass = 3.25
-    assert bpy.ops.fantasia3d.export(filepath=str(tmp_path / "x.urdf")) == {"FINISHED"}
-    assert 'value="3.25' in (tmp_path / "x.urdf").read_text()
 
 
 def test_the_operator_writes_an_engines_folder(addon, obj, tmp_path):

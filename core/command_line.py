@@ -160,7 +160,7 @@ def _resume(args: argparse.Namespace) -> Path | None:
 
     if args.end_with_stdin:
         end_with_stdin()
-    if args.ray_jobs:  # which needs no torch here
+    if args.ray_jobs is not None:  # which needs no torch here
         return _resume_elsewhere(args)
     from core.io.run_folder import RunFolder
 

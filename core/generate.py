@@ -25,7 +25,7 @@ from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
-from core.io.asset import Asset, place, read_asset, write_asset
+from core.io.asset import Asset, check_asset_folder, place, read_asset, write_asset
 from core.io.job import Job
 from core.io.mesh_file import load_mesh
 from core.io.progress import Progress
@@ -117,6 +117,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     inputs = of_seed(inputs, run.job)
     job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
     progress.check_cancelled()
+    check_asset_folder(run.asset)
     for text in inputs.warnings:
         progress.warn(text)
     ranks = inputs.ranks

@@ -285,6 +285,11 @@ def job_of(args: argparse.Namespace) -> "Job":
     """The Job that ``generate`` or ``texture`` asks for; its paths are made absolute."""
     from core.io.job import Job
 
+    for name in ("guide", "light", "base_color", "faces"):
+        if getattr(args, name, None) == "":  # a script's variable that was never set
+            raise UserError(
+                f"--{name.replace('_', '-')} is empty.", "Name a file, or leave it out."
+            )
     given = {
         "command": "generate" if args.command == "explore" else args.command,
         "prompt": args.prompt,

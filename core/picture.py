@@ -13,8 +13,7 @@ from core.appearance.shaded import UvMesh, render_shaded, surface_at
 from core.camera import Cameras
 from core.errors import UserError
 from core.geometry.mesh import normalise
-from core.io.asset import Asset, read_asset
-from core.io.atomic import check_target
+from core.io.asset import Asset, check_output, read_asset
 from core.io.exr import write_exr
 from core.io.png import write_png
 from core.ops import linear_to_srgb, srgb_to_linear
@@ -51,7 +50,7 @@ def render_asset(
         UserError: no asset, an unknown map or file type, numbers out of range.
     """
     _check(out, map, distance, size)
-    check_target(out)
+    check_output(out)
     _check_angles(azimuth_deg, elevation_deg, fovy_deg)
     asset = read_asset(folder)
     verts, _, scale = normalise(asset.mesh.verts)

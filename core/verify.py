@@ -4,9 +4,9 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from core.errors import UserError
+from core.errors import UserError, shown
 from core.generate import prepare
-from core.io.asset import DATA_FILES, inspect
+from core.io.asset import DATA_FILES, REMAKE, inspect
 from core.io.job import Job
 from core.io.provenance import file_hash
 from core.io.run_folder import RunFolder
@@ -25,7 +25,7 @@ def verify(folder: Path, make: Any) -> dict[str, Any]:
     info = inspect(folder)
     path = folder / "asset" if (folder / "asset" / "asset.json").is_file() else folder
     job = _job(path, info)
-    hashes = info.get("hashes", {})
+    hashes, then = (_object(path, info, name) for name in ("hashes", "made_by"))
     with tempfile.TemporaryDirectory() as temporary:
         run = RunFolder.create(Path(temporary) / "run", job)
         again = make(run, prepare(job))
@@ -34,7 +34,7 @@ def verify(folder: Path, make: Any) -> dict[str, Any]:
             is_own = hashes.get(name) in (None, file_hash(path / name))
             is_same = file_hash(path / name) == file_hash(again / name)
             files[name] = "same" if is_same else "differs" if is_own else "changed"
-    then, now = info.get("made_by", {}), made_by(job)
+    now = made_by(job)
     versions = {key: [then.get(key), now[key]] for key in now if then.get(key) != now[key]}
     return {"same": set(files.values()) == {"same"}, "files": files, "versions": versions}
 
@@ -43,17 +43,31 @@ def _job(path: Path, info: dict[str, Any]) -> Job:
     """The job of the run around the asset; or else the one that asset.json records."""
     run = path.parent / "job.json"
     if path.name == "asset" and run.is_file():
-        return Job.from_json(run.read_text("utf-8"))
+        return RunFolder.open(run.parent).job
     if not isinstance(info.get("job"), dict):
         raise UserError(
             f"{path} does not record how it was made.", "Name an asset of this release."
         )
-    job = Job(**info["job"])
+    job = Job.from_object(info["job"])
     for name in FILES:
         value = getattr(job, name)
-        if value and value not in ("builtin", "studio", "mesh") and not Path(value).exists():
+        if value and value not in ("builtin", "studio", "mesh") and not _is_there(value):
             raise UserError(
-                f"The asset was made from {value}, which is not here.",
+                f"The asset was made from {shown(value)}, which is not here.",
                 "Name its run folder, or run it from the folder that holds this file.",
             )
     return job
+
+
+def _is_there(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except OSError:  # a name that is too long
+        return False
+
+
+def _object(path: Path, info: dict[str, Any], name: str) -> dict[str, Any]:
+    found = info.get(name, {})
+    if not isinstance(found, dict):
+        raise UserError(f"asset.json of {path} has a {name} entry that is no object.", REMAKE)
+    return found

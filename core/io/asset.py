@@ -27,7 +27,7 @@ from core.io.atomic import (
     temporary,
 )
 from core.io.glb import glb_bytes
-from core.io.input_file import check_file
+from core.io.input_file import check_file, own_file
 from core.io.json_file import read_object
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
@@ -36,7 +36,8 @@ from core.io.printing import check_printable, stl_bytes, three_mf_bytes
 from core.io.provenance import file_hash, summary
 
 __all__ = [
-    "Asset", "export", "inspect", "place", "read_asset", "write_asset", "write_plain_obj",
+    "Asset", "check_asset_folder", "check_output", "export", "inspect", "place", "read_asset",
+    "write_asset", "write_plain_obj",
 ]  # fmt: skip
 
 VERSION = 1
@@ -135,6 +136,8 @@ def read_asset(folder: Path) -> Asset:
     if not (folder / "asset.json").is_file() and (folder / "asset" / "asset.json").is_file():
         folder = folder / "asset"
     info = _read_info(folder)
+    for name in FILES:
+        own_file(folder / name, folder, REMAKE)
     mesh = read_obj(folder / "mesh.obj")
     stated = info.get("mesh", {})
     if not isinstance(stated, dict):
@@ -189,7 +192,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
         )
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
-    check_target(out)
+    check_output(out)
     if format in ("stl", "3mf"):
         mesh = load_mesh(source) if source.is_file() else read_asset(source).mesh
         _export_print(mesh, format, out)
@@ -200,6 +203,19 @@ def export(folder: Path, format: str, out: Path) -> Path:
     else:
         _export_obj(asset, out)
     return out
+
+
+def check_asset_folder(folder: Path) -> None:
+    """Refuse before the work a folder that :func:`write_asset` would refuse after it."""
+    with disk_errors(folder):
+        _refuse_foreign_files(folder)
+
+
+def check_output(path: Path) -> None:
+    """:func:`check_target`, and UserError for a file of an asset itself, which would be lost."""
+    check_target(path)
+    if path.name in ("asset.json", *FILES) and (path.parent / "asset.json").exists():
+        raise UserError(f"{path} is a file of the asset itself.", "Name another file.")
 
 
 def _export_print(mesh: Mesh, format: str, out: Path) -> None:
@@ -213,7 +229,7 @@ def _export_obj(asset: Asset, out: Path) -> None:
     roles = ("base_color", "normal", "roughness", "metallic")
     names = {name: f"{out.stem}_{name}.png" for name in roles}
     for name in names.values():
-        check_target(out.with_name(name))
+        check_output(out.with_name(name))
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
     texts = {
         out: obj_text(asset.mesh, normals, out.stem),

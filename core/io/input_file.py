@@ -41,6 +41,16 @@ def check_file(
         raise _forbidden(path) from None
 
 
+def own_file(path: Path, folder: Path, fix: str) -> Path:
+    """``path`` of our ``folder``; UserError where it is a link that leads out of it.
+
+    A folder may come from anywhere: what is made of it must not hold another file of the user's.
+    """
+    if path.exists() and not path.resolve().is_relative_to(folder.resolve()):
+        raise UserError(f"{path} is a link to another folder.", fix)
+    return path
+
+
 def check_size(path: Path, most: int, fix: str) -> None:
     """Raise UserError for a file of more than ``most`` bytes, before any of it is read."""
     if path.stat().st_size > most:

@@ -1,13 +1,15 @@
 """JSON files that somebody else may have written or changed. Standard library only."""
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
-from core.errors import UserError
+from core.errors import UserError, shown
 from core.io.input_file import check_file, check_size
 
 MAX_BYTES = 8 << 20  # job.json and asset.json are a few kilobytes
+MAX_DIGITS = 300  # of a whole number: whatever is computed with it fits a float
 
 
 def read_object(path: Path, fix: str) -> dict[str, Any]:
@@ -30,7 +32,11 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
 def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
     """The object in ``text``; ``name`` stands for it in what is raised, as by read_object."""
     try:
-        data = json.loads(text, parse_constant=_refuse)
+        data = json.loads(text, parse_constant=_refuse, parse_int=_whole, parse_float=_number)
+        if "\\u" in text:  # a lone half of a surrogate pair, which no file takes
+            json.dumps(data, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise UserError(f"{name} holds half of a character.", fix) from None
     except ValueError as error:  # also a number of more digits than Python converts
         raise UserError(f"{name} is no JSON ({str(error).split(';')[0]}).", fix) from None
     except RecursionError:
@@ -42,3 +48,16 @@ def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
 
 def _refuse(constant: str) -> None:
     raise ValueError(f"{constant} is no number of JSON")
+
+
+def _whole(text: str) -> int:
+    if len(text) > MAX_DIGITS:
+        raise ValueError(f"a number of {len(text)} digits")
+    return int(text)
+
+
+def _number(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{shown(text)} is beyond any number of this machine")
+    return value

@@ -7,6 +7,7 @@ from typing import Any
 
 from core.config import setting_names
 from core.errors import UserError
+from core.io.input_file import own_file
 from core.io.job import LAST, Job, read_events
 from core.io.json_file import read_object
 from core.io.run_folder import RunFolder
@@ -48,7 +49,7 @@ class Facts:
         """
         if not self.asset:
             return b""
-        path = self.folder / "asset" / "asset.glb"
+        path = own_file(self.folder / "asset" / "asset.glb", self.folder, REMAKE)
         data = path.read_bytes() if path.is_file() else b""
         if data[:4] != b"glTF":
             raise UserError(f"{path} is no GLB.", REMAKE)
@@ -59,7 +60,7 @@ def facts_of(folder: Path) -> Facts:
     """Read a run folder; UserError for one that is none or holds what no run has written."""
     run = RunFolder.open(folder)
     job, events, found = run.job, _events(folder), folder / "asset" / "asset.json"
-    asset = read_object(found, REMAKE) if found.is_file() else {}
+    asset = read_object(own_file(found, folder, REMAKE), REMAKE) if found.is_file() else {}
     ends = [event["type"] for event in events if event["type"] in LAST]
     return Facts(
         folder,
@@ -69,7 +70,7 @@ def facts_of(folder: Path) -> Facts:
         sum(event["type"] == "started" for event in events),
         _curves(events),
         [f"{e.get('text')} {e.get('fix') or ''}".strip() for e in events if e["type"] == "warning"],
-        _film(folder / "preview"),
+        [(stage, own_file(path, folder, REMAKE)) for stage, path in _film(folder / "preview")],
         asset,
         _seconds(asset, events),
     )

@@ -15,7 +15,8 @@ from PIL import Image
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
-from core.report.facts import Facts, facts_of, fields_of
+from core.io.input_file import own_file
+from core.report.facts import REMAKE, Facts, facts_of, fields_of
 from core.report.lights import COLUMNS, ROWS, lights_of
 from core.report.svg import curve
 
@@ -93,7 +94,7 @@ def _sections(facts: Facts) -> list[str]:
     sections = [
         (_viewer_tag(facts), ""),
         (f'<div class="film">{frames}</div>' if frames else "", "Previews"),
-        (_maps(facts.folder / "asset"), "Maps"),
+        (_maps(facts.folder), "Maps"),
         (f'<div class="grid">{"".join(plots)}</div>' if plots else "", "Loss and coverage"),
         (_table(_health(facts.asset)), "Health of the mesh"),
         (_bars(facts.seconds), "Seconds by stage"),
@@ -135,8 +136,9 @@ def _bars(seconds: dict[str, float]) -> str:
     return f"<table>{''.join(rows)}</table>" if seconds else ""
 
 
-def _maps(folder: Path) -> str:
-    shown = [(folder / name, text) for name, text in MAPS.items() if (folder / name).is_file()]
+def _maps(run: Path) -> str:
+    paths = [(run / "asset" / name, text) for name, text in MAPS.items()]
+    shown = [(own_file(path, run, REMAKE), text) for path, text in paths if path.is_file()]
     figures = "".join(_figure(path, text) for path, text in shown)
     return f'<div class="grid maps">{figures}</div>' if figures else ""
 

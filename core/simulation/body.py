@@ -11,6 +11,8 @@ from core.io.asset import Asset
 from core.simulation.hulls import MAX_HULLS, Hull, convex_hulls
 from core.simulation.mass import Mass, mass_of
 
+MASS = 1e-9, 1e12  # kg; an inertia beyond them is none in single precision
+
 
 @dataclass(frozen=True, eq=False)
 class Body:
@@ -32,15 +34,18 @@ def body_of(asset: Asset, mass: float | None = None, most: int = MAX_HULLS) -> B
     mesh = asset.mesh
     found = mass_of(mesh.verts, mesh.faces, density_of(asset.info))
     found = found if mass is None else found.scaled_to(mass)
-    title = str(asset.info.get("prompt") or "asset")
+    title = printable(str(asset.info.get("prompt") or "asset"))
     hulls = convex_hulls(mesh.verts, mesh.faces, most)
     return Body(identifier(title), title, asset, found, hulls)
 
 
 def check_body(mass: float | None, most: int) -> None:
     """Refuse what ``body_of`` refuses, before anything is made."""
-    if mass is not None and not 0 < mass < math.inf:
-        raise UserError(f"--mass is {mass:g}.", "It takes kilograms, such as 4.5.")
+    low, high = MASS
+    if mass is not None and not low <= mass <= high:
+        raise UserError(
+            f"--mass is {mass:g}.", f"It takes kilograms, such as 4.5: {low:g} to {high:g}."
+        )
     if most < 1:
         raise UserError(f"--hulls is {most}.", "It takes 1 or more.")
 
@@ -51,6 +56,11 @@ def density_of(info: dict[str, Any]) -> float:
     if isinstance(density, int | float) and 0 < density < math.inf:
         return float(density)
     return usual_of(str(info.get("prompt") or ""))[1]
+
+
+def printable(title: str) -> str:
+    """``title`` without what no XML file takes, such as a NUL."""
+    return "".join(c if c.isprintable() else " " for c in title)
 
 
 def identifier(title: str) -> str:

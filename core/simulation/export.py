@@ -7,8 +7,8 @@ from pathlib import Path
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
-from core.io.asset import Asset, read_asset
-from core.io.atomic import atomic_file, check_target, disk_errors
+from core.io.asset import Asset, check_output, read_asset
+from core.io.atomic import atomic_file, disk_errors
 from core.io.obj import from_y_up, mtl_text, obj_text, plain_obj_text
 from core.simulation.body import Body, body_of, identifier, parts_folder
 from core.simulation.hulls import MAX_HULLS, Hull
@@ -32,7 +32,7 @@ def export_body(
         raise UserError(
             f"{out} does not end in {ENDINGS[format]}.", f"Name a {ENDINGS[format]} file."
         )
-    check_target(out)
+    check_output(out)
     body, parts = body_of(read_asset(folder), mass, most), parts_folder(out)
     text = {"urdf": urdf_text, "mjcf": mjcf_text, "usd-physics": usd_text}[format](body, parts)
     with disk_errors(out):

@@ -19,6 +19,7 @@ from core.io.exr import write_exr
 SOME_FILES = ("asset.json", "mesh.obj", "orm.png", "asset.glb")  # of an asset, one of each kind
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.uint32)
+JOB = {"version": 1, "prompt": "a red cube"}  # the least that a job.json holds
 OBJ = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
 PLY = (
     "ply\nformat %s 1.0\nelement vertex %s\nproperty float x\nproperty float y\n"
@@ -328,6 +329,13 @@ def broken_assets() -> dict[str, Change]:
         "png-folder": with_folder("normal.png"), "png-loop": with_link("orm.png", "orm.png"),
         **{f"locked-{name}": lambda _: None for name in SOME_FILES},
         **{f"pipe-{name}": with_pipe(name) for name in SOME_FILES if hasattr(os, "mkfifo")},
+        "half": with_info(prompt="a red \ud800 cube"), "whole-number": with_info(density=10**400),
+        "infinite": with_file("asset.json", b'{"version": 1, "density": 1e999}'),
+        "job-key": with_info(job={"version": 1, "prompt": "a red cube", "evil": 1}),
+        "job-empty": with_info(job={}), "job-long": with_info(job=JOB | {"light": "x" * 5000}),
+        "hashes": with_info(job=JOB, hashes=[1]), "made-by": with_info(job=JOB, made_by="x"),
+        "link-orm.png": with_link("orm.png", "../ok.png"),
+        "link-asset.glb": with_link("asset.glb", "../folder/mine.txt"),
         "no-glb": with_file("asset.glb", None), "glb-folder": with_folder("asset.glb"),
     }  # fmt: skip
 
@@ -351,9 +359,9 @@ def jobs() -> dict[str, bytes]:
         "prompt-empty": job(prompt=" "), "prompt-long": job(prompt="a" * 3000),
         "surrogate": job(prompt="a red cube \udcff"), "command": job(command="destroy"),
         "seed-text": job(seed="1"), "seed-true": job(seed=True), "seed-half": job(seed=0.5),
-        "seed-large": job(seed=10**400), "preset": job(preset="fast"),
+        "seed-large": job(seed=10**200), "preset": job(preset="fast"),
         "preset-list": job(preset=[]),
-        "strength": job(guide_strength=7), "strength-large": job(guide_strength=10**400),
+        "strength": job(guide_strength=7), "strength-large": job(guide_strength=10**200),
         "texture-size": job(texture_size=7), "max-faces": job(max_faces=7),
         "device": job(device="abacus"), "device-number": job(device="cpu:x"),
         "light-nul": job(light="a\0b.exr"), "mesh-nul": job(command="texture", mesh="a\0b.obj"),
@@ -363,8 +371,9 @@ def jobs() -> dict[str, bytes]:
         "base-color": job(base_color="mesh"), "uv": job(uv="maybe"),
         "settings-list": job(settings=[]), "set-name": set_(geometry=3),
         "set-bool": set_(geometry__views=True), "set-half": set_(geometry__views=2.5),
-        "set-none": set_(geometry__views=None), "set-large": set_(geometry__views=10**400),
+        "set-none": set_(geometry__views=None), "set-large": set_(geometry__views=10**200),
         "set-list": set_(geometry__radii=[1, 2]), "set-object": set_(geometry__radii={"a": 1}),
         "set-nested": set_(geometry__radii=[[1], 1, 1]),
         "set-word": set_(geometry__coarse__weighting=["sigma2"]),
+        "digits": job(seed=10**400), "infinite": job()[:-1] + b', "guide_strength": 1e999}',
     }  # fmt: skip

@@ -83,18 +83,25 @@ def ordinary_user(line: str) -> Iterator[None]:
         yield
 
 
-@pytest.mark.usefixtures("quick", "ordinary_user")
+@pytest.fixture(scope="module")
+def seen() -> dict[Path, dict[str, tuple[int, int]]]:
+    """What lay in the folder after the last line, which is what lies in it before the next."""
+    return {}
+
+
+@pytest.mark.usefixtures("quick", "once", "ordinary_user")
 @pytest.mark.parametrize(("code", "part", "line"), rows(TABLE), ids=lambda value: str(value)[:60])
 def test_a_bad_input_is_one_sentence_and_its_exit_code(
     code: int,
     part: str,
     line: str,
     folder: Path,
+    seen: dict[Path, dict[str, tuple[int, int]]],
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.chdir(folder)
-    before, caught = listed(folder), []
+    before, caught = seen.pop(folder, None) or listed(folder), []
 
     def work() -> None:
         try:
@@ -117,6 +124,6 @@ def test_a_bad_input_is_one_sentence_and_its_exit_code(
     assert said.startswith("error: ") and said.count("\n") == 1, said
     # A run that exists reports in its own folder: its lock, its events, its log.
     own = re.compile(re.escape(str(folder)) + r"/run-[\w-]+(/(lock|events.jsonl))?")
-    after = listed(folder)
+    after = seen[folder] = listed(folder)
     changed = {path for path in before | after if before.get(path) != after.get(path)}
     assert {path for path in changed if not own.fullmatch(path)} == set()

@@ -1,5 +1,6 @@
 """Candidates: a pause changes nothing of the asset, and a new material nothing of the shape."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,16 @@ def finished(shapes: Path) -> Path:
 def test_a_finished_candidate_is_the_asset_of_an_unbroken_run(finished, tmp_path):
     run("generate", PROMPT, "--seed=4", "--out", tmp_path / "whole", *OPTIONS)
     assert made(finished) == made(tmp_path / "whole")
+
+
+def test_a_foreign_file_where_the_asset_goes_is_refused_before_the_work(shapes, tmp_path):
+    folder = shutil.copytree(shapes / "candidate-1", tmp_path / "run")
+    (folder / "asset").mkdir()
+    (folder / "asset" / "mine.txt").write_text("precious")
+    before = len(read_events(folder))
+    assert main(["resume", str(folder)]) == 2
+    assert [e["type"] for e in read_events(folder)[before:]] == ["started", "error"]
+    assert (folder / "asset" / "mine.txt").read_text() == "precious"
 
 
 def test_candidates_stop_at_a_first_look_and_are_shown_on_one_sheet(shapes):

@@ -155,17 +155,17 @@ def test_the_events_tell_the_story(whole):
             assert (whole / event["path"]).is_file()
 
 
-def test_a_cancel_is_heard_while_the_core_loads_and_over_once_it_was_carried_out(tmp_path):
+def test_a_cancel_is_heard_while_the_core_loads_and_over_once_it_was_carried_out(fork, tmp_path):
     run = RunFolder.create(tmp_path / "run", Job(prompt="a red torus", settings=SHORT))
     cancel = run.path / "cancel"
     cancel.touch()
     os.utime(cancel, (0, 0))  # one of an earlier session
-    process = core("resume", run.path)
+    session = fork("resume", run.path)
     wait_for(run.path, "fit", 1)
     future = time.time() + 3600
     cancel.touch()
     os.utime(cancel, (future, future))  # as seen after the clock was set back
-    assert finished(process)[0] == 130
+    assert session.finished()[0] == 130
     assert not cancel.exists()
     process = core("resume", run.path)
     time.sleep(0.05)  # not even Python is loaded, on a busy machine; files' clocks are coarse

@@ -157,6 +157,18 @@ def test_a_broken_run_is_named(tmp_path, broken, words, capsys):
     assert not (run.path / "report.html").exists()
 
 
+@pytest.mark.parametrize("name", ["asset/orm.png", "asset/asset.glb", "asset/asset.json", "film"])
+def test_a_link_out_of_the_run_is_not_followed(tmp_path, name):
+    """A run of somebody else's must not bring another file of the user's into the page."""
+    run = made(tmp_path)
+    path = sorted((run.path / "preview" / "film").iterdir())[0] if name == "film" else None
+    path = path or run.path / name
+    path.rename(tmp_path / path.name)
+    path.symlink_to(tmp_path / path.name)
+    with pytest.raises(UserError, match="link to another folder"):
+        write_report(run.path)
+
+
 def test_no_run_is_a_sentence(tmp_path, capsys):
     assert main(["report", str(tmp_path / "nowhere")]) == 2
     assert "no run folder" in capsys.readouterr().err

@@ -1,6 +1,9 @@
 """Assets for simulators: mass and inertia, convex parts, and a fall in MuJoCo."""
 
+import json
+import shutil
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -196,6 +199,14 @@ def test_what_usd_names_is_there(exported) -> None:
     assert {Path(name).name for name in named} == {"base_color.png", "orm.png", "normal.png"}
     assert all((path.parent / name).is_file() for name in named)
     assert text.count('"PhysicsCollisionAPI"') > 1
+
+
+def test_a_title_that_no_xml_takes_is_left_out_of_it(ring, tmp_path) -> None:
+    folder = shutil.copytree(ring, tmp_path / "ring")
+    info = json.loads((folder / "asset.json").read_text("utf-8")) | {"prompt": "a \0 <ring>\n"}
+    (folder / "asset.json").write_text(json.dumps(info), encoding="utf-8")
+    path = export_body(folder, "mjcf", tmp_path / "x.xml")
+    assert ElementTree.parse(path).getroot().get("model") == "a   <ring> "
 
 
 def test_a_mass_of_ones_own_scales_the_inertia(ring: Path, tmp_path: Path) -> None:

@@ -77,13 +77,21 @@ def names(run: Path) -> set[str]:
     return {path.relative_to(run).as_posix() for path in run.rglob("*")}
 
 
-def _made_once() -> list[Any]:
-    """The weights and the light are made once, the packing too, and by fewer passes."""
+def loaded_once() -> list[Any]:
+    """The weights and the light are made once."""
     light = classmethod(remembered(Environment.of.__func__))
     return [
-        mock.patch.object(packing, "PASSES", PASSES),
         mock.patch.object(builtin, "load_weights", remembered(builtin.load_weights)),
+        mock.patch.object(builtin, "load_solid_net", remembered(builtin.load_solid_net)),
         mock.patch.object(Environment, "of", light),
+    ]
+
+
+def _made_once() -> list[Any]:
+    """The packing too, and by fewer passes."""
+    return [
+        *loaded_once(),
+        mock.patch.object(packing, "PASSES", PASSES),
         mock.patch.object(unwrap, "pack", packed_once()),
     ]
 

@@ -39,7 +39,7 @@ def read_faces(path: Path, count: int) -> Bool[Tensor, " f"]:
     check_size(path, MAX_BYTES, "Name each face once.")
     fix = "Write a number a line, as mesh.obj orders its faces, from 0 on."
     chosen = torch.zeros(count, dtype=torch.bool)
-    for word in path.read_bytes().decode("utf-8", "replace").split():
+    for word in path.read_bytes().decode("utf-8-sig", "replace").split():
         if not (word.isdecimal() and word.isascii() and len(word) < 12 and int(word) < count):
             raise UserError(f"{path} has {shown(word)}; the mesh has {count} faces.", fix)
         chosen[int(word)] = True

@@ -7,7 +7,6 @@ changes the selection, and links into the collection that is active when the job
 
 from __future__ import annotations
 
-import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..blender.input_file import require_file
+from ..blender.input_file import parse_json, require_file
 from ..errors import AssetError
 
 VERSION = 1
@@ -136,13 +135,13 @@ def read_info(folder: Path) -> dict[str, Any]:
         require_file(path)
         if path.stat().st_size > MAX_BYTES:
             raise AssetError(f"{path} is larger than {MAX_BYTES >> 20} MB.", REMAKE)
-        info = json.loads(path.read_text(encoding="utf-8"))
+        info = parse_json(path.read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
         raise AssetError(
             f"{folder} is no asset: it has no asset.json.",
             "Choose the folder named asset in a run folder.",
         ) from None
-    except (OSError, ValueError, RecursionError) as error:  # RecursionError: nested too deeply
+    except (OSError, ValueError) as error:
         raise AssetError(f"{path} can't be read ({error}).", REMAKE) from None
     if not isinstance(info, dict) or not isinstance(info.get("files"), dict):
         raise AssetError(f"{path} names no files.", REMAKE)

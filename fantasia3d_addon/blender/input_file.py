@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import errno
+import json
+import math
 import os
 from pathlib import Path
+from typing import Any, NoReturn
+
+MAX_DIGITS = 300  # of a whole number: whatever is computed with it fits a float
 
 
 def require_file(path: Path) -> None:
@@ -17,3 +22,36 @@ def require_file(path: Path) -> None:
         number = errno.EISDIR if os.path.isdir(path) else errno.EINVAL  # noqa: PTH112
         text = os.strerror(number) if number == errno.EISDIR else "it is a pipe or a device"
         raise OSError(number, text, str(path))
+
+
+def parse_json(text: str | bytes) -> Any:
+    """What JSON from outside says.
+
+    Raises:
+        ValueError: it is none; is nested too deeply; has a number that no float holds, or text that
+            UTF-8 cannot, which Blender's own refuses.
+    """
+    try:
+        data = json.loads(text, parse_constant=_refuse, parse_int=_whole, parse_float=_number)
+        # A lone half of a surrogate pair; and a nesting that another reader would not take.
+        json.dumps(data, ensure_ascii=False).encode()
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
+    return data
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(f"{constant} is no number of JSON")
+
+
+def _whole(text: str) -> int:
+    if len(text) > MAX_DIGITS:
+        raise ValueError(f"a number of {len(text)} digits")
+    return int(text)
+
+
+def _number(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError("a number that is too large")
+    return value

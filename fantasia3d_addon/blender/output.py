@@ -20,6 +20,11 @@ FULL = (errno.ENOSPC, errno.EDQUOT)
 ROOM = 1 << 16  # bytes: a disk with less is full
 NEW = 60.0  # seconds: a folder that was just made may not be locked yet
 
+ASSET_FILES = (  # of an asset folder
+    "asset.json", "mesh.obj", "mesh.mtl", "base_color.png", "orm.png", "normal.png", "asset.glb",
+    "preview.png",
+)  # fmt: skip
+
 _in_use: set[Path] = set()  # the temporary files and folders of this process
 
 
@@ -37,6 +42,8 @@ def temporary_output(path: Path) -> Iterator[Path]:
     try:
         if path.is_dir():
             raise OutputError(f"{path} is a folder.", "Name a file.")
+        if is_of_asset(path):
+            raise OutputError(f"{path} is a file of the asset itself.", "Name another file.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # On the same disk as ``path``: only then is a rename one step.
         with temporary_folder(path.parent) as folder:
@@ -49,6 +56,11 @@ def temporary_output(path: Path) -> Iterator[Path]:
             temporary.replace(path)
     except (OSError, RuntimeError) as error:  # RuntimeError: what Blender's operators report
         raise unwritten(path, error) from None
+
+
+def is_of_asset(path: Path) -> bool:
+    """Whether ``path`` is one of the files that an asset consists of, which would be lost."""
+    return path.name in ASSET_FILES and (path.parent / "asset.json").exists()
 
 
 def unwritten(path: Path, error: OSError | RuntimeError) -> OutputError:

@@ -135,10 +135,13 @@ def _relight(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
 def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: bool) -> list[Path]:
     scene, obj = bpy.context.scene, objs[0]
     settings = {option.name: getattr(args, option.name) for option in options.SIMULATION}
-    simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
     first = scene.frame_start
     # The picture is of the last frame unless --at names one.
     last = first + args.frames - 1
+    at = last if args.at is None else args.at
+    if not first <= at <= last:
+        raise AddonError(f"--at is {at}.", f"It takes a frame from {first} to {last}.")
+    simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
     scene.frame_end = last
     if is_empty or not scene.camera:
         # The camera sees the whole fall, not only the place where it starts.
@@ -151,7 +154,7 @@ def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
     if ground and is_empty:  # the simulation's own ground serves as the backdrop
         ground.is_shadow_catcher = True
         scene_render.hide_world(scene)
-    scene.frame_set(min(max(args.at or last, first), last))
+    scene.frame_set(at)
     return _write(args, obj, backdrop=False)
 
 

@@ -6,11 +6,11 @@ The core has the same names in its own code; blender_tests/test_vocabulary.py co
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..blender.input_file import parse_json
 from .untrusted import has_types, is_inside, is_number, is_text, is_whole
 
 EVENTS = ("started", "progress", "preview", "warning", "error", "done", "cancelled", "paused")
@@ -81,8 +81,8 @@ def parse_event(line: bytes) -> Event:
 def event_object(line: bytes) -> dict[str, Any] | None:
     """The JSON object of one line of events.jsonl; None where it is no event."""
     try:
-        data = json.loads(line)
-    except (ValueError, RecursionError):
+        data = parse_json(line)
+    except ValueError:
         return None
     is_event = isinstance(data, dict) and "type" in data and has_types(data, KINDS)
     return data if is_event else None

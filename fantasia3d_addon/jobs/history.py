@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import random
 import shutil
 import time
@@ -19,6 +18,7 @@ from .candidates import Candidate
 from .events import END_EVENTS, event_object
 from .job_file import FILES, IMPORTED, KEPT, NAME, read_job
 from .process import START_SECONDS, is_core
+from .untrusted import read_object
 
 WAITING, RUNNING, DONE, FAILED, CANCELLED, STOPPED, PAUSED = (
     "waiting",  # its job is written, but it was never started
@@ -138,9 +138,9 @@ def read_entry(folder: Path) -> Entry | None:
 def _size(folder: Path) -> float:
     """The longest side of the run's asset in metres, by its asset.json; 0 where it has none."""
     try:
-        size = json.loads((folder / "asset" / "asset.json").read_text("utf-8")).get("size_m", 0.0)
+        size = read_object(folder / "asset" / "asset.json").get("size_m", 0.0)
         return float(size)
-    except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+    except (OSError, ValueError, TypeError):
         return 0.0
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
-from ..blender.input_file import require_file
+from ..blender.input_file import parse_json, require_file
 
 LARGEST = 2**63  # of a whole number: what the core takes as a seed
 
@@ -21,13 +20,7 @@ def read_object(path: Path) -> dict[str, Any]:
         OSError: it can't be read.
     """
     require_file(path)
-    try:
-        data = json.loads(path.read_text("utf-8"))
-        # Both in one step: a lone half of a surrogate pair, which Blender's text refuses, and a
-        # nesting that another reader would not take.
-        json.dumps(data, ensure_ascii=False).encode()
-    except RecursionError:
-        raise ValueError("nested too deeply") from None
+    data = parse_json(path.read_text("utf-8"))
     if not isinstance(data, dict):
         raise ValueError("no object")
     return data

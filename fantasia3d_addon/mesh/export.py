@@ -8,6 +8,7 @@ baked into it, from files on the disk.
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 import shutil
 from collections.abc import Iterator, Mapping
@@ -155,11 +156,15 @@ def write_glb(path: str) -> None:
 
 
 def _usd(path: str) -> None:
-    bpy.ops.wm.usd_export(
-        filepath=path, selected_objects_only=True, export_animation=False, relative_paths=True,
-        convert_orientation=False, generate_preview_surface=True, evaluation_mode="RENDER",
-        **compat.usd_textures(),
-    )  # fmt: skip
+    here = Path.cwd()
+    try:
+        bpy.ops.wm.usd_export(
+            filepath=path, selected_objects_only=True, export_animation=False, relative_paths=True,
+            convert_orientation=False, generate_preview_surface=True, evaluation_mode="RENDER",
+            **compat.usd_textures(),
+        )  # fmt: skip
+    finally:
+        os.chdir(here)  # Blender 4.5's USDZ leaves the process in another folder
 
 
 def _fbx(path: str) -> None:
