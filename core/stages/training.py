@@ -147,16 +147,17 @@ def gradient_of(
     training, ranks = setup.training, setup.ranks
     training.optimizer.zero_grad()
     scene, losses = phase.begin(step.index)
-    loss, failure = 0.0, ""
+    loss, failure = torch.zeros((), dtype=torch.float64), ""
     try:
         loss = scene.backward(losses)
     except (NotFiniteError, NoSurfaceError) as error:
         failure = error.text
     coverage = scene.coverage
-    covered = 1.0 if coverage is None else coverage
+    # Both in one question: a GPU is waited for at each.
+    numbers = (loss, loss.new_ones(()) if coverage is None else coverage.to(loss))
 
     # TOGETHER: one message says how it went everywhere
-    rows = ranks.rows([loss, covered, float(bool(failure)), float(stop)])
+    rows = ranks.rows([*torch.stack(numbers).tolist(), float(bool(failure)), float(stop)])
     total, stop = float(rows[:, 0].sum()), bool(rows[:, 3].any())
     if bool(rows[:, 2].any()):
         failure = next(filter(None, ranks.texts(failure)))

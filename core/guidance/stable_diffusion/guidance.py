@@ -113,7 +113,7 @@ class StableDiffusion(Guidance):
         self.unet = networks.unet.requires_grad_(False).eval()
         self.vae = networks.vae.requires_grad_(False).eval()
         self.prediction_type = _prediction_type(networks.scheduler)
-        self.alpha_bar = networks.scheduler.alphas_cumprod.float()
+        self.alpha_bar = networks.scheduler.alphas_cumprod.float().to(self.unet.device)
         self.takes_cameras = isinstance(self.unet, MultiViewUNet)
         self.views_together = TOGETHER if self.takes_cameras else 1
         self._unet_config = self.unet.config
