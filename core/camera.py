@@ -13,6 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.device import sent
 from core.ranges import Range
 
 NEAR, FAR = 0.1, 10.0
@@ -53,7 +54,7 @@ class Cameras:
 
     def to(self, device: "torch.device | str") -> "Cameras":
         """The same cameras on ``device``."""
-        return self._each(lambda tensor: tensor.to(device))
+        return self._each(lambda tensor: sent(tensor, device))
 
     def _each(self, change: Callable[[Tensor], Tensor]) -> "Cameras":
         return Cameras(**{name: change(tensor) for name, tensor in self.tensors().items()})

@@ -111,7 +111,8 @@ class GeometryConfig:
         rounds=6, steps=30, views=16, batch=6, t=(0.7, 0.25), learning_rate=0.03
     )
     views: Count = 24  # cameras of one step
-    views_at_once: Count = 24  # cameras rendered together; the rest is accumulated
+    # Cameras rendered together, at most: a GPU takes fewer where its memory is short (room.py).
+    views_at_once: Count = 24
     cameras: CameraConfig = SPHERE
     learning_rate: Rate = 1e-3
     learning_rate_end: Fraction = 1.0  # fraction of the rate that is left at the last step
@@ -230,8 +231,8 @@ RELEASED_CAMERAS = CameraConfig(
 
 STANDARD = replace(
     PAPER,
-    geometry=replace(PAPER.geometry, views=8, views_at_once=4, cameras=RELEASED_CAMERAS),
-    appearance=replace(PAPER.appearance, views=8, views_at_once=4, cameras=RELEASED_CAMERAS),
+    geometry=replace(PAPER.geometry, views=8, cameras=RELEASED_CAMERAS),
+    appearance=replace(PAPER.appearance, views=8, cameras=RELEASED_CAMERAS),
 )
 
 # The built-in prior knows views from below; without them a mug has no bottom.

@@ -1,6 +1,7 @@
 """The device that torch works on."""
 
 import torch
+from torch import Tensor
 
 from core.errors import MissingError, UserError, shown
 
@@ -20,6 +21,13 @@ def device_of(name: str, place: int | None = None) -> torch.device:
             "Use --device cuda: each of them then takes a GPU of its own.",
         )
     return _device_of(f"cuda:{place}")
+
+
+def sent(x: Tensor, device: "torch.device | str") -> Tensor:
+    """``x`` on ``device``; what a GPU still has to do is not waited for."""
+    # To CUDA alone: there the CPU's memory is read at once, and the copy takes its turn. From a GPU
+    # the numbers would be used before they have come.
+    return x.to(device, non_blocking=torch.device(device).type not in ("cpu", "mps"))
 
 
 def _device_of(name: str) -> torch.device:

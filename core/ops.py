@@ -1,10 +1,11 @@
 """Small vector and colour formulas that several modules share."""
 
 from collections.abc import Callable
+from functools import cache
 from typing import TypeVar
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 from torch.utils.checkpoint import checkpoint
 
@@ -21,6 +22,21 @@ def recomputed(function: Callable[..., Result], *given: object) -> Result:
     if not torch.is_grad_enabled():
         return function(*given)
     return checkpoint(function, *given, use_reentrant=False, preserve_rng_state=False)
+
+
+def places(*masks: Bool[Tensor, " _n"]) -> list[Int[Tensor, " _m"]]:
+    """Where each mask is true, ascending; a GPU is waited for once for all of them."""
+    if masks[0].device.type == "cpu":  # nothing to wait for, and counting takes time
+        return [mask.nonzero().squeeze(1) for mask in masks]
+    counts = torch.stack([mask.sum() for mask in masks]).tolist()
+    pairs = zip(masks, counts, strict=True)
+    return [mask.nonzero_static(size=count).squeeze(1) for mask, count in pairs]
+
+
+@cache
+def constant(values: tuple, device: torch.device, dtype: torch.dtype | None = None) -> Tensor:
+    """The tensor of ``values``, which is sent to a GPU once: each sending waits for it."""
+    return torch.tensor(values, device=device, dtype=dtype)
 
 
 def dot(x: Float[Tensor, "*b c"], y: Float[Tensor, "*b c"]) -> Float[Tensor, "*b 1"]:

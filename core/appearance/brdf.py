@@ -145,9 +145,14 @@ def albedo_table() -> Float[Tensor, "1 3 32 64"]:
     return torch.cat(albedo, -1).permute(2, 0, 1)[None].contiguous()
 
 
+@cache
+def _albedo_table_on(device: torch.device, dtype: torch.dtype) -> Float[Tensor, "1 3 32 64"]:
+    return albedo_table().to(device, dtype)  # sent once
+
+
 def lookup_albedo(roughness: Float[Tensor, "p 1"], cos_v: Float[Tensor, "p 1"]) -> Albedo:
     """:func:`directional_albedo` from the table, bilinear, with gradient to both arguments."""
-    table = albedo_table().to(roughness)
+    table = _albedo_table_on(roughness.device, roughness.dtype)
     # The root has no finite slope at 0.
     root = torch.sqrt(cos_v.clamp(min=1e-4))
     place = torch.cat([root, roughness.clamp(0, 1)], 1) * 2 - 1

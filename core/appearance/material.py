@@ -14,7 +14,7 @@ from torch import Tensor, nn
 
 from core.config import AppearanceConfig
 from core.hash_grid import HashGrid
-from core.ops import linear_to_srgb, normalize, srgb_to_linear
+from core.ops import constant, linear_to_srgb, normalize, srgb_to_linear
 
 
 class Material(NamedTuple):
@@ -84,7 +84,7 @@ def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
     kd = share[:, 0:3]
     if config.kd_curve == "srgb":
         # The bounds stay the config's linear ones under both curves.
-        low, high = linear_to_srgb(raw.new_tensor(config.kd_range))
+        low, high = linear_to_srgb(constant(config.kd_range, raw.device, raw.dtype))
         kd = srgb_to_linear(low + (high - low) * kd)
     else:
         kd = _between(kd, config.kd_range)

@@ -25,7 +25,12 @@ from core.batch.plan import Task
 from core.errors import MissingError, UserError
 
 # It reports home unless it is told not to; its own notices of a death are pages long.
-QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_DISABLE_IMPORT_WARNING": "1"}
+# The last one skips all that it prints of others, at any level of its log.
+QUIET = {
+    "RAY_USAGE_STATS_ENABLED": "0",
+    "RAY_DISABLE_IMPORT_WARNING": "1",
+    "RAY_DEDUP_LOGS_SKIP_REGEX": ".",
+}
 for _name, _value in QUIET.items():
     os.environ.setdefault(_name, _value)
 

@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.geometry.tet_grid import DIRECTIONS, TetGrid
+from core.ops import constant, places
 
 # Two triangles at most, as edges of TET_CORNERS, for each set of inside corners (bit c = corner c
 # inside) of a positively oriented tetrahedron; counter-clockwise seen from outside.
@@ -47,7 +48,7 @@ def close_rim(sdf: Float[Tensor, " nt"], grid: TetGrid) -> Float[Tensor, " nt"]:
 
 def crossing_edges(sdf: Float[Tensor, " nt"], grid: TetGrid) -> Int[Tensor, " c"]:
     """Indices into ``grid.edges`` of the edges with one end inside, ascending."""
-    return _changes(_inside(sdf, grid), grid)
+    return places(_changes(_inside(sdf, grid), grid))[0]
 
 
 def marching_tets(
@@ -60,8 +61,8 @@ def marching_tets(
     """
     with torch.no_grad():
         inside = _inside(sdf, grid)
-        crossing = _changes(inside, grid)
-        faces = _faces(inside, crossing, grid)
+        crossing, cubes = places(_changes(inside, grid), _crossed_cubes(inside))
+        faces = _faces(inside, crossing, cubes, grid)
         ends = grid.edges.index_select(0, crossing).view(-1)
     # Values and positions of the crossing edges' ends only: the rest of the lattice gets no
     # gradient.
@@ -84,51 +85,48 @@ def _crossing(a: Float[Tensor, " c"], b: Float[Tensor, " c"]) -> Float[Tensor, "
     return t + (t.clamp(MARGIN, 1 - MARGIN) - t).detach()
 
 
-def _changes(inside: Bool[Tensor, "x y z"], grid: TetGrid) -> Int[Tensor, " c"]:
-    """Edges whose ends differ, direction by direction as ``grid.edges`` is laid out."""
+def _changes(inside: Bool[Tensor, "x y z"], grid: TetGrid) -> Bool[Tensor, " e"]:
+    """Whether an edge's ends differ, direction by direction as ``grid.edges`` is laid out."""
     n = grid.resolution
     changes = []
     for d in DIRECTIONS[1:]:
         low = inside[tuple(slice(0, n + 1 - s) for s in d)]
         high = inside[tuple(slice(s, n + 1) for s in d)]
         changes.append((low != high).reshape(-1))
-    return torch.cat(changes).nonzero().squeeze(1)
+    return torch.cat(changes)
 
 
 def _faces(
-    inside: Bool[Tensor, "x y z"], crossing: Int[Tensor, " c"], grid: TetGrid
+    inside: Bool[Tensor, "x y z"],
+    crossing: Int[Tensor, " c"],
+    cubes: Int[Tensor, " k"],
+    grid: TetGrid,
 ) -> Int[Tensor, "f 3"]:
-    """The triangles of every tetrahedron that the surface crosses."""
-    # Whole cubes first, on the plain volume: most tetrahedra are never gathered.
-    tets = _crossed_tets(inside)
+    """The triangles of every tetrahedron that the surface crosses; all are in ``cubes``."""
+    tets = (cubes[:, None] * 6 + torch.arange(6, device=cubes.device)).view(-1)
     corners = grid.tets.index_select(0, tets).view(-1)
     bits = inside.view(-1).index_select(0, corners).view(-1, 4).to(torch.uint8)
     case = bits[:, 0] | bits[:, 1] << 1 | bits[:, 2] << 2 | bits[:, 3] << 3
-    mixed = ((case > 0) & (case < 15)).nonzero().squeeze(1)
-    # As an index a uint8 tensor would be taken for a mask.
-    case = case.index_select(0, mixed).long()
-    edges = grid.tet_edges.index_select(0, tets.index_select(0, mixed)).long()
+    case = case.long()  # as an index a uint8 tensor would be taken for a mask
     # From an edge's index to its vertex's; edges that are not crossed are never asked for.
     vertex = torch.zeros(len(grid.edges), dtype=torch.int64, device=inside.device)
     vertex[crossing] = torch.arange(len(crossing), device=inside.device)
     faces = []
     # Tetrahedra of one triangle and of two apart: no padding has to be taken out afterwards. A row
     # of the other kind is zeros, and never picked.
-    for corner_count in (3, 6):
-        rows = [t if len(t) == corner_count else (0,) * corner_count for t in TRIANGLES]
-        table = torch.tensor(rows, device=inside.device)
-        has = torch.tensor([len(t) == corner_count for t in TRIANGLES], device=inside.device)
-        where = has[case].nonzero().squeeze(1)
-        picked = edges.index_select(0, where).gather(1, table[case.index_select(0, where)])
-        faces.append(vertex[picked].view(-1, 3))
+    kinds = [constant(tuple(len(t) == n for t in TRIANGLES), case.device) for n in (3, 6)]
+    for n, where in zip((3, 6), places(*(has[case] for has in kinds)), strict=True):
+        rows = tuple(t if len(t) == n else (0,) * n for t in TRIANGLES)
+        table = constant(rows, case.device)[case.index_select(0, where)]
+        edges = grid.tet_edges.index_select(0, tets.index_select(0, where)).long()
+        faces.append(vertex[edges.gather(1, table)].view(-1, 3))
     return torch.cat(faces)
 
 
-def _crossed_tets(inside: Bool[Tensor, "x y z"]) -> Int[Tensor, " t"]:
-    """The six tetrahedra of each cube whose corners differ: a superset of the crossed ones."""
+def _crossed_cubes(inside: Bool[Tensor, "x y z"]) -> Bool[Tensor, " q"]:
+    """Whether a cube's corners differ; without it all tetrahedra would have to be gathered."""
     # Any and all of a cube's eight corners, one axis after another.
     any_z, all_z = inside[..., 1:] | inside[..., :-1], inside[..., 1:] & inside[..., :-1]
     any_y, all_y = any_z[:, 1:] | any_z[:, :-1], all_z[:, 1:] & all_z[:, :-1]
     mixed = (any_y[1:] | any_y[:-1]) & ~(all_y[1:] & all_y[:-1])
-    cubes = mixed.reshape(-1).nonzero()
-    return (cubes * 6 + torch.arange(6, device=inside.device)).view(-1)
+    return mixed.reshape(-1)

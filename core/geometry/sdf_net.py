@@ -21,6 +21,7 @@ from core.geometry.marching_tets import crossing_edges, marching_tets
 from core.geometry.residual import Residual
 from core.geometry.tet_grid import EXTENT, TetGrid
 from core.hash_grid import HashGrid
+from core.ops import places
 from core.ranges import Range
 
 
@@ -197,7 +198,7 @@ def extract(net: SdfNet, grid: TetGrid, band: Band | None = None, chunk: int = 1
         # The ends of the crossing edges.
         touched = torch.zeros(len(sdf), dtype=torch.bool, device=sdf.device)
         touched[grid.edges[crossing_edges(sdf, grid)].view(-1)] = True
-        near = touched.nonzero().squeeze(1)
+        (near,) = places(touched)
     if torch.is_grad_enabled() and len(near):
         points = grid.tet_verts.index_select(0, near)
         # The second pass: the few nodes that the mesh depends on, now with gradient.

@@ -71,7 +71,7 @@ def tet_grid(
     axis = torch.linspace(-extent, extent, n + 1, device=device)
     tet_verts = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
     rim = torch.zeros(n + 1, dtype=torch.bool, device=device)
-    rim[[0, -1]] = True
+    rim[0] = rim[-1] = True
     boundary = rim[:, None, None] | rim[None, :, None] | rim[None, None, :]
     return TetGrid(
         tet_verts=tet_verts,

@@ -95,6 +95,7 @@ class Guidance(ABC):
     normal_frame: NormalFrame  # the axes in which it wants its normals
     # Views that it predicts together: a batch then holds whole groups, their azimuths evenly apart.
     views_together: int = 1
+    busy_bytes: int = 0  # that a prediction or an encoding takes for itself, where it is much
 
     def work(self) -> Work | None:
         """What one view takes, where it is worth a notice; None: little."""
@@ -156,6 +157,7 @@ class PromptedGuidance(ABC):
     encoders are the guidance's own."""
 
     views_together: int = 1
+    busy_bytes: int = 0
 
     def __init__(self, guidance: Guidance) -> None:
         self._guidance = guidance
@@ -163,6 +165,7 @@ class PromptedGuidance(ABC):
         self.latent_size = guidance.latent_size
         self.normal_frame: NormalFrame = guidance.normal_frame
         self.views_together = guidance.views_together
+        self.busy_bytes = guidance.busy_bytes
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]

@@ -21,23 +21,21 @@ High-Performance Differentiable Rendering", §3.5) loses most of the gradient on
 the silhouette are foreshortened below a pixel.
 """
 
-from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeVar
+from collections.abc import Callable
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core import kernels
+from core.ops import places
 from core.render.rasterizer import Fragments, Points, take
-from core.render.visibility import to_screen
+from core.render.visibility import repeat_and_count, to_screen
 
 # A silhouette edge may lie this far behind what its outer pixel shows and still bound it: the
 # rounding of an interpolated depth.
 DEPTH_EPS = 1e-5
-
-
-Record = TypeVar("Record", bound=tuple)
 
 
 class EdgeTable(NamedTuple):
@@ -53,17 +51,16 @@ def edge_table(faces: Int[Tensor, "f 3"]) -> EdgeTable:
     # Half-edge 3 f + k runs from corner k to k + 1 of face f, opposite of corner k + 2.
     verts = torch.stack([faces, faces.roll(-1, 1)], -1).view(-1, 2)
     opposite = faces.roll(-2, 1).reshape(-1)
-    count = int(faces.max()) + 1 if len(faces) else 0
     low, high = torch.minimum(*verts.unbind(1)), torch.maximum(*verts.unbind(1))
     # One number for both directions. Stable: the faces of an edge keep their order.
-    key, order = (low * count + high).sort(stable=True)
+    key, order = ((low << 32) | high).sort(stable=True)
     starts = torch.ones_like(key, dtype=torch.bool)
     starts[1:] = key[1:] != key[:-1]
     index = torch.arange(len(key), device=key.device)
     # The place in a run of equal keys: even ones begin an edge, odd ones are its second face.
     place = index - torch.where(starts, index, 0).cummax(0).values if len(key) else index
     begins = place % 2 == 0
-    first = begins.nonzero().squeeze(1)
+    (first,) = places(begins)
     paired = (first + 1 < len(key)) & ~begins[(first + 1).clamp(max=max(len(key) - 1, 0))]
     a = order[first]
     b = torch.where(paired, order[torch.where(paired, first + 1, first)], a)
@@ -93,11 +90,9 @@ def antialias(
     """
     silhouette = silhouettes(fragments, faces, edges)
     # Search without gradient: which pairs of pixels blend.
-    found = [crossings(silhouette, fragments, axis) for axis in (0, 1)]
+    crossing = crossings(silhouette, fragments)
     # The same crossings once more, with gradient to the vertices.
-    places, points = zip(*(locate(found[axis], fragments, axis) for axis in (0, 1)), strict=True)
-    crossing, points = concatenate(found), concatenate(points)
-    place = torch.cat(places)
+    place, points = locate(crossing, fragments)
     reach = torch.where(crossing.inner_is_lower, place, 1 - place)
     grows = reach > 0.5
 
@@ -111,11 +106,6 @@ def antialias(
     amount = ((reach - 0.5) * crossing.weight)[:, None].to(flat.dtype)
     receiver = torch.where(grows, crossing.outer, crossing.inner)
     return flat.index_add(0, receiver, amount * (inner - outer)).view_as(image)
-
-
-def concatenate(parts: "Sequence[Record]") -> "Record":
-    """Named tuples of tensors, one after another."""
-    return type(parts[0])(*(torch.cat(field) for field in zip(*parts, strict=True)))
 
 
 class Silhouette(NamedTuple):
@@ -162,8 +152,9 @@ def silhouette_edges(
     alone = first if fragments.cull else torch.ones_like(first)
     ends = fragments.in_front.t()
     seen = ends.index_select(0, edges.verts[:, 0]) & ends.index_select(0, edges.verts[:, 1])
-    edge, view = (torch.where(missing, alone, first != second) & seen).nonzero(as_tuple=True)
-    return view, edge, first[edge, view]
+    (flat,) = places((torch.where(missing, alone, first != second) & seen).view(-1))
+    view, edge = flat % first.shape[1], flat.div(first.shape[1], rounding_mode="floor")
+    return view, edge, first.reshape(-1)[flat]
 
 
 def facing(fragments: Fragments, faces: Int[Tensor, "f 3"]) -> Bool[Tensor, "f b"]:
@@ -180,35 +171,45 @@ class Crossings(NamedTuple):
 
     index: Int[Tensor, "m 2"]  # the edge's ends, in the flattened (B, V) vertices
     weight: Float[Tensor, " m"]  # squared normal component along the axis
-    line: Int[Tensor, " m"]  # the row or column that is walked
-    lower: Int[Tensor, " m"]  # the pair's lower coordinate along the axis
+    column: Bool[Tensor, " m"]  # the pair is of one column; else of one row
+    line: Int[Tensor, " m"]  # that row or column
+    lower: Int[Tensor, " m"]  # the pair's lower coordinate along it
     inner: Int[Tensor, " m"]  # flat index of the pixel on the surface's side
     outer: Int[Tensor, " m"]
     inner_is_lower: Bool[Tensor, " m"]
 
 
 @torch.no_grad()
-def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossings:
-    """Where silhouettes cross the lines of pixel centres along ``axis`` (0: rows, 1: columns)."""
+def crossings(silhouette: Silhouette, fragments: Fragments) -> Crossings:
+    """Where silhouettes cross the lines of pixel centres: the rows, then the columns."""
     _, height, width = fragments.size
-    lines, length = (height, width) if axis == 0 else (width, height)
-    line_stride, step = (width, 1) if axis == 0 else (1, width)
-    start, along = silhouette.start, silhouette.along
-    edge, line = lines_met(start[:, 1 - axis], along[:, 1 - axis], lines)
+    # Columns are the rows of the picture mirrored in its diagonal, which turns left into right.
+    start, along = (
+        torch.cat([x, torch.stack([x[:, 1], x[:, 0], x[:, 2]], 1)])
+        for x in (silhouette.start, silhouette.along)
+    )
+    side = torch.cat([silhouette.side, -silhouette.side])
+    view, index = (torch.cat([x, x]) for x in (silhouette.view, silhouette.index))
+    mirrored = torch.arange(len(start), device=start.device) >= len(silhouette.view)
+    lines = torch.where(mirrored, width, height)
+    edge, line = lines_met(start[:, 1], along[:, 1], lines)
+    column = mirrored[edge]
+    length = torch.where(column, height, width)
+    line_stride, step = torch.where(column, 1, width), torch.where(column, width, 1)
 
     # Where the edge crosses the line, counted from the first pixel's centre (hence - 0.5).
-    s = (line + 0.5 - start[edge, 1 - axis]) / along[edge, 1 - axis]
-    place = start[edge, axis] + s * along[edge, axis] - 0.5
+    s = (line + 0.5 - start[edge, 1]) / along[edge, 1]
+    place = start[edge, 0] + s * along[edge, 0] - 0.5
     z = start[edge, 2] + s * along[edge, 2]
     # Clamped while a float: a place far outside the picture may not fit an integer.
-    lower = place.floor().clamp(-1, length).long()
+    lower = place.floor().clamp(-1, max(height, width)).long()
     inside = (lower >= 0) & (lower + 1 < length)
-    lower_pixel = silhouette.view[edge] * (height * width) + line * line_stride
-    lower_pixel = lower_pixel + lower.clamp(0, max(length - 2, 0)) * step
+    lower_pixel = view[edge] * (height * width) + line * line_stride
+    # A place outside counts nowhere; it only has to name some pixel.
+    lower_pixel = lower_pixel + torch.where(inside, lower, 0) * step
+    upper_pixel = lower_pixel + torch.where(inside, step, 0)
     # The surface is at smaller coordinates if the vector across, turned from `along`, points there.
-    turn = -along[:, 1] if axis == 0 else along[:, 0]
-    inner_is_lower = (silhouette.side * turn < 0)[edge]
-    upper_pixel = lower_pixel + (step if length > 1 else 0)
+    inner_is_lower = (side * along[:, 1] > 0)[edge]
     inner = torch.where(inner_is_lower, lower_pixel, upper_pixel)
     outer = torch.where(inner_is_lower, upper_pixel, lower_pixel)
 
@@ -217,11 +218,13 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
     bounds = inside & (z < depth[outer] + DEPTH_EPS) & torch.isfinite(depth[inner])
     reach = torch.where(inner_is_lower, place - lower, lower + 1 - place)
     # Surfaces on either side of a pair have an outermost edge each, hence the side in the key.
-    keep = outermost(reach, lower_pixel * 2 + inner_is_lower, bounds)
-    weight = along[:, 1 - axis].square() / along[:, :2].square().sum(1).clamp(min=1e-30)
+    pair = (column * depth.numel() + lower_pixel) * 2 + inner_is_lower
+    keep = outermost(reach, pair, bounds)
+    weight = along[:, 1].square() / along[:, :2].square().sum(1).clamp(min=1e-30)
     return Crossings(
-        silhouette.index[edge[keep]],
+        index[edge[keep]],
         weight[edge[keep]],
+        column[keep],
         line[keep],
         lower[keep],
         inner[keep],
@@ -231,43 +234,47 @@ def crossings(silhouette: Silhouette, fragments: Fragments, axis: int) -> Crossi
 
 
 def lines_met(
-    start: Float[Tensor, " s"], along: Float[Tensor, " s"], lines: int
+    start: Float[Tensor, " s"], along: Float[Tensor, " s"], lines: Int[Tensor, " s"]
 ) -> tuple[Int[Tensor, " n"], Int[Tensor, " n"]]:
-    """All pairs (edge, line) where the edge crosses the line's centre, inside the picture."""
+    """All pairs (edge, line) where the edge crosses the line's centre, inside the picture.
+
+    ``lines``: how many there are along each edge's axis.
+    """
     end = start + along
     # Half open: where two edges meet on a centre, one of them has it.
-    low = (torch.minimum(start, end) - 0.5).ceil().clamp(0, lines)
-    high = (torch.maximum(start, end) - 0.5).ceil().clamp(0, lines)
-    count = (high - low).long()
-    edge = torch.repeat_interleave(count)
-    # Less the place where the edge's run begins, so that adding the running index counts from low.
-    first = (low.long() - (count.cumsum(0) - count))[edge]
-    return edge, first + torch.arange(len(edge), device=edge.device)
+    low, high = ((f(start, end) - 0.5).ceil() for f in (torch.minimum, torch.maximum))
+    low, high = (torch.minimum(x.clamp(min=0), lines.to(x)).long() for x in (low, high))
+    count = high - low
+    edge, place = repeat_and_count(count, int(count.sum()))
+    return edge, low[edge] + place
 
 
 def outermost(
     reach: Float[Tensor, " n"], pair: Int[Tensor, " n"], valid: Bool[Tensor, " n"]
 ) -> Int[Tensor, " m"]:
-    """Indices of the valid crossings that reach farthest out in their pair; of equals the first."""
-    index = valid.nonzero().squeeze(1)
-    reach = reach.index_select(0, index)
-    pairs, pair = torch.unique(pair.index_select(0, index), return_inverse=True)
-    # -1 is below every reach; they are 0 to 1.
-    farthest = reach.new_full((len(pairs),), -1.0).scatter_reduce_(0, pair, reach, "amax")
-    # len(valid), above every index, marks what is not outermost: the minimum passes it over.
-    index = torch.where(reach >= farthest.index_select(0, pair), index, len(valid))
-    # Two edges that meet on the line cross it at the same place: count one of them.
-    return index.new_full((len(pairs),), len(valid)).scatter_reduce_(0, pair, index, "amin")
+    """Indices of the valid crossings that reach farthest out in their pair; of equals the first.
+
+    Two edges that meet on the line cross it at the same place: one of them counts.
+    """
+    # The farthest of each pair first; those that are not valid, and may be NaN, last.
+    order = torch.where(valid, reach, -1).sort(descending=True, stable=True).indices
+    pair, again = pair[order].sort(stable=True)
+    order = order[again]
+    first = torch.ones_like(pair, dtype=torch.bool)
+    first[1:] = pair[1:] != pair[:-1]
+    (found,) = places(first & valid[order])
+    return order[found]
 
 
-def locate(
-    crossing: Crossings, fragments: Fragments, axis: int
-) -> tuple[Float[Tensor, " m"], Points]:
+def locate(crossing: Crossings, fragments: Fragments) -> tuple[Float[Tensor, " m"], Points]:
     """The crossings with gradient: place between the pair's centres (0 to 1), and on the mesh."""
     _, height, width = fragments.size
     clip = take(fragments.clip.reshape(-1, 4), crossing.index)
-    screen = to_screen(clip, height, width)
-    (x0, x1), (y0, y1) = screen[..., axis].unbind(1), screen[..., 1 - axis].unbind(1)
+    column, row, _ = to_screen(clip, height, width).unbind(-1)
+    (x0, x1), (y0, y1) = (
+        torch.where(crossing.column[:, None], a, b).unbind(1)
+        for a, b in ((row, column), (column, row))
+    )
     s = (crossing.line + 0.5 - y0) / (y1 - y0)
     place = x0 + s * (x1 - x0) - 0.5 - crossing.lower
     # Linear on the screen is linear in 1/w on the mesh.

@@ -7,7 +7,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.camera import Cameras
-from core.ops import dot, normalize
+from core.ops import constant, dot, normalize
 from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, Points, interpolate, rasterize, scatter, take
 
@@ -28,7 +28,7 @@ def vertex_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Fl
     total = torch.zeros_like(verts).index_add(0, faces.reshape(-1), around)
     # Far below any real area, so that fine meshes keep unit normals; above it all is finite.
     sound = dot(total, total) > 1e-24
-    up = total.new_tensor([0.0, 0.0, 1.0])
+    up = constant((0.0, 0.0, 1.0), total.device, total.dtype)
     return normalize(torch.where(sound, total, up), eps=1e-30)
 
 

@@ -15,6 +15,7 @@ from torch.autograd.function import once_differentiable
 from torch.nn.functional import embedding_bag
 
 from core import kernels
+from core.ops import places
 from core.render.visibility import to_screen, visibility
 
 
@@ -99,7 +100,7 @@ def covered(face_id: Int[Tensor, "b h w"], faces: Int[Tensor, "f 3"]) -> tuple[T
     if kernels.supports(face_id, faces):
         return kernels.covered(face_id, faces)
     flat = face_id.view(-1)
-    pixel = (flat >= 0).nonzero().squeeze(1)
+    (pixel,) = places(flat >= 0)
     face = flat.index_select(0, pixel)
     view = pixel.div(face_id[0].numel(), rounding_mode="floor")
     return pixel, view, face, faces.index_select(0, face)
@@ -143,7 +144,7 @@ class Barycentrics(torch.autograd.Function):
         corner = take(clip, index)
         x = corner[..., 0] - corner[..., 3] * centre[0]
         y = corner[..., 1] - corner[..., 3] * centre[1]
-        x1, x2, y1, y2 = x[[1, 2, 0]], x[[2, 0, 1]], y[[1, 2, 0]], y[[2, 0, 1]]
+        x1, x2, y1, y2 = x.roll(-1, 0), x.roll(1, 0), y.roll(-1, 0), y.roll(1, 0)
         weight = x1 * y2 - x2 * y1
         total = weight.sum(0)
         # Far enough from the smallest float that 1 / total stays finite.
@@ -162,10 +163,10 @@ class Barycentrics(torch.autograd.Function):
         index, centre, x, y, bary, inverse = ctx.saved_tensors
         # Through the division by the sum: d bary_i / d weight_j = (δ_ij - bary_i) / total.
         g = (g - (g * bary).sum(0)) * inverse  # to the weights
-        g1, g2 = g[[1, 2, 0]], g[[2, 0, 1]]
+        g1, g2 = g.roll(-1, 0), g.roll(1, 0)
         # Through the cross products: each corner takes part in the two others' weights.
-        gx = g2 * y[[1, 2, 0]] - g1 * y[[2, 0, 1]]
-        gy = g1 * x[[2, 0, 1]] - g2 * x[[1, 2, 0]]
+        gx = g2 * y.roll(-1, 0) - g1 * y.roll(1, 0)
+        gy = g1 * x.roll(1, 0) - g2 * x.roll(-1, 0)
         # X = x - w * centre, so w gets the centre's part; the clip z has no influence.
         gw = -(gx * centre[0] + gy * centre[1])
         rows = torch.stack([gx, gy, torch.zeros_like(gx), gw], -1).view(-1, 4)
@@ -243,6 +244,7 @@ def scatter(
     before the antialias, which blends with it.
     """
     shape = (*fragments.size, values.shape[1])
-    background = torch.as_tensor(background, dtype=values.dtype, device=values.device)
-    picture = background.expand(shape).reshape(-1, shape[-1])
+    if not isinstance(background, Tensor):
+        background = values.new_full((), background)
+    picture = background.to(values).expand(shape).reshape(-1, shape[-1])
     return picture.index_copy(0, fragments.pixel, values).view(shape)

@@ -15,6 +15,7 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core import kernels
+from core.ops import constant
 
 # Z-buffer entry: depth above, face below; the bits of a float >= 0 sort as the float does.
 # EMPTY has the bits of depth 2.0, which is beyond the far plane.
@@ -65,17 +66,23 @@ def visibility(
     keys = torch.full((b * height * width,), EMPTY, dtype=torch.int64, device=clip.device)
     if len(faces) and b:
         before = clip[..., 2] + clip[..., 3] > 0
+        seen = worth_drawing(to_screen(clip, height, width), faces, cull)
+        # Both in one question: a GPU is waited for at each.
+        behind, count = torch.stack([(~before).sum(), seen.sum()]).tolist()
         # The usual case: nothing to cut, and where faces are culled those are never gathered.
-        if bool(before.all()):
-            draw(keys, gather(to_screen(clip, height, width), faces, cull), (height, width), cull)
+        if behind:
+            triangles = clipped(clip, faces, before, (height, width))
         else:
-            draw(keys, clipped(clip, faces, before, (height, width)), (height, width), cull)
+            triangles = gather(to_screen(clip, height, width), faces, seen, count)
+        draw(keys, triangles, (height, width), cull)
     face_id = torch.where(keys == EMPTY, -1, keys & FACE_BITS)
     return face_id.view(b, height, width)
 
 
-def gather(screen: Float[Tensor, "b v 3"], faces: Int[Tensor, "f 3"], cull: bool) -> Triangles:
-    """The triangles that face us and whose bounding box holds a pixel centre, seen or not."""
+def worth_drawing(
+    screen: Float[Tensor, "b v 3"], faces: Int[Tensor, "f 3"], cull: bool
+) -> Bool[Tensor, "f b"]:
+    """Whether a triangle faces us and its bounding box holds a pixel centre, seen or not."""
     # Vertices first: a gathered row then holds all views, which is what makes the gather cheap.
     x, y = screen[..., 0].t().contiguous(), screen[..., 1].t().contiguous()
     x0, x1, x2 = (x.index_select(0, i) for i in faces.unbind(1))
@@ -86,7 +93,17 @@ def gather(screen: Float[Tensor, "b v 3"], faces: Int[Tensor, "f 3"], cull: bool
         # rounding are kept: their spans are empty, or else are needed to close the surface.
         p, q = (x1 - x0) * (y2 - y0), (x2 - x0) * (y1 - y0)
         keep &= p - q <= 4e-7 * (p.abs() + q.abs())
-    face, view = keep.nonzero(as_tuple=True)
+    return keep
+
+
+def gather(
+    screen: Float[Tensor, "b v 3"],
+    faces: Int[Tensor, "f 3"],
+    keep: Bool[Tensor, "f b"],
+    count: int,
+) -> Triangles:
+    """The ``count`` triangles that are to be kept."""
+    face, view = keep.nonzero_static(size=count).unbind(1)
     corner = faces.index_select(0, face) + (view * screen.shape[1])[:, None]
     points = screen.reshape(-1, 3).index_select(0, corner.view(-1))
     return Triangles(points.view(-1, 3, 3), view, face)
@@ -147,33 +164,37 @@ def draw(keys: Int[Tensor, " p"], triangles: Triangles, size: tuple[int, int], c
     """Writes the nearest of ``triangles`` into the z-buffer, a bounded number at a time."""
     height, width = size
     corners = triangles.corners
-    limit = corners.new_tensor([width, height])
+    limit = constant((width, height), corners.device, corners.dtype)
     low, high = corners[..., :2].amin(1), corners[..., :2].amax(1)
     start = torch.minimum((low - 0.5).ceil().clamp(min=0), limit)
     extent = torch.minimum((high - 0.5).ceil(), limit) - start
     # NaN and infinite corners are in no picture.
     used = (extent > 0).all(1) & torch.isfinite(corners.sum((1, 2)))
-    used = used.nonzero().squeeze(1)
-    parts = [used]
-    # In float64: in float32 a running sum loses single pixels above 2^24.
-    area = extent.index_select(0, used).prod(1).to(torch.float64).cumsum(0)
-    if len(used) and float(area[-1]) > CHUNK:
-        count = torch.unique_consecutive((area / CHUNK).long(), return_counts=True)[1]
-        parts = list(used.split(count.tolist()))
-    rows = torch.stack([start[:, 1], extent[:, 1]]).long()
-    for part in parts:
-        chosen = Triangles(*(t.index_select(0, part) for t in triangles))
-        draw_spans(keys, chosen, rows.index_select(1, part), size, cull)
+    # What is not used has no rows. Chosen before they are whole numbers: NaN is none.
+    first, count = (torch.where(used, x[:, 1], 0).long() for x in (start, extent))
+    area = count * torch.where(used, extent[:, 0], 0).long()
+    rows = torch.stack([first, count])
+    total_rows, total = torch.stack([count, area]).sum(1).tolist()
+    if total <= CHUNK:
+        draw_spans(keys, triangles, rows, total_rows, size, cull)
+        return
+    part = area.cumsum(0) // CHUNK
+    sizes = torch.unique_consecutive(part, return_counts=True)[1].tolist()
+    pieces = zip(*(t.split(sizes) for t in triangles), rows.split(sizes, 1), strict=True)
+    for *fields, some in pieces:
+        draw_spans(keys, Triangles(*fields), some, int(some[1].sum()), size, cull)
 
 
 def draw_spans(
     keys: Int[Tensor, " p"],
     triangles: Triangles,
     rows: Int[Tensor, "2 n"],
+    total: int,
     size: tuple[int, int],
     cull: bool,
 ) -> None:
-    """Draws triangles row by row; ``rows`` are the first row and the number of rows of each."""
+    """Draws triangles row by row; ``rows`` are the first row and the number of rows of each,
+    ``total`` the sum of these numbers."""
     height, width = size
     # The edges: a long one from the top corner to the bottom one, two short ones across from it.
     corners, order = sort_by_row(triangles.corners)
@@ -182,7 +203,7 @@ def draw_spans(
     short = torch.stack([edge_rows(top, middle), edge_rows(middle, bottom)], 1).view(-1, 6)
 
     # The rows: from here one entry for each row of each triangle.
-    triangle, row = repeat_and_count(rows[1])
+    triangle, row = repeat_and_count(rows[1], total)
     row = row + rows[0].index_select(0, triangle)
     y = row + 0.5
     below = y >= middle[:, 1].index_select(0, triangle)
@@ -204,7 +225,7 @@ def draw_spans(
     pixel = triangles.view.index_select(0, triangle) * height + row
     pixel = pixel * width + begin.long()
     # The pixels: from here one entry for each centre of each span.
-    span, step = repeat_and_count(length)
+    span, step = repeat_and_count(length, int(length.sum()))
     z_begin, z_slope, low, high = depths.index_select(0, span).unbind(1)
     depth = torch.minimum(torch.maximum(z_begin + step * z_slope, low), high).clamp(min=0).float()
     face = triangles.face.index_select(0, triangle).index_select(0, span)
@@ -224,9 +245,9 @@ def sort_by_row(
     """Corners from the top row to the bottom one, and whether their order became even."""
     y0, y1, y2 = corners[..., 1].unbind(1)
     code = 4 * (y0 <= y1).long() + 2 * (y1 <= y2) + (y0 <= y2)
-    order = torch.tensor(ORDERS, device=corners.device).index_select(0, code)
+    order = constant(ORDERS, corners.device).index_select(0, code)
     order = order + 3 * torch.arange(len(corners), device=corners.device)[:, None]
-    even = torch.tensor(EVEN, device=corners.device).index_select(0, code)
+    even = constant(EVEN, corners.device).index_select(0, code)
     return corners.view(-1, 3).index_select(0, order.view(-1)).view(-1, 3, 3), even
 
 
@@ -253,11 +274,10 @@ def cross(
 
 
 def repeat_and_count(
-    count: Int[Tensor, " n"],
-) -> tuple[Int[Tensor, " m"], Int[Tensor, " m"]]:
-    """Each index as often as its ``count`` says, and 0, 1, 2, ... within each."""
+    count: Int[Tensor, " n"], total: int
+) -> tuple[Int[Tensor, " {total}"], Int[Tensor, " {total}"]]:
+    """Each index as often as its ``count`` says, and 0, 1, 2, ... within each; ``total`` in all."""
     end = count.cumsum(0)
-    total = int(end[-1]) if len(end) else 0
     index = torch.repeat_interleave(count, output_size=total)
     place = torch.arange(total, device=count.device)
     return index, place - (end - count).index_select(0, index)

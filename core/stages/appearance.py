@@ -17,6 +17,7 @@ from core.io.progress import Progress
 from core.stages.distill import Draw, distill
 from core.stages.lit_scene import LitScene, roughening
 from core.stages.refine import fit_loss, round_targets
+from core.stages.room import LIT
 from core.stages.training import Phase, Setup, decayed, fraction, train
 
 ColorSetup = Setup[MaterialNet, AppearanceConfig]
@@ -35,10 +36,12 @@ def learn_appearance(
     ``early``: only so far that one sees the colours, which are then the preview too.
     """
     setup.training.resume()
+    config = setup.config
+    setup.fit(LIT, (config.early.size, config.late.size, config.refine.size))
     # Once: the shape is final, only the light turns.
-    visibility = VertexVisibility.of(mesh.verts, mesh.faces) if setup.config.self_shadow else None
+    visibility = VertexVisibility.of(mesh.verts, mesh.faces) if config.self_shadow else None
     subject = LitObject(mesh, environment, visibility)
-    stop = early_steps(setup.config) if early else None
+    stop = early_steps(config) if early else None
     train(setup, appearance_phases(setup, subject), progress, stop=stop)
     if early:
         subject.scene(setup).show(setup.training.run)

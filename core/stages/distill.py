@@ -9,6 +9,7 @@ from torch import Tensor
 
 from core.camera import Cameras, sample_groups
 from core.config import Config, PhaseConfig
+from core.device import sent
 from core.errors import UserError
 from core.guidance.guidance import Views
 from core.guidance.sds import Method, anneal, sample_t, sds_grad, sds_loss
@@ -63,7 +64,9 @@ class Draw:
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         mine = {name: value[ranks.share] for name, value in values.items() if value is not None}
         for part in portions(len(mine["t"]), views_at_once):
-            yield Draw(**{name: value[part].to(device) for name, value in mine.items()})
+            some = {name: value[part] for name, value in mine.items()}
+            cameras = some.pop("cameras").to(device)
+            yield Draw(cameras, **{name: sent(x, device) for name, x in some.items()})
 
 
 def require_groups(config: Config, together: int, command: str) -> None:

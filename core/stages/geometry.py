@@ -28,6 +28,7 @@ from core.stages.lit_shape import LitShape
 from core.stages.preview import show_shape
 from core.stages.refine import Targets, fit_loss, round_targets
 from core.stages.regularisers import bending, eikonal, strays
+from core.stages.room import LIT, NORMALS
 from core.stages.shape_scene import ShapeScene, use_lattice
 from core.stages.sharpen import sharpened
 from core.stages.training import Phase, Setup, decayed, fraction, train
@@ -54,6 +55,8 @@ def learn_geometry(
     """
     training, config = setup.training, setup.config
     training.resume()
+    sizes = (part.size for part in (config.coarse, config.grow, config.fine, config.refine))
+    setup.fit(NORMALS if lit is None else LIT, sizes)
     coarse, fine = (tet_grid(n, device=training.device) for n in config.resolution)
     phases = geometry_phases(setup, coarse, fine, lit)
     stop = early_steps(config) if early else None

@@ -11,6 +11,7 @@ from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import MaterialSource, Shaded, UvMesh, render_shaded
 from core.camera import Cameras
+from core.device import sent
 from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
 from core.io.run_folder import RunFolder
 from core.ranks import ALONE, Ranks
@@ -58,7 +59,7 @@ class LitScene(Scene):
         z = self.guidance.encode_color(shaded.srgb, shaded.o)
         return z, Views(cameras, surface_picture(shaded, self.guidance.latent_size))
 
-    def backward(self, losses: Iterator[Tensor]) -> float:
+    def backward(self, losses: Iterator[Tensor]) -> Float[Tensor, ""]:
         """Gather the gradient in Γ."""
         return gather(losses)
 
@@ -105,7 +106,7 @@ def _ways(
         mine += torch.bincount(view.cpu(), minlength=len(mine))
     sizes = ranks.sum(counts).tolist()
     ways = torch.randn(sum(sizes), 3, generator=generator).split(sizes)
-    return torch.cat(ways[ranks.share]).to(scene.device) * SMOOTH_REACH, sum(sizes)
+    return sent(torch.cat(ways[ranks.share]), scene.device) * SMOOTH_REACH, sum(sizes)
 
 
 @torch.no_grad()

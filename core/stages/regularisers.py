@@ -37,11 +37,10 @@ def bending(
     """Mean of 1 - cos of the angle between adjacent faces."""
     a, b, c = (verts.index_select(0, faces[:, k]) for k in range(3))
     n = torch.nn.functional.normalize(torch.linalg.cross(b - a, c - a), dim=-1, eps=1e-12)
-    pairs = edges.faces
     # An edge of a border has one face and no angle.
-    pairs = pairs[(pairs >= 0).all(1)]
-    n0, n1 = n.index_select(0, pairs[:, 0]), n.index_select(0, pairs[:, 1])
-    return (1 - (n0 * n1).sum(-1)).mean()
+    inner = edges.faces[:, 1] >= 0
+    n0, n1 = (n.index_select(0, face) for face in edges.faces.clamp(min=0).unbind(1))
+    return torch.where(inner, 1 - (n0 * n1).sum(-1), 0).sum() / inner.sum()
 
 
 def strays(net: SdfNet, grid: TetGrid, band: Band, generator: torch.Generator) -> Float[Tensor, ""]:

@@ -21,7 +21,7 @@ class Scene(ABC):
     device: torch.device
 
     @property
-    def coverage(self) -> float | None:
+    def coverage(self) -> Float[Tensor, ""] | None:
         """Fraction of the picture that is covered; None where the shape is final."""
         return None
 
@@ -30,7 +30,7 @@ class Scene(ABC):
         """The pictures of ``size`` pixels as latents, and what the guidance may know of them."""
 
     @abstractmethod
-    def backward(self, losses: Iterator[Tensor]) -> float:
+    def backward(self, losses: Iterator[Tensor]) -> Float[Tensor, ""]:
         """Gather the gradient of ``losses`` in the network; their sum.
 
         Raises:
@@ -42,7 +42,7 @@ class Scene(ABC):
         """Write the run's preview of it."""
 
 
-def gather(losses: Iterator[Tensor]) -> float:
+def gather(losses: Iterator[Tensor]) -> Float[Tensor, ""]:
     """Backward through one loss after another; their sum.
 
     Each is computed, and its graph freed, before the next: memory is that of one part's views.
@@ -52,8 +52,8 @@ def gather(losses: Iterator[Tensor]) -> float:
         if loss.requires_grad:  # a regulariser may have nothing to say
             loss.backward()
         values.append(loss.detach().double())
-    # Asked for once, at the end: a GPU is not waited for between the parts.
-    return float(torch.stack(values).sum()) if values else 0.0
+    # A tensor, so that a GPU is not waited for.
+    return torch.stack(values).sum() if values else torch.zeros((), dtype=torch.float64)
 
 
 def portions(count: int, at_once: int) -> list[slice]:

@@ -72,9 +72,9 @@ class ShapeScene(Scene):
         self._covered: list[Tensor] = []  # of each part of the views
 
     @property
-    def coverage(self) -> float:
-        """The largest of any part of the views; a GPU is waited for where it is asked for."""
-        return float(torch.stack(self._covered).amax()) if self._covered else 0.0
+    def coverage(self) -> Float[Tensor, ""]:
+        """The largest of any part of the views."""
+        return torch.stack(self._covered).amax() if self._covered else torch.zeros(())
 
     def render(
         self, cameras: Cameras, size: int
@@ -94,7 +94,7 @@ class ShapeScene(Scene):
         surface = surface_picture(seen, self.guidance.latent_size).detach()
         return self.guidance.encode_color(seen.srgb, seen.o), Views(cameras, surface)
 
-    def backward(self, losses: Iterator[Tensor]) -> float:
+    def backward(self, losses: Iterator[Tensor]) -> Float[Tensor, ""]:
         """Gather the gradient at the surface, then carry it into Ψ."""
         # Without faces nothing depends on Ψ, and there is no gradient to gather.
         if len(self.faces) == 0:

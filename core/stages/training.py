@@ -2,7 +2,7 @@
 
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Generic, TypeVar
@@ -17,6 +17,7 @@ from core.guidance.sds import NotFiniteError
 from core.io.progress import Progress, Step
 from core.ranks import ALONE, Ranks
 from core.stages.guard import MIN_COVERAGE, Guard, healthy_gradients
+from core.stages.room import Render, views_that_fit
 from core.stages.scene import Scene
 from core.stages.state import Net, Training
 
@@ -39,6 +40,19 @@ class Setup(Generic[Net, Settings]):
     def at_once(self) -> int:
         """Views that are rendered together; the result does not depend on it."""
         return self.training.at_once or self.config.views_at_once
+
+    def fit(self, kind: Render, sizes: Iterable[int]) -> None:
+        """Take no more views at a time than the memory holds, of the largest of ``sizes``."""
+        config, guidance = self.config, self.guidance
+        self.training.at_once = views_that_fit(
+            kind,
+            config.views_at_once,
+            max(sizes),
+            config.cameras,
+            self.training.device,
+            busy=guidance.busy_bytes,
+            together=guidance.views_together,
+        )
 
 
 class Phase(ABC):
@@ -147,16 +161,17 @@ def gradient_of(
     training, ranks = setup.training, setup.ranks
     training.optimizer.zero_grad()
     scene, losses = phase.begin(step.index)
-    loss, failure = 0.0, ""
+    loss, failure = torch.zeros((), dtype=torch.float64), ""
     try:
         loss = scene.backward(losses)
     except (NotFiniteError, NoSurfaceError) as error:
         failure = error.text
     coverage = scene.coverage
-    covered = 1.0 if coverage is None else coverage
+    # Both in one question: a GPU is waited for at each.
+    numbers = (loss, loss.new_ones(()) if coverage is None else coverage.to(loss))
 
     # TOGETHER: one message says how it went everywhere
-    rows = ranks.rows([loss, covered, float(bool(failure)), float(stop)])
+    rows = ranks.rows([*torch.stack(numbers).tolist(), float(bool(failure)), float(stop)])
     total, stop = float(rows[:, 0].sum()), bool(rows[:, 3].any())
     if bool(rows[:, 2].any()):
         failure = next(filter(None, ranks.texts(failure)))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 import torch
-from torch.utils._python_dispatch import TorchDispatchMode
+from torch.nn.utils import clip_grad_norm_
 
 from core import kernels
 from core.appearance import shaded
@@ -15,6 +15,7 @@ from core.appearance.shaded import SurfacePoints, material_at
 from core.benchmarks.bench_rehearsal import PHASES, Rehearsal, bench_rehearsal
 from core.camera import Cameras
 from core.command_line import main
+from core.device import sent
 from core.errors import MemoryShortError, UserError
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance
@@ -23,11 +24,12 @@ from core.io.job import read_events
 from core.io.progress import Progress, Step
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
-from core.stages.appearance import learn_appearance
+from core.stages.appearance import LitObject, appearance_phases, learn_appearance
 from core.stages.geometry import Distillation
 from core.stages.guard import healthy_gradients
 from core.stages.training import gradient_of
 from core.tests.meshes import sphere
+from core.tests.pretended_gpu import GPU, pretended, waits
 from core.tests.test_stages import (
     GREY,
     SHORT,
@@ -38,30 +40,8 @@ from core.tests.test_stages import (
     unwrapped_sphere,
 )
 
-# What asks for a number, or for a size that depends on numbers.
-WAITS = ("_local_scalar_dense", "nonzero", "unique", "masked_select", "_unique2")
-
-RENDER_WAITS = 14  # of one render of all views, with its gradient: sizes that depend on the picture
-
-
-class Waits(TorchDispatchMode):
-    """Counts what a GPU would be waited for."""
-
-    def __init__(self):
-        super().__init__()
-        self.count = Counter()
-
-    def __torch_dispatch__(self, func, types, args=(), kwargs=None):
-        name = func.overloadpacket.__name__
-        bools = name == "index" and any(x is not None and x.dtype == torch.bool for x in args[1])
-        sizeless = name == "repeat_interleave" and not (kwargs or {}).get("output_size")
-        if name in WAITS or bools or sizeless or name == "unique_consecutive":
-            self.count[name] += 1
-        return func(*args, **(kwargs or {}))
-
-    @property
-    def total(self):
-        return sum(self.count.values())
+RENDER_WAITS = 7  # of one render of all views, with its gradient: sizes that depend on the picture
+PART_WAITS = RENDER_WAITS + 1  # and one look at whether what the guidance said is finite
 
 
 @pytest.fixture
@@ -70,21 +50,33 @@ def plain(monkeypatch):
     monkeypatch.setattr(kernels, "supports", lambda *_: False)
 
 
-def test_the_count_sees_what_waits():
-    with Waits() as waits:
-        x = torch.arange(4.0)
-        float(x.sum())
-        x[x > 1]
-        torch.repeat_interleave(torch.tensor([1, 2]))
-    assert waits.total == 3
+def test_the_pretended_gpu_sees_what_waits_and_what_mixes():
+    with pretended():
+        x = torch.arange(4.0, device=GPU)
+        assert float(x.sum()) == 6
+        assert x[x > 1].tolist() == [2, 3]  # the size, then the numbers
+        torch.repeat_interleave(x.long())
+        x + x.new_tensor([1.0, 2.0, 3.0, 4.0])
+        sent(torch.ones(4), GPU)  # does not
+        assert sum(waits.values()) == 5
+        torch.ones(4).to(GPU)
+        assert sum(waits.values()) == 6
+        with pytest.raises(AssertionError, match="two devices"):
+            x + torch.ones(4)
+        y = x.clone().requires_grad_()
+        (y * y).sum().backward()
+        assert y.grad.tolist() == [0, 2, 4, 6]
 
 
 def test_the_guard_waits_once_for_all_parameters():
     net = torch.nn.Sequential(*(torch.nn.Linear(3, 3) for _ in range(10)))
-    net(torch.ones(2, 3)).sum().backward()
-    with Waits() as waits:
+    with pretended():
+        net.to(GPU)
+        net(torch.ones(2, 3, device=GPU)).sum().backward()
+        waits.clear()
         assert healthy_gradients(net)
-    assert waits.count == {"_local_scalar_dense": 1}
+        assert sum(waits.values()) == 1
+    net.cpu()
     assert healthy_gradients(torch.nn.Linear(1, 1))  # none yet
     for bad in (torch.nan, torch.inf, -torch.inf):
         net[3].weight.grad[1, 2] = bad
@@ -93,29 +85,76 @@ def test_the_guard_waits_once_for_all_parameters():
     assert healthy_gradients(net)
 
 
-def test_a_render_waits_a_bounded_number_of_times(plain):
-    verts, faces = sphere(8)
-    verts.requires_grad_()
-    edges = edge_table(faces)
+def test_a_render_waits_for_seven_sizes(plain):
+    verts, faces = sphere(5)
     cameras = Cameras.orbit([0.0, 90.0, 180.0], [20.0])
-    with Waits() as waits:
-        n, o = render_normals(verts, faces, cameras, 64, edges=edges)
-        (n.sum() + o.sum()).backward()
-    assert waits.total <= RENDER_WAITS
+    with pretended():
+        there = verts.to(GPU).requires_grad_()
+        edges = edge_table(faces.to(GPU))
+        for _ in range(2):  # the first one sends its tables
+            waits.clear()
+            drawn = render_normals(there, faces.to(GPU), cameras.to(GPU), 64, edges=edges)
+            torch.cat(drawn, -1).square().sum().backward()
+            there.grad, grad = None, there.grad
+        assert sum(waits.values()) - 1 == RENDER_WAITS  # one of them sent the faces
+    here = verts.clone().requires_grad_()
+    same = render_normals(here, faces, cameras, 64)
+    torch.cat(same, -1).square().sum().backward()
+    torch.testing.assert_close(grad.at, here.grad, rtol=1e-4, atol=1e-4)
 
 
-def test_a_step_waits_once_for_its_numbers(plain, tmp_path):
-    """However many parts it has: but for their renders, and one look at what the network said."""
-    totals = []
-    for at_once in (3, 1):
-        config = replace(SHORT, views=3, views_at_once=at_once, ray_mask_share=0.0)
-        nothing = GaussianGuidance(lambda cameras: torch.zeros(1, len(cameras), 4, 16, 16), 16)
-        setup = setup_of(config, nothing.prompted(), run_in(tmp_path / str(at_once)))
-        phase = Distillation(setup, tet_grid(12), "coarse", before=0)
-        with Waits() as waits:
-            gradient_of(setup, phase, Step(0, 1, 1, last=False))
-        totals.append(waits.total)
-    assert totals[1] - totals[0] <= 2 * (RENDER_WAITS + 1)  # three parts, and one
+def guidance_there():
+    """One that knows grey pictures only."""
+    grey = lambda cameras: torch.zeros(1, len(cameras), 4, 16, 16, device=GPU)  # noqa: E731
+    guidance = GaussianGuidance(grey, 16)
+    guidance.alpha_bar = guidance.alpha_bar.to(GPU)
+    return guidance.prompted()
+
+
+def geometry_step(tmp_path, name, **changes):
+    config = replace(SHORT, views=3, **changes)
+    setup = setup_of(config, guidance_there(), run_in(tmp_path))
+    setup.training.module.to(GPU)
+    return setup, Distillation(setup, tet_grid(12, device=GPU), name, before=0)
+
+
+def color_step(tmp_path, mesh, light):
+    config = replace(SHORT_COLOR, views=3, views_at_once=3, smooth=0.0)
+    setup = replace(color_setup(config, run_in(tmp_path)), guidance=guidance_there())
+    setup.training.module.to(GPU)
+    subject = LitObject(mesh.to(GPU), light.to(GPU), None)
+    return setup, appearance_phases(setup, subject)[0]
+
+
+def waits_of(setup, phase):
+    """Of a step as it is taken again and again; the first one sends its tables."""
+    for _ in range(2):
+        waits.clear()
+        gradient_of(setup, phase, Step(0, 1, 1, last=False))
+        counted = Counter(waits)
+        clip_grad_norm_(setup.training.module.parameters(), 1.0)
+        setup.training.set_learning_rate(1e-3)
+        setup.training.optimizer.step()
+        assert waits == counted  # the optimiser waits for nothing
+    return sum(waits.values())
+
+
+def test_a_step_waits_for_what_has_no_other_way(plain, tmp_path):
+    """Nothing is sent, and nothing is asked for each parameter or each view."""
+    with pretended():
+        rays = geometry_step(tmp_path / "rays", "coarse", views_at_once=3, eikonal=0.05)
+        assert waits_of(*rays) == 5 + PART_WAITS
+        # Without rays and the eikonal term only the nodes at the surface have a gradient.
+        fine = geometry_step(tmp_path / "fine", "fine", views_at_once=3, eikonal=0.0)
+        assert waits_of(*fine) == 7 + PART_WAITS
+        parts = geometry_step(tmp_path / "parts", "fine", views_at_once=1, eikonal=0.0)
+        assert waits_of(*parts) == 7 + 3 * PART_WAITS
+
+
+def test_a_step_of_the_appearance_waits_for_two_numbers_more_than_its_parts(plain, tmp_path):
+    mesh, light = unwrapped_sphere(), Environment.of(GREY, "split_sum")
+    with pretended():
+        assert waits_of(*color_step(tmp_path, mesh, light)) == 2 + PART_WAITS
 
 
 def test_many_points_of_a_material_are_not_kept(monkeypatch):

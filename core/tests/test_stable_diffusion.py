@@ -351,6 +351,12 @@ def test_peak_bytes_of_a_sum_by_hand():
     assert peak_bytes(call) == 8000
 
 
+def test_a_view_of_what_was_there_before_takes_nothing():
+    """A linear layer transposes its weight: it is not there a second time."""
+    layer = torch.nn.Linear(1000, 1000, device="meta").requires_grad_(False)
+    assert peak_bytes(lambda: layer(torch.empty(1, 1000))) == 8000  # in and out
+
+
 def test_the_estimate_grows_with_the_chunk_and_knows_the_weights(checkpoints, one):
     sizes = [
         estimate_memory(Checkpoint(checkpoints["1.x"]), chunk=c, dtype=torch.float32)

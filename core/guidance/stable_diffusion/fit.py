@@ -1,5 +1,7 @@
 """How many pictures at a time fit into the memory, from a checkpoint's configuration alone."""
 
+from typing import Any
+
 import torch
 
 from core.guidance.stable_diffusion.conditions import conditions, downscale, takes_pooled
@@ -19,34 +21,49 @@ def estimate_memory(
 ) -> int:
     """Bytes that guidance by this checkpoint takes.
 
-    The U-Net's and the encoder's weights, and the larger of a guided noise prediction and an
-    encoding with its gradient, ``chunk`` pictures each; a quarter is added for what only the
-    kernels know.
+    The U-Net's and the encoder's weights, and :func:`busy_bytes`; a quarter is added for what only
+    the kernels know.
 
     Args:
         texts: predictions of a picture that run together; Perp-Neg has more than two.
     """
+    parts = _parts(checkpoint, dtype)
+    weights = sum(p.nbytes for part in parts for p in part.parameters())
+    return int(RESERVE * (weights + _busy(*parts, chunk, texts)))
+
+
+def busy_bytes(checkpoint: Checkpoint, *, chunk: int, dtype: torch.dtype, texts: int = 2) -> int:
+    """Bytes of the larger of a guided noise prediction and an encoding with its gradient, ``chunk``
+    pictures each."""
+    return _busy(*_parts(checkpoint, dtype), chunk, texts)
+
+
+def _parts(checkpoint: Checkpoint, dtype: torch.dtype) -> tuple[Any, Any]:
+    """The U-Net and the VAE, in the precision they run in."""
     unet, vae = empty_networks(checkpoint)
     kinds = {unet: dtype, vae: vae_dtype(checkpoint, dtype)}
     for part, kind in kinds.items():
         torch.nn.Module.to(part.requires_grad_(False), kind)  # diffusers' own warns of this
+    return unet, vae
+
+
+def _busy(unet: Any, vae: Any, chunk: int, texts: int) -> int:
     size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
     side = size * downscale(vae.config)
 
     # The two largest loads of a step; they do not run at the same time, so the larger one counts.
     def predict() -> None:
         batch = texts * chunk
-        z = torch.empty(batch, 4, size, size, dtype=dtype)
-        text = torch.empty(batch, 77 + takes_pooled(unet.config), width, dtype=dtype)
+        z = torch.empty(batch, 4, size, size, dtype=unet.dtype)
+        text = torch.empty(batch, 77 + takes_pooled(unet.config), width, dtype=unet.dtype)
         with torch.no_grad():
             unet(z, torch.empty(batch), **conditions(unet.config, text, side))
 
     def encode() -> None:
-        picture = torch.empty(chunk, 3, side, side, dtype=kinds[vae], requires_grad=True)
+        picture = torch.empty(chunk, 3, side, side, dtype=vae.dtype, requires_grad=True)
         vae.encode(picture).latent_dist.mean.sum().backward()
 
-    weights = sum(p.nbytes for part in (unet, vae) for p in part.parameters())
-    return int(RESERVE * (weights + max(peak_bytes(predict), peak_bytes(encode))))
+    return max(peak_bytes(predict), peak_bytes(encode))
 
 
 def chunk_that_fits(

@@ -24,7 +24,7 @@ from core.guidance.sds import eps_from_v
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint
 from core.guidance.stable_diffusion.conditions import conditions, downscale
 from core.guidance.stable_diffusion.embedding import read_embedding
-from core.guidance.stable_diffusion.fit import chunk_that_fits
+from core.guidance.stable_diffusion.fit import busy_bytes, chunk_that_fits
 from core.guidance.stable_diffusion.lora import add_lora
 from core.guidance.stable_diffusion.memory import memory_short
 from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numbers, inner_unet
@@ -113,7 +113,7 @@ class StableDiffusion(Guidance):
         self.unet = networks.unet.requires_grad_(False).eval()
         self.vae = networks.vae.requires_grad_(False).eval()
         self.prediction_type = _prediction_type(networks.scheduler)
-        self.alpha_bar = networks.scheduler.alphas_cumprod.float()
+        self.alpha_bar = networks.scheduler.alphas_cumprod.float().to(self.unet.device)
         self.takes_cameras = isinstance(self.unet, MultiViewUNet)
         self.views_together = TOGETHER if self.takes_cameras else 1
         self._unet_config = self.unet.config
@@ -164,6 +164,9 @@ class StableDiffusion(Guidance):
             networks.vae.to(device)
         guidance = cls(networks, zero_empty=checkpoint.zero_empty, chunk=chunk, config=config)
         guidance._checkpoint = checkpoint
+        if device.type == "cuda":  # only there it decides how many views are rendered together
+            given = {"chunk": chunk, "dtype": dtype, "texts": _texts(config)}
+            guidance.busy_bytes = busy_bytes(checkpoint, **given)
         for path in additions.embeddings:
             guidance.texts.add_words(*read_embedding(Path(path), guidance.texts.widths))
         return guidance
