@@ -31,7 +31,9 @@ def test_each_noun_has_a_row_with_all_its_parts():
 def test_the_table_is_of_the_families_of_today(noun):
     forms = part_forms_table()[noun]
     for found, row in zip(part_forms(noun).tolist(), (forms.flat, *forms.round), strict=True):
-        assert found == pytest.approx(row, abs=0.006)
+        # Rounded to hundredths; and of 360 points of a handle one or two lie so near a bound that
+        # another CPU has them on its other side.
+        assert found == pytest.approx(row, abs=0.008)
 
 
 def test_flat_is_neither_a_ball_nor_a_cylinder_but_a_box_up_to_its_edges():
@@ -79,7 +81,7 @@ def test_each_piece_of_a_part_has_an_axis_of_its_own():
 def test_what_an_adjective_makes_oval_is_not_round(words, kept):
     parts = load_builtin("cpu").prompted(words, "").of_object(0).parts()
     wheels = list(NOUNS["car"].looks).index("wheels")
-    assert parts is not None and (parts.round[0][wheels] > 0.9) == kept
+    assert parts is not None and (parts.forms.round[0][wheels] > 0.9) == kept
 
 
 def test_the_parts_are_known_once_an_object_is_drawn():
@@ -87,7 +89,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
-    assert parts is not None and tuple(parts[1:]) == part_forms_table()["mug"]
+    assert parts is not None and tuple(parts.forms) == part_forms_table()["mug"]
     assert drawn.solid is not None
-    found = parts.at(drawn.solid.mesh[0])
+    found = parts.distances(drawn.solid.mesh[0]).argmin(1)
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle
