@@ -16,11 +16,12 @@ from scipy import ndimage
 from torch import Tensor
 
 from core.geometry.crisp import crisp
+from core.geometry.faces import areas_and_normals
 from core.geometry.mesh import compact, component_labels, drop_floaters, polished
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
-from core.geometry.union import is_solid, union
+from core.geometry.union import box, is_solid, union
 
 SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
 BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
@@ -34,6 +35,8 @@ MOST_CELLS = 72  # along the piece's longest side
 POLISH = 2  # rounds
 TURNS, TURNED = 12, 500  # by which a piece is turned about its middle, vertices that are
 TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
+SIDE, LEAST_SIDE = np.cos(np.radians(25.0)), 0.004  # cosine to a box's side; its share of the area
+SIDE_OFF, BOXED = 0.5, 0.97  # errors off its side, of this much of a box's area
 ENDS = 0.5  # the most that is flat of what is round: its ends
 STRUT = 0.03  # radius, training units
 
@@ -93,11 +96,11 @@ def pieces_of(distances: Distances, parts: int) -> Iterator[Piece]:
     found = distances(nodes.view(-1, 3))[:, :parts].view(*nodes.shape[:3], parts).cpu().numpy()
     for part in range(parts):
         labels, _ = ndimage.label(found[..., part] < BOARD * cell)
-        for index, box in enumerate(ndimage.find_objects(labels)):
-            mine = labels[box] == index + 1
-            if mine.sum() < LEAST_NODES or found[(*box, part)][mine].min() >= 0:
+        for index, where in enumerate(ndimage.find_objects(labels)):
+            mine = labels[where] == index + 1
+            if mine.sum() < LEAST_NODES or found[(*where, part)][mine].min() >= 0:
                 continue
-            ends = np.array([(side.start, side.stop - 1) for side in box]).T * cell - EXTENT
+            ends = np.array([(side.start, side.stop - 1) for side in where]).T * cell - EXTENT
             others = _elsewhere(labels, index + 1, cell)
             yield Piece(part, ends[0] - MARGIN * cell, ends[1] + MARGIN * cell, others)
 
@@ -118,7 +121,7 @@ def _elsewhere(
 def piece_surface(distances: Distances, piece: Piece, forms: Forms | None) -> Mesh | None:
     """The closed surface of one piece on a lattice of its own, on its planes and profile."""
     longest = float((piece.high - piece.low).max())
-    error = float(np.clip(longest * ERROR_SHARE, *ERROR))
+    error = min(max(longest * ERROR_SHARE, ERROR[0]), ERROR[1])
     grid = tet_grid(min(int(np.ceil(longest * CELLS / error)), MOST_CELLS))
     cell = longest / grid.resolution
     middle = torch.from_numpy((piece.low + piece.high) / 2).float()
@@ -136,12 +139,41 @@ def piece_surface(distances: Distances, piece: Piece, forms: Forms | None) -> Me
     if forms is None:
         return verts, faces
     of, unbent, flat = torch.zeros(len(verts), dtype=torch.long), verts, forms.flat[piece.part]
-    # Of this piece itself: a table's top may be round, in the mean they are square.
-    around = [(turned_share(distances, piece.part, verts, axis, error),) for axis in range(3)]
-    if max(around)[0] >= SHARE:
-        verts, flat = revolved(verts, faces, of, tuple(around), error), min(flat, ENDS)
+    sides = box_of(verts, faces, error)
+    if sides:
+        return box(*sides, edge=cell)
+    # By the noun's objects, or by this piece itself: a table's top may be round, as most are not.
+    share = np.array([axis[piece.part] for axis in forms.round])
+    own = [turned_share(distances, piece.part, verts, axis, error) for axis in range(3)]
+    share = np.maximum(share, own)
+    if share.max() >= SHARE:
+        around = tuple((float(one),) for one in share)
+        verts, flat = revolved(verts, faces, of, around, error), min(flat, ENDS)
     made = crisp(verts, faces, unbent, of, (flat,), error)
     return made if is_solid(*made) else (unbent, faces)
+
+
+def box_of(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], error: float
+) -> tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]] | None:
+    """The corners of the box along the axes that a piece is up to its errors; None if it is none.
+
+    The commonest piece of all, such as a chair's leg, whose ends are too small to show a plane.
+    """
+    area, normal = areas_and_normals(verts.double().numpy(), faces.numpy())
+    middle = verts.double().numpy()[faces.numpy()].mean(1)
+    ends = np.zeros((2, 3))
+    for axis in range(3):
+        for end, way in enumerate((-1, 1)):
+            side = way * normal[:, axis] > SIDE
+            if area[side].sum() < LEAST_SIDE * area.sum():
+                return None
+            ends[end, axis] = np.median(middle[side, axis])
+    q = np.abs(middle - ends.mean(0)) - (ends[1] - ends[0]) / 2
+    outside = np.linalg.norm(q.clip(min=0), axis=1)
+    off = np.abs(outside + q.max(1).clip(max=0))
+    fits = area @ (off < SIDE_OFF * error) / area.sum() > BOXED
+    return (ends[0], ends[1]) if fits else None
 
 
 def turned_share(

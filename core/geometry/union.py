@@ -38,6 +38,16 @@ def union(
     return torch.from_numpy(np.array(verts)).to(first), torch.from_numpy(faces).to(first.device)
 
 
+def box(
+    low: Float[np.ndarray, " 3"], high: Float[np.ndarray, " 3"], edge: float
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """A box between two corners, its edges no longer than ``edge``."""
+    whole = manifold3d.Manifold.cube([float(side) for side in high - low])
+    made = whole.translate([float(at) for at in low]).refine_to_length(edge).to_mesh()
+    faces = torch.from_numpy(made.tri_verts.astype(np.int64))
+    return torch.from_numpy(np.array(made.vert_properties[:, :3])), faces
+
+
 def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:
     """Whether a mesh can be united with others: closed, manifold and oriented."""
     return not _solid(verts, faces).is_empty()

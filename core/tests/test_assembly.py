@@ -66,6 +66,22 @@ def test_what_waves_comes_out_with_its_planes_and_its_ball():
     assert wavy["area"] > 0 and wavy["closed"]
 
 
+def test_what_is_a_box_up_to_its_errors_is_one_and_a_cushion_is_none():
+    def rounded(radius):
+        half = (0.4 - radius, 0.3 - radius, 0.1 - radius)
+        return lambda points: (box(points, (0.0, 0.1, 0.0), half) - radius)[:, None]
+
+    verts, _ = made(rounded(0.02), Forms((0.0,), ((0.0,),) * 3), parts=1)
+    low, high = verts.amin(0), verts.amax(0)
+    torch.testing.assert_close(low, torch.tensor([-0.4, -0.2, -0.1]), atol=0.003, rtol=0)
+    on = torch.minimum((verts - low).abs(), (verts - high).abs()).amin(1)
+    assert on.max() < 1e-6  # corners too
+    corner = torch.stack([low, high]).T
+    assert torch.cdist(torch.cartesian_prod(*corner), verts).amin(1).max() < 1e-6
+    soft, _ = made(rounded(0.09), Forms((0.0,), ((0.0,),) * 3), parts=1)
+    assert torch.cdist(torch.cartesian_prod(*corner), soft).amin(1).min() > 0.03
+
+
 def test_what_is_round_is_told_by_the_piece_itself():
     def disc(points):
         across = points[:, :2].norm(dim=1) - 0.5

@@ -28,7 +28,9 @@ class FineSurface:
     def _by_corner(self, smooth: Float[Tensor, "v 3"]) -> Float[np.ndarray, "f 3 3"]:
         """Each corner's normal: the vertex's, or at an edge of the shape its own side's."""
         found = smooth.cpu().double().numpy()[self._faces]
-        apart = igl.per_corner_normals(self._verts, self._faces, EDGE_DEG).reshape(-1, 3, 3)
+        apart = np.asarray(igl.per_corner_normals(self._verts, self._faces, EDGE_DEG)).reshape(
+            -1, 3, 3
+        )
         edge = (found * apart).sum(-1) < np.cos(np.radians(EDGE_DEG / 2))
         return np.where(edge[..., None], apart, found)
 
