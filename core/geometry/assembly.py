@@ -95,7 +95,8 @@ def pieces_of(distances: Distances, parts: int) -> Iterator[Piece]:
     nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
     found = distances(nodes.view(-1, 3))[:, :parts].view(*nodes.shape[:3], parts).cpu().numpy()
     for part in range(parts):
-        labels, _ = ndimage.label(found[..., part] < BOARD * cell)
+        labels = np.zeros(found.shape[:3], np.int32)
+        ndimage.label(found[..., part] < BOARD * cell, output=labels)
         for index, where in enumerate(ndimage.find_objects(labels)):
             mine = labels[where] == index + 1
             if mine.sum() < LEAST_NODES or found[(*where, part)][mine].min() >= 0:
