@@ -150,7 +150,8 @@ def test_growing_opens_a_hole_along_the_rays_and_only_so(tmp_path, ray_mask):
     normals alone dent it slowly."""
     none = replace(SHORT.coarse, steps=0)
     grow = RefineConfig(rounds=2, steps=25, views=12, batch=6, size=32, t=(0.9, 0.6))
-    grow = replace(grow, ray_mask=ray_mask, learning_rate=1e-2)
+    # At twice the rate the ball vanishes at first, and whether its dents tear is the CPU's chance.
+    grow = replace(grow, ray_mask=ray_mask, learning_rate=5e-3)
     config = replace(SHORT, coarse=none, grow=grow, fine=none, refine=RefineConfig())
     g = GaussianGuidance(mesh_reference([torus()], 32, normal_frame="object"), 32).prompted()
     config = replace(config, resolution=(24, 24))
