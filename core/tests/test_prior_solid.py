@@ -242,7 +242,7 @@ def test_the_sign_alone_decides_what_is_inside():
 
 def test_a_training_learns_ships_and_draws(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(solid_training, "Autoencoder", partial(Autoencoder, TINY))
-    config = TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=5e-3)
+    config = TrainConfig(batch=4, minutes=60, warm_up=1, learning_rate=2e-3)
     training = Training(partial(Autoencoder, TINY), config, objective=solid_loss)
     source = SolidSource(folder)
     training.advance(source)
