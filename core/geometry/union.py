@@ -10,11 +10,12 @@ import manifold3d
 import numpy as np
 import torch
 from jaxtyping import Float, Int
-from scipy.spatial import KDTree
 from torch import Tensor
 
+from core.geometry.struts import MOST_STRUTS
+from core.geometry.struts import strut as best_strut
+
 ROUND = 16  # segments of a strut's ends
-MOST_STRUTS = 12  # rubble of more pieces than these join is left in pieces
 
 
 def union(
@@ -31,7 +32,8 @@ def union(
         pieces = sorted(whole.decompose(), key=lambda piece: piece.volume())
         if len(pieces) < 2:
             break
-        whole = whole + _strut(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])]), strut)
+        ends = best_strut(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])]))
+        whole = whole + _capsule(*ends, strut)
     made = whole.to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
     first, _ = meshes[0]
@@ -56,10 +58,7 @@ def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:
 def _solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> manifold3d.Manifold:
     """As manifold3d has it; nothing, where it is no closed mesh."""
     places, corners = verts.detach().cpu().numpy(), faces.cpu().numpy()
-    # Each face is a face of its own, or those of one plane would be merged into large ones, whose
-    # vertices' normals lean at every edge.
-    own = np.arange(len(corners), dtype=np.uint32)
-    mesh = manifold3d.Mesh(places.astype(np.float32), corners.astype(np.uint32), face_id=own)
+    mesh = manifold3d.Mesh(places.astype(np.float32), corners.astype(np.uint32))
     return manifold3d.Manifold(mesh)
 
 
@@ -67,12 +66,10 @@ def _verts(solid: manifold3d.Manifold) -> Float[np.ndarray, "v 3"]:
     return np.asarray(solid.to_mesh().vert_properties, np.float64)[:, :3]
 
 
-def _strut(
-    piece: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"], radius: float
+def _capsule(
+    start: Float[np.ndarray, " 3"], end: Float[np.ndarray, " 3"], radius: float
 ) -> manifold3d.Manifold:
-    """A capsule over the shortest way between two clouds of vertices."""
-    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
-    best = int(distance.argmin())
+    """All points within ``radius`` of a segment."""
     ball = manifold3d.Manifold.sphere(radius, ROUND)
-    ends = [ball.translate(list(map(float, at))) for at in (piece[best], rest[nearest[best]])]
+    ends = [ball.translate([float(x) for x in at]) for at in (start, end)]
     return manifold3d.Manifold.batch_hull(ends)

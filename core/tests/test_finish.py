@@ -100,3 +100,13 @@ def test_the_same_surface_gives_a_flat_map_and_a_thin_parts_other_side_none_of_i
 
 def test_a_texels_side_on_the_surface():
     assert abs(footprint(UvMesh.of(sheet(4, 0.0)), 128) - 1 / 128) < 1e-6
+
+
+def test_normals_turn_at_an_edge_of_the_fine_surface_and_not_before():
+    corners = torch.tensor([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    faces = torch.tensor([f for a, b, c, d in sides for f in ((a, b, c), (a, c, d))])
+    points = torch.tensor([[1.0, 0.02, 0.5], [0.98, 0.0, 0.5], [0.5, 0.97, 1.0]])
+    wanted = torch.tensor([[1.0, 0, 0], [0, -1, 0], [0, 0, 1]])
+    found = FineSurface(Mesh(corners, faces)).normals(points, wanted)
+    torch.testing.assert_close(found, wanted)
