@@ -1,27 +1,38 @@
 """A solid of known parts as a mesh: the surface of each piece of each part, made exact, united.
 
 A part by itself is simple: a box, a ball, a board. On a lattice of its own size even a small one
-has its form, its planes and profile are found whole (:mod:`core.geometry.crisp`,
-:mod:`core.geometry.revolved`), and where it meets others the union has an edge. One lattice over
+has its form. Most are a primitive (:mod:`core.geometry.primitives`); of the others planes and
+profile are found whole (:mod:`core.geometry.crisp`, :mod:`core.geometry.revolved`), and where a
+piece meets others the union has an edge. One lattice over
 all of them rounds what is smaller than a cell, and there each border between two parts is ragged.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 import torch
 from jaxtyping import Float, Int
 from scipy import ndimage
+from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.crisp import crisp
-from core.geometry.faces import areas_and_normals
-from core.geometry.mesh import compact, component_labels, drop_floaters, polished
+from core.geometry.faces import unit
+from core.geometry.init_shape import sample_surface
+from core.geometry.mesh import (
+    compact,
+    component_labels,
+    drop_floaters,
+    face_areas,
+    polished,
+)
+from core.geometry.primitives import Primitive, primitive_of
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
-from core.geometry.union import box, is_solid, union
+from core.geometry.union import is_solid, profile, union
 
 SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
 BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
@@ -35,8 +46,14 @@ MOST_CELLS = 72  # along the piece's longest side
 POLISH = 2  # rounds
 TURNS, TURNED = 12, 500  # by which a piece is turned about its middle, vertices that are
 TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
-SIDE, LEAST_SIDE = np.cos(np.radians(25.0)), 0.004  # cosine to a box's side; its share of the area
-SIDE_OFF, BOXED = 0.5, 0.97  # errors off its side, of this much of a box's area
+ALIKE = 1.25  # times the area of the least of pieces that may be the same
+DRAWN = ((0.6, 0.9), (1.2, 0.985))  # errors off what is drawn; the least share of a surface
+DRAWN_TURNED = ((0.6, 0.9), (1.2, 0.995))  # battlements, a spout or a notch are no noise
+SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
+TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
+REPEATED = 0.94  # the least share of its surface that does
+SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
+FITTED = 400  # points of a piece's surface, which tell its primitive
 ENDS = 0.5  # the most that is flat of what is round: its ends
 STRUT = 0.03  # radius, training units
 
@@ -51,8 +68,8 @@ class Forms(NamedTuple):
     round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
 
 
-class Piece(NamedTuple):
-    """One connected piece of a part."""
+class Place(NamedTuple):
+    """Where one connected piece of a part is."""
 
     part: int
     low: Float[np.ndarray, " 3"]  # of the box around it, with a margin
@@ -60,35 +77,97 @@ class Piece(NamedTuple):
     others: Callable[[Float[Tensor, "n 3"]], Tensor]  # whether a place is of another of the part's
 
 
+class Piece(NamedTuple):
+    """One connected piece of a part, as it is drawn."""
+
+    place: Place
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    cell: float  # of the lattice that the surface comes from
+    error: float  # about what it may be off
+    primitive: Primitive | None = None  # that it is up to its errors
+
+    @property
+    def middle(self) -> Float[Tensor, " 3"]:
+        """Of its surface."""
+        area = face_areas(self.verts, self.faces)
+        return area @ self.verts[self.faces].mean(1) / area.sum()
+
+
+class KnownParts:
+    """The parts of one object, each a solid of its own, and the pieces that they are of."""
+
+    def __init__(self, distances: Distances, forms: Forms) -> None:
+        """``distances``: of each part, at points in training units; columns beyond are none."""
+        self.distances, self.forms = distances, forms
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """All that have a surface; those of a part that are alike are so exactly."""
+        found = places_of(self.distances, len(self.forms.flat))
+        drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
+        pairs = zip(drawn, matched(self.distances, drawn), strict=True)
+        return [piece._replace(primitive=one) if one else self._even(piece) for piece, one in pairs]
+
+    def _even(self, piece: Piece) -> Piece:
+        """The piece without what breaks its own symmetry."""
+        turned = self._turned(piece)
+        if turned and is_drawn(self.distances, turned, piece):
+            return piece._replace(primitive=turned)
+        repeated = repeats(self.distances, piece)
+        return (repeated and drawn_at(repeated, piece.place)) or piece
+
+    def _turned(self, piece: Piece) -> Primitive | None:
+        """What the piece is, where it is the same all around an axis."""
+        share = self.share(piece)
+        axis = int(share.argmax())
+        return turned_about(piece, axis) if share[axis] >= SHARE else None
+
+    def share(self, piece: Piece) -> Float[np.ndarray, " 3"]:
+        """The fraction of the piece's surface that is the same all around along x, y, z."""
+        # By the noun's objects, or by this piece itself: a table's top may be round, as most are
+        # not.
+        own = [turned_share(self.distances, piece, axis) for axis in range(3)]
+        return np.maximum(own, [axis[piece.place.part] for axis in self.forms.round])
+
+    def exact(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances with those of the primitives in place of what was drawn, where all
+        pieces of a part are primitives."""
+        of: dict[int, list[Primitive | None]] = {}
+        for piece in self.pieces:
+            of.setdefault(piece.place.part, []).append(piece.primitive)
+        if all(all(primitives) for primitives in of.values()):
+            found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
+        else:
+            found = self.distances(points)[:, : len(self.forms.flat)].clone()
+        for part, primitives in of.items():
+            if all(primitives):
+                each = [one.distance(points) for one in primitives if one is not None]
+                found[:, part] = torch.stack(each).amin(0)
+        return found
+
+
 def assembled(
-    distances: Distances,
-    parts: int,
-    forms: Forms | None,
-    floaters: float,
-    progress: Callable[[float], None],
+    parts: KnownParts, exact: bool, floaters: float, progress: Callable[[float], None]
 ) -> Mesh | None:
     """The union of the parts' surfaces; None where there is none.
 
     Args:
-        distances: of each part, at points in training units; columns beyond ``parts`` are none.
-        parts: how many there are.
-        forms: which of them are flat or round; None: all are left as they are drawn.
+        exact: as primitives, and with planes and profiles; or all as they are drawn.
         floaters: a component of less area than this much of the largest is dropped.
         progress: gets the fraction done; what it raises stops it.
     """
     meshes = []
-    pieces = list(pieces_of(distances, parts))
-    for index, piece in enumerate(pieces):
-        made = piece_surface(distances, piece, forms)
-        if made is not None:
-            meshes.append(made)
-        progress((index + 1) / (len(pieces) + 1))
+    progress(0.0)
+    for index, piece in enumerate(parts.pieces):
+        progress((index + 1) / (len(parts.pieces) + 1))
+        meshes.append(exact_surface(parts, piece) if exact else (piece.verts, piece.faces))
     if not meshes:
         return None
     return drop_floaters(*union(meshes, STRUT), floaters)
 
 
-def pieces_of(distances: Distances, parts: int) -> Iterator[Piece]:
+def places_of(distances: Distances, parts: int) -> Iterator[Place]:
     """The connected pieces of each part, found on one lattice."""
     cell = 2 * EXTENT / SEARCH
     side = torch.linspace(-EXTENT, EXTENT, SEARCH + 1)
@@ -103,7 +182,7 @@ def pieces_of(distances: Distances, parts: int) -> Iterator[Piece]:
                 continue
             ends = np.array([(side.start, side.stop - 1) for side in where]).T * cell - EXTENT
             others = _elsewhere(labels, index + 1, cell)
-            yield Piece(part, ends[0] - MARGIN * cell, ends[1] + MARGIN * cell, others)
+            yield Place(part, ends[0] - MARGIN * cell, ends[1] + MARGIN * cell, others)
 
 
 def _elsewhere(
@@ -119,80 +198,176 @@ def _elsewhere(
     return at
 
 
-def piece_surface(distances: Distances, piece: Piece, forms: Forms | None) -> Mesh | None:
-    """The closed surface of one piece on a lattice of its own, on its planes and profile."""
-    longest = float((piece.high - piece.low).max())
+def drawn_at(distances: Distances, place: Place) -> Piece | None:
+    """The piece's closed surface on a lattice of its own."""
+    longest = float((place.high - place.low).max())
     error = min(max(longest * ERROR_SHARE, ERROR[0]), ERROR[1])
     grid = tet_grid(min(int(np.ceil(longest * CELLS / error)), MOST_CELLS))
     cell = longest / grid.resolution
-    middle = torch.from_numpy((piece.low + piece.high) / 2).float()
-    places = grid.tet_verts * (longest / (2 * EXTENT)) + middle
-    low, high = (torch.from_numpy(end).float() for end in (piece.low, piece.high))
-    asked = ((places > low) & (places < high)).all(1) & ~grid.boundary
-    asked[asked.clone()] = ~piece.others(places[asked])
-    distance = torch.full((len(places),), cell)  # outside, where nothing is asked
-    distance[asked] = distances(places[asked])[:, piece.part].cpu()
-    verts, faces, *_ = surface(distance, places, grid)
+    middle = torch.from_numpy((place.low + place.high) / 2).float()
+    nodes = grid.tet_verts * (longest / (2 * EXTENT)) + middle
+    low, high = (torch.from_numpy(end).float() for end in (place.low, place.high))
+    asked = ((nodes > low) & (nodes < high)).all(1) & ~grid.boundary
+    asked[asked.clone()] = ~place.others(nodes[asked])
+    distance = torch.full((len(nodes),), cell)  # outside, where nothing is asked
+    distance[asked] = distances(nodes[asked])[:, place.part].cpu()
+    verts, faces, *_ = surface(distance, nodes, grid)
     if not len(faces):
         return None
     verts, faces = largest(verts, faces)
     verts = polished(verts, faces, POLISH)
-    if forms is None:
-        return verts, faces
-    of, unbent, flat = torch.zeros(len(verts), dtype=torch.long), verts, forms.flat[piece.part]
-    sides = box_of(verts, faces, error)
-    if sides:
-        return box(*sides, edge=cell)
-    # By the noun's objects, or by this piece itself: a table's top may be round, as most are not.
-    share = np.array([axis[piece.part] for axis in forms.round])
-    own = [turned_share(distances, piece.part, verts, axis, error) for axis in range(3)]
-    share = np.maximum(share, own)
-    if share.max() >= SHARE:
-        around = tuple((float(one),) for one in share)
-        verts, flat = revolved(verts, faces, of, around, error), min(flat, ENDS)
-    made = crisp(verts, faces, unbent, of, (flat,), error)
-    return made if is_solid(*made) else (unbent, faces)
+    return Piece(place, verts, faces, cell, error)
 
 
-def box_of(
-    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], error: float
-) -> tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]] | None:
-    """The corners of the box along the axes that a piece is up to its errors; None if it is none.
-
-    The commonest piece of all, such as a chair's leg, whose ends are too small to show a plane.
-    """
-    area, normal = areas_and_normals(verts.double().numpy(), faces.numpy())
-    middle = verts.double().numpy()[faces.numpy()].mean(1)
-    ends = np.zeros((2, 3))
-    for axis in range(3):
-        for end, way in enumerate((-1, 1)):
-            side = way * normal[:, axis] > SIDE
-            if area[side].sum() < LEAST_SIDE * area.sum():
-                return None
-            ends[end, axis] = np.median(middle[side, axis])
-    q = np.abs(middle - ends.mean(0)) - (ends[1] - ends[0]) / 2
-    outside = np.linalg.norm(q.clip(min=0), axis=1)
-    off = np.abs(outside + q.max(1).clip(max=0))
-    fits = area @ (off < SIDE_OFF * error) / area.sum() > BOXED
-    return (ends[0], ends[1]) if fits else None
+def matched(distances: Distances, pieces: list[Piece]) -> list[Primitive | None]:
+    """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
+    they are, or as mirrored, or as turned about the vertical, and each where none of these fits."""
+    points = [points_of(piece) for piece in pieces]
+    found: list[Primitive | None] = [None] * len(pieces)
+    for group in alike(pieces):
+        together = fitted_together([pieces[k] for k in group], [points[k] for k in group])
+        pairs = list(zip(group, together, strict=True))
+        slack = slack_of(len(group))
+        if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
+            pairs = [(k, primitive_of(points[k], pieces[k].error)) for k in group]
+            pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
+        for k, one in pairs:
+            found[k] = one.sharp() if one else None
+    return found
 
 
-def turned_share(
-    distances: Distances, part: int, verts: Float[Tensor, "v 3"], axis: int, error: float
-) -> float:
+def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 1.0) -> bool:
+    """Whether the whole surface of a primitive is about where the piece is drawn."""
+    generator = torch.Generator().manual_seed(0)
+    points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
+    off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)
+    drawn = DRAWN_TURNED if one.form == "turned" else DRAWN
+    return all(float((off < by).float().mean()) >= share for by, share in drawn)
+
+
+def alike(pieces: list[Piece]) -> list[list[int]]:
+    """The pieces by part and area."""
+    area = [float(face_areas(piece.verts, piece.faces).sum()) for piece in pieces]
+    groups: list[list[int]] = []
+    for k in sorted(range(len(pieces)), key=lambda k: (pieces[k].place.part, area[k])):
+        least = groups[-1][0] if groups else k
+        same_part = pieces[least].place.part == pieces[k].place.part
+        if groups and same_part and area[k] < ALIKE * area[least]:
+            groups[-1].append(k)
+        else:
+            groups.append([k])
+    return groups
+
+
+def slack_of(count: int) -> float:
+    """How much worse than one alone so many pieces may be of one primitive: a table's legs."""
+    return SLACK if count >= MANY else 1.0
+
+
+def fitted_together(
+    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]]
+) -> Sequence[Primitive | None]:
+    """One primitive for all, each at its place; Nones where it does not fit all."""
+    if len(pieces) > 1:
+        error = slack_of(len(pieces)) * pieces[0].error
+        middles = [piece.middle.double().numpy() for piece in pieces]
+        for placed in (unturned, mirrored, around):
+            frames = [placed(middle) for middle in middles]
+            local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
+            one = primitive_of(np.concatenate(local)[:: len(points)], error)
+            if one is not None and all(one.fits(some, error) for some in local):
+                return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
+    return [None] * len(points)
+
+
+def unturned(_middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
+    """As it is."""
+    return np.eye(3)
+
+
+def mirrored(middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
+    """Each side of x = 0 and of y = 0 the mirror of the other."""
+    return np.diag([1.0 if middle[0] >= 0 else -1.0, 1.0 if middle[1] >= 0 else -1.0, 1.0])
+
+
+def around(middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
+    """Turned about the vertical, as the place is."""
+    c, s = unit(middle[None, :2])[0]
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def points_of(piece: Piece) -> Float[np.ndarray, "n 3"]:
+    """Of the piece's surface, evenly by area."""
+    generator = torch.Generator().manual_seed(0)
+    return sample_surface(piece.verts, piece.faces, FITTED, generator).double().numpy()
+
+
+def turned_about(piece: Piece, axis: int) -> Primitive | None:
+    """The solid of revolution that the piece is, about a line along the axis; or None."""
+    of = torch.zeros(len(piece.verts), dtype=torch.long)
+    share = tuple((float(k == axis),) for k in range(3))
+    verts = revolved(piece.verts, piece.faces, of, share, piece.error)
+    upright = np.roll(np.eye(3), axis + 1, 0)  # turns z to the axis
+    local = verts.double() @ torch.from_numpy(upright)
+    area = face_areas(local, piece.faces)
+    center = (area @ local[piece.faces].mean(1) / area.sum()).numpy() * (1, 1, 0)
+    outline = profile((local - torch.from_numpy(center)).float(), piece.faces, SECTIONS, OUTLINE)
+    if outline is None:
+        return None
+    turn = Rotation.from_matrix(upright).as_rotvec()
+    one = Primitive("turned", upright @ center, turn, outline.ravel())
+    return one if one.fits(points_of(piece), piece.error) else None
+
+
+def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
+    """That of its primitive; or its own, on its planes."""
+    if piece.primitive is not None:
+        return piece.primitive.mesh(piece.cell)
+    verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
+    of = torch.zeros(len(verts), dtype=torch.long)
+    made = crisp(verts, faces, verts, of, (flat,), piece.error)
+    return made if is_solid(*made) else (verts, faces)
+
+
+def turned_share(distances: Distances, piece: Piece, axis: int) -> float:
     """The fraction of a piece's surface that stays on it when it is turned about the line along
-    ``axis`` through the middle of its box."""
-    middle = (verts.amin(0) + verts.amax(0)) / 2
-    some = (verts[:: -(-len(verts) // TURNED)] - middle)[None]
+    ``axis`` through its middle."""
     # By no symmetry of a square.
-    angle = torch.arange(1, TURNS + 1) * (2 * torch.pi / (TURNS + 0.5))
+    return on_itself(distances, piece, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
+
+
+def repeats(distances: Distances, piece: Piece) -> Distances | None:
+    """The mean of a piece's distances over the turns that leave it as it is; None: over none."""
+    middle = piece.middle
+    for times in TIMES:
+        turns = [k / times for k in range(times)]
+        for axis in (2, 0, 1):
+            if on_itself(distances, piece, axis, turns[1:]) >= REPEATED:
+                return lambda points: torch.stack(
+                    [distances(x + middle) for x in ring_of(points - middle, axis, turns)]
+                ).mean(0)
+    return None
+
+
+def on_itself(distances: Distances, piece: Piece, axis: int, turns: Sequence[float]) -> float:
+    """The fraction of a piece's surface that parts of a whole turn leave on it."""
+    some = piece.verts[:: -(-len(piece.verts) // TURNED)] - piece.middle
+    places = ring_of(some, axis, turns) + piece.middle
+    off = distances(places.view(-1, 3))[:, piece.place.part].abs()
+    return float((off < TURNED_OFF * piece.error).float().mean())
+
+
+def ring_of(
+    points: Float[Tensor, "n 3"], axis: int, turns: Sequence[float]
+) -> Float[Tensor, "t n 3"]:
+    """The points by each part of a whole turn about an axis through the origin."""
+    angle = 2 * torch.pi * torch.tensor(turns)
     c, s = angle.cos()[:, None], angle.sin()[:, None]
     i, j = (k for k in range(3) if k != axis)
-    turned = some.repeat(TURNS, 1, 1)
-    turned[..., i] = c * some[..., i] - s * some[..., j]
-    turned[..., j] = s * some[..., i] + c * some[..., j]
-    off = distances((turned + middle).view(-1, 3))[:, part].abs()
-    return float((off < TURNED_OFF * error).float().mean())
+    placed = points.repeat(len(turns), 1, 1)
+    placed[..., i] = c * points[:, i] - s * points[:, j]
+    placed[..., j] = s * points[:, i] + c * points[:, j]
+    return placed
 
 
 def largest(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Mesh:

@@ -4,6 +4,7 @@ Its result is a manifold however the meshes lie to each other (Smith, "Towards r
 geometric computation", 2009).
 """
 
+import itertools
 from collections.abc import Sequence
 
 import manifold3d
@@ -40,19 +41,71 @@ def union(
     return torch.from_numpy(np.array(verts)).to(first), torch.from_numpy(faces).to(first.device)
 
 
-def box(
-    low: Float[np.ndarray, " 3"], high: Float[np.ndarray, " 3"], edge: float
+def rounded_box(
+    half: Float[np.ndarray, " 3"], rim: float, edge: float, segments: int
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-    """A box between two corners, its edges no longer than ``edge``."""
-    whole = manifold3d.Manifold.cube([float(side) for side in high - low])
-    made = whole.translate([float(at) for at in low]).refine_to_length(edge).to_mesh()
-    faces = torch.from_numpy(made.tri_verts.astype(np.int64))
-    return torch.from_numpy(np.array(made.vert_properties[:, :3])), faces
+    """A box of half sizes about the origin, its edges rounded by ``rim``; no edge of the mesh is
+    longer than ``edge``."""
+    inner = [float(side) for side in 2 * (half - rim)]
+    if not rim:
+        return _refined(manifold3d.Manifold.cube(inner, center=True), edge)
+    corners = [
+        manifold3d.Manifold.sphere(float(rim), segments).translate([x / 2 for x in at])
+        for at in itertools.product(*((-side, side) for side in inner))
+    ]
+    return _refined(manifold3d.Manifold.batch_hull(corners), edge)
+
+
+def ball(
+    radii: Float[np.ndarray, " 3"], edge: float, segments: int
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """An ellipsoid about the origin."""
+    sphere = manifold3d.Manifold.sphere(1.0, segments)
+    return _refined(sphere.scale([float(radius) for radius in radii]), edge)
+
+
+def lathe(
+    profile: Float[np.ndarray, "k 2"], edge: float, segments: int
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """A profile of radius and height, counter-clockwise, turned about the z axis."""
+    outline = manifold3d.CrossSection([[tuple(map(float, corner)) for corner in profile]])
+    return _refined(outline.revolve(segments), edge)
 
 
 def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:
     """Whether a mesh can be united with others: closed, manifold and oriented."""
     return not _solid(verts, faces).is_empty()
+
+
+def profile(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], angles: int, off: float
+) -> Float[np.ndarray, "k 2"] | None:
+    """Radius and height of a closed mesh that is the same all around the z axis: the outline of its
+    sections through the axis, of that with the median area; None where it is not one loop.
+
+    Args:
+        angles: how many sections.
+        off: how far a corner may be from the outline without it.
+    """
+    solid = _solid(verts, faces).rotate((-90.0, 0.0, 0.0))  # z to y
+    low, high = np.array(solid.bounding_box()).reshape(2, 3)[:, :2] * 1.01 - (0.01, 0.01)
+    size = [float(high[0]) + 0.02, float(high[1] - low[1]) + 0.02]
+    half = manifold3d.CrossSection.square(size).translate((0.0, float(low[1])))
+    sections = []
+    for index in range(angles):
+        turned = solid.rotate((0.0, 360.0 * (index + 0.5) / angles, 0.0))
+        sections.append((turned.slice(0.0) ^ half).simplify(off))
+    middle = sorted(sections, key=lambda section: section.area())[angles // 2]
+    loops = middle.to_polygons()
+    return np.array(loops[0]) if len(loops) == 1 else None
+
+
+def _refined(
+    solid: manifold3d.Manifold, edge: float
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    made = (solid.refine_to_length(edge) if np.isfinite(edge) else solid).to_mesh()
+    faces = torch.from_numpy(made.tri_verts.astype(np.int64))
+    return torch.from_numpy(np.array(made.vert_properties[:, :3])), faces
 
 
 def _solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> manifold3d.Manifold:

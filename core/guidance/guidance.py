@@ -10,7 +10,6 @@ background adds ``(1 - o) * background`` itself.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
@@ -19,7 +18,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.camera import Cameras
-from core.geometry.assembly import Forms
+from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 
 NormalFrame = Literal["object", "camera"]
@@ -132,14 +131,6 @@ class Guidance(ABC):
         """
 
 
-class KnownParts(NamedTuple):
-    """Where an object's parts are, and what they are like."""
-
-    # Of each part, at places in training units; columns beyond the parts are none.
-    distances: Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
-    forms: Forms
-
-
 @runtime_checkable
 class Areas(Protocol):
     """The areas of an object that are of one colour each."""
@@ -210,7 +201,7 @@ class PromptedGuidance(ABC):
         """The areas of that object; None where its parts are not known."""
         return None
 
-    def parts(self) -> "KnownParts | None":
+    def parts(self) -> KnownParts | None:
         """The parts of that object, each a solid of its own; None: unknown."""
         return None
 

@@ -10,7 +10,7 @@ from torch import Tensor
 
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
-from core.geometry.assembly import assembled
+from core.geometry.assembly import KnownParts, assembled
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import crisp
 from core.geometry.mesh import Mesh, drop_floaters, polished
@@ -19,7 +19,7 @@ from core.geometry.revolved import revolved
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
 from core.geometry.struts import joined_by_struts
 from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
-from core.guidance.guidance import KnownParts, Views, coarse_latent
+from core.guidance.guidance import Views, coarse_latent
 from core.guidance.sds import anneal
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
@@ -93,9 +93,8 @@ def assembled_shape(
     """
     with progress.timed("geometry"):
         made = assembled(
-            parts.distances,
-            len(parts.forms.flat),
-            parts.forms if config.forms else None,
+            parts,
+            config.forms,
             config.floaters,
             lambda done: progress.advance("geometry", round(100 * done), 100),
         )

@@ -19,6 +19,7 @@ from core.guidance.builtin.patterns import Margin
 CELLS = 80  # of the lattice on which the parts are known, along an edge
 INSET = 0.06  # training units: what a picture's blur covers
 STEPS = 3  # on the way; each looks anew where the border is
+UNCLEAR = 2.5  # cells: where areas are as deep up to this, the lattice does not tell whose it is
 LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
 
 Field = Callable[
@@ -46,7 +47,7 @@ class SolidAreas:
 
     def __init__(self, field: Field, plain: tuple[bool, ...], cells: int = CELLS) -> None:
         """``plain``: which areas are of one colour, as far as the words and nature say."""
-        self.plain = plain
+        self.plain, self.field = plain, field
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -62,6 +63,9 @@ class SolidAreas:
         area, level = start[:, 1:].argmax(1), start[:, 0]
         if start.shape[1] == 2:  # no border
             return area, points
+        first, second = start[:, 1:].topk(2, 1).values.T
+        near = first - second < UNCLEAR * self.spacing
+        area[near] = self.field(points[near])[1].argmax(1)
         moved = points
         for step in range(STEPS):
             margin, slope, normal = self._margin(moved, area)

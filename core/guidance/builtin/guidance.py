@@ -7,15 +7,16 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 import math
 import warnings
 from dataclasses import replace
+from functools import cached_property
 
 import torch
 from jaxtyping import Float, Int
 from safetensors import SafetensorError
 from torch import Tensor
 
-from core.geometry.assembly import Forms
+from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
-from core.guidance.builtin.areas import SolidAreas, patterned
+from core.guidance.builtin.areas import Field, SolidAreas, patterned
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
@@ -42,7 +43,6 @@ from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
     Guidance,
-    KnownParts,
     MaterialRanges,
     NormalFrame,
     Predictions,
@@ -171,11 +171,25 @@ class PromptedBuiltin(PromptedGuidance):
         plain = [
             x for x, m in zip(own, margins, strict=True) for x in ((True, True) if m else (x,))
         ]
-        field = patterned(self.solid.field(len(parts)), margins)
-        return SolidAreas(field, tuple(plain))
+        return SolidAreas(patterned(self._depths(len(parts)), margins), tuple(plain))
+
+    def _depths(self, parts: int) -> Field:
+        """The signed distance of points, and how deep they are in each of the first parts."""
+        known = self._known
+        assert known is not None  # of a drawn solid
+
+        def at(points: Tensor) -> tuple[Tensor, Tensor]:
+            distances = known.exact(points)
+            return distances.amin(1), -distances[:, :parts]
+
+        return at
 
     def parts(self) -> KnownParts | None:
         """The drawn solid's; what its adjective makes oval is not round."""
+        return self._known
+
+    @cached_property
+    def _known(self) -> KnownParts | None:
         if self.solid is None:
             return None
         flat, around = part_forms_table()[self.words.noun]

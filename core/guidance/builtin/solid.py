@@ -1,7 +1,6 @@
 """A solid drawn for words: what the geometry starts from, known everywhere at once."""
 
 import json
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -79,17 +78,6 @@ class Solid:
     def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The part that each point belongs to: its place among the noun's."""
         return self.distances(points).argmin(1)
-
-    def field(
-        self, parts: int
-    ) -> Callable[[Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n p"]]]:
-        """Signed distance, and how deep in each of the first ``parts`` parts, of points."""
-
-        def at(points: Tensor) -> tuple[Tensor, Tensor]:
-            distances = self.distances(points)
-            return distances.amin(1), -distances[:, :parts]
-
-        return at
 
     @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:

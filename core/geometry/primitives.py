@@ -1,0 +1,352 @@
+"""The simple solid that a piece is, up to its errors: fitted to points of its surface.
+
+Most pieces of things are one: a box, a ball, a wheel, a leg. Where one fits, it takes the place of
+what was drawn, and has its edges, its roundness and its symmetry.
+
+Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org). Fitted
+by least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft L1).
+"""
+
+import itertools
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from scipy.optimize import least_squares
+from scipy.spatial.transform import Rotation
+from torch import Tensor
+
+from core.geometry.union import ball, lathe, rounded_box
+
+Lengths = Float[np.ndarray, " k"]
+Points = Float[np.ndarray, "n 3"]
+Turn = Float[np.ndarray, " 3"]  # rotation vector, radians
+
+REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
+SOFT = 0.3  # errors, beyond which a point counts less
+LOGS = (-6.0, 2.0)  # of lengths: what is lost goes no farther
+TOLD = 4.0  # points' worth, of where the points end
+TURNED = 3  # of the fits along the axes are turned
+STEPS = 14  # evaluations of the gradient, at most
+# What a solid with more freedom, or less, has to have of the other's mean error, at most.
+TURNED_GAIN, ROUNDED_GAIN, EVEN_LOSS = 0.7, 0.75, 1.15
+EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
+# By so much a sharp edge is rounded that the network draws, a rounded one by less, training units:
+# a rim of 0.055 comes out as 0.07, one of 0.08 as it is.
+BLUR, UNBLURRED, LEAST_RIM = 0.05, 2.5, 0.02
+MEAN, WITHIN = 0.22, 0.93  # mean error, in errors, at most; least share within half an error
+ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
+STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
+TUBE = 0.75  # of a ring's radius, at most, its tube's
+ON_AXIS = 1e-4  # training units
+CHORD = 8e-4  # training units, at most, between a circle and its polygon
+SEGMENTS = (24, 96)
+
+
+def ellipsoid(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
+    """To first order."""
+    k0, k1 = np.linalg.norm(p / radii, axis=1), np.linalg.norm(p / radii**2, axis=1)
+    return k0 * (k0 - 1) / k1.clip(1e-9)
+
+
+def box(p: Points, half: Lengths) -> Float[np.ndarray, " n"]:
+    """Half sizes, and the radius of the edges."""
+    q = np.abs(p) - (half[:3] - half[3])
+    return np.linalg.norm(q.clip(min=0), axis=1) + q.max(1).clip(max=0) - half[3]
+
+
+def frustum(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """A cone without its tip, or a cylinder: half its height, the radii below and above, and the
+    radius of the rims."""
+    rim = lengths[3]
+    half, below, above = lengths[:3] - rim
+    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2]
+    corners = [(0.0, -half), (below, -half), (above, half), (0.0, half)]
+    nearest = np.full(len(p), np.inf)
+    for (ax, ay), (bx, by) in itertools.pairwise(corners):
+        ex, ey, wx, wy = bx - ax, by - ay, across - ax, up - ay
+        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
+        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
+    side = (across - below) * 2 * half - (up + half) * (above - below)
+    inside = (np.abs(up) < half) & (side < 0)
+    return np.sqrt(nearest) * np.where(inside, -1, 1) - rim
+
+
+def capsule(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """The hull of two balls: half the distance of their middles, the radii below and above."""
+    half, below, above = lengths
+    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2] + half
+    sine = np.clip((below - above) / (2 * half), -0.99, 0.99)
+    cosine = np.sqrt(1 - sine * sine)
+    along = up * cosine - across * sine
+    side = across * cosine + up * sine - below
+    ends = np.hypot(across, up) - below, np.hypot(across, up - 2 * half) - above
+    return np.where(along < 0, ends[0], np.where(along > 2 * half * cosine, ends[1], side))
+
+
+def ring(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
+    """A torus: its radius, its tube's."""
+    return np.hypot(np.hypot(p[:, 0], p[:, 1]) - radii[0], p[:, 2]) - radii[1]
+
+
+def turned(p: Points, profile: Lengths) -> Float[np.ndarray, " n"]:
+    """A closed profile about the axis: radius and height of each corner, one after another."""
+    corners = profile.reshape(-1, 2)
+    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2]
+    nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
+    for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, 0), strict=True):
+        ex, ey, wx, wy = bx - ax, by - ay, across - ax, up - ay
+        if max(ax, bx) < ON_AXIS:  # there is no surface
+            continue
+        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
+        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
+        if ay != by:  # the even-odd rule, for a ray away from the axis
+            inside ^= ((up >= ay) != (up >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
+    return np.sqrt(nearest) * np.where(inside, -1, 1)
+
+
+class Form(NamedTuple):
+    """One kind of solid about the origin, and the z axis if it has one."""
+
+    distance: Callable[[Points, Lengths], Float[np.ndarray, " n"]]
+    same: tuple[tuple[int, ...], ...] = ()  # lengths that are often the same
+    rims: bool = False  # whether the last length rounds its edges
+
+
+FORMS = {
+    "ellipsoid": Form(ellipsoid, ((0, 1, 2), (0, 1), (0, 2), (1, 2))),
+    "box": Form(box, rims=True),
+    "frustum": Form(frustum, ((1, 2),), rims=True),
+    "capsule": Form(capsule, ((1, 2),)),
+    "ring": Form(ring),
+    "turned": Form(turned),
+}
+
+
+class Primitive(NamedTuple):
+    """A solid of some form in its place; lengths in training units."""
+
+    form: str
+    center: Float[np.ndarray, " 3"]
+    turn: Turn
+    lengths: Lengths
+
+    def distance(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """Signed distance, negative inside; of an ellipsoid to first order."""
+        return torch.from_numpy(self.at(points.detach().cpu().double().numpy())).to(points)
+
+    def at(self, points: Points) -> Float[np.ndarray, " n"]:
+        """The same, without torch."""
+        return FORMS[self.form].distance(self.local(points), self.lengths)
+
+    def local(self, points: Points) -> Points:
+        """The points where the solid is about the origin."""
+        return (points - self.center) @ Rotation.from_rotvec(self.turn).as_matrix()
+
+    def off(self, points: Points, error: float) -> float:
+        """How far the points are from its surface in the mean, in errors."""
+        return float(np.abs(self.at(points)).mean() / error)
+
+    def fits(self, points: Points, error: float) -> bool:
+        """Whether the points are on its surface up to their errors."""
+        within = (np.abs(self.at(points)) < error / 2).mean()
+        return self.off(points, error) <= MEAN and bool(within >= WITHIN)
+
+    def placed(
+        self, frame: Float[np.ndarray, "3 3"], origin: Float[np.ndarray, " 3"]
+    ) -> "Primitive":
+        """In the frame, its columns, at an origin; a frame may mirror x or y, as all forms are the
+        same on both sides of these."""
+        turn = frame @ Rotation.from_rotvec(self.turn).as_matrix()
+        turn = turn @ np.diag(np.sign([np.linalg.det(frame), 1, 1]))
+        turn = Rotation.from_matrix(turn).as_rotvec()
+        return self._replace(center=frame @ self.center + origin, turn=turn)
+
+    def sharp(self) -> "Primitive":
+        """With its rims as they were before a network drew them."""
+        if not FORMS[self.form].rims:
+            return self
+        rim = min((self.lengths[3] - BLUR) * UNBLURRED, self.lengths[3])
+        return self._replace(lengths=np.append(self.lengths[:3], rim if rim > LEAST_RIM else 0.0))
+
+    def mesh(self, edge: float) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+        """Its closed surface; flat edges are no longer than ``edge``."""
+        verts, faces = _mesh(self.form, self.lengths, edge)
+        matrix = Rotation.from_rotvec(self.turn).as_matrix()
+        placed = verts.double().numpy() @ matrix.T + self.center
+        return torch.from_numpy(placed).to(verts), faces
+
+
+def primitive_of(points: Points, error: float) -> Primitive | None:
+    """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
+
+    def off(one: Primitive) -> float:
+        return one.off(points, error)
+
+    def covered(one: Primitive) -> bool:
+        return _covered(one, points, error)
+
+    best, limit = None, np.inf
+    gain = TURNED_GAIN  # of what lies along the coordinate axes
+    for frame in _frames(points):
+        fixed = [_fitted(one, points, error) for one in _starts(points, frame)]
+        likely = sorted(fixed, key=off)[:TURNED]
+        freely = [_fitted(one, points, error, turns=True) for one in likely]
+        for found, needed in ((fixed, 1.0), (freely, gain)):
+            one = min(filter(covered, found), key=off, default=None)
+            if one is not None and off(one) < needed * limit:
+                best, limit = one, off(one)
+        limit, gain = limit * gain, 1.0  # the points' own are no better than any near them
+    if best is None:
+        return None
+    if FORMS[best.form].rims:
+        soft = _fitted(_with_rims(best), points, error, rims=True)
+        best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
+    best = _evened(best, off)
+    return best if best.fits(points, error) else None
+
+
+def _frames(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
+    """The coordinate axes, and the points' own where these are others."""
+    yield np.eye(3)
+    own = np.linalg.svd(points - points.mean(0), full_matrices=False)[2].T
+    if np.abs(own).max(0).min() < ASKEW:
+        yield own * np.sign(np.linalg.det(own))
+
+
+def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primitive]:
+    """What fills the box around the points along the frame's axes, its columns."""
+    local = points @ frame
+    low, high = local.min(0), local.max(0)
+    center, half = frame @ (low + high) / 2, ((high - low) / 2).clip(1e-3)
+    upright = Rotation.from_matrix(frame).as_rotvec()
+    yield Primitive("ellipsoid", center, upright, half)
+    yield Primitive("box", center, upright, np.append(half, 0.0))
+    for axis in range(3):
+        i, j = (k for k in range(3) if k != axis)
+        if max(half[i], half[j]) > STOUT * min(half[i], half[j]):
+            continue
+        turn = Rotation.from_matrix(frame @ np.roll(np.eye(3), axis + 1, 0)).as_rotvec()
+        radius, height = (half[i] + half[j]) / 2, half[axis]
+        yield Primitive("frustum", center, turn, np.array([height, radius, radius, 0.0]))
+        if height > LONG * radius:
+            yield Primitive("capsule", center, turn, np.array([height - radius, radius, radius]))
+        if height < TUBE * radius:
+            yield Primitive("ring", center, turn, np.array([radius - height, height]))
+
+
+def _covered(one: Primitive, points: Points, error: float) -> bool:
+    """Whether the points are all over the surface: it ends where they do."""
+    if one.form == "ring" and one.lengths[1] > TUBE * one.lengths[0]:
+        return False
+    verts = one.mesh(np.inf)[0].numpy()
+    ends = np.stack([verts.min(0) - points.min(0), verts.max(0) - points.max(0)])
+    return bool(np.abs(ends).max() < REACH * error)
+
+
+def _fitted(
+    start: Primitive, points: Points, error: float, *, turns: bool = False, rims: bool = False
+) -> Primitive:
+    """Where the points are least off; turned freely, or as it is; with its rims' radius, or not."""
+    count = len(start.lengths) - (FORMS[start.form].rims and not rims)
+    fixed = start.lengths[count:]
+
+    def of(x: np.ndarray) -> Primitive:
+        turn = x[3:6] if turns else start.turn
+        lengths = np.concatenate([np.exp(x[-count:].clip(*LOGS)), fixed])
+        if rims:  # no more than a ball has
+            lengths[-1] = min(lengths[-1], lengths[:-1].min())
+        return Primitive(start.form, x[:3], turn, lengths)
+
+    x = [start.center, *([start.turn] if turns else []), np.log(start.lengths[:count])]
+    first = np.concatenate(x)
+
+    def residuals(x: np.ndarray) -> np.ndarray:
+        one = of(x)
+        local = one.local(points)
+        # No point tells where a side ends that is long: it ends where the points do.
+        low, high = _ends(one)
+        ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])
+        return np.concatenate([FORMS[one.form].distance(local, one.lengths), TOLD * ends]) / error
+
+    solved = least_squares(
+        residuals,
+        first,
+        loss="soft_l1",
+        f_scale=SOFT,
+        max_nfev=STEPS,
+    )
+    return of(solved.x)
+
+
+def _ends(one: Primitive) -> tuple[float, float]:
+    """How far it goes below and above its middle along its own z."""
+    if one.form == "capsule":
+        half, below, above = one.lengths
+        return half + below, half + above
+    return (one.lengths[{"frustum": 0, "ring": 1}.get(one.form, 2)],) * 2
+
+
+def _with_rims(one: Primitive) -> Primitive:
+    rim = min(BLUR, one.lengths[:3].min() / 2)
+    return one._replace(lengths=np.append(one.lengths[:3], rim))
+
+
+def _evened(one: Primitive, off: Callable[[Primitive], float]) -> Primitive:
+    """With lengths that are nearly the same made the same, where that fits about as well."""
+    limit = EVEN_LOSS * off(one)
+    for same in FORMS[one.form].same:
+        lengths = one.lengths.copy()
+        mean = lengths[list(same)].mean()
+        if np.abs(lengths[list(same)] / mean - 1).max() > EVEN / 2:
+            continue
+        lengths[list(same)] = mean
+        if off(one._replace(lengths=lengths)) <= limit:
+            return one._replace(lengths=lengths)
+    return one
+
+
+def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
+    if form == "box":
+        return rounded_box(lengths[:3], lengths[3], edge, _segments(lengths[3]))
+    if form == "ellipsoid":
+        return ball(lengths, edge, _segments(lengths.max()))
+    widest = {"ring": lengths.sum(), "turned": lengths[::2].max()}
+    count = _segments(widest.get(form, lengths[1:3].max()))
+    return lathe(_profile(form, lengths), edge, count)
+
+
+def _profile(form: str, lengths: Lengths) -> Float[np.ndarray, "c 2"]:
+    """Radius and height, counter-clockwise."""
+    if form == "turned":
+        return lengths.reshape(-1, 2)
+    if form == "ring":
+        radius, tube = lengths
+        return np.array([radius, 0.0]) + tube * _arc(0, 2 * np.pi, _segments(tube))[:-1]
+    if form == "capsule":
+        half, below, above = lengths
+        tilt = np.arcsin(np.clip((below - above) / (2 * half), -0.99, 0.99))
+        count = _segments(max(below, above)) // 2
+        low = below * _arc(-np.pi / 2, tilt, count) + (0, -half)
+        return np.concatenate([low, above * _arc(tilt, np.pi / 2, count) + (0, half)])
+    half, below, above, rim = lengths
+    tilt = np.arctan2(below - above, 2 * half)
+    if not rim:
+        return np.array([(0, -half), (below, -half), (above, half), (0, half)])
+    count = _segments(rim) // 2
+    low = rim * _arc(-np.pi / 2, tilt, count) + (below - rim, rim - half)
+    high = rim * _arc(tilt, np.pi / 2, count) + (above - rim, half - rim)
+    return np.concatenate([[(0, -half)], low, high, [(0, half)]])
+
+
+def _arc(first: float, last: float, count: int) -> Float[np.ndarray, "c 2"]:
+    angle = np.linspace(first, last, count + 1)
+    return np.stack([np.cos(angle), np.sin(angle)], 1)
+
+
+def _segments(radius: float) -> int:
+    """Of a circle, so many that its polygon is as near as ``CHORD``; of any quarter the same."""
+    count = np.pi / np.arccos(1 - min(CHORD / max(radius, CHORD), 0.5))
+    return 4 * int(np.ceil(np.clip(count, *SEGMENTS) / 4))

@@ -1,0 +1,113 @@
+"""A piece's points tell the primitive that it is, and its mesh is that solid."""
+
+import numpy as np
+import pytest
+import torch
+from scipy.spatial.transform import Rotation
+
+from core.geometry.init_shape import sample_surface
+from core.geometry.mesh import health
+from core.geometry.primitives import Primitive, primitive_of
+
+ERROR = 0.04
+CENTER = np.array([0.1, 0.2, 0.3])
+TILTED, LYING = np.array([0.0, 0.4, 0.0]), np.array([0.0, np.pi / 2, 0.0])
+
+
+def solid(form, lengths, turn=(0.0, 0.0, 0.0)):
+    return Primitive(form, CENTER, np.array(turn), np.array(lengths))
+
+
+SOLIDS = [
+    solid("ellipsoid", (0.2, 0.3, 0.1)),
+    solid("ellipsoid", (0.2, 0.2, 0.2)),
+    solid("box", (0.2, 0.3, 0.1, 0.0)),
+    solid("box", (0.2, 0.3, 0.12, 0.0), TILTED),
+    solid("box", (0.3, 0.4, 0.2, 0.09)),
+    solid("frustum", (0.1, 0.3, 0.3, 0.0), LYING),
+    solid("frustum", (0.5, 0.2, 0.1, 0.0), TILTED),
+    solid("capsule", (0.3, 0.12, 0.12)),
+    solid("ring", (0.4, 0.12), LYING),
+]
+
+
+def points_on(one, noise=0.005, count=400):
+    verts, faces = one.mesh(0.05)
+    points = sample_surface(verts, faces, count, torch.Generator().manual_seed(0)).double().numpy()
+    return points + noise * np.random.default_rng(0).standard_normal(points.shape)
+
+
+@pytest.mark.parametrize("one", SOLIDS, ids=lambda one: one.form)
+def test_a_primitive_is_found_from_points_of_it(one):
+    found = primitive_of(points_on(one), ERROR)
+    assert found is not None and found.form == one.form
+    # The same solid, though its axes may have other names: each is on the other's surface.
+    for a, b in ((one, found), (found, one)):
+        assert np.abs(a.at(points_on(b, noise=0.0))).max() < 0.02
+    if one.form == "ellipsoid" and np.ptp(one.lengths) == 0:
+        assert np.ptp(found.lengths) == 0  # a ball is one exactly
+    if one.form == "frustum" and one.lengths[1] == one.lengths[2]:
+        assert found.lengths[1] == found.lengths[2]
+
+
+@pytest.mark.parametrize("one", SOLIDS, ids=lambda one: one.form)
+def test_a_primitive_has_the_mesh_of_its_distance(one):
+    verts, faces = one.mesh(0.05)
+    found = health(verts, faces)
+    assert found["closed"] and found["manifold"] and found["components"] == 1
+    assert found["genus"] == (1 if one.form == "ring" else 0) and found["volume"] > 0
+    assert one.distance(verts).abs().max() < 2e-3
+    edges = verts[faces] - verts[faces].roll(1, 1)
+    assert edges.norm(dim=2).max() < 2 * 0.05
+    far = verts.double() + 5 * (verts - torch.from_numpy(CENTER))
+    assert one.distance(far).min() > 0
+
+
+def test_the_exact_distance_of_a_frustum_a_box_and_a_capsule():
+    places = np.array([[0.5, 0.0, 0.0], [0.0, 0.0, 0.9], [0.5, 0.0, 0.9], [0.0, 0.0, 0.0]])
+    cylinder = Primitive("frustum", np.zeros(3), np.zeros(3), np.array([0.6, 0.2, 0.2, 0.0]))
+    np.testing.assert_allclose(cylinder.at(places), [0.3, 0.3, 0.3 * 2**0.5, -0.2], atol=1e-6)
+    box = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.2, 0.2, 0.6, 0.0]))
+    np.testing.assert_allclose(box.at(places), [0.3, 0.3, 0.3 * 2**0.5, -0.2], atol=1e-6)
+    soft = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.2, 0.2, 0.6, 0.1]))
+    np.testing.assert_allclose(soft.at(places)[2], 0.4 * 2**0.5 - 0.1, atol=1e-6)
+    capsule = Primitive("capsule", np.zeros(3), np.zeros(3), np.array([0.4, 0.2, 0.2]))
+    np.testing.assert_allclose(capsule.at(places), [0.3, 0.3, 0.5 * 2**0.5 - 0.2, -0.2], atol=1e-6)
+
+
+def test_a_solid_of_revolution_has_the_distance_of_its_profile():
+    # A bowl: its outline from the middle of its foot, up outside, and back inside.
+    outline = np.array([(0.0, 0.0), (0.4, 0.0), (0.5, 0.4), (0.44, 0.4), (0.35, 0.06), (0.0, 0.06)])
+    bowl = Primitive("turned", np.zeros(3), np.zeros(3), outline.ravel())
+    at = np.array([[0.0, 0.0, 0.03], [0.0, 0.0, 0.2], [0.0, 0.0, -0.1], [0.9, 0.0, 0.4]])
+    np.testing.assert_allclose(bowl.at(at), [-0.03, 0.14, 0.1, 0.4], atol=1e-6)
+    verts, faces = bowl.mesh(0.05)
+    found = health(verts, faces)
+    assert found["closed"] and found["manifold"] and found["genus"] == 0
+    assert bowl.distance(verts).abs().max() < 2e-3
+
+
+def test_what_is_no_primitive_is_none():
+    # An L of two boxes.
+    arms = solid("box", (0.4, 0.1, 0.1, 0.0)), solid("box", (0.1, 0.1, 0.4, 0.0))
+    moved = points_on(arms[1]) + np.array([0.4, 0.0, 0.4])
+    assert primitive_of(np.concatenate([points_on(arms[0]), moved])[::2], ERROR) is None
+
+
+def test_rims_are_given_back_what_a_network_blurs():
+    def rim(of):
+        return solid("box", (0.3, 0.4, 0.2, of)).sharp().lengths[3]
+
+    assert rim(0.05) == 0 and rim(0.055) == 0
+    assert 0.03 < rim(0.065) < 0.04 and rim(0.09) == 0.09
+    assert rim(0.0) == 0 and solid("ring", (0.4, 0.1)).sharp().lengths[1] == 0.1
+
+
+@pytest.mark.parametrize("flip", [np.eye(3), np.diag([-1.0, 1, 1]), np.diag([-1.0, -1, 1])])
+def test_a_placed_primitive_is_the_mirrored_or_turned_one(flip):
+    one = solid("frustum", (0.5, 0.2, 0.1, 0.0), (0.3, 0.4, 0.1))
+    origin = np.array([0.3, -0.2, 0.1])
+    for frame in (flip, Rotation.from_rotvec([0, 0, 0.7]).as_matrix()):
+        placed = one.placed(frame, origin)
+        points = points_on(one, noise=0.0)
+        assert np.abs(placed.at(points @ frame.T + origin)).max() < 2e-3
