@@ -31,6 +31,7 @@ from core.geometry.mesh import (
 from core.geometry.primitives import Primitive, primitive_of
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
+from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT, tet_grid
 from core.geometry.union import is_solid, profile, union
 
@@ -55,6 +56,7 @@ REPEATED = 0.94  # the least share of its surface that does
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
 FITTED = 400  # points of a piece's surface, which tell its primitive
 ENDS = 0.5  # the most that is flat of what is round: its ends
+NEAR = 0.1  # training units
 STRUT = 0.03  # radius, training units
 
 Mesh = tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]
@@ -100,6 +102,7 @@ class KnownParts:
     def __init__(self, distances: Distances, forms: Forms) -> None:
         """``distances``: of each part, at points in training units; columns beyond are none."""
         self.distances, self.forms = distances, forms
+        self._surfaces: dict[int, Mesh] = {}
 
     @cached_property
     def pieces(self) -> list[Piece]:
@@ -130,20 +133,25 @@ class KnownParts:
         own = [turned_share(self.distances, piece, axis) for axis in range(3)]
         return np.maximum(own, [axis[piece.place.part] for axis in self.forms.round])
 
-    def exact(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
-        """The parts' distances with those of the primitives in place of what was drawn, where all
-        pieces of a part are primitives."""
-        of: dict[int, list[Primitive | None]] = {}
-        for piece in self.pieces:
-            of.setdefault(piece.place.part, []).append(piece.primitive)
-        if all(all(primitives) for primitives in of.values()):
-            found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
-        else:
-            found = self.distances(points)[:, : len(self.forms.flat)].clone()
-        for part, primitives in of.items():
-            if all(primitives):
-                each = [one.distance(points) for one in primitives if one is not None]
-                found[:, part] = torch.stack(each).amin(0)
+    def surface_of(self, index: int) -> Mesh:
+        """A piece's exact surface, made once."""
+        if index not in self._surfaces:
+            self._surfaces[index] = exact_surface(self, self.pieces[index])
+        return self._surfaces[index]
+
+    def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances from their exact surfaces, of points that are near these; what is
+        farther off than ``NEAR`` may come out as ``EXTENT``."""
+        found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
+        for index, piece in enumerate(self.pieces):
+            verts, faces = self.surface_of(index)
+            low, high = verts.amin(0) - NEAR, verts.amax(0) + NEAR
+            here = ((points > low.to(points)) & (points < high.to(points))).all(1)
+            if not here.any():
+                continue
+            of = piece.primitive.distance if piece.primitive else SolidMesh(verts, faces).sdf
+            column = found[:, piece.place.part]
+            column[here] = torch.minimum(column[here], of(points[here]))
         return found
 
 
@@ -161,7 +169,7 @@ def assembled(
     progress(0.0)
     for index, piece in enumerate(parts.pieces):
         progress((index + 1) / (len(parts.pieces) + 1))
-        meshes.append(exact_surface(parts, piece) if exact else (piece.verts, piece.faces))
+        meshes.append(parts.surface_of(index) if exact else (piece.verts, piece.faces))
     if not meshes:
         return None
     return drop_floaters(*union(meshes, STRUT), floaters)

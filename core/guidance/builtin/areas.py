@@ -27,6 +27,16 @@ Field = Callable[
 ]  # signed distance and how deep in each area, at points
 
 
+def depths(distances: Callable[[Tensor], Tensor], parts: int) -> Field:
+    """The field of the first ``parts`` parts, from all parts' distances."""
+
+    def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
+        found = distances(points)
+        return found.amin(1), -found[:, :parts]
+
+    return at
+
+
 def patterned(field: Field, margins: "list[Margin | None]") -> Field:
     """The field of the areas, from that of the parts: one for each part, two where the part has a
     pattern, the first colour's and the second's."""
@@ -45,9 +55,16 @@ def patterned(field: Field, margins: "list[Margin | None]") -> Field:
 class SolidAreas:
     """Where the areas of one solid are, on a lattice of their depths."""
 
-    def __init__(self, field: Field, plain: tuple[bool, ...], cells: int = CELLS) -> None:
-        """``plain``: which areas are of one colour, as far as the words and nature say."""
-        self.plain, self.field = plain, field
+    def __init__(
+        self,
+        field: Field,
+        plain: tuple[bool, ...],
+        near: Field | None = None,
+        cells: int = CELLS,
+    ) -> None:
+        """``plain``: which areas are of one colour, as far as the words and nature say. ``near``:
+        what tells the areas apart near the borders; None: ``field``."""
+        self.plain, self.near = plain, near or field
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -65,7 +82,7 @@ class SolidAreas:
             return area, points
         first, second = start[:, 1:].topk(2, 1).values.T
         near = first - second < UNCLEAR * self.spacing
-        area[near] = self.field(points[near])[1].argmax(1)
+        area[near] = self.near(points[near])[1].argmax(1)
         moved = points
         for step in range(STEPS):
             margin, slope, normal = self._margin(moved, area)

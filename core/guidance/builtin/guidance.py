@@ -16,7 +16,7 @@ from torch import Tensor
 
 from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
-from core.guidance.builtin.areas import Field, SolidAreas, patterned
+from core.guidance.builtin.areas import SolidAreas, depths, patterned
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
@@ -171,18 +171,10 @@ class PromptedBuiltin(PromptedGuidance):
         plain = [
             x for x, m in zip(own, margins, strict=True) for x in ((True, True) if m else (x,))
         ]
-        return SolidAreas(patterned(self._depths(len(parts)), margins), tuple(plain))
-
-    def _depths(self, parts: int) -> Field:
-        """The signed distance of points, and how deep they are in each of the first parts."""
-        known = self._known
-        assert known is not None  # of a drawn solid
-
-        def at(points: Tensor) -> tuple[Tensor, Tensor]:
-            distances = known.exact(points)
-            return distances.amin(1), -distances[:, :parts]
-
-        return at
+        assert self._known is not None  # of a drawn solid
+        fields = (self._known.distances, self._known.near)
+        drawn, near = (patterned(depths(of, len(parts)), margins) for of in fields)
+        return SolidAreas(drawn, tuple(plain), near)
 
     def parts(self) -> KnownParts | None:
         """The drawn solid's; what its adjective makes oval is not round."""
