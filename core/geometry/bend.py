@@ -21,13 +21,15 @@ from core.geometry.residual import lattice_nodes, read_lattice
 from core.geometry.tet_grid import EXTENT
 
 CONTROLS = 8  # control points along an axis, of which one lies beyond each end
-NODES, READ = 24, 48  # cubes of the lattices on which the solids are compared, and d is read
+# Cubes of the lattices on which the solids are compared, and d is read. No node of the one is the
+# other's, where the slope to one side would be taken for both.
+NODES, READ = 24, 49
 NEAR = 0.25  # training units: what is farther from both surfaces tells nothing
 BLUR = (0.12, 0.04)  # τ, training units, at the first and at the last step
 STEPS, RATE = 80, 0.012
 CHUNK = 1 << 14  # points at a time
 # At strength 1/2, of a soft thing; and what is flat is stiffer, or its planes would warp.
-STIFFNESS, FLAT_STIFFNESS = 0.003, 0.024
+STIFFNESS, FLAT_STIFFNESS = 0.005, 0.024
 
 Distance = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
 
