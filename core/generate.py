@@ -24,7 +24,7 @@ from core.geometry.mesh import Mesh, normalise, turned
 from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
-from core.guidance.load import make_guidance
+from core.guidance.load import make_guidance, shaped
 from core.io.asset import Asset, check_asset_folder, place, read_asset, write_asset
 from core.io.job import Job
 from core.io.mesh_file import load_mesh
@@ -42,7 +42,14 @@ from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.reshape import Part, free_verts, reshaped
 from core.stages.start_color import fit_start_color, start_picture
-from core.stages.start_shape import fit_guide, fit_start_shape, leash, sdf_net, solid_guide
+from core.stages.start_shape import (
+    fit_guide,
+    fit_start_shape,
+    leash_of,
+    least_of,
+    sdf_net,
+    solid_guide,
+)
 from core.stages.state import Training
 from core.stages.texturing import (
     bake_maps,
@@ -115,13 +122,14 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
     """
     inputs = of_seed(inputs, run.job)
-    job, config, device, guidance = run.job, inputs.config, inputs.device, inputs.guidance
+    job, config, device = run.job, inputs.config, inputs.device
     progress.check_cancelled()
     check_asset_folder(run.asset)
     for text in inputs.warnings:
         progress.warn(text)
     ranks = inputs.ranks
-    inputs = facing(run, inputs, progress)
+    inputs = in_proportion(facing(run, inputs, progress), job)
+    guidance = inputs.guidance
     if job.reshape and ranks.first:
         inputs = replace(inputs, shape=reshaped_mesh(run, inputs, progress))
     if job.reshape and not job.retexture:
@@ -144,7 +152,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         # UNWRAP: once, in the training's cube, within the face budget
         if ranks.first:
             assert shape is not None  # a job of "texture" has a mesh
-            shape = replace(shape, verts=normalise(shape.verts)[0])
+            if guidance.parts() is None:  # or it is there already, and its parts with it
+                shape = replace(shape, verts=normalise(shape.verts)[0])
             own = inputs.shape is not None and (job.command == "texture" or job.guide_strength == 1)
             kept = {"keep_uv": job.uv == "keep", "keep_faces": own}
             unwrapped = unwrap_shape(shape, config.texture, progress, **kept)
@@ -224,10 +233,18 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
 
     Not in ``prepare``, whose result serves jobs that differ in their seeds alone.
     """
-    drawn = job.command == "generate" and inputs.shape is None
-    if not drawn or inputs.config.geometry.start != "learned":
+    if job.command != "generate" or inputs.config.geometry.start != "learned":
         return inputs
     return replace(inputs, guidance=inputs.guidance.of_object(job.seed))
+
+
+def in_proportion(inputs: Inputs, job: Job) -> Inputs:
+    """``inputs`` with what the guidance has drawn in the guide's proportions."""
+    guide = inputs.shape
+    if guide is None or job.command != "generate":
+        return inputs
+    least = least_of(inputs.config.geometry)
+    return replace(inputs, guidance=shaped(inputs.guidance, guide, job.guide_strength, least))
 
 
 def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
@@ -285,7 +302,7 @@ def learned_shape(
     run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False
 ) -> Mesh | None:
     """The mesh of Ψ, trained from an ellipsoid or from the guide mesh (§4.2); or the guide; or what
-    the guidance has drawn, where nothing of it is left to learn.
+    the guidance has drawn, in the guide's proportions, where nothing of it is left to learn.
 
     ``early``: as :func:`core.stages.geometry.learn_geometry` has it. None in a process that is not
     the first of several.
@@ -294,22 +311,23 @@ def learned_shape(
     if guide and strength == 1:
         return kept_guide(guide, run, progress)
     config, parts = inputs.config.geometry, inputs.guidance.parts()
+    shape = solid_guide(guide, config) if guide else None
+    leash = leash_of(guide, shape, config, strength) if guide and shape else None
     if parts and not learns(config):
         first = inputs.ranks.first
-        return assembled_shape(parts, config, run, progress) if first else None
+        return assembled_shape(parts, config, run, progress, leash) if first else None
     generator = torch.Generator().manual_seed(run.job.seed)
     net = sdf_net(config, generator).to(inputs.device)
     look = within(inputs.config.appearance, inputs.guidance.ranges())
     lit = lit_shape(net, config, look, inputs.light.to(inputs.device), generator)
     training = Training("geometry", net, generator, run)
-    new = not run.has(training.name)
-    if guide:
-        shape = solid_guide(guide, config)
-        if new:
-            fit_guide(training, shape, strength, progress)
-        leash(net, config, guide, shape, strength)
-    elif new:
-        fit_start_shape(training, config, progress, inputs.guidance.start_shape())
+    drawn = inputs.guidance.start_shape()
+    if not run.has(training.name):
+        if shape:
+            fit_guide(training, drawn or shape, strength, progress)
+        else:
+            fit_start_shape(training, config, progress, drawn)
+    net.leash = leash and leash.to(inputs.device)
     setup = Setup(training, inputs.guidance, config, inputs.ranks)
     learned = learn_geometry(setup, progress, lit, early=early)
     return learned and Mesh(*(x.cpu() for x in learned))

@@ -58,7 +58,8 @@ def started(config: Config, job: Job) -> Config:
     """
     g, asked = config.geometry, with_settings(config, job.settings).geometry
     # An ablation learns the shape in another way, which is what it is there to show.
-    able = job.guidance == BUILTIN and not job.guide_mesh and asked.pictures == "normals"
+    kept = bool(job.guide_mesh) and job.guide_strength == 1  # nothing of it is drawn
+    able = job.guidance == BUILTIN and not kept and asked.pictures == "normals"
     if asked.start != "learned" or not able:
         return replace(config, geometry=replace(g, start="ellipsoid"))
     less = replace(

@@ -7,8 +7,10 @@ the guide's distance g and a leash of length r
 
 so |s - g| < r: what is farther off than r stays empty. Inwards r is shorter: what is deeper in the
 guide than that stays solid, so that words add to a guide more than they take from it, and its limbs
-do not come off.
+do not come off. A drawn solid, which has limbs of its own, is cut off at r to either side.
 """
+
+from collections.abc import Callable
 
 import torch
 from jaxtyping import Float
@@ -57,6 +59,19 @@ class Leash(nn.Module):
         missing = sdf - guide  # positive where Ψ lacks what the guide has
         reach = torch.where(missing > 0, self.reach * INWARD, self.reach)
         return guide + missing / (1 + missing.abs() / reach), offset * min(1, 2 * self.reach / cell)
+
+    def parts(
+        self, distances: Callable[[Tensor], Tensor], count: int
+    ) -> Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n _"]]:
+        """Signed distances of a solid's ``count`` parts, cut off where the leash ends, and of one
+        more: what is deeper in the guide than the leash is long."""
+
+        def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n _"]:
+            guide = read_lattice(self.distance, points, self.extent)
+            held = distances(points)[:, :count].maximum(guide - self.reach)
+            return torch.cat([held, guide + self.reach], 1)
+
+        return at
 
     def hold(self, verts: Float[Tensor, "v 3"]) -> Float[Tensor, "v 3"]:
         """Vertices, none farther from the guide's own triangles than the leash is long.

@@ -123,8 +123,8 @@ FIGURES = (
         "Figs. 1, 2 and 7: assets from words alone, their normals and their renders.",
         "The bust is the paper's own subject, the crown and the ice cream are two of its three in "
         "the Cornell box; of the words only the noun, its colour and its material are known here. "
-        "The default preset starts from a solid that the prior draws and sharpens it; the paper's "
-        "start, an ellipsoid, is that of the ablations and of the last figure.",
+        "The default preset puts a solid that the prior draws together from its parts; the "
+        "paper's start, an ellipsoid, is that of the ablations and of the last figure.",
         tuple(Row(name, name, SHOWN, WORD) for name in ("bust", "crown", "chair", "ice-cream")),
     ),
     Figure(
@@ -132,8 +132,10 @@ FIGURES = (
         "User-guided generation",
         "Figs. 2 and 10: a user's coarse mesh in place of the ellipsoid, and words for the rest.",
         "The paper's meshes come from other projects and are not in this one; these are blocked "
-        "out in code (`core/reproduce/guides.py`). The distance to the guide is the mean of the "
-        "way to the other surface, both ways, in hundredths of the guide's longest side.",
+        "out in code (`core/reproduce/guides.py`). The default preset brings a solid that the "
+        "prior draws to the guide's proportions ([guides](guides.md)). The distance to the guide "
+        "is the mean of the way to the other surface, both ways, in hundredths of the guide's "
+        "longest side.",
         tuple(
             Row(name, f"guided-{name}", GUIDED, ("guide_distance", *WORD))
             for name in ("bus", "teddy", "chair", "house")

@@ -10,9 +10,10 @@ from torch import Tensor
 
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
-from core.geometry.assembly import KnownParts, assembled
+from core.geometry.assembly import ERROR, Forms, KnownParts, assembled
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import crisp
+from core.geometry.leash import Leash
 from core.geometry.mesh import Mesh, drop_floaters, polished
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.revolved import revolved
@@ -84,25 +85,44 @@ def learn_geometry(
 
 
 def assembled_shape(
-    parts: KnownParts, config: GeometryConfig, run: RunFolder, progress: Progress
+    parts: KnownParts,
+    config: GeometryConfig,
+    run: RunFolder,
+    progress: Progress,
+    leash: Leash | None = None,
 ) -> Mesh:
     """The drawn solid's mesh, part by part: where nothing is to be learnt, the solid is the shape.
+
+    ``leash``: of a guide.
 
     Raises:
         NoSurfaceError: it has no surface.
     """
+    exact = config.forms
+    if leash is not None:
+        parts = leashed(parts, leash)
+        exact = exact and leash.reach > max(ERROR)  # or what is made exact strains at it
     with progress.timed("geometry"):
         made = assembled(
             parts,
-            config.forms,
+            exact,
             config.floaters,
             lambda done: progress.advance("geometry", round(100 * done), 100),
         )
         if made is None:
             raise NoSurfaceError("What was drawn has no surface.", "Use another seed.")
-        show_shape(run, *made)
+        verts, faces = made
+        verts = verts if leash is None else leash.hold(verts)
+        show_shape(run, verts, faces)
         progress.complete("geometry")
-    return Mesh(*made)
+    return Mesh(verts, faces)
+
+
+def leashed(parts: KnownParts, leash: Leash) -> KnownParts:
+    """``parts`` within the leash, and the guide's inside, which is neither flat nor round."""
+    flat, around = parts.forms
+    distances = leash.parts(parts.distances, len(flat))
+    return KnownParts(distances, Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around)))
 
 
 def learns(config: GeometryConfig) -> bool:

@@ -5,6 +5,7 @@ import torch
 from core.config import GeometryConfig
 from core.geometry.guide import fill, guide_leash, guide_shape
 from core.geometry.init_shape import MOST_STEPS, Shape, ellipsoid, fit, fit_until_still
+from core.geometry.leash import Leash
 from core.geometry.mesh import Mesh
 from core.geometry.residual import Residual
 from core.geometry.sdf_net import SdfNet
@@ -62,13 +63,21 @@ def fit_guide(
         progress.complete("fit")
 
 
-def leash(net: SdfNet, config: GeometryConfig, guide: Mesh, shape: Shape, strength: float) -> None:
-    """Keep Ψ's surface within the reach of ``guide`` that ``strength`` allows; 0: anywhere."""
-    if strength > 0:
-        made = guide_leash(guide, shape, strength, config.resolution[1], EXTENT)
-        net.leash = made.to(next(net.parameters()).device)
+def leash_of(guide: Mesh, shape: Shape, config: GeometryConfig, strength: float) -> Leash | None:
+    """What keeps a surface as near to ``guide`` as ``strength`` asks; 0: nothing does.
+
+    ``shape``: its :func:`solid_guide`.
+    """
+    if strength == 0:
+        return None
+    return guide_leash(guide, shape, strength, config.resolution[1], EXTENT)
 
 
 def solid_guide(guide: Mesh, config: GeometryConfig) -> Shape:
     """``guide`` as a solid that the fine lattice can hold."""
-    return guide_shape(guide, THIN_CELLS * 2 * EXTENT / config.resolution[1])
+    return guide_shape(guide, least_of(config))
+
+
+def least_of(config: GeometryConfig) -> float:
+    """Half the thickness, training units, that thin parts of a guide get on the fine lattice."""
+    return THIN_CELLS * 2 * EXTENT / config.resolution[1]

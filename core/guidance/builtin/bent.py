@@ -1,0 +1,65 @@
+"""The drawn solid in a guide's proportions: its box's, and as far as it bends, its parts'."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.bend import bend_to, stiffness_of
+from core.geometry.guide import guide_shape
+from core.geometry.mesh import Mesh, normalise
+from core.geometry.signed_distance import SolidMesh
+from core.guidance.builtin.guidance import PromptedBuiltin
+from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.stretch import Frame
+
+MOST_RADIUS = 1.0  # training units: a camera sees 1.026
+
+Points = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]]
+
+
+@dataclass(frozen=True)
+class BentSolid(Solid):
+    """A solid whose points are looked up where they were before it was bent."""
+
+    bend: Points = torch.Tensor.clone
+
+    def distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
+        """Each part's signed distance; less exact where it is bent."""
+        return super().distances(self.bend(points))
+
+
+def bent(guidance: PromptedBuiltin, guide: Mesh, strength: float, least: float) -> PromptedBuiltin:
+    """The guidance of its drawn object in the proportions of ``guide``, the more the stronger.
+
+    ``least``: half of the thickness that the guide's thin parts get, training units.
+    """
+    solid, parts = guidance.solid, guidance.parts()
+    if solid is None or parts is None:
+        return guidance
+    fitted = in_box(solid, normalise(guide.verts)[0], least)
+    verts, faces = fitted.mesh
+    flat = float(torch.tensor(parts.forms.flat)[fitted.part(verts)].mean())
+    stiffness = stiffness_of(strength, flat)
+    # By its mesh: the solid's own distances are too short where the box is uneven.
+    bend = bend_to(SolidMesh(verts, faces).sdf, guide_shape(guide, least).sdf, stiffness)
+    made = BentSolid(solid.net, solid.triplane, fitted.frame, solid.swell, bend)
+    return PromptedBuiltin(guidance.builtin, guidance.words, guidance.negative, made)
+
+
+def in_box(solid: Solid, guide: Float[Tensor, "v 3"], least: float) -> Solid:
+    """``solid`` scaled along each axis to the box around ``guide``, which is about the origin.
+
+    It is less where its corners would be out of the pictures: a crate's, in the box of a ball.
+    """
+    verts, frame = solid.mesh[0], solid.frame
+    low, high = verts.amin(0), verts.amax(0)
+    # A guide may be flat.
+    factors = (guide.amax(0) - guide.amin(0)).clamp_min(2 * least) / (high - low)
+    radius = float(((verts - (low + high) / 2) * factors).norm(dim=1).max())
+    old = low.new_tensor(frame.scale)
+    a, b, c = (low.new_tensor(frame.center) + (low + high) / 2 / old).tolist()
+    x, y, z = (old * factors * min(1, MOST_RADIUS / radius)).tolist()
+    return replace(solid, frame=Frame((a, b, c), (x, y, z)))
