@@ -16,6 +16,7 @@ from scipy.sparse.csgraph import connected_components
 
 from core.geometry.faces import areas_and_normals, neighbours, unit
 from core.kernels.charts import grow
+from core.texture.borders import shortest
 
 SMOOTHING = 12  # rounds, each over the faces next to a face
 ALIKE = 0.6  # length between two normals, 35 degrees: of an edge, not of a ripple
@@ -38,7 +39,10 @@ def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> In
     chart = grown(adjacent, verts[faces].mean(1), normal, area)
     # Straightening may part a chart: each piece becomes one of its own.
     chart = components(straightened(chart, adjacent, normal), adjacent)
-    return merged(chart, adjacent, normal, area)
+    chart = merged(chart, adjacent, normal, area)
+    axis = unit(sums(chart, normal, area))
+    chart = shortest(chart, adjacent, verts[faces], normal, axis, WIDEST)
+    return components(chart, adjacent)
 
 
 def smooth(
