@@ -294,6 +294,13 @@ def test_a_folder_that_is_not_there(tmp_path):
         import_asset(bpy.context, tmp_path / "nowhere")
 
 
+def test_a_run_that_has_not_finished(tmp_path):
+    (tmp_path / "job.json").write_text("{}")
+    with pytest.raises(AssetError, match="has not finished: it has no asset yet") as caught:
+        import_asset(bpy.context, tmp_path)
+    assert caught.value.fix.startswith("Resume it")
+
+
 @pytest.mark.parametrize(
     ("side", "azimuth", "elevation"),
     [("front", 0, 0), ("right", 90, 0), ("back", 180, 0), ("left", 270, 0), ("top", 0, 89)],

@@ -181,7 +181,7 @@ class TextureConfig:
     # The mesh is simplified to this before the unwrap.
     max_faces: Annotated[int, Range(100, 100_000_000)] = 20000
     # Up to this max_faces the triangles are made even in size and shape; 0: never.
-    even_faces: Annotated[int, Range(0, 100_000_000)] = 20000
+    even_faces: Annotated[int, Range(0, 100_000_000)] = 100_000
     samples: Annotated[int, Range(1, 64)] = 4  # of one texel
     # Width of the border inside an edited region, of the longest side.
     feather: Annotated[float, Range(0, 1)] = 0.02

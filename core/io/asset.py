@@ -294,6 +294,11 @@ def _mass(volume: object, density: object) -> float | None:
 def _read_info(folder: Path) -> dict[str, Any]:
     path = folder / "asset.json"
     if not path.exists():
+        if (folder / "job.json").is_file():
+            raise UserError(
+                f"The run {folder} has not finished: it has no asset yet.",
+                f"Finish it: run.py resume {folder}",
+            )
         raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
     info = read_object(path, REMAKE)
     version = info.get("version")

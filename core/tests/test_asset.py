@@ -298,6 +298,10 @@ def test_a_strange_asset_json_is_one_sentence(folder: Path, text: "str | bytes")
 def test_no_asset_is_told(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="is no asset"):
         read_asset(tmp_path)
+    (tmp_path / "job.json").write_text("{}")
+    with pytest.raises(UserError, match="has not finished") as error:
+        read_asset(tmp_path)
+    assert "run.py resume" in error.value.fix
 
 
 def test_inspect(folder: Path, parts) -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import torch
+import trimesh
 
 from core.geometry.faces import areas_and_normals, neighbours
 from core.tests.meshes import sphere, torus
@@ -48,6 +49,21 @@ def test_a_chart_hangs_together_and_looks_one_way() -> None:
         cosine = normal[mine] @ axis / np.linalg.norm(axis)
         assert cosine.min() > np.cos(np.deg2rad(80))
         assert np.mean(cosine > module.WIDEST) > 0.97  # grown by smoothed normals
+
+
+def test_borders_are_on_the_edges() -> None:
+    """Of a box that is a little rough: its charts end at its edges, not a face or two beyond."""
+    solid = trimesh.creation.box((1.0, 0.7, 0.3))
+    for _ in range(4):
+        solid = solid.subdivide()
+    rough = np.random.default_rng(0).normal(0, 0.002, solid.vertices.shape)
+    verts, faces = solid.vertices + rough, np.asarray(solid.faces)
+    face, side = np.nonzero(neighbours(faces) >= 0)
+    other = neighbours(faces)[face, side]
+    chart, normal = charts(verts, faces), areas_and_normals(verts, faces)[1]
+    border = chart[face] != chart[other]
+    bent = (normal[face] * normal[other]).sum(1) < 0.5
+    assert np.mean(bent[border]) > 0.8  # the largest face is two charts
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.004])

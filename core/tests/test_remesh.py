@@ -9,6 +9,8 @@ import trimesh
 
 from core.config import TextureConfig
 from core.geometry.mesh import Mesh, health
+from core.geometry.union import box as union_box
+from core.geometry.union import union
 from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
@@ -53,8 +55,8 @@ def test_topology_stays_and_faces_are_even(chair, budget: int) -> None:  # noqa:
     # Edges as long as a leg is thick cut its corners.
     lost = 0.02 if budget > 3000 else 0.05
     assert after["volume"] == pytest.approx(before["volume"], rel=lost)
-    # Of 300 faces most have a corner on a sharp edge.
-    gained = 0.1 if budget > 1000 else 0.0
+    # Of 300 faces most have a corner on a sharp edge: no more than nearly as good as simplified.
+    gained = 0.1 if budget > 1000 else -0.05
     assert quality(verts, faces).mean() > quality(*coarse).mean() + gained
     assert np.percentile(quality(verts, faces), 5) > np.percentile(quality(*coarse), 5)
 
@@ -184,3 +186,19 @@ def test_the_budget_decides_and_a_users_mesh_is_kept(
     own = unwrap_shape(shape, replace(config, max_faces=20_000), progress, keep_faces=True)
     assert torch.equal(own.mesh.faces, shape.faces)
     assert own.fine is None
+
+
+def test_steps_of_a_thousandth_leave_no_slivers() -> None:
+    """Boxes that nearly meet in planes: a strip between two sharp lines is not kept."""
+    legs = ((-0.4748, -0.451), (0.355, -0.4511), (-0.4732, 0.334), (0.3532, 0.333))
+    boxes = [((x, y, -0.6), (x + 0.12, y + 0.12, 0.02)) for x, y in legs]
+    boxes += [((-0.4742, -0.452, -0.1318), (0.4747, 0.4527, 0.0))]
+    boxes += [((-0.4735, 0.36, -0.128), (0.4741, 0.4541, 0.66))]
+    solids = [union_box(np.array(low), np.array(high), 0.03) for low, high in boxes]
+    shape = Mesh(*union(solids, 0.03))
+    verts, faces = even(shape, 2000)
+    assert np.percentile(quality(verts, faces), 5) > 0.2
+    before, after = health(shape.verts, shape.faces), health(verts, faces)
+    for key in ("closed", "manifold", "oriented", "genus", "components"):
+        assert after[key] == before[key], key
+    assert after["volume"] == pytest.approx(before["volume"], rel=0.01)

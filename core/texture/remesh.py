@@ -25,10 +25,13 @@ from core.geometry.mesh import Mesh, health, mean_around
 from core.geometry.tangents import smooth_normals
 from core.kernels import remesh as loops
 from core.kernels.quadrics import add_planes
+from core.kernels.thin import take_out_thin
 from core.texture.charts import charts
 from core.texture.simplify import simplify
 from core.texture.unwrap import at_unit_size
 
+FINER = 4  # times the faces asked for, at which thin faces go first
+THIN, THIN_ROUNDS = 0.12, 8  # edge lengths: a face of less height is finer than the mesh can be
 ROUNDS = 5
 LAST_ROUNDS = 3  # in which no edge comes or goes
 # Cosines between two faces: a line of edges that bend by 40 degrees, by 50 somewhere, stays a line.
@@ -52,18 +55,44 @@ def even(
     Where three faces share an edge, or neighbours look to opposite sides, it is only simplified.
     ``check`` is called now and then; what it raises stops the work.
     """
-    verts, faces = simplify(shape.verts, shape.faces, max_faces, check)
-    report = health(verts, faces)
-    if not (report["manifold"] and report["oriented"]) or report["degenerate_faces"]:
-        return verts, faces
-    surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
     count = min(max_faces, len(shape.faces))
-    coarse = _doubles(verts), faces.cpu().numpy().astype(np.int64)
+    fine = simplify(shape.verts, shape.faces, FINER * count, check)
+    report = health(*fine)
+    if not (report["manifold"] and report["oriented"]):
+        return simplify(*fine, count, check)
+    area = areas_and_normals(_doubles(fine[0]), fine[1].cpu().numpy())[0].sum()
+    thin = THIN * length_of(area, count)
+    verts, faces = without_thin(*simplify(*without_thin(*fine, thin), count, check), thin)
+    if health(verts, faces)["degenerate_faces"]:
+        return simplify(*fine, count, check)
+    surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
     check()
-    new_verts, new_faces = remesh(*coarse, surface, count)
+    new_verts, new_faces = remesh(_doubles(verts), faces.cpu().numpy(), surface, count)
     check()
     out = torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
     return simplify(*out, count)
+
+
+def length_of(area: float, count: float) -> float:
+    """The edges of ``count`` equilateral triangles over a surface of ``area``."""
+    return float(np.sqrt(4 / np.sqrt(3) * area / count))
+
+
+def without_thin(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], thin: float
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """A manifold without its faces of less height than ``thin``, as far as its topology lets it."""
+    points, f = _doubles(verts), faces.cpu().numpy().astype(np.int64)
+    corners, across = f.reshape(-1).copy(), across_of(f)
+    kept, at = np.zeros(f.size, np.bool_), np.full(len(points), -1)
+    at[corners] = np.arange(f.size)
+    for _ in range(THIN_ROUNDS):
+        if not take_out_thin((corners, across, kept), points, at, len(f), thin):
+            break
+    rest = corners.reshape(-1, 3)
+    used, compact = np.unique(rest[rest[:, 0] >= 0], return_inverse=True)
+    out = torch.from_numpy(points[used]), torch.from_numpy(compact.reshape(-1, 3))
+    return out[0].to(verts), out[1].to(faces)
 
 
 def even_in_charts(
@@ -89,8 +118,7 @@ def with_smooth_borders(
     Each face keeps its chart. Sharp edges stay where they are, and where three charts meet.
     """
     points, f = _doubles(verts), faces.cpu().numpy().astype(np.int64)
-    area = float(areas_and_normals(points, f)[0].sum())
-    length = float(np.sqrt(4 / np.sqrt(3) * area / len(f)))
+    length = length_of(areas_and_normals(points, f)[0].sum(), len(f))
     mesh = table_of(points, f, len(f), length)
     surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
     corners = slice(0, f.size)
@@ -193,8 +221,7 @@ def remesh(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], surface: Surface, count: int
 ) -> tuple[Float[np.ndarray, "w 3"], Int[np.ndarray, "g 3"]]:
     """About ``count`` even faces over ``surface``, from a manifold mesh of it."""
-    area = float(areas_and_normals(verts, faces)[0].sum())
-    length = np.sqrt(4 / np.sqrt(3) * area / (MARGIN * count))  # of equilateral triangles
+    length = length_of(areas_and_normals(verts, faces)[0].sum(), MARGIN * count)
     mesh = table_of(verts, faces, count, length)
     state, lines = (mesh.links, mesh.verts, mesh.quadrics), ends_of(mesh)
     for _ in range(ROUNDS):

@@ -137,6 +137,11 @@ def read_info(folder: Path) -> dict[str, Any]:
             raise AssetError(f"{path} is larger than {MAX_BYTES >> 20} MB.", REMAKE)
         info = parse_json(path.read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
+        if os.path.isfile(folder / "job.json"):  # noqa: PTH113
+            raise AssetError(
+                f"The run {folder} has not finished: it has no asset yet.",
+                "Resume it, under Jobs or by run.py resume.",
+            ) from None
         raise AssetError(
             f"{folder} is no asset: it has no asset.json.",
             "Choose the folder named asset in a run folder.",

@@ -26,7 +26,7 @@ TOOLS: tuple[tuple[str, tuple[Entry, ...]], ...] = (  # by section
             ("reset_material", "X"),
         ),
     ),
-    ("Light", (("relight", "LIGHT_SUN"), ("turntable", "RENDER_ANIMATION"))),
+    ("Scene Lighting", (("relight", "LIGHT_SUN"), ("turntable", "RENDER_ANIMATION"))),
     (
         "Placement",
         (

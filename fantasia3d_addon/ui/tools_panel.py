@@ -28,7 +28,7 @@ class FANTASIA3D_PT_light(ToolPanel, bpy.types.Panel):
     """Relighting and the turntable."""
 
     bl_idname = "FANTASIA3D_PT_light"
-    bl_label = "Light"
+    bl_label = "Scene Lighting"
     bl_order = 20
 
     def draw(self, context: bpy.types.Context) -> None:
