@@ -13,14 +13,15 @@ from pathlib import Path
 import pytest
 from jaxtyping import install_import_hook
 
+from core.tests import checked
+
 # With a process for each core (pytest-xdist) more threads would only wait for each other. Before
 # torch and numba are imported.
 if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
-# An int may stand for a float, as PEP 484 has it.
-CHECKER = "beartype.beartype(conf=beartype.BeartypeConf(is_pep484_tower=True))"
+CHECKER = f"{checked.__name__}.once"  # by name, of a module that is loaded
 UNCHECKED = {
     "core/kernels",  # numba compiles what it is given, and checks types itself
     "core/tests",  # pytest rewrites their asserts instead
