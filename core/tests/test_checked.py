@@ -46,3 +46,13 @@ def test_the_cores_functions_are_checked_and_those_within_them():
             solid([0.0, 0.0, 0.0])
     with pytest.raises(TypeCheckError):
         box((0, 0), (1, 1, 1))
+
+
+def test_a_result_is_held_to_the_arguments_sizes():
+    @jaxtyped(typechecker=checked.once)
+    def rest(points: Float[Tensor, "n 3"], first: int) -> Float[Tensor, "n 3"]:
+        return points[first:]
+
+    assert len(rest(torch.ones(5, 3), 0)) == 5
+    with pytest.raises(TypeCheckError, match="the return value"):
+        rest(torch.ones(5, 3), 1)
