@@ -4,10 +4,12 @@ In production the checks are off and cost nothing. And whatever ran before, in t
 another, each test starts from the same random numbers: any order gives the same results.
 """
 
+import gc
 import os
 import random
 import signal
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -63,6 +65,16 @@ LONGEST = (
     "test_asset_matches_cycles.py", "test_full_disk.py", "test_shading_matches_cycles.py",
     "test_lora.py", "test_detail.py", "test_interrupt.py", "test_packing.py", "test_recipes.py",
 )  # fmt: skip
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[object]:
+    """What is imported and collected stays: it is not searched for garbage again and again."""
+    gc.disable()
+    result = yield
+    gc.freeze()
+    gc.enable()
+    return result
 
 
 @pytest.hookimpl(trylast=True)
