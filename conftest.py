@@ -4,14 +4,18 @@ In production the checks are off and cost nothing. And whatever ran before, in t
 another, each test starts from the same random numbers: any order gives the same results.
 """
 
+import gc
 import os
 import random
 import signal
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from jaxtyping import install_import_hook
+
+from core.tests import checked
 
 # With a process for each core (pytest-xdist) more threads would only wait for each other. Before
 # torch and numba are imported.
@@ -19,8 +23,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
-# An int may stand for a float, as PEP 484 has it.
-CHECKER = "beartype.beartype(conf=beartype.BeartypeConf(is_pep484_tower=True))"
+CHECKER = f"{checked.__name__}.once"  # by name, of a module that is loaded
 UNCHECKED = {
     "core/kernels",  # numba compiles what it is given, and checks types itself
     "core/tests",  # pytest rewrites their asserts instead
@@ -57,11 +60,23 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The files that take longest, by their CPU seconds: the processes end together if they come first.
 LONGEST = (
-    "test_prior_families.py", "test_generate.py", "test_prior_guidance.py", "test_bad_inputs.py",
-    "test_stages.py", "test_exports.py", "test_faults.py", "test_fit.py",
-    "test_asset_matches_cycles.py", "test_full_disk.py", "test_shading_matches_cycles.py",
-    "test_lora.py", "test_detail.py", "test_interrupt.py", "test_packing.py", "test_recipes.py",
+    "test_prior_solid.py", "test_faults.py", "test_prior_families.py", "test_generate.py",
+    "test_reproduce.py", "test_guide.py", "test_fit.py", "test_stable_diffusion.py",
+    "test_shading_matches_cycles.py", "test_asset_matches_cycles.py", "test_prior_guidance.py",
+    "test_stages.py", "test_detail.py", "test_unwrap.py", "test_full_disk.py", "test_region.py",
+    "test_interrupt.py", "test_gpu_ready.py", "test_bad_inputs.py", "test_remesh.py",
+    "test_edit_region.py", "test_explore.py", "test_lora.py", "test_facing.py", "test_room.py",
 )  # fmt: skip
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[object]:
+    """What is imported and collected stays: it is not searched for garbage again and again."""
+    gc.disable()
+    result = yield
+    gc.freeze()
+    gc.enable()
+    return result
 
 
 @pytest.hookimpl(trylast=True)

@@ -28,7 +28,7 @@ def default_sigint() -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
-@pytest.mark.parametrize(("target", "seconds"), [("--render=a.png", 3), ("--turntable=a.mp4", 8)])
+@pytest.mark.parametrize(("target", "seconds"), [("--render=a.png", 1), ("--turntable=a.mp4", 8)])
 def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target, seconds):
     folder = tmp_path / "pictures"
     folder.mkdir()

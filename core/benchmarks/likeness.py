@@ -107,14 +107,13 @@ def likeness(mesh: Surface, noun: str) -> dict[str, float]:
     family = objects(noun)
     turned = [_facing(mesh, other) for other in family]
     lost = [_missing(points, other.points) for points, other in zip(turned, family, strict=True)]
-    others = [min(_missing(_facing(b, a), a.points) for b in family if b is not a) for a in family]
     crease = float(np.mean([other.crease for other in family]))
     flat = float(np.mean([other.flat for other in family]))
     return {
         "crease": round(mesh.crease / crease, 3),
         "flat": round(mesh.flat / flat, 3) if flat > 0.05 else 1.0,
         "missing": round(min(lost), 3),
-        "usual_missing": round(float(np.mean(others)), 3),
+        "usual_missing": round(_usual_missing(noun), 3),
         "pieces": round(_like_slices(mesh, family), 3),
     }
 
@@ -125,6 +124,14 @@ def objects(noun: str) -> tuple[Surface, ...]:
     draw = Draw(torch.Generator().manual_seed(SEED))
     shapes = [build(noun, "", draw, jitter=0.0) for _ in range(REFERENCES)]
     return tuple(Surface.of_solid(shape) for shape in shapes)
+
+
+@cache
+def _usual_missing(noun: str) -> float:
+    """What the noun's objects lack of one another, the least for each, in the mean."""
+    family = objects(noun)
+    lost = [min(_missing(_facing(b, a), a.points) for b in family if b is not a) for a in family]
+    return float(np.mean(lost))
 
 
 def _facing(mesh: Surface, other: Surface) -> Points:

@@ -40,12 +40,12 @@ def kills(faults: Faults, task: Task) -> Iterator[dict]:
 
 
 def chosen(operations: list[str], task: Task) -> list[int]:
-    """The numbers of all operations, or of so many: each kind and file once, then the others."""
+    """The numbers of all operations, or of so many: each kind and file once, then the others; in a
+    random order, so that few are not the run's first ones."""
     numbers = list(range(len(operations)))
     random.Random(task.seed).shuffle(numbers)
-    first = {operations[i]: i for i in numbers}
-    kept = set(first.values())
-    order = [*sorted(kept), *sorted(set(numbers) - kept)]
+    kept = {operations[i]: i for i in numbers}.values()
+    order = [*kept, *(i for i in numbers if i not in kept)]
     return [i for i in order[: task.count or None] if i not in task.done]
 
 

@@ -96,6 +96,7 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
     assert ((MARGINS[name](moved) > 0) == (margin[near] > 0)).float().mean() > 0.99
 
 
+@pytest.mark.usefixtures("once")  # the weights
 @pytest.mark.parametrize(
     ("prompt", "plain"),
     [

@@ -40,6 +40,7 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
         return Predictions(torch.zeros_like(z_t), torch.zeros_like(z_t))
 
     monkeypatch.setattr(PromptedBuiltin, "predict", nothing)
+    monkeypatch.setattr("core.benchmarks.bench_distillation.SOLID", 16)  # fewer faces to unwrap
     small = ["geometry.resolution=12,12", "geometry.fit_steps=20", "geometry.views=2"]
     small += ["appearance.views=2", "appearance.log2_hash_size=8"]
     small += [f"{key}={value}" for key, value in TINY.items() if "sharpen" in key]

@@ -31,7 +31,7 @@ SHORT = replace(
     fit_steps=60,
     coarse=replace(DRAFT.geometry.coarse, steps=0),
     grow=RefineConfig(rounds=0),
-    refine=RefineConfig(rounds=2, steps=25, views=10, batch=5, size=64, learning_rate=4e-3),
+    refine=RefineConfig(rounds=2, steps=20, views=10, batch=5, size=48, learning_rate=4e-3),
     sharpen=replace(DRAFT.geometry.sharpen, rounds=0),
 )
 SHARP = replace(SHORT, net=replace(FOURIER, octaves=5, residual=0.3), polish=0, flatten=2)
@@ -56,7 +56,7 @@ def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, tru
 
 
 def test_the_sharpening_reaches_it_too(block, truth) -> None:
-    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=4, views=16))
+    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=3, views=12))
     assert misses(scores(*fitted(block, crisp), truth)) == []
 
 

@@ -151,7 +151,7 @@ def launcher(*arguments: str, **environ: str) -> subprocess.Popen[str]:
     """run.py as a process of its own, under this interpreter as the environment's."""
     return subprocess.Popen(
         [sys.executable, str(ROOT / "run.py"), *arguments],
-        env={**os.environ, "FANTASIA3D_PYTHON": sys.executable, **environ},
+        env={**os.environ, "PYTHONPATH": "", "FANTASIA3D_PYTHON": sys.executable, **environ},
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,

@@ -75,6 +75,7 @@ def test_each_piece_of_a_part_has_an_axis_of_its_own():
     assert is_round(shape, points, part, found[0], 0).all()
 
 
+@pytest.mark.usefixtures("once")  # one car
 @pytest.mark.parametrize(
     ("words", "kept"), [("a car", True), ("a wide car", True), ("a tall car", False)]
 )

@@ -1,7 +1,8 @@
 """The network that draws solids: its parts, its data, its training, and what it ships with."""
 
+from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 
 import pytest
 import torch
@@ -146,9 +147,15 @@ def test_a_kind_is_drawn_as_often_as_the_training_had_it():
     assert drawn_kind(net, unseen, _generator()) - first in (1, 2)
 
 
+@pytest.fixture(scope="module")
+def mug(shipped) -> Callable[[str], Solid]:
+    """One mug, as each adjective has it."""
+    return cache(Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed)
+
+
 @pytest.mark.parametrize("adjective", ["", "tall", "flat", "thick", "round"])
-def test_a_placed_solid_is_of_the_trainings_size(shipped, adjective):
-    solid = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective)
+def test_a_placed_solid_is_of_the_trainings_size(mug, adjective):
+    solid = mug(adjective)
     verts, _ = solid.mesh
     low, high = verts.amin(0), verts.amax(0)
     assert (low + high).abs().max() < 0.04
@@ -157,9 +164,9 @@ def test_a_placed_solid_is_of_the_trainings_size(shipped, adjective):
     assert solid.sdf(verts).abs().mean() < 0.01
 
 
-def test_tall_is_taller_and_flat_flatter(shipped):
+def test_tall_is_taller_and_flat_flatter(mug):
     def slender(adjective):
-        verts, _ = Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed(adjective).mesh
+        verts, _ = mug(adjective).mesh
         x, _, z = (verts.amax(0) - verts.amin(0)).tolist()
         return z / x
 
@@ -304,9 +311,9 @@ def test_the_shipped_network_draws_the_thing(shipped, noun):
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1).view(-1, 3)
     inside = _drawn(shipped, noun).sdf(points) < 0
     draw = Draw(_generator(5))
-    family = [build(noun, "", draw, jitter=0.0).sdf(points) < 0 for _ in range(24)]
-    likeness = max(float((inside & o).sum() / (inside | o).sum()) for o in family)
-    assert likeness > 0.55, f"{noun}: {likeness:.2f} of the most similar object's volume"
+    family = (build(noun, "", draw, jitter=0.0).sdf(points) < 0 for _ in range(24))
+    likeness = (float((inside & o).sum() / (inside | o).sum()) for o in family)
+    assert any(found > 0.55 for found in likeness)  # of the volume, with one of them
 
 
 def test_the_shipped_network_knows_the_parts(shipped):

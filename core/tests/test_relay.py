@@ -28,7 +28,8 @@ SECRET = "s3cret-of-the-cluster"
 def quick(monkeypatch):
     monkeypatch.setattr(relay, "PAUSE", 0.05)
     monkeypatch.setattr(relay, "SECONDS", 0.2)
-    monkeypatch.setattr(relay, "COMMAND", FAKE)
+    # As the real one: it does not outlive a node that is killed.
+    monkeypatch.setattr(relay, "COMMAND", (*FAKE, "--end-with-stdin"))
     monkeypatch.setattr(jobs_api, "PATIENCE", 0.5)
     monkeypatch.setattr(jobs_api, "PAUSE", 0.05)
     monkeypatch.setenv("RAY_AUTH_TOKEN", SECRET)

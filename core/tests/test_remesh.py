@@ -175,9 +175,10 @@ def test_the_budget_decides_and_a_users_mesh_is_kept(
     tmp_path,
     monkeypatch,
 ) -> None:
-    monkeypatch.setattr(packing, "CLOSER_PASSES", 1)  # how well it fills is not looked at
+    monkeypatch.setattr(packing, "PASSES", 8)  # how well it fills is not looked at
+    monkeypatch.setattr(packing, "CLOSER_PASSES", 1)
     progress = Progress(RunFolder.create(tmp_path / "run", Job(prompt="a chair")))
-    shape, config = Mesh(*chair), TextureConfig(size=256, max_faces=3000)
+    shape, config = Mesh(*chair), TextureConfig(size=512, max_faces=3000)
     made = unwrap_shape(shape, config, progress)
     assert quality(made.mesh.verts, made.mesh.faces).mean() > 0.75
     assert made.fine is shape

@@ -12,10 +12,12 @@ from typing import Any
 from unittest import mock
 
 import numpy as np
+from torch import Tensor
 
 import core.generate as method
 from core.appearance.environment import Environment
 from core.guidance.builtin import guidance as builtin
+from core.guidance.builtin.solid import Solid
 from core.io import progress
 from core.stages import training
 from core.texture import packing, unwrap
@@ -78,12 +80,13 @@ def names(run: Path) -> set[str]:
 
 
 def loaded_once() -> list[Any]:
-    """The weights and the light are made once."""
+    """The weights and the light are made once, and what a drawn solid is at the same points."""
     light = classmethod(remembered(Environment.of.__func__))
     return [
         mock.patch.object(builtin, "load_weights", remembered(builtin.load_weights)),
         mock.patch.object(builtin, "load_solid_net", remembered(builtin.load_solid_net)),
         mock.patch.object(Environment, "of", light),
+        mock.patch.object(Solid, "distances", distances_once()),
     ]
 
 
@@ -113,6 +116,21 @@ def lighten() -> None:
     training.CHECKPOINT_SECONDS = 0.0
     training.PREVIEW_SECONDS = 1e9  # the first alone: their number would be by the machine's load
     method.PREVIEW_SIZE = 64
+
+
+def distances_once() -> Callable:
+    """``Solid.distances``: of a session's time half. It is a function of these alone."""
+    distances, found = Solid.distances, {}
+
+    def again(self: Solid, points: Tensor) -> Tensor:
+        tensors = (*self.triplane.planes, *self.triplane.fine, points)
+        at = tuple(hash(x.cpu().numpy().tobytes()) for x in tensors)
+        key = id(self.net), self.frame, self.swell, at
+        if key not in found:
+            found[key] = distances(self, points)
+        return found[key].clone()
+
+    return again
 
 
 def packed_once() -> Callable:

@@ -6,4 +6,5 @@ from core.tests.tiny_runs import loaded_once
 
 for patch in loaded_once():
     patch.start()
-prepare(Job(prompt="a red torus"))
+job = Job(prompt="a red torus")
+prepare(job).guidance.of_object(job.seed).areas()
