@@ -4,7 +4,7 @@ import pytest
 import torch
 
 from core.geometry.tet_grid import EXTENT
-from core.guidance.builtin.areas import INSET, SolidAreas, patterned
+from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.patterns import MARGINS
 
@@ -112,3 +112,31 @@ def test_the_areas_of_what_is_drawn(prompt, plain):
     assert areas.plain[: len(plain)] == plain
     area, inside = areas.at(torch.rand(50, 3) - 0.5)
     assert area.max() < len(areas.plain) and inside.shape == (50, 3)
+
+
+def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
+    """The drawn border waves; the exact one is a plane, but for what lies just under the other."""
+
+    def drawn(points):
+        wave = 0.02 * (20 * points[:, 1]).sin()
+        return points[:, 2], torch.stack([-points[:, 0] + wave, points[:, 0] - wave], 1)
+
+    def exact(points, under=0.0):
+        return points[:, 2], torch.stack([-points[:, 0], points[:, 0] - under], 1)
+
+    x = torch.linspace(-0.05, 0.05, 41)
+    points = torch.cartesian_prod(x, torch.linspace(-0.5, 0.5, 41), torch.zeros(1))
+    area, _ = SolidAreas(drawn, (True, True), exact).at(points)
+    wrong = area != (points[:, 0] > 0).long()
+    assert points[wrong, 0].abs().max() <= FLUSH / 2 + 1e-6  # each is half of the difference
+    area, _ = SolidAreas(drawn, (True, True)).at(points)
+    assert points[area != (points[:, 0] > 0).long(), 0].abs().max() > 0.015
+    # A pane that the wall's surface is just over is seen where it was drawn; one far under is not.
+    pane = points[:, 0] > 0.03
+    for under, seen in ((0.01, True), (0.2, False)):
+        near = SolidAreas(drawn, (True, True), lambda p, u=under: (p[:, 2], wall_over(p, u)))
+        assert bool((near.at(points)[0][pane] == 1).all()) == seen
+
+
+def wall_over(points, under):
+    return torch.stack([torch.zeros(len(points)), torch.full((len(points),), -under)], 1)

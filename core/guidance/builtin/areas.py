@@ -20,6 +20,7 @@ CELLS = 80  # of the lattice on which the parts are known, along an edge
 INSET = 0.06  # training units: what a picture's blur covers
 STEPS = 3  # on the way; each looks anew where the border is
 UNCLEAR = 2.5  # cells: where areas are as deep up to this, the lattice does not tell whose it is
+FLUSH = 0.015  # training units
 LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
 
 Field = Callable[
@@ -64,7 +65,7 @@ class SolidAreas:
     ) -> None:
         """``plain``: which areas are of one colour, as far as the words and nature say. ``near``:
         what tells the areas apart near the borders; None: ``field``."""
-        self.plain, self.near = plain, near or field
+        self.plain, self.field, self.near = plain, field, near or field
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -82,7 +83,7 @@ class SolidAreas:
             return area, points
         first, second = start[:, 1:].topk(2, 1).values.T
         near = first - second < UNCLEAR * self.spacing
-        area[near] = self.near(points[near])[1].argmax(1)
+        area[near] = self._owner(points[near])
         moved = points
         for step in range(STEPS):
             margin, slope, normal = self._margin(moved, area)
@@ -94,6 +95,15 @@ class SolidAreas:
             # Back to the distance from the surface that the point had.
             moved = moved - (self._at(moved)[:, :1] - level[:, None]) * normal
         return area, moved
+
+    def _owner(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The area whose exact surface each point is on; or whose it is as it was drawn, where that
+        lies under the surface by no more than what is drawn is off: a pane in a wall."""
+        exact = self.near(points)[1]
+        drawn = self.field(points)[1].argmax(1)
+        owner = exact.argmax(1)
+        behind = exact.amax(1) - exact.gather(1, drawn[:, None])[:, 0]
+        return torch.where(behind < FLUSH, drawn, owner)
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]
