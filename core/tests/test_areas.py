@@ -131,11 +131,21 @@ def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
     assert points[wrong, 0].abs().max() <= FLUSH / 2 + 1e-6  # each is half of the difference
     area, _ = SolidAreas(drawn, (True, True)).at(points)
     assert points[area != (points[:, 0] > 0).long(), 0].abs().max() > 0.015
-    # A pane that the wall's surface is just over is seen where it was drawn; one far under is not.
-    pane = points[:, 0] > 0.03
+    # A pane that the wall's surface is just over is seen where it was drawn; one far under is not,
+    # nor the wall on the pane.
+
+    def pane(points):
+        return points[:, 2], torch.stack([-points[:, 0] + 0.5, points[:, 0] - 0.5], 1)
+
+    x = torch.linspace(0.46, 0.54, 33)
+    points = torch.cartesian_prod(x, torch.linspace(-0.5, 0.5, 9), torch.zeros(1))
+    inside = points[:, 0] > 0.501
     for under, seen in ((0.01, True), (0.2, False)):
-        near = SolidAreas(drawn, (True, True), lambda p, u=under: (p[:, 2], wall_over(p, u)))
-        assert bool((near.at(points)[0][pane] == 1).all()) == seen
+        near = SolidAreas(pane, (True, True), lambda p, u=under: (p[:, 2], wall_over(p, u)))
+        assert bool((near.at(points)[0][inside] == 1).all()) == seen
+    near = SolidAreas(pane, (True, True), lambda p: (p[:, 2], wall_over(p, -0.01)))
+    by_border = (points[:, 0] - 0.5).abs() < 0.03  # where the lattice does not tell
+    assert (near.at(points)[0][by_border] == 1).all()
 
 
 def wall_over(points, under):

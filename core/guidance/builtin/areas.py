@@ -70,6 +70,7 @@ class SolidAreas:
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
         distance, depths = field(nodes.view(-1, 3))
+        self.sizes = (depths > 0).sum(0)  # nodes
         values = torch.cat([distance[:, None], depths], 1)
         # grid_sample's first coordinate runs along the last axis.
         self.values = values.T.view(-1, cells + 1, cells + 1, cells + 1).permute(0, 3, 2, 1)[None]
@@ -98,12 +99,13 @@ class SolidAreas:
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The area whose exact surface each point is on; or whose it is as it was drawn, where that
-        lies under the surface by no more than what is drawn is off: a pane in a wall."""
+        lies under a larger one's by no more than what is drawn is off: a pane in a wall."""
         exact = self.near(points)[1]
         drawn = self.field(points)[1].argmax(1)
         owner = exact.argmax(1)
         behind = exact.amax(1) - exact.gather(1, drawn[:, None])[:, 0]
-        return torch.where(behind < FLUSH, drawn, owner)
+        smaller = self.sizes[drawn] < self.sizes[owner]  # a wheel's rim is not the body's
+        return torch.where((behind < FLUSH) & smaller, drawn, owner)
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]
