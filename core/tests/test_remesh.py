@@ -198,7 +198,7 @@ def test_steps_of_a_thousandth_leave_no_slivers() -> None:
     solids = [union_box(np.array(low), np.array(high), 0.03) for low, high in boxes]
     shape = Mesh(*union(solids, 0.03))
     verts, faces = even(shape, 2000)
-    assert np.percentile(quality(verts, faces), 5) > 0.2
+    assert np.percentile(quality(verts, faces), 5) > 0.1  # 0.001 where they are kept
     before, after = health(shape.verts, shape.faces), health(verts, faces)
     for key in ("closed", "manifold", "oriented", "genus", "components"):
         assert after[key] == before[key], key

@@ -5,12 +5,13 @@ import pytest
 import torch
 import trimesh
 
+import core.texture.simplify as module
 from core.errors import Cancelled, UserError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
+from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
-from core.texture import simplify as module
 from core.texture.simplify import simplify, unfolded
 
 
@@ -142,3 +143,11 @@ def looking_inward(verts: np.ndarray, faces: np.ndarray) -> int:
     """Faces of a ball about the origin whose normals point to it."""
     a, b, c = (verts[faces[:, k]] for k in range(3))
     return int(((np.cross(b - a, c - a) * (a + b + c)).sum(1) < 0).sum())
+
+
+def test_unfolding_that_wears_the_shape_away_is_not_taken(monkeypatch) -> None:
+    """Neither is a vertex moved where the folds' repair would leave the surface."""
+    verts, faces = sphere(4)
+    kept = simplify(verts, faces, 600)[0]
+    monkeypatch.setattr(module, "unfolded", lambda v, *_: 0.9 * v)
+    assert torch.equal(simplify(verts, faces, 600)[0], kept)

@@ -16,10 +16,12 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
+from core.geometry.faces import areas_and_normals
 from core.geometry.mesh import mean_around
 
 # A mesh of more faces than so many, and than so many times what is asked for, is halved first.
 MANY, MANY_TIMES = 200_000, 10
+FARTHER, NEAR = 1.5, 0.05  # times as far from the surface, and of a face's size: still as near
 FOLDED = 0.3  # cosine between a face and the surface below it, under which it is folded
 UNFOLD_ROUNDS = 10
 NONE = np.zeros(3)  # the normal of a face without an area
@@ -44,15 +46,24 @@ def simplify(
     points = verts.detach().cpu().double().numpy()[used]
     triangles = compact.reshape(-1, 3)
     new_verts, new_faces = _halved(points, triangles, max(MANY, MANY_TIMES * max_faces), check)
-    new_verts, new_faces = _collapsed(new_verts, new_faces, max_faces, apart=True)
+    fine = new_verts, new_faces
+    new_verts, new_faces = _collapsed(*fine, max_faces, apart=True)
     check()
+    if len(new_faces) > max_faces:
+        # Parts that were united touch all along, and hardly a collapse there keeps them apart.
+        new_verts, new_faces = _collapsed(*fine, max_faces, apart=False)
+        check()
     if not len(new_faces):
         raise UserError(
             f"The mesh has {len(faces):,} faces and cannot be brought to {max_faces:,}: "
             "somewhere three faces share an edge.",
             "Repair it (Blender: Select > All by Trait > Non Manifold), or raise --max-faces.",
         )
-    new_verts = unfolded(new_verts, new_faces, points, triangles)
+    spread = unfolded(new_verts, new_faces, points, triangles)
+    # At a step of united parts a face that looks another way is no fold, and spreading such a
+    # place over and over would wear the shape away.
+    off = [_off(places, new_faces, points, triangles) for places in (spread, new_verts)]
+    new_verts = spread if off[0] < FARTHER * off[1] + NEAR else new_verts
     return torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
 
 
@@ -88,6 +99,20 @@ def _collapsed(
     out = igl.qslim(verts, faces, max_m=max_faces, block_intersections=apart)
     triangles = np.asarray(out[1]).astype(np.int64).reshape(-1, 3)
     return np.ascontiguousarray(out[0]).reshape(-1, 3), triangles
+
+
+def _off(
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    surface_verts: Float[np.ndarray, "w 3"],
+    surface_faces: Int[np.ndarray, "g 3"],
+) -> float:
+    """Root mean square distance of the faces' middles from a surface, in the faces' mean size."""
+    if not len(faces):
+        return np.inf
+    away, _, _ = igl.point_mesh_squared_distance(verts[faces].mean(1), surface_verts, surface_faces)
+    size = float(areas_and_normals(verts, faces)[0].mean())
+    return float(np.sqrt(np.mean(np.asarray(away)) / max(size, 1e-300)))
 
 
 def unfolded(

@@ -108,10 +108,10 @@ def explain(text: str, log: Path) -> SetupError:
     missing = NO_MATCH.search(text)
     if missing:
         return SetupError(
-            f"There is no wheel of {missing.group(1)} for this system and Python, in the registry or "
-            "in the folder of wheels.",
-            "Add it to the folder (FANTASIA3D_WHEELS, or pip's find-links), or use another Python: "
-            f"3.11 has the most wheels. The log is {log}.",
+            f"There is no package {missing.group(1)} for this system and Python, in the folder of "
+            "wheels where one is set, else in the registry.",
+            "Add its wheel to the folder (FANTASIA3D_WHEELS, or pip's find-links), or use another "
+            f"Python. The log is {log}.",
         )
     lines = [line.strip() for line in text.splitlines() if line.strip()] or ["no output"]
     # The last line that reads as an error, or else the last line.
