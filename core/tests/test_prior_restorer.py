@@ -1,6 +1,7 @@
 """Softening, the restorer's start, its batches and its loss; and that refining uses it."""
 
 import math
+import shutil
 from dataclasses import replace
 from functools import partial
 
@@ -205,9 +206,33 @@ def test_softness_reaches_from_mild_to_strong():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
+    """Pictures."""
     path = tmp_path_factory.mktemp("data")
     write_shard(path, 3, objects=6)
     return path
+
+
+@pytest.fixture(scope="module")
+def with_pairs(folder, tmp_path_factory):
+    """And pictures of soft solids."""
+    path = shutil.copytree(folder, tmp_path_factory.mktemp("pairs") / "data")
+    write_pairs(path, 0, objects=2)
+    return path
+
+
+@pytest.fixture(scope="module")
+def with_close_ups(with_pairs, tmp_path_factory):
+    """And close-ups of them."""
+    path = shutil.copytree(with_pairs, tmp_path_factory.mktemp("close") / "data")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("core.prior.soft_pairs.VIEWS", 2)
+        write_pairs(path, 3, objects=2, close=True)
+    return path
+
+
+def come(new, path):
+    """What is in ``new`` comes into the folder of a source that is at work."""
+    shutil.copytree(new, path, dirs_exist_ok=True)
 
 
 def test_batches_are_pictures_to_be_softened(folder):
@@ -218,10 +243,10 @@ def test_batches_are_pictures_to_be_softened(folder):
     assert camera.shape == (10, 6, 32, 32)
 
 
-def test_soft_solids_join_the_batches_when_they_come(folder):
-    source = Restoring(folder)
+def test_soft_solids_join_the_batches_when_they_come(folder, with_pairs, tmp_path):
+    source = Restoring(shutil.copytree(folder, tmp_path / "data"))
     assert source.pairs is None
-    write_pairs(folder, 0, objects=2)
+    come(with_pairs, tmp_path / "data")
     source.rescan()
     x, _, _, soft = source.batch(10, _generator())
     assert len(source.pairs) == 8
@@ -229,10 +254,10 @@ def test_soft_solids_join_the_batches_when_they_come(folder):
     assert 0 < mean_angle(soft, x[6:]) < 45
 
 
-def test_close_ups_are_half_of_each_batch_once_there_are_any(folder, monkeypatch):
-    source = Restoring(folder)
-    monkeypatch.setattr("core.prior.soft_pairs.VIEWS", 2)
-    write_pairs(folder, 3, objects=2, close=True)
+def test_close_ups_are_half_of_each_batch_once_there_are_any(with_pairs, with_close_ups, tmp_path):
+    source = Restoring(shutil.copytree(with_pairs, tmp_path / "data"))
+    assert source.close is None
+    come(with_close_ups, tmp_path / "data")
     source.rescan()
     pictures, words, camera, soft = source.batch(8, _generator())
     assert len(pictures) == len(words) == len(camera) == 8
@@ -281,10 +306,10 @@ def test_the_loss_is_quadratic_below_its_knee_and_linear_above(monkeypatch):
     assert loss(0.5) == pytest.approx(0.5 - KNEE, rel=0.01)
 
 
-def test_training_lowers_the_loss(folder):
+def test_training_lowers_the_loss(with_close_ups):
     config = TrainConfig(batch=2, learning_rate=3e-3, warm_up=1, minutes=60)
     training = Training(partial(UNet, replace(TINY, stem=8)), config, objective=restoring_loss)
-    source = Restoring(folder)
+    source = Restoring(with_close_ups)
     held = source.batch(16, _generator(9))
     before = restoring_loss(training, held).item()
     for _ in range(40):
