@@ -1,10 +1,10 @@
 """A solid of known parts as a mesh: the surface of each piece of each part, made exact, united.
 
 A part by itself is simple: a box, a ball, a board. On a lattice of its own size even a small one
-has its form. Most are a primitive (:mod:`core.geometry.primitives`); of the others planes and
-profile are found whole (:mod:`core.geometry.crisp`, :mod:`core.geometry.revolved`), and where a
-piece meets others the union has an edge. One lattice over
-all of them rounds what is smaller than a cell, and there each border between two parts is ragged.
+has its form. Most are a primitive (:mod:`core.geometry.primitives`) or the same all around an axis
+(:mod:`core.geometry.revolved`); of the others planes are found whole (:mod:`core.geometry.crisp`),
+and where a piece meets others the union has an edge. One lattice over all of them rounds what is
+smaller than a cell, and there each border between two parts is ragged.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -21,13 +21,7 @@ from torch import Tensor
 from core.geometry.crisp import crisp
 from core.geometry.faces import unit
 from core.geometry.init_shape import sample_surface
-from core.geometry.mesh import (
-    compact,
-    component_labels,
-    drop_floaters,
-    face_areas,
-    polished,
-)
+from core.geometry.mesh import compact, component_labels, drop_floaters, face_areas, polished
 from core.geometry.primitives import Primitive, primitive_of
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
@@ -55,7 +49,6 @@ TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
 REPEATED = 0.94  # the least share of its surface that does
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
 FITTED = 400  # points of a piece's surface, which tell its primitive
-ENDS = 0.5  # the most that is flat of what is round: its ends
 NEAR = 0.1  # training units
 STRUT = 0.03  # radius, training units
 
@@ -103,6 +96,7 @@ class KnownParts:
         """``distances``: of each part, at points in training units; columns beyond are none."""
         self.distances, self.forms = distances, forms
         self._surfaces: dict[int, Mesh] = {}
+        self._solids: dict[int, SolidMesh] = {}
 
     @cached_property
     def pieces(self) -> list[Piece]:
@@ -110,21 +104,14 @@ class KnownParts:
         found = places_of(self.distances, len(self.forms.flat))
         drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
         pairs = zip(drawn, matched(self.distances, drawn), strict=True)
-        return [piece._replace(primitive=one) if one else self._even(piece) for piece, one in pairs]
-
-    def _even(self, piece: Piece) -> Piece:
-        """The piece without what breaks its own symmetry."""
-        turned = self._turned(piece)
-        if turned and is_drawn(self.distances, turned, piece):
-            return piece._replace(primitive=turned)
-        repeated = repeats(self.distances, piece)
-        return (repeated and drawn_at(repeated, piece.place)) or piece
+        return [piece._replace(primitive=one or self._turned(piece)) for piece, one in pairs]
 
     def _turned(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is the same all around an axis."""
         share = self.share(piece)
         axis = int(share.argmax())
-        return turned_about(piece, axis) if share[axis] >= SHARE else None
+        turned = turned_about(piece, axis) if share[axis] >= SHARE else None
+        return turned if turned and is_drawn(self.distances, turned, piece) else None
 
     def share(self, piece: Piece) -> Float[np.ndarray, " 3"]:
         """The fraction of the piece's surface that is the same all around along x, y, z."""
@@ -144,15 +131,23 @@ class KnownParts:
         farther off than ``NEAR`` may come out as ``EXTENT``."""
         found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
         for index, piece in enumerate(self.pieces):
-            verts, faces = self.surface_of(index)
+            verts, _ = self.surface_of(index)
             low, high = verts.amin(0) - NEAR, verts.amax(0) + NEAR
             here = ((points > low.to(points)) & (points < high.to(points))).all(1)
             if not here.any():
                 continue
-            of = piece.primitive.distance if piece.primitive else SolidMesh(verts, faces).sdf
             column = found[:, piece.place.part]
-            column[here] = torch.minimum(column[here], of(points[here]))
+            column[here] = torch.minimum(column[here], self._distance(index)(points[here]))
         return found
+
+    def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
+        """From a piece's exact surface, signed."""
+        primitive = self.pieces[index].primitive
+        if primitive is not None:
+            return primitive.distance
+        if index not in self._solids:
+            self._solids[index] = SolidMesh(*self.surface_of(index))
+        return self._solids[index].sdf
 
 
 def assembled(
@@ -328,9 +323,11 @@ def turned_about(piece: Piece, axis: int) -> Primitive | None:
 
 
 def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
-    """That of its primitive; or its own, on its planes."""
+    """That of its primitive; or its own, without what breaks its symmetry, on its planes."""
     if piece.primitive is not None:
         return piece.primitive.mesh(piece.cell)
+    repeated = repeats(parts.distances, piece)
+    piece = (repeated and drawn_at(repeated, piece.place)) or piece
     verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
     of = torch.zeros(len(verts), dtype=torch.long)
     made = crisp(verts, faces, verts, of, (flat,), piece.error)

@@ -1,5 +1,7 @@
 """A solid of known parts as a mesh: pieces of their own, exact forms, one union."""
 
+import math
+
 import pytest
 import torch
 
@@ -9,6 +11,7 @@ from core.geometry.assembly import (
     assembled,
     drawn_at,
     places_of,
+    repeats,
     turned_share,
 )
 from core.geometry.mesh import health
@@ -174,3 +177,62 @@ def _halved(verts, faces):
     u, v, w = faces.T
     parts = [(u, a, c), (v, b, a), (w, c, b), (a, b, c)]
     return torch.cat([verts, verts[unique].mean(1)]), torch.cat([torch.stack(p, 1) for p in parts])
+
+
+def around(turns):
+    """The matrix that turns rows about the vertical by so much of a whole turn."""
+    turn = 2 * math.pi * turns
+    c, s = math.cos(turn), math.sin(turn)
+    return torch.tensor([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def star(points, wave=0.0):
+    """Three arms about the middle, each drawn a little otherwise."""
+    arms = [box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.35, 0.1, 0.08)) for k in range(3)]
+    angle = torch.atan2(points[:, 1], points[:, 0])
+    return (torch.stack(arms).amin(0) + wave * (2 * angle).cos())[:, None]
+
+
+def test_what_repeats_itself_around_an_axis_does_so_exactly():
+    forms = Forms((0.0,), ((0.0,),) * 3)
+    bent = KnownParts(lambda points: star(points, wave=0.01), forms)
+    piece = bent.pieces[0]
+    assert len(bent.pieces) == 1 and piece.primitive is None
+    mean = repeats(bent.distances, piece)
+    assert mean is not None
+    points = torch.rand(500, 3) - 0.5
+    turned = (points - piece.middle) @ around(1 / 3) + piece.middle
+    torch.testing.assert_close(mean(turned), mean(points), atol=1e-5, rtol=0)
+    assert (bent.distances(turned) - bent.distances(points)).abs().max() > 0.01
+    verts, _ = bent.surface_of(0)
+    assert mean(verts).abs().mean() < 0.5 * bent.distances(verts).abs().mean()
+    # One arm is longer than the others: nothing repeats.
+    uneven = KnownParts(lambda p: star(p).minimum(long(p)), forms)
+    assert repeats(uneven.distances, uneven.pieces[0]) is None
+
+
+def long(points):
+    return box(points, (0.5, 0.0, 0.0), (0.5, 0.1, 0.08))[:, None]
+
+
+def test_four_legs_are_one_leg_four_times():
+    def legs(points):
+        at = [(x, y) for x in (-0.5, 0.5) for y in (-0.4, 0.4)]
+        wave = 0.006 * (9 * points).sin().sum(1)
+        each = [box(points, (x, y, 0.0), (0.1, 0.1, 0.4)) for x, y in at]
+        return (torch.stack(each).amin(0) + wave)[:, None]
+
+    found = [piece.primitive for piece in KnownParts(legs, Forms((1.0,), ((0.0,),) * 3)).pieces]
+    assert [one.form for one in found] == ["box"] * 4
+    assert all((one.lengths == found[0].lengths).all() for one in found)
+    assert sorted(round(float(one.center[0]), 1) for one in found) == [-0.5, -0.5, 0.5, 0.5]
+
+
+def test_near_is_the_distance_from_the_exact_surfaces():
+    parts = KnownParts(lambda points: table(points, wave=0.002), FORMS)
+    verts, _ = made(lambda points: table(points, wave=0.002))
+    near = parts.near(verts)
+    assert near.shape == (len(verts), 3)
+    assert near.amin(1).abs().max() < 2e-3  # the union's vertices are on one of them
+    inside = parts.near(torch.tensor([[0.0, 0.0, 0.2], [0.2, 0.1, 0.33]]))
+    assert inside[0, BOARD] < -0.04 and inside[1, BALL] < -0.03

@@ -342,13 +342,12 @@ def test_what_can_be_drawn_needs_no_growing():
 @pytest.mark.parametrize(
     "job",
     [
-        Job(prompt="a chair", guide_mesh="x.obj", guide_strength=0.5),
         Job(prompt="a chair", guidance="models/sd15"),
         Job(prompt="a chair", settings={"geometry.start": "ellipsoid"}),
         Job(prompt="a chair", settings={"geometry.pictures": "shaded"}),
         Job(prompt="a chair", preset="sds"),
     ],
-    ids=["guide", "Stable Diffusion", "asked for", "ablation", "distillation alone"],
+    ids=["Stable Diffusion", "asked for", "ablation", "distillation alone"],
 )
 def test_what_is_not_drawn_is_distilled(job):
     geometry = config_of(job).geometry
@@ -482,3 +481,8 @@ def test_complexity_counts_pieces_and_handles():
     assert of(ball([0.0, 0, 0])) == 1
     assert of(lambda p: torch.minimum(ball([-0.5, 0, 0])(p), ball([0.5, 0, 0])(p))) == 2
     assert of(ring) == 2
+
+
+def test_a_guide_shapes_what_is_drawn():
+    geometry = config_of(Job(prompt="a chair", guide_mesh="x.obj", guide_strength=0.5)).geometry
+    assert geometry.start == "learned"

@@ -9,7 +9,7 @@ import trimesh
 
 from core.config import TextureConfig
 from core.geometry.mesh import Mesh, health
-from core.geometry.union import box as union_box
+from core.geometry.primitives import Primitive
 from core.geometry.union import union
 from core.io.job import Job
 from core.io.progress import Progress
@@ -195,7 +195,10 @@ def test_steps_of_a_thousandth_leave_no_slivers() -> None:
     boxes = [((x, y, -0.6), (x + 0.12, y + 0.12, 0.02)) for x, y in legs]
     boxes += [((-0.4742, -0.452, -0.1318), (0.4747, 0.4527, 0.0))]
     boxes += [((-0.4735, 0.36, -0.128), (0.4741, 0.4541, 0.66))]
-    solids = [union_box(np.array(low), np.array(high), 0.03) for low, high in boxes]
+    solids = []
+    for low, high in np.array(boxes):
+        lengths = np.append((high - low) / 2, 0.0)
+        solids.append(Primitive("box", (low + high) / 2, np.zeros(3), lengths).mesh(0.03))
     shape = Mesh(*union(solids, 0.03))
     verts, faces = even(shape, 2000)
     assert np.percentile(quality(verts, faces), 5) > 0.1  # 0.001 where they are kept
