@@ -189,13 +189,12 @@ def around(turns):
 def star(points, wave=0.0):
     """Three arms about the middle, each drawn a little otherwise."""
     arms = [box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.35, 0.1, 0.08)) for k in range(3)]
-    angle = torch.atan2(points[:, 1], points[:, 0])
-    return (torch.stack(arms).amin(0) + wave * (2 * angle).cos())[:, None]
+    return (torch.stack(arms).amin(0) + wave * (11 * points).sin().sum(1))[:, None]
 
 
 def test_what_repeats_itself_around_an_axis_does_so_exactly():
     forms = Forms((0.0,), ((0.0,),) * 3)
-    bent = KnownParts(lambda points: star(points, wave=0.01), forms)
+    bent = KnownParts(lambda points: star(points, wave=0.006), forms)
     piece = bent.pieces[0]
     assert len(bent.pieces) == 1 and piece.primitive is None
     mean = repeats(bent.distances, piece)
@@ -203,16 +202,17 @@ def test_what_repeats_itself_around_an_axis_does_so_exactly():
     points = torch.rand(500, 3) - 0.5
     turned = (points - piece.middle) @ around(1 / 3) + piece.middle
     torch.testing.assert_close(mean(turned), mean(points), atol=1e-5, rtol=0)
-    assert (bent.distances(turned) - bent.distances(points)).abs().max() > 0.01
+    assert (bent.distances(turned) - bent.distances(points)).abs().max() > 0.005
     verts, _ = bent.surface_of(0)
     assert mean(verts).abs().mean() < 0.5 * bent.distances(verts).abs().mean()
-    # One arm is longer than the others: nothing repeats.
+    # One arm is longer than the others, and another thicker: nothing repeats.
     uneven = KnownParts(lambda p: star(p).minimum(long(p)), forms)
     assert repeats(uneven.distances, uneven.pieces[0]) is None
 
 
 def long(points):
-    return box(points, (0.5, 0.0, 0.0), (0.5, 0.1, 0.08))[:, None]
+    arm = box(points, (0.5, 0.0, 0.0), (0.5, 0.1, 0.08))
+    return arm.minimum(box(points @ around(1 / 3), (0.35, 0.0, 0.1), (0.3, 0.1, 0.15)))[:, None]
 
 
 def test_four_legs_are_one_leg_four_times():
@@ -233,6 +233,6 @@ def test_near_is_the_distance_from_the_exact_surfaces():
     verts, _ = made(lambda points: table(points, wave=0.002))
     near = parts.near(verts)
     assert near.shape == (len(verts), 3)
-    assert near.amin(1).abs().max() < 2e-3  # the union's vertices are on one of them
+    assert near.amin(1).abs().max() < 4e-3  # the union's vertices are on one of them
     inside = parts.near(torch.tensor([[0.0, 0.0, 0.2], [0.2, 0.1, 0.33]]))
     assert inside[0, BOARD] < -0.04 and inside[1, BALL] < -0.03
