@@ -75,6 +75,15 @@ def test_the_exact_distance_of_a_frustum_a_box_and_a_capsule():
     np.testing.assert_allclose(capsule.at(places), [0.3, 0.3, 0.5 * 2**0.5 - 0.2, -0.2], atol=1e-6)
 
 
+def test_a_capsule_is_the_hull_of_two_balls():
+    one = Primitive("capsule", np.zeros(3), np.zeros(3), np.array([0.4, 0.2, 0.08]))
+    t = np.linspace(0, 1, 4001)[:, None]
+    places = np.random.default_rng(0).uniform(-0.8, 0.8, (200, 3))
+    middles = np.concatenate([0 * t, 0 * t, 0.8 * t - 0.4], 1)
+    off = np.linalg.norm(places - middles[:, None], axis=2) - (0.2 - 0.12 * t)
+    np.testing.assert_allclose(one.at(places), off.min(0), atol=1e-4)
+
+
 def test_a_solid_of_revolution_has_the_distance_of_its_profile():
     # A bowl: its outline from the middle of its foot, up outside, and back inside.
     outline = np.array([(0.0, 0.0), (0.4, 0.0), (0.5, 0.4), (0.44, 0.4), (0.35, 0.06), (0.0, 0.06)])
