@@ -21,8 +21,9 @@ from torch import Tensor
 from core.geometry.crisp import crisp
 from core.geometry.faces import unit
 from core.geometry.init_shape import sample_surface
+from core.geometry.layered import FAR, Lattice, layered
 from core.geometry.mesh import compact, component_labels, drop_floaters, face_areas, polished
-from core.geometry.primitives import Primitive, primitive_of
+from core.geometry.primitives import Primitive, frames_of, primitive_of
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.sdf_net import surface
 from core.geometry.signed_distance import SolidMesh
@@ -44,6 +45,8 @@ TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
 ALIKE = 1.25  # times the area of the least of pieces that may be the same
 DRAWN = ((0.6, 0.9), (1.2, 0.985))  # errors off what is drawn; the least share of a surface
 DRAWN_TURNED = ((0.6, 0.9), (1.2, 0.995))  # battlements, a spout or a notch are no noise
+DRAWN_LAYERS = ((0.6, 0.84), (1.2, 0.985))
+WORDY = 0.001  # errors in the mean, for each number of an outline
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
 REPEATED = 0.94  # the least share of its surface that does
@@ -78,9 +81,14 @@ class Piece(NamedTuple):
     place: Place
     verts: Float[Tensor, "v 3"]
     faces: Int[Tensor, "f 3"]
-    cell: float  # of the lattice that the surface comes from
+    lattice: Lattice  # that the surface comes from
     error: float  # about what it may be off
     primitive: Primitive | None = None  # that it is up to its errors
+
+    @property
+    def cell(self) -> float:
+        """Of its lattice."""
+        return self.lattice.cell
 
     @property
     def middle(self) -> Float[Tensor, " 3"]:
@@ -104,7 +112,15 @@ class KnownParts:
         found = places_of(self.distances, len(self.forms.flat))
         drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
         pairs = zip(drawn, matched(self.distances, drawn), strict=True)
-        return [piece._replace(primitive=one or self._turned(piece)) for piece, one in pairs]
+        return [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
+
+    def _told(self, piece: Piece, one: Primitive | None) -> Piece:
+        """The piece with the primitive that it is; what is none yet without what breaks its
+        symmetry, and as layers where it is of such."""
+        if one is None:
+            piece = repeated(self.distances, piece)
+            one = self._layered(piece)
+        return piece._replace(primitive=one)
 
     def _turned(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is the same all around an axis."""
@@ -112,6 +128,20 @@ class KnownParts:
         axis = int(share.argmax())
         turned = turned_about(piece, axis) if share[axis] >= SHARE else None
         return turned if turned and is_drawn(self.distances, turned, piece) else None
+
+    def _layered(self, piece: Piece) -> Primitive | None:
+        """What the piece is, where it is flat outlines one upon another along an axis."""
+        points, mesh = points_of(piece), (piece.verts.double().numpy(), piece.faces.numpy())
+        frames = [np.roll(f, k, 1) for f in frames_of(points) for k in range(3)]
+        found = [layered(piece.lattice, *mesh, piece.error, frame) for frame in frames]
+        likely = [
+            one
+            for one in found
+            if one and one.fits(points, piece.error) and is_drawn(self.distances, one, piece)
+        ]
+        # Of what fits about as well the one that takes less to say.
+        dear = {id(one): one.off(points, piece.error) + WORDY * len(one.lengths) for one in likely}
+        return min(likely, key=lambda one: dear[id(one)], default=None)
 
     def share(self, piece: Piece) -> Float[np.ndarray, " 3"]:
         """The fraction of the piece's surface that is the same all around along x, y, z."""
@@ -212,14 +242,15 @@ def drawn_at(distances: Distances, place: Place) -> Piece | None:
     low, high = (torch.from_numpy(end).float() for end in (place.low, place.high))
     asked = ((nodes > low) & (nodes < high)).all(1) & ~grid.boundary
     asked[asked.clone()] = ~place.others(nodes[asked])
-    distance = torch.full((len(nodes),), cell)  # outside, where nothing is asked
+    distance = torch.full((len(nodes),), FAR * cell)  # outside, where nothing is asked
     distance[asked] = distances(nodes[asked])[:, place.part].cpu()
     verts, faces, *_ = surface(distance, nodes, grid)
     if not len(faces):
         return None
     verts, faces = largest(verts, faces)
     verts = polished(verts, faces, POLISH)
-    return Piece(place, verts, faces, cell, error)
+    values = distance.view(grid.shape).double().numpy()
+    return Piece(place, verts, faces, Lattice(values, nodes[0].double().numpy(), cell), error)
 
 
 def matched(distances: Distances, pieces: list[Piece]) -> list[Primitive | None]:
@@ -244,7 +275,7 @@ def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 
     generator = torch.Generator().manual_seed(0)
     points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
     off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)
-    drawn = DRAWN_TURNED if one.form == "turned" else DRAWN
+    drawn = {"turned": DRAWN_TURNED, "layers": DRAWN_LAYERS}.get(one.form, DRAWN)
     return all(float((off < by).float().mean()) >= share for by, share in drawn)
 
 
@@ -323,11 +354,9 @@ def turned_about(piece: Piece, axis: int) -> Primitive | None:
 
 
 def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
-    """That of its primitive; or its own, without what breaks its symmetry, on its planes."""
+    """That of its primitive; or its own, on its planes."""
     if piece.primitive is not None:
         return piece.primitive.mesh(piece.cell)
-    repeated = repeats(parts.distances, piece)
-    piece = (repeated and drawn_at(repeated, piece.place)) or piece
     verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
     of = torch.zeros(len(verts), dtype=torch.long)
     made = crisp(verts, faces, verts, of, (flat,), piece.error)
@@ -339,6 +368,12 @@ def turned_share(distances: Distances, piece: Piece, axis: int) -> float:
     ``axis`` through its middle."""
     # By no symmetry of a square.
     return on_itself(distances, piece, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
+
+
+def repeated(distances: Distances, piece: Piece) -> Piece:
+    """The piece as it is in the mean over the turns that leave it as it is."""
+    mean = repeats(distances, piece)
+    return (mean and drawn_at(mean, piece.place)) or piece
 
 
 def repeats(distances: Distances, piece: Piece) -> Distances | None:

@@ -8,7 +8,7 @@ by least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft
 """
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -18,10 +18,12 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.union import ball, lathe, rounded_box
+from core.geometry.union import ball, lathe, prisms, rounded_box
 
 Lengths = Float[np.ndarray, " k"]
 Points = Float[np.ndarray, "n 3"]
+Loop = Float[np.ndarray, "_ 2"]
+Layer = tuple[float, float, Sequence[Loop]]  # from one height to another: outline, holes clockwise
 Turn = Float[np.ndarray, " 3"]  # rotation vector, radians
 
 REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
@@ -37,6 +39,7 @@ EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
 # a rim of 0.055 comes out as 0.07, one of 0.08 as it is.
 BLUR, UNBLURRED, LEAST_RIM = 0.05, 2.5, 0.02
 MEAN, WITHIN = 0.22, 0.93  # mean error, in errors, at most; least share within half an error
+FITS = {"layers": (0.25, 0.85)}
 ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
 STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
 TUBE = 0.75  # of a ring's radius, at most, its tube's
@@ -107,6 +110,56 @@ def turned(p: Points, profile: Lengths) -> Float[np.ndarray, " n"]:
     return np.sqrt(nearest) * np.where(inside, -1, 1)
 
 
+def layers(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """Flat outlines one upon another along the axis, as ``packed`` has them; inside, the distance
+    from the nearest layer's surface."""
+    nearest = np.full(len(p), np.inf)
+    for low, high, loops in unpacked(lengths):
+        apart = np.abs(p[:, 2] - (low + high) / 2) - (high - low) / 2
+        q = np.stack([_within(p[:, :2], loops), apart])
+        nearest = np.minimum(nearest, np.hypot(*q.clip(min=0)) + q.max(0).clip(max=0))
+    return nearest
+
+
+def _within(p: Float[np.ndarray, "n 2"], loops: Sequence[Loop]) -> Float[np.ndarray, " n"]:
+    """Signed distance from an outline, negative inside."""
+    nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
+    x, y = p.T
+    for loop in loops:
+        for (ax, ay), (bx, by) in zip(loop, np.roll(loop, -1, 0), strict=True):
+            ex, ey, wx, wy = bx - ax, by - ay, x - ax, y - ay
+            along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
+            nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
+            if ay != by:  # the even-odd rule, for a ray to one side
+                inside ^= ((y >= ay) != (y >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
+    return np.sqrt(nearest) * np.where(inside, -1, 1)
+
+
+def packed(found: Sequence[Layer]) -> Lengths:
+    """Of each layer its ends and its number of loops, of each loop its number of corners and
+    these."""
+    numbers = []
+    for low, high, loops in found:
+        numbers += [low, high, len(loops)]
+        for loop in loops:
+            numbers += [len(loop), *loop.ravel()]
+    return np.array(numbers)
+
+
+def unpacked(lengths: Lengths) -> list[Layer]:
+    """The layers."""
+    found, at = [], 0
+    while at < len(lengths):
+        low, high, count = lengths[at : at + 3]
+        loops, at = [], at + 3
+        for _ in range(int(count)):
+            corners = int(lengths[at])
+            loops.append(lengths[at + 1 : at + 1 + 2 * corners].reshape(-1, 2))
+            at += 1 + 2 * corners
+        found.append((float(low), float(high), loops))
+    return found
+
+
 class Form(NamedTuple):
     """One kind of solid about the origin, and the z axis if it has one."""
 
@@ -122,6 +175,7 @@ FORMS = {
     "capsule": Form(capsule, ((1, 2),)),
     "ring": Form(ring),
     "turned": Form(turned),
+    "layers": Form(layers),
 }
 
 
@@ -152,7 +206,8 @@ class Primitive(NamedTuple):
     def fits(self, points: Points, error: float) -> bool:
         """Whether the points are on its surface up to their errors."""
         within = (np.abs(self.at(points)) < error / 2).mean()
-        return self.off(points, error) <= MEAN and bool(within >= WITHIN)
+        mean, least = FITS.get(self.form, (MEAN, WITHIN))
+        return self.off(points, error) <= mean and bool(within >= least)
 
     def placed(
         self, frame: Float[np.ndarray, "3 3"], origin: Float[np.ndarray, " 3"]
@@ -190,7 +245,7 @@ def primitive_of(points: Points, error: float) -> Primitive | None:
 
     best, limit = None, np.inf
     gain = TURNED_GAIN  # of what lies along the coordinate axes
-    for frame in _frames(points):
+    for frame in frames_of(points):
         fixed = [_fitted(one, points, error) for one in _starts(points, frame)]
         likely = sorted(fixed, key=off)[:TURNED]
         freely = [_fitted(one, points, error, turns=True) for one in likely]
@@ -208,7 +263,7 @@ def primitive_of(points: Points, error: float) -> Primitive | None:
     return best if best.fits(points, error) else None
 
 
-def _frames(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
+def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
     """The coordinate axes, and the points' own where these are others."""
     yield np.eye(3)
     own = np.linalg.svd(points - points.mean(0), full_matrices=False)[2].T
@@ -313,6 +368,8 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
         return rounded_box(lengths[:3], lengths[3], edge, _segments(lengths[3]))
     if form == "ellipsoid":
         return ball(lengths, edge, _segments(lengths.max()))
+    if form == "layers":
+        return prisms(unpacked(lengths), edge)
     widest = {"ring": lengths.sum(), "turned": lengths[::2].max()}
     count = _segments(widest.get(form, lengths[1:3].max()))
     return lathe(_profile(form, lengths), edge, count)

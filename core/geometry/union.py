@@ -72,6 +72,19 @@ def lathe(
     return _refined(outline.revolve(segments), edge)
 
 
+def prisms(
+    layers: Sequence[tuple[float, float, Sequence[Float[np.ndarray, "k 2"]]]], edge: float
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """The union of flat outlines, each from one height along z to another; the inside is on the
+    left of each loop."""
+    solids = []
+    for low, high, loops in layers:
+        corners = [[(float(x), float(y)) for x, y in loop] for loop in loops]
+        outline = manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)
+        solids.append(outline.extrude(high - low).translate((0.0, 0.0, low)))
+    return _refined(manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add), edge)
+
+
 def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:
     """Whether a mesh can be united with others: closed, manifold and oriented."""
     return not _solid(verts, faces).is_empty()

@@ -187,8 +187,10 @@ def around(turns):
 
 
 def star(points, wave=0.0):
-    """Three arms about the middle, each drawn a little otherwise."""
-    arms = [box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.35, 0.1, 0.08)) for k in range(3)]
+    """Three round arms about the middle, each drawn a little otherwise."""
+    arms = [
+        box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.25, 0.0, 0.0)) - 0.12 for k in range(3)
+    ]
     return (torch.stack(arms).amin(0) + wave * (11 * points).sin().sum(1))[:, None]
 
 
@@ -211,8 +213,25 @@ def test_what_repeats_itself_around_an_axis_does_so_exactly():
 
 
 def long(points):
-    arm = box(points, (0.5, 0.0, 0.0), (0.5, 0.1, 0.08))
+    arm = box(points, (0.5, 0.0, 0.0), (0.4, 0.0, 0.0)) - 0.12
     return arm.minimum(box(points @ around(1 / 3), (0.35, 0.0, 0.1), (0.3, 0.1, 0.15)))[:, None]
+
+
+def test_a_flat_outline_is_one_all_along():
+    def arch(points):
+        hole = 0.35 - (points[:, [0, 2]] - torch.tensor([0.0, -0.5])).norm(dim=1)
+        wave = 0.004 * (13 * points).sin().sum(1)
+        return (box(points, (0.0, 0.0, 0.0), (0.7, 0.2, 0.5)).maximum(hole) + wave)[:, None]
+
+    known = KnownParts(arch, Forms((0.7,), ((0.0,),) * 3))
+    (piece,) = known.pieces
+    assert piece.primitive is not None and piece.primitive.form == "layers"
+    verts, faces = known.surface_of(0)
+    normals = face_normals(verts, faces)
+    # Each face is an end, or along the axis.
+    along = normals[:, 1].abs()
+    assert ((along < 1e-2) | (along > 1 - 1e-2)).all()
+    assert (arch(verts)[:, 0].abs() < 0.03).all()
 
 
 def test_four_legs_are_one_leg_four_times():

@@ -1,0 +1,139 @@
+"""What is flat outlines one upon another along an axis: an arch, a saw, a shelf with its back.
+
+The sections through a layer say the same, each with errors of its own: their mean has less. Where
+one layer ends and the next begins is told by dynamic programming, as for a signal that is constant
+in pieces (Jackson et al. 2005, "An algorithm for optimal partitioning of data on an interval").
+"""
+
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+from jaxtyping import Float, Int
+from scipy import ndimage
+from scipy.spatial.transform import Rotation
+
+from core.geometry.faces import areas_and_normals
+from core.geometry.outline import even, level, outline
+from core.geometry.primitives import Primitive, packed
+
+MOST = 4  # layers
+DEAR = 0.12  # of the nodes near the surface: what a layer more has to explain
+BLURRED = 4  # nodes that a layer is high, from which its first and last do not count
+DRIFT = 0.7  # cells: what its outline moves by more is no layer
+FAR = 3.0  # cells: farther from the surface all is the same
+FINER = 2  # times, an outline's lattice than the piece's
+FACING = 0.9  # cosine between a step and the axis
+NEAR = 1.5  # errors between where a step may be and where its faces are
+
+
+class Lattice(NamedTuple):
+    """A piece's signed distances."""
+
+    values: Float[np.ndarray, "n n n"]  # training units
+    low: Float[np.ndarray, " 3"]  # the first node
+    cell: float  # training units
+
+    def along(self, frame: Float[np.ndarray, "3 3"]) -> "Lattice":
+        """The same along other axes, the frame's columns; its places are in the frame."""
+        axes = np.abs(frame).argmax(0)
+        if np.allclose(frame, np.eye(3)[:, axes]):
+            return Lattice(self.values.transpose(axes), self.low[axes], self.cell)
+        half = (len(self.values) - 1) / 2
+        node = np.stack(np.meshgrid(*[np.arange(len(self.values)) - half] * 3, indexing="ij"), -1)
+        places = np.moveaxis(node @ frame.T + half, -1, 0)
+        values = ndimage.map_coordinates(self.values, places, order=1, cval=FAR * self.cell)
+        return Lattice(values, (self.low + half * self.cell) @ frame - half * self.cell, self.cell)
+
+
+def layered(
+    lattice: Lattice,
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    error: float,
+    frame: Float[np.ndarray, "3 3"],
+) -> Primitive | None:
+    """The layers along a frame's last axis that a piece is of; None where it is not of layers, or
+    of more than ``MOST``.
+
+    Args:
+        verts: of its surface, with ``faces``: where the layers end.
+        error: about what the distances may be off.
+    """
+    lattice = lattice.along(frame)
+    sections = np.clip(np.moveaxis(lattice.values, 2, 0) / lattice.cell, -FAR, FAR)
+    starts = segments(sections.clip(-1, 1))
+    local = verts @ frame
+    area, normal = areas_and_normals(local, faces)
+    steps = np.stack([local[faces][..., 2].mean(1), area * (np.abs(normal[:, 2]) > FACING)])
+    ends = [
+        step_at(lattice.low[2] + (k - 0.5) * lattice.cell, *steps, NEAR * error) for k in starts
+    ]
+    found = []
+    for (first, last), (low, high) in zip(
+        itertools.pairwise(starts), itertools.pairwise(ends), strict=True
+    ):
+        blurred = int(last - first >= BLURRED)
+        inner = sections[first + blurred : last - blurred]
+        mean = inner.mean(0)
+        if mean.min() >= 0 or high <= low:
+            continue
+        if drift(inner) > DRIFT:
+            return None
+        finer = ndimage.zoom(mean, FINER) * lattice.cell
+        step = lattice.cell * (len(mean) - 1) / (len(finer) - 1)
+        loops = outline(even(finer, error), lattice.low[:2], step, error)
+        if loops:
+            found.append((low, high, loops))
+    if not 0 < len(found) <= MOST:
+        return None
+    level([loop for *_, loops in found for loop in loops], error)
+    turn = Rotation.from_matrix(frame).as_rotvec()
+    return Primitive("layers", np.zeros(3), turn, packed(found))
+
+
+def segments(sections: Float[np.ndarray, "k r c"]) -> list[int]:
+    """Where each run of like sections begins, and where the last ends."""
+    flat = sections.reshape(len(sections), -1)
+    dear = DEAR * (np.abs(flat) < 1).sum()
+    total = np.concatenate([np.zeros((1, flat.shape[1])), flat.cumsum(0)])
+    square = np.append(0, (flat**2).sum(1).cumsum())
+    product = total @ total.T
+    norm = np.diag(product)
+    best, before = np.zeros(len(square)), np.zeros(len(square), int)
+    for end in range(1, len(square)):
+        # The squares about the mean of the sections from each start on.
+        start = np.arange(end)
+        mean = (norm[end] + norm[:end] - 2 * product[:end, end]) / (end - start)
+        cost = best[:end] + square[end] - square[:end] - mean + dear
+        before[end] = cost.argmin()
+        best[end] = cost.min()
+    starts = [len(flat)]
+    while starts[-1]:
+        starts.append(int(before[starts[-1]]))
+    return starts[::-1]
+
+
+def drift(sections: Float[np.ndarray, "k r c"]) -> float:
+    """How far the outline moves from the first third of a layer to its last, cells: in the mean
+    over the quarter of it that moves most."""
+    third = -(-len(sections) // 3)
+    first, last = sections[:third].mean(0), sections[-third:].mean(0)
+    edge = (np.abs(first) < 1) | (np.abs(last) < 1)
+    moved = np.sort(np.abs(first - last)[edge])
+    return float(moved[-(len(moved) // 4) - 1 :].mean())
+
+
+def step_at(
+    about: float,
+    heights: Float[np.ndarray, " f"],
+    areas: Float[np.ndarray, " f"],
+    near: float,
+) -> float:
+    """The height of the step that is about there: the median of its faces'."""
+    there = (np.abs(heights - about) < near) & (areas > 0)
+    if not there.any():
+        return about
+    order = heights[there].argsort()
+    weight = areas[there][order].cumsum()
+    return float(heights[there][order][np.searchsorted(weight, weight[-1] / 2)])
