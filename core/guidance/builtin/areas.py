@@ -85,16 +85,18 @@ class SolidAreas:
         first, second = start[:, 1:].topk(2, 1).values.T
         near = first - second < UNCLEAR * self.spacing
         area[near] = self._owner(points[near])
-        moved = points
-        for step in range(STEPS):
-            margin, slope, normal = self._margin(moved, area)
+        moved, here = points.clone(), torch.arange(len(points), device=points.device)
+        for step in range(STEPS):  # of the points that are near a border
+            place, mine = moved[here], area[here]
+            margin, slope, normal = self._margin(place, mine)
             slope = slope - (slope * normal).sum(1, keepdim=True) * normal  # along the surface
             steep = slope.norm(dim=1, keepdim=True)
-            away = margin[:, None] / steep.clamp_min(LEAST_SLOPE)
-            way = (INSET - away).clamp(0, INSET) / (STEPS - step)
-            moved = moved + torch.where(steep > LEAST_SLOPE, way * slope / steep, 0.0)
+            way = (INSET - margin[:, None] / steep.clamp_min(LEAST_SLOPE)).clamp(0, INSET)
+            go = ((way > 0) & (steep > LEAST_SLOPE))[:, 0]
+            here = here[go]
+            to = place[go] + (way * slope / steep)[go] / (STEPS - step)
             # Back to the distance from the surface that the point had.
-            moved = moved - (self._at(moved)[:, :1] - level[:, None]) * normal
+            moved[here] = to - (self._at(to)[:, :1] - level[here, None]) * normal[go]
         return area, moved
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
