@@ -19,9 +19,9 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.crisp import crisp
-from core.geometry.faces import unit
+from core.geometry.faces import bending, unit
 from core.geometry.init_shape import sample_surface
-from core.geometry.layered import FAR, Lattice, layered
+from core.geometry.layered import FAR, Lattice, layered, wall
 from core.geometry.mesh import compact, component_labels, drop_floaters, face_areas, polished
 from core.geometry.primitives import Primitive, frames_of, primitive_of
 from core.geometry.revolved import SHARE, revolved
@@ -51,6 +51,7 @@ SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
 REPEATED = 0.94  # the least share of its surface that does
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
+TORN = 1.05  # times the bending of what is drawn, at most
 FITTED = 400  # points of a piece's surface, which tell its primitive
 NEAR = 0.1  # training units
 STRUT = 0.03  # radius, training units
@@ -134,6 +135,7 @@ class KnownParts:
         points, mesh = points_of(piece), (piece.verts.double().numpy(), piece.faces.numpy())
         frames = [np.roll(f, k, 1) for f in frames_of(points) for k in range(3)]
         found = [layered(piece.lattice, *mesh, piece.error, frame) for frame in frames]
+        found.append(wall(piece.lattice, *mesh, piece.error, piece.middle.double().numpy()))
         likely = [
             one
             for one in found
@@ -275,7 +277,9 @@ def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 
     generator = torch.Generator().manual_seed(0)
     points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
     off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)
-    drawn = {"turned": DRAWN_TURNED, "layers": DRAWN_LAYERS}.get(one.form, DRAWN)
+    drawn = {"turned": DRAWN_TURNED, "layers": DRAWN_LAYERS, "wall": DRAWN_LAYERS}.get(
+        one.form, DRAWN
+    )
     return all(float((off < by).float().mean()) >= share for by, share in drawn)
 
 
@@ -360,7 +364,9 @@ def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
     verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
     of = torch.zeros(len(verts), dtype=torch.long)
     made = crisp(verts, faces, verts, of, (flat,), piece.error)
-    return made if is_solid(*made) else (verts, faces)
+    before, after = (bending(v.double().numpy(), f.numpy()) for v, f in ((verts, faces), made))
+    # On what is finer than its errors the planes are wrong, and leave it ragged.
+    return made if after < TORN * before and is_solid(*made) else (verts, faces)
 
 
 def turned_share(distances: Distances, piece: Piece, axis: int) -> float:

@@ -45,3 +45,14 @@ def normals_of(
     a, b, c = (verts[faces[:, i]] for i in range(3))
     cross = np.repeat(np.cross(b - a, c - a), 3, 0)
     return np.stack([np.bincount(faces.reshape(-1), x, len(verts)) for x in cross.T], 1)
+
+
+def bending(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> float:
+    """The absolute mean curvature of the whole mesh: half of each edge's length times the angle
+    between its faces, radians. What makes planes flat lessens it, what tears them adds to it."""
+    _, normal = areas_and_normals(verts, faces)
+    length = np.linalg.norm(verts[faces] - verts[np.roll(faces, -1, 1)], axis=2)
+    adjacent = neighbours(faces)
+    cosine = (normal[:, None] * normal[adjacent]).sum(2).clip(-1, 1)
+    # Each edge is met from both sides.
+    return float((length * np.arccos(cosine))[adjacent >= 0].sum() / 4)

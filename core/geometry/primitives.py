@@ -18,7 +18,7 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.union import ball, lathe, prisms, rounded_box
+from core.geometry.union import ball, lathe, prisms, rolled, rounded_box
 
 Lengths = Float[np.ndarray, " k"]
 Points = Float[np.ndarray, "n 3"]
@@ -39,7 +39,7 @@ EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
 # a rim of 0.055 comes out as 0.07, one of 0.08 as it is.
 BLUR, UNBLURRED, LEAST_RIM = 0.05, 2.5, 0.02
 MEAN, WITHIN = 0.22, 0.93  # mean error, in errors, at most; least share within half an error
-FITS = {"layers": (0.25, 0.85)}
+FITS = {"layers": (0.25, 0.85), "wall": (0.25, 0.85)}
 ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
 STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
 TUBE = 0.75  # of a ring's radius, at most, its tube's
@@ -121,6 +121,18 @@ def layers(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     return nearest
 
 
+def wall(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """Outlines laid around the axis: the radius at which they are as long as flat, and layers as
+    ``packed`` has them, of which height is distance from the axis; about the distance."""
+    return layers(unrolled(p, lengths[0]), lengths[1:])
+
+
+def unrolled(p: Points, radius: float) -> Points:
+    """The way around the axis at a radius, 0 where y is least; the height; the distance from it."""
+    angle = np.arctan2(p[:, 0], -p[:, 1])
+    return np.stack([radius * angle, p[:, 2], np.hypot(p[:, 0], p[:, 1])], 1)
+
+
 def _within(p: Float[np.ndarray, "n 2"], loops: Sequence[Loop]) -> Float[np.ndarray, " n"]:
     """Signed distance from an outline, negative inside."""
     nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
@@ -176,6 +188,7 @@ FORMS = {
     "ring": Form(ring),
     "turned": Form(turned),
     "layers": Form(layers),
+    "wall": Form(wall),
 }
 
 
@@ -370,6 +383,9 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
         return ball(lengths, edge, _segments(lengths.max()))
     if form == "layers":
         return prisms(unpacked(lengths), edge)
+    if form == "wall":
+        chord = 2 * np.sqrt(2 * CHORD * lengths[0])
+        return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))
     widest = {"ring": lengths.sum(), "turned": lengths[::2].max()}
     count = _segments(widest.get(form, lengths[1:3].max()))
     return lathe(_profile(form, lengths), edge, count)

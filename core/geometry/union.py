@@ -5,7 +5,7 @@ geometric computation", 2009).
 """
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import manifold3d
 import numpy as np
@@ -72,17 +72,40 @@ def lathe(
     return _refined(outline.revolve(segments), edge)
 
 
-def prisms(
-    layers: Sequence[tuple[float, float, Sequence[Float[np.ndarray, "k 2"]]]], edge: float
-) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+Layers = Sequence[tuple[float, float, Sequence[Float[np.ndarray, "k 2"]]]]
+
+
+def prisms(layers: Layers, edge: float) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """The union of flat outlines, each from one height along z to another; the inside is on the
     left of each loop."""
-    solids = []
-    for low, high, loops in layers:
-        corners = [[(float(x), float(y)) for x, y in loop] for loop in loops]
-        outline = manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)
-        solids.append(outline.extrude(high - low).translate((0.0, 0.0, low)))
-    return _refined(manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add), edge)
+    return _refined(_added(_prism(*layer) for layer in layers), edge)
+
+
+def rolled(
+    layers: Layers, radius: float, edge: float
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """The same laid once around the z axis, and what goes on beyond that left out: x is the way
+    around at ``radius``, 0 in front, y the height, z the distance from the axis."""
+
+    def laid(verts: np.ndarray) -> np.ndarray:
+        angle, height, far = verts[:, 0] / radius, verts[:, 1], verts[:, 2]
+        return np.stack([far * np.sin(angle), -far * np.cos(angle), height], 1)
+
+    flat = _added(_prism(*layer) for layer in layers)
+    left, right = flat.split_by_plane((1.0, 0.0, 0.0), 0.0)
+    seam = np.pi * radius
+    sides = left.trim_by_plane((1.0, 0.0, 0.0), -seam), right.trim_by_plane((-1.0, 0.0, 0.0), -seam)
+    return _refined(_added(side.refine_to_length(edge).warp_batch(laid) for side in sides), np.inf)
+
+
+def _prism(low: float, high: float, loops: Sequence[np.ndarray]) -> manifold3d.Manifold:
+    corners = [[(float(x), float(y)) for x, y in loop] for loop in loops]
+    outline = manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)
+    return outline.extrude(high - low).translate((0.0, 0.0, low))
+
+
+def _added(solids: Iterable[manifold3d.Manifold]) -> manifold3d.Manifold:
+    return manifold3d.Manifold.batch_boolean(list(solids), manifold3d.OpType.Add)
 
 
 def is_solid(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> bool:

@@ -5,7 +5,7 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.layered import Lattice, drift, layered, segments
+from core.geometry.layered import Lattice, drift, layered, segments, wall
 from core.geometry.mesh import health
 from core.geometry.primitives import Primitive, packed, unpacked
 from core.geometry.sdf_net import surface
@@ -39,12 +39,23 @@ def blade(p):
     return np.maximum(box(p, half=(0.3, 0.1, 0.7)), (np.abs(p[:, 0]) + 0.5 * p[:, 2] - 0.35) / 1.12)
 
 
-def found_in(distance, frame, wave=0.0):
+def crown(p):
+    """Six points on a ring, each cut straight."""
+    r, angle = np.hypot(p[:, 0], p[:, 1]), np.arctan2(p[:, 0], -p[:, 1])
+    ring = np.maximum(np.abs(r - 0.6) - 0.09, np.abs(p[:, 2]) - 0.4)
+    point = np.abs((angle * 6 / np.pi) % 2 - 1)  # 0 at a point, 1 between two
+    return np.maximum(ring, (p[:, 2] + 0.1 - 0.5 * (1 - point)) * 0.5)
+
+
+def lattice_of(distance, wave=0.0):
     field = distance(NODES) + wave * np.sin(19 * NODES).sum(1)
-    values = torch.from_numpy(field).float()
-    verts, faces, *_ = surface(values, GRID.tet_verts, GRID)
+    verts, faces, *_ = surface(torch.from_numpy(field).float(), GRID.tet_verts, GRID)
     lattice = Lattice(field.reshape(GRID.shape), NODES[0], GRID.cell)
-    return layered(lattice, verts.double().numpy(), faces.numpy(), ERROR, frame)
+    return lattice, verts.double().numpy(), faces.numpy()
+
+
+def found_in(distance, frame, wave=0.0):
+    return layered(*lattice_of(distance, wave), ERROR, frame)
 
 
 def farthest(one, distance):
@@ -86,6 +97,30 @@ def test_layers_are_found_in_a_frame_of_their_own():
 @pytest.mark.parametrize("distance", [blade, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_tapers_or_bulges_is_not_of_layers(distance):
     assert found_in(distance, UP) is None
+
+
+def test_an_outline_around_a_line_is_a_wall():
+    one = wall(*lattice_of(crown, wave=0.002), ERROR, np.array([0.0, 0.0, 0.1]))
+    assert one is not None and one.form == "wall"
+    verts, faces = one.mesh(0.06)
+    found = health(verts, faces)
+    assert found["closed"] and found["manifold"] and (found["components"], found["genus"]) == (1, 1)
+    p = verts.double().numpy()
+    r = np.hypot(p[:, 0], p[:, 1])
+    assert np.minimum(np.abs(r - 0.51), np.abs(r - 0.69)).max() < 0.1
+    assert (r.min(), r.max()) == pytest.approx((0.51, 0.69), abs=0.015)  # inside and outside
+    assert p[:, 2].min() == pytest.approx(-0.4, abs=0.015)
+    assert np.quantile(np.abs(crown(p)), 0.9) < 0.02
+    assert one.distance(verts).abs().max() < 0.015  # where the outline comes together
+    # The six points are as high as each other, also where the outline comes together behind.
+    angle = np.arctan2(p[:, 0], -p[:, 1])
+    tops = [p[np.cos(angle - k * np.pi / 3) > 0.99][:, 2].max() for k in range(6)]
+    assert np.ptp(tops) < 0.03 and min(tops) > 0.3
+
+
+@pytest.mark.parametrize("distance", [arch, lambda p: np.linalg.norm(p, axis=1) - 0.5])
+def test_what_has_no_empty_middle_or_bulges_is_no_wall(distance):
+    assert wall(*lattice_of(distance), ERROR, np.array([0.0, 0.0, 0.2])) is None
 
 
 def test_segments_are_the_runs_of_like_sections():
