@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.crisp import crisp
-from core.geometry.faces import bending, unit
+from core.geometry.faces import areas_and_normals, bending, unit
 from core.geometry.init_shape import sample_surface
 from core.geometry.layered import FAR, Lattice, layered, wall
 from core.geometry.mesh import compact, component_labels, drop_floaters, face_areas, polished
@@ -51,6 +51,8 @@ SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
 REPEATED = 0.94  # the least share of its surface that does
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
+ALONG = 0.99  # cosine between an end's normal and the axis
+FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
 TORN = 1.05  # times the bending of what is drawn, at most
 FITTED = 400  # points of a piece's surface, which tell its primitive
 NEAR = 0.1  # training units
@@ -136,14 +138,20 @@ class KnownParts:
         frames = [np.roll(f, k, 1) for f in frames_of(points) for k in range(3)]
         found = [layered(piece.lattice, *mesh, piece.error, frame) for frame in frames]
         found.append(wall(piece.lattice, *mesh, piece.error, piece.middle.double().numpy()))
-        likely = [
-            one
-            for one in found
-            if one and one.fits(points, piece.error) and is_drawn(self.distances, one, piece)
-        ]
+        found = [one for one in found if one and one.fits(points, piece.error)]
+        likely = [x for x in found if self._may_be(x, piece) and is_drawn(self.distances, x, piece)]
         # Of what fits about as well the one that takes less to say.
         dear = {id(one): one.off(points, piece.error) + WORDY * len(one.lengths) for one in likely}
         return min(likely, key=lambda one: dear[id(one)], default=None)
+
+    def _may_be(self, layers: Primitive, piece: Piece) -> bool:
+        """Whether the part has such flat ends in the mean: a tube's are not told from its sides."""
+        if layers.form != "layers":
+            return True
+        verts, faces = (x.double().numpy() for x in layers.mesh(np.inf))
+        area, normal = areas_and_normals(verts @ layers.frame, faces.astype(int))
+        ends = area[np.abs(normal[:, 2]) > ALONG].sum() / area.sum()
+        return bool(self.forms.flat[piece.place.part] >= FLAT_ENDS * ends)
 
     def share(self, piece: Piece) -> Float[np.ndarray, " 3"]:
         """The fraction of the piece's surface that is the same all around along x, y, z."""

@@ -208,9 +208,14 @@ class Primitive(NamedTuple):
         """The same, without torch."""
         return FORMS[self.form].distance(self.local(points), self.lengths)
 
+    @property
+    def frame(self) -> Float[np.ndarray, "3 3"]:
+        """Its own axes, the columns."""
+        return Rotation.from_rotvec(self.turn).as_matrix()
+
     def local(self, points: Points) -> Points:
         """The points where the solid is about the origin."""
-        return (points - self.center) @ Rotation.from_rotvec(self.turn).as_matrix()
+        return (points - self.center) @ self.frame
 
     def off(self, points: Points, error: float) -> float:
         """How far the points are from its surface in the mean, in errors."""
@@ -227,7 +232,7 @@ class Primitive(NamedTuple):
     ) -> "Primitive":
         """In the frame, its columns, at an origin; a frame may mirror x or y, as all forms are the
         same on both sides of these."""
-        turn = frame @ Rotation.from_rotvec(self.turn).as_matrix()
+        turn = frame @ self.frame
         turn = turn @ np.diag(np.sign([np.linalg.det(frame), 1, 1]))
         turn = Rotation.from_matrix(turn).as_rotvec()
         return self._replace(center=frame @ self.center + origin, turn=turn)
@@ -242,8 +247,7 @@ class Primitive(NamedTuple):
     def mesh(self, edge: float) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
         """Its closed surface; flat edges are no longer than ``edge``."""
         verts, faces = _mesh(self.form, self.lengths, edge)
-        matrix = Rotation.from_rotvec(self.turn).as_matrix()
-        placed = verts.double().numpy() @ matrix.T + self.center
+        placed = verts.double().numpy() @ self.frame.T + self.center
         return torch.from_numpy(placed).to(verts), faces
 
 

@@ -232,6 +232,9 @@ def test_a_flat_outline_is_one_all_along():
     along = normals[:, 1].abs()
     assert ((along < 1e-2) | (along > 1 - 1e-2)).all()
     assert (arch(verts)[:, 0].abs() < 0.03).all()
+    # A part that is round in the mean has none.
+    (piece,) = KnownParts(arch, Forms((0.1,), ((0.0,),) * 3)).pieces
+    assert piece.primitive is None
 
 
 def test_four_legs_are_one_leg_four_times():
