@@ -20,6 +20,7 @@ from torch import Tensor
 
 from core.geometry.crisp import crisp
 from core.geometry.faces import areas_and_normals, bending, unit
+from core.geometry.flush import flush
 from core.geometry.init_shape import sample_surface
 from core.geometry.layered import FAR, Lattice, layered, wall
 from core.geometry.mesh import compact, component_labels, drop_floaters, face_areas, polished
@@ -115,7 +116,9 @@ class KnownParts:
         found = places_of(self.distances, len(self.forms.flat))
         drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
         pairs = zip(drawn, matched(self.distances, drawn), strict=True)
-        return [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
+        told = [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
+        even = flush([piece.primitive for piece in told])
+        return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
 
     def _told(self, piece: Piece, one: Primitive | None) -> Piece:
         """The piece with the primitive that it is; what is none yet without what breaks its

@@ -161,7 +161,9 @@ def segments(sections: Float[np.ndarray, "k r c"]) -> list[int]:
 
 def drift(sections: Float[np.ndarray, "k r c"]) -> float:
     """How far the outline moves from the first third of a layer to its last, cells: in the mean
-    over the quarter of it that moves most."""
+    over the quarter of it that moves most; 0 for one so thin that its ends blur all of it."""
+    if len(sections) < BLURRED:
+        return 0.0
     third = -(-len(sections) // 3)
     first, last = sections[:third].mean(0), sections[-third:].mean(0)
     edge = (np.abs(first) < 1) | (np.abs(last) < 1)

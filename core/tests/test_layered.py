@@ -96,7 +96,9 @@ def test_layers_are_found_in_a_frame_of_their_own():
 
 @pytest.mark.parametrize("distance", [blade, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_tapers_or_bulges_is_not_of_layers(distance):
-    assert found_in(distance, UP) is None
+    lattice, verts, faces = lattice_of(distance)
+    one = layered(lattice, verts, faces, ERROR, UP)
+    assert one is None or not one.fits(verts, ERROR)
 
 
 def test_an_outline_around_a_line_is_a_wall():
