@@ -12,8 +12,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import jaxtyping
 import pytest
-from jaxtyping import install_import_hook
 
 from core.tests import checked
 
@@ -43,7 +43,8 @@ def checked_modules() -> list[str]:
     )
 
 
-install_import_hook(checked_modules(), CHECKER)
+jaxtyping.jaxtyped = checked.jaxtyped
+jaxtyping.install_import_hook(checked_modules(), CHECKER)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -108,6 +109,7 @@ def pytest_collectstart() -> None:
 @pytest.hookimpl(tryfirst=True)  # before fixtures of a wider scope too
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Start every generator of random numbers that a test may use from its beginning."""
+    checked.forget_calls()
     _start_numbers()
     for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
         kind = type(value).__module__, type(value).__name__
