@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 import torch
 
+from core.adam import Adam
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import UvMesh
@@ -238,7 +239,7 @@ def test_walls_that_came_up_far_away_go_again():
     with torch.no_grad():
         net.mlp[-1].bias[0] -= 1.0
         assert (net(grid.tet_verts)[0].sign() != band.sdf.sign())[far].float().mean() > 0.5
-    optimizer = torch.optim.Adam(net.parameters(), 1e-2)
+    optimizer = Adam(net.parameters(), 1e-2)
     generator = torch.Generator().manual_seed(0)
     for _ in range(30):
         optimizer.zero_grad()
