@@ -12,8 +12,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import jaxtyping
 import pytest
-from jaxtyping import install_import_hook
 
 from core.tests import checked
 
@@ -43,7 +43,8 @@ def checked_modules() -> list[str]:
     )
 
 
-install_import_hook(checked_modules(), CHECKER)
+jaxtyping.jaxtyped = checked.jaxtyped
+jaxtyping.install_import_hook(checked_modules(), CHECKER)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -60,12 +61,14 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The files that take longest, by their CPU seconds: the processes end together if they come first.
 LONGEST = (
-    "test_prior_solid.py", "test_faults.py", "test_prior_families.py", "test_generate.py",
-    "test_reproduce.py", "test_guide.py", "test_fit.py", "test_stable_diffusion.py",
-    "test_shading_matches_cycles.py", "test_asset_matches_cycles.py", "test_prior_guidance.py",
-    "test_stages.py", "test_detail.py", "test_unwrap.py", "test_full_disk.py", "test_region.py",
-    "test_interrupt.py", "test_gpu_ready.py", "test_bad_inputs.py", "test_remesh.py",
-    "test_edit_region.py", "test_explore.py", "test_lora.py", "test_facing.py", "test_room.py",
+    "test_prior_solid.py", "test_faults.py", "test_generate.py", "test_prior_families.py",
+    "test_bend.py", "test_stages.py", "test_guide.py", "test_reproduce.py", "test_fit.py",
+    "test_bad_inputs.py", "test_asset_matches_cycles.py", "test_remesh.py", "test_region.py",
+    "test_areas.py", "test_explore.py", "test_gpu_ready.py", "test_detail.py",
+    "test_stable_diffusion.py", "test_exports.py", "test_facing.py", "test_edit_region.py",
+    "test_unwrap.py", "test_prior_guidance.py", "test_prior_restorer.py",
+    "test_shading_matches_cycles.py", "test_likeness.py", "test_assembly.py",
+    "test_gaussian.py",
 )  # fmt: skip
 
 
@@ -108,6 +111,7 @@ def pytest_collectstart() -> None:
 @pytest.hookimpl(tryfirst=True)  # before fixtures of a wider scope too
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Start every generator of random numbers that a test may use from its beginning."""
+    checked.forget_calls()
     _start_numbers()
     for value in vars(item.module).values():  # pyright: ignore[reportAttributeAccessIssue]
         kind = type(value).__module__, type(value).__name__

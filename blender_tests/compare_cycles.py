@@ -59,7 +59,9 @@ def empty_scene(
     cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 0.01
     here.render.threads_mode, here.render.threads = "FIXED", 1
     here.render.film_transparent = True
-    light.set_world(here, lit_by)
+    world = light.set_world(here, lit_by)
+    # Half as wide a map as Cycles' own takes 1.5 s less, and the noise hardly grows.
+    world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 2048
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     here.collection.objects.link(camera)
     camera.data.sensor_fit, camera.data.angle = "VERTICAL", float(seen_by.fovy)
@@ -72,7 +74,7 @@ def empty_scene(
 def add_ball(roughness: float, metallic: float) -> None:
     """A ball of radius RADIUS and colour KD."""
     mesh = bpy.data.meshes.new("ball")
-    verts, faces = ball_mesh(512, 256)
+    verts, faces = ball_mesh(256, 128)
     mesh.from_pydata(verts, (), faces)
     mesh.shade_smooth()
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("ball", mesh))

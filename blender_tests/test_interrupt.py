@@ -28,8 +28,8 @@ def default_sigint() -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
-@pytest.mark.parametrize(("target", "seconds"), [("--render=a.png", 1), ("--turntable=a.mp4", 8)])
-def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target, seconds):
+@pytest.mark.parametrize("target", ["--render=a.png", "--turntable=a.mp4"])
+def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target):
     folder = tmp_path / "pictures"
     folder.mkdir()
     old = folder / target.partition("=")[2]
@@ -45,13 +45,13 @@ def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target
         preexec_fn=default_sigint,
     )
     deadline = time.monotonic() + 100
-    while target.endswith(".png") and not any(folder.glob(f"{output.PREFIX}*")):
+    while not any(folder.glob(f"{output.PREFIX}*")):
         assert child.poll() is None and time.monotonic() < deadline
         time.sleep(0.05)
     # The render is under way. By the processor's time: a busy machine loads Blender for long.
     process = psutil.Process(child.pid)
-    begun = sum(process.cpu_times()[:2]) if target.endswith(".png") else 0
-    while sum(process.cpu_times()[:2]) < begun + seconds:
+    begun = sum(process.cpu_times()[:2])
+    while sum(process.cpu_times()[:2]) < begun + 1:
         assert child.poll() is None and time.monotonic() < deadline, child.communicate()
         time.sleep(0.05)
     start = time.monotonic()

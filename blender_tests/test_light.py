@@ -104,6 +104,17 @@ def test_the_light_travels_with_the_file(tmp_path):
     assert light.environment_image(bpy.context.scene.world).packed_file
 
 
+@pytest.mark.parametrize(
+    ("name", "given"), [("studio", ("MANUAL", 1024)), ("city", ("AUTOMATIC",))]
+)
+def test_the_map_of_bright_places_is_no_finer_than_the_picture_needs(name, given):
+    """Cycles' own is 4096 wide for any picture, 1 s of a core for each frame. ``city``, of 1024,
+    has a sun, which takes all of it."""
+    light.set_world(bpy.context.scene, light.light_file(name))
+    cycles = bpy.context.scene.world.cycles
+    assert (cycles.sampling_method, cycles.sample_map_resolution)[: len(given)] == given
+
+
 def test_a_new_light_takes_the_place_of_the_old(tmp_path):
     own = bpy.data.worlds.new("the user's own")
     bpy.context.scene.world = own

@@ -15,7 +15,8 @@ from fantasia3d_addon.ui import registration  # noqa: E402
 pytestmark = pytest.mark.blender
 PAGE = (ROOT / "docs" / "recipes.md").read_text("utf-8")
 TOOLS, JOBS = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
-SMALL = (  # the same calls with fewer pixels, frames and faces
+SMALL = (  # the same calls with fewer pixels, frames and faces, and a smaller light
+    ('"sunset"', '"studio"'),
     ("bl_ext.user_default.fantasia3d", "fantasia3d_addon"),
     ("frames=96", "frames=2, size=16, samples=1"),
     ("frames=60", "frames=4"),

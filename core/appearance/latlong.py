@@ -86,9 +86,12 @@ def convolve(image: Float[Tensor, "h w 3"], kernel: Kernel) -> Float[Tensor, "h 
     source = torch.view_as_real(torch.fft.rfft(image * area[:, None], dim=1))
     # Both parts as columns of one real matrix: the kernel's transform is real.
     source = source.permute(1, 0, 2, 3).flatten(2)
-    out = []
+    # Seen from below the rows are the same upside down: the lower half's kernel is the upper's.
+    source = torch.cat([source, source.flip(1)], -1)
+    upper, lower = [], []
     # The kernel between all pairs of rows is height² x width / 2 values: only some rows at a time.
-    for rows in torch.arange(height).split(max(1, (1 << 21) // (height * width))):
+    half = torch.arange((height + 1) // 2)
+    for rows in half.split(max(1, (1 << 21) // (height * width))):
         level = cosine[rows, None] * cosine
         # The spherical law of cosines; the turn is that between two texels' azimuths.
         cos = sine[rows, None, None] * sine[:, None] * turn + level[..., None]
@@ -99,10 +102,11 @@ def convolve(image: Float[Tensor, "h w 3"], kernel: Kernel) -> Float[Tensor, "h 
         # Frequency 0 sums a row, so this is the kernel's whole weight: the mean is exact for any
         # kernel.
         total = weight[0] @ area
-        summed = torch.bmm(weight, source).unflatten(2, (3, 2)).permute(1, 0, 2, 3).contiguous()
-        row = torch.fft.irfft(torch.view_as_complex(summed), n=width, dim=1)
-        out.append(row / total[:, None])
-    return torch.cat(out)
+        summed = torch.bmm(weight, source).unflatten(2, (2, 3, 2)).permute(2, 1, 0, 3, 4)
+        row = torch.fft.irfft(torch.view_as_complex(summed.contiguous()), n=width, dim=2)
+        for part, found in zip((upper, lower), row / total[:, None], strict=True):
+            part.append(found)
+    return torch.cat([*upper, torch.cat(lower)[: height // 2].flip(0)])
 
 
 @dataclass(frozen=True)

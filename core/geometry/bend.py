@@ -17,6 +17,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.adam import Adam
 from core.geometry.residual import lattice_nodes, read_lattice
 from core.geometry.tet_grid import EXTENT
 
@@ -70,7 +71,7 @@ def bend_to(solid: Distance, target: Distance, stiffness: float) -> Bend:
     points, wanted = points[near], wanted[near]
     weights = basis(points, CONTROLS)  # the points stay, so that they are found once
     controls.requires_grad_(True)
-    optimizer = torch.optim.Adam([controls], RATE)
+    optimizer = Adam([controls], RATE)
     for step in range(STEPS):
         tau = BLUR[0] * (BLUR[1] / BLUR[0]) ** (step / STEPS)
         moved = points + weights @ controls.view(-1, 3)

@@ -6,6 +6,7 @@ P as in the released code: 5000 points of the surface, the same moved by N(0, 0.
 uniform in the cube. All distances here are true ones; the released code's ellipsoid is not.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.adam import Adam
 from core.geometry.mesh import Mesh, face_areas, normalise
 from core.geometry.sdf_net import SdfNet
 from core.geometry.signed_distance import SolidMesh
@@ -154,11 +156,10 @@ def fit(
     """
     pairs = _pairs(net, shape, min(POINT_SETS, steps), extent, generator)
     optimizer = _optimizer(net, learning_rate)
-    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, max(steps, 1))
     error = float("nan")
     for step in range(steps):
+        optimizer.rate = learning_rate * (1 + math.cos(math.pi * step / steps)) / 2
         error = _step(net, optimizer, *pairs[step % len(pairs)])
-        schedule.step()
         if progress is not None:
             progress(step + 1, error)
     return error
@@ -195,7 +196,7 @@ def fit_until_still(
         best = min(best, error)
         if rate < LEAST_RATE * LEARNING_RATE:
             break
-        optimizer.param_groups[0]["lr"] = rate
+        optimizer.rate = rate
     return error
 
 
@@ -208,12 +209,12 @@ def _pairs(
     return [(points.to(device), shape.sdf(points).to(device)) for points in sets]
 
 
-def _optimizer(net: SdfNet, learning_rate: float) -> torch.optim.Optimizer:
+def _optimizer(net: SdfNet, learning_rate: float) -> Adam:
     # Müller et al. 2022, §4: the tiny epsilon is for table rows whose gradients are rare and weak.
-    return torch.optim.AdamW(net.parameters(), learning_rate, (0.9, 0.99), 1e-15, 0.0)
+    return Adam(net.parameters(), learning_rate, (0.9, 0.99), 1e-15)
 
 
-def _step(net: SdfNet, optimizer: torch.optim.Optimizer, points: Tensor, target: Tensor) -> float:
+def _step(net: SdfNet, optimizer: Adam, points: Tensor, target: Tensor) -> float:
     """One step of Eq. 3; the root mean square error before it."""
     sdf, offset = net(points)
     loss = (sdf - target).square().mean()

@@ -107,19 +107,24 @@ def polygon(u: Tensor, v: Tensor, corners: list[tuple[float, float]]) -> Tensor:
     # Squares are compared, and one root is taken at the end.
     nearest = torch.full_like(u, math.inf)
     inside = torch.zeros_like(u, dtype=torch.bool)
-    for (ax, ay), (bx, by) in zip(corners, corners[-1:] + corners[:-1], strict=True):
+    ax, ay = corners[-1]
+    wx, wy, above = u - ax, v - ay, v >= ay
+    for bx, by in corners:
         ex, ey = bx - ax, by - ay
-        wx, wy = u - ax, v - ay
         # An edge of no length is a point: the bound keeps h finite.
-        h = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clamp(0, 1)
-        dx, dy = wx - h * ex, wy - h * ey
-        nearest = torch.minimum(nearest, dx * dx + dy * dy)
+        squared = max(ex * ex + ey * ey, 1e-12)
+        h = torch.add(wx * (ex / squared), wy, alpha=ey / squared).clamp_(0, 1)
+        dx, dy = torch.add(wx, h, alpha=-ex), torch.add(wy, h, alpha=-ey)
+        nearest = torch.minimum(nearest, dx.square_().addcmul_(dy, dy))
         # Inside by the even-odd rule: how often a level ray crosses the edges. Level edges never
         # do.
+        above_a, above = above, v >= by
         if ay != by:
-            crosses = ((v >= ay) != (v >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
-            inside = inside ^ crosses
-    return torch.where(inside, -nearest.sqrt(), nearest.sqrt())
+            left = torch.add(wy * ex, wx, alpha=-ey)
+            inside ^= (above_a ^ above) & (left > 0 if ey > 0 else left <= 0)
+        ax, ay, wx, wy = bx, by, u - bx, v - by
+    distance = nearest.sqrt()
+    return torch.where(inside, -distance, distance)
 
 
 def lathe(

@@ -101,9 +101,13 @@ class ShapeScene(Scene):
             raise NoSurfaceError("The surface had nearly vanished")
         total = gather(losses)
         leaves = [(self._verts, self.verts), (self._sdf, self.sdf)]
-        pairs = [(out, at.grad) for out, at in leaves if at is not None and at.grad is not None]
+        # A product's gradient is its factor; where it is given as such, torch loads sympy first.
+        carried = [
+            (out * at.grad).sum() for out, at in leaves if at is not None and at.grad is not None
+        ]
         # SDF and vertices together, since both come from one pass of Ψ.
-        torch.autograd.backward([out for out, _ in pairs], [grad for _, grad in pairs])
+        if carried:
+            torch.stack(carried).sum().backward()
         return total
 
     def show(self, run: RunFolder) -> None:

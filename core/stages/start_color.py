@@ -11,6 +11,7 @@ from PIL import Image
 from torch import Tensor
 from torch.nn.functional import grid_sample, mse_loss
 
+from core.adam import Adam
 from core.appearance.material import MaterialNet, to_ranges
 from core.errors import UserError
 from core.geometry.mesh import Mesh, face_areas, normalise
@@ -78,7 +79,7 @@ def fit_base_color(
     error, linear; ``progress`` is called with the steps done.
     """
     device = next(net.parameters()).device
-    optimizer = torch.optim.Adam(net.parameters(), 1e-2)
+    optimizer = Adam(net.parameters(), 1e-2)
     low, high = net.config.kd_range
     error = float("nan")
     for step in range(steps):

@@ -6,6 +6,7 @@ from typing import Any, Generic, TypeVar
 import torch
 from torch import Tensor
 
+from core.adam import Adam
 from core.io.run_folder import RunFolder
 from core.ranks import Ranks
 
@@ -22,13 +23,11 @@ class Training(Generic[Net]):
 
     def __init__(self, name: str, module: Net, generator: torch.Generator, run: RunFolder) -> None:
         self.name, self.module, self.generator, self.run = name, module, generator, run
-        # "Implementation Details": AdamW. The betas and eps are the released code's. Each step
-        # sets its own learning rate.
+        # "Implementation Details": AdamW, here without a decay. The betas and eps are the released
+        # code's. Each step sets its own learning rate.
         # So small an eps lets weak and rare gradients move a hash grid (Müller et al. 2022, §4, the
         # same values).
-        self.optimizer = torch.optim.AdamW(
-            module.parameters(), betas=(0.9, 0.99), eps=1e-15, weight_decay=0.0
-        )
+        self.optimizer = Adam(module.parameters(), betas=(0.9, 0.99), eps=1e-15)
         self.step = 0  # the next one
         self.extra: dict[str, Any] = {}  # small JSON values, such as the guard's
         self.healthy: dict[str, Tensor] = {}  # the state to go back to (guard.py)
@@ -42,8 +41,7 @@ class Training(Generic[Net]):
 
     def set_learning_rate(self, rate: float) -> None:
         """The learning rate of the next step."""
-        for group in self.optimizer.param_groups:
-            group["lr"] = rate
+        self.optimizer.rate = rate
 
     def keep(self, label: str, tensors: dict[str, Tensor]) -> None:
         """Put ``tensors`` into the checkpoints under ``label``, in place of any others."""
@@ -57,7 +55,7 @@ class Training(Generic[Net]):
     def state(self) -> dict[str, Tensor]:
         """All tensors of the training, by name; copies."""
         tensors = {f"module.{k}": v for k, v in self.module.state_dict().items()}
-        for i, p in enumerate(self._parameters):
+        for i, p in enumerate(self.optimizer.parameters):
             for key, value in self.optimizer.state.get(p, {}).items():
                 tensors[f"optimizer.{i}.{key}"] = torch.as_tensor(value)
         tensors |= {f"kept.{key}": value for key, value in self._kept.items()}
@@ -125,18 +123,12 @@ class Training(Generic[Net]):
         self.generator.set_state(mark[0])
         self._kept = mark[1]
 
-    @property
-    def _parameters(self) -> list[torch.nn.Parameter]:
-        return [p for group in self.optimizer.param_groups for p in group["params"]]
-
     def _set_moments(self, moments: dict[str, Tensor]) -> None:
         # A state from before the first step has no moments: those of now must not stay.
         self.optimizer.state.clear()
-        parameters = self._parameters
         for key, value in moments.items():
             i, name = key.split(".", 1)
-            p = parameters[int(i)]
+            p = self.optimizer.parameters[int(i)]
             if name != "step" and value.shape != p.shape:
                 raise ValueError(f"{key} has another shape than its parameter")
-            # AdamW counts its steps on the CPU.
             self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)

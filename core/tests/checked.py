@@ -1,10 +1,51 @@
-"""beartype's checks of signatures, made once for those that are alike (``conftest.py``)."""
+"""Checks of calls while the tests run (``conftest.py``): types by beartype, shapes by jaxtyping.
 
+A check costs about as much as a small function. So a function is checked at its first calls in each
+test, where a wrong use shows, and at one in ten of those after; and the checks of signatures that
+are alike are made once.
+"""
+
+import functools
+import inspect
 from collections.abc import Callable
 from typing import Any
 
+import jaxtyping
 from beartype import BeartypeConf, beartype
 from jaxtyping import AbstractArray
+
+ALL = 20  # calls of a function in a test that are all checked
+THEN = 10  # of those after, one in so many is
+
+_calls: dict[int, int] = {}  # of a function's code, by its id, in the test that runs
+_always = jaxtyping.jaxtyped
+
+
+def forget_calls() -> None:
+    """A test begins: all functions are checked again."""
+    _calls.clear()
+
+
+def jaxtyped(function: Any = None, *, typechecker: Callable) -> Any:
+    """``jaxtyping.jaxtyped``, for the import hook, whose checks are those above."""
+    if function is None:
+        return functools.partial(jaxtyped, typechecker=typechecker)
+    if not inspect.isfunction(function):  # a class: a dataclass is checked where it is made
+        return _always(function, typechecker=typechecker)
+    key, check = id(function.__code__), None
+
+    @functools.wraps(function)
+    def checked(*args: Any, **kwargs: Any) -> Any:
+        nonlocal check
+        count = _calls[key] = _calls.get(key, 0) + 1
+        if count > ALL and count % THEN:
+            return function(*args, **kwargs)
+        if check is None:  # a function within a function is mostly called less often than defined
+            check = _always(function, typechecker=typechecker)
+        return check(*args, **kwargs)
+
+    return checked
+
 
 # An int may stand for a float, as PEP 484 has it.
 _check = beartype(conf=BeartypeConf(is_pep484_tower=True))

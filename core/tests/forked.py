@@ -1,8 +1,7 @@
 """Sessions of the core as forks of one process that has the method loaded.
 
-A process of its own costs 4.6 CPU seconds before its first step: torch, the core, and torch's
-compiler, which AdamW loads; then one for its weights and its light (``warm.py``). Tests of loading
-itself start one (``python -m core``).
+A process of its own costs 3 CPU seconds before its first step, torch and the core; then one for its
+weights and its light (``warm.py``). Tests of loading itself start one (``python -m core``).
 """
 
 import multiprocessing
@@ -22,7 +21,7 @@ from core.interrupt import process_began
 
 # The order of sums is the same each time with one thread, and a fork is safe.
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-LOADED = ["core.tests.forked", "core.generate", "torch._dynamo", "pytest", "core.tests.warm"]
+LOADED = ["core.tests.forked", "core.generate", "pytest", "core.tests.warm"]
 WAIT_SECONDS = 600.0  # for a short run, on a busy machine
 
 

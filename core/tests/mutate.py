@@ -1,5 +1,6 @@
 """Deterministic mutations of files, for the fuzz tests. Standard library only."""
 
+import copy
 import json
 import random
 import struct
@@ -141,6 +142,6 @@ def mutate_json(tree: Any, rng: random.Random) -> None:
         try:
             json.dumps(tree)
         except (ValueError, RecursionError):
-            owner[key] = rng.choice(VALUES)
+            owner[key] = copy.deepcopy(rng.choice(VALUES))
     else:
-        owner[key] = rng.choice(VALUES)
+        owner[key] = copy.deepcopy(rng.choice(VALUES))  # which later changes may change

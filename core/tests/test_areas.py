@@ -100,7 +100,7 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
 @pytest.mark.parametrize(
     ("prompt", "plain"),
     [
-        ("a blue robot", (True,) * 4),
+        ("a blue chair", (True,) * 4),
         ("a red ball with white stripes", (True, True)),
         ("a lighthouse", (False, True, True, True)),  # its rings are of its nature
     ],

@@ -169,8 +169,14 @@ def sampled(mesh: Mesh) -> torch.Tensor:
     return sample_surface(mesh.verts.float(), mesh.faces, 4000, seeded())
 
 
-def test_a_guide_s_chair_is_a_chair_of_its_proportions(tmp_path) -> None:
-    inputs, mesh = made_of(0.7, tmp_path / "run")
+@pytest.fixture(scope="module")
+def leashed(tmp_path_factory: pytest.TempPathFactory) -> tuple[Inputs, Mesh]:
+    """Of strength 0.7."""
+    return made_of(0.7, tmp_path_factory.mktemp("leashed") / "run")
+
+
+def test_a_guide_s_chair_is_a_chair_of_its_proportions(leashed) -> None:
+    inputs, mesh = leashed
     report = health(mesh.verts, mesh.faces)
     assert report["closed"]
     assert report["components"] == 1
@@ -186,8 +192,9 @@ def test_a_guide_s_chair_is_a_chair_of_its_proportions(tmp_path) -> None:
     assert float(off.quantile(0.9)) < 0.02
 
 
-def test_a_stronger_guide_is_nearer(tmp_path) -> None:
-    off = [apart(made_of(s, tmp_path / str(s))[1], seat()) for s in (0.0, 0.5, 0.99)]
+def test_a_stronger_guide_is_nearer(leashed, tmp_path) -> None:
+    free, strict = (made_of(strength, tmp_path / str(strength)) for strength in (0.0, 0.99))
+    off = [apart(mesh, seat()) for _, mesh in (free, leashed, strict)]
     assert off[0] > 1.5 * off[1]
     assert off[1] > 1.5 * off[2]
     assert off[2] < 0.003

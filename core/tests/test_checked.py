@@ -27,12 +27,12 @@ def scaled(kind):
     ],
 )
 def test_a_check_is_made_once_for_functions_that_are_alike(kind, made, right, wrong):
-    scaled(Tensor)
+    scaled(Tensor)(torch.ones(1), 1)
     before = len(checked._made)
     functions = scaled(kind), scaled(kind)
+    assert all(len(function(right, 2)) in (2, 5) for function in functions)
     assert len(checked._made) == before + made
     for function in functions:
-        assert len(function(right, 2)) in (2, 5)
         for arguments in ((wrong, 2), (right, 1.5), (right, 0)):
             with pytest.raises(TypeCheckError):
                 function(*arguments)
@@ -46,6 +46,26 @@ def test_the_cores_functions_are_checked_and_those_within_them():
             solid([0.0, 0.0, 0.0])
     with pytest.raises(TypeCheckError):
         box((0, 0), (1, 1, 1))
+
+
+def test_a_function_that_is_called_often_is_still_checked_now_and_then():
+    @checked.jaxtyped(typechecker=checked.once)
+    def doubled(value: Tensor) -> object:
+        return 2 * value
+
+    def refused(calls: int) -> int:
+        count = 0
+        for _ in range(calls):
+            try:
+                doubled(1.0)
+            except TypeCheckError:
+                count += 1
+        return count
+
+    assert refused(checked.ALL) == checked.ALL
+    assert refused(5 * checked.THEN) == 5
+    checked.forget_calls()  # as at the next test's begin
+    assert refused(1) == 1
 
 
 def test_a_result_is_held_to_the_arguments_sizes():

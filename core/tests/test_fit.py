@@ -31,7 +31,7 @@ SHORT = replace(
     fit_steps=60,
     coarse=replace(DRAFT.geometry.coarse, steps=0),
     grow=RefineConfig(rounds=0),
-    refine=RefineConfig(rounds=2, steps=20, views=10, batch=5, size=48, learning_rate=4e-3),
+    refine=RefineConfig(rounds=2, steps=20, views=8, batch=4, size=40, learning_rate=4e-3),
     sharpen=replace(DRAFT.geometry.sharpen, rounds=0),
 )
 SHARP = replace(SHORT, net=replace(FOURIER, octaves=5, residual=0.3), polish=0, flatten=2)

@@ -13,6 +13,7 @@ import random
 import resource
 import struct
 import time
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -269,9 +270,13 @@ def in_child(work: Callable[[], list[str]]) -> list[str]:
     child = os.fork()
     if child == 0:
         os.close(read)
-        with os.fdopen(write, "w") as pipe:
-            pipe.write(json.dumps([text for text in work() if text]))
-        os._exit(0)
+        try:
+            with os.fdopen(write, "w") as pipe:
+                pipe.write(json.dumps([text for text in work() if text]))
+            os._exit(0)
+        finally:  # an error, which must not go on as a second pytest
+            traceback.print_exc()
+            os._exit(1)
     os.close(write)
     with os.fdopen(read) as pipe:
         text = pipe.read()

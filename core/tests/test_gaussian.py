@@ -4,6 +4,7 @@ to a table through DMTet and the real renderer."""
 import pytest
 import torch
 
+from core.adam import Adam
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.geometry.init_shape import ellipsoid, fit
 from core.geometry.marching_tets import marching_tets
@@ -56,7 +57,7 @@ def distill_shape(sdf, *, lattice, steps, ray_mask_share, seed):
     grid = tet_grid(lattice)
     net = SdfNet(grid.cell, FOURIER, generator=random)
     fit(net, ellipsoid((0.6, 0.6, 0.6)), 60, random)
-    optimizer = torch.optim.Adam(net.parameters(), 4e-3, betas=(0.9, 0.99))
+    optimizer = Adam(net.parameters(), 4e-3, (0.9, 0.99))
     for step in range(steps):
         share = step / steps
         follow_rays = share < ray_mask_share

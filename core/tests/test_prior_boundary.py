@@ -1,4 +1,4 @@
-"""Making an asset needs nothing of the built-in prior's training."""
+"""Making an asset needs nothing of the built-in prior's training, nor torch's compiler."""
 
 import ast
 import json
@@ -12,10 +12,15 @@ ROOT = Path(__file__).parents[2]
 USERS = ("core/prior/", "core/benchmarks/", "core/reproduce/", "core/tests/")
 PREPARE = """
 import json, sys
+import torch
+from core.adam import Adam
 from core.generate import generate, prepare
 from core.io.job import Job
 prepare(Job(prompt="a red wooden chair"))
-print(json.dumps(sorted(name for name in sys.modules if name.startswith("core."))))
+parameter = torch.ones(1, requires_grad=True)
+parameter.sum().backward()
+Adam([parameter]).step()
+print(json.dumps(sorted(sys.modules)))
 """
 
 
@@ -53,10 +58,11 @@ def test_the_scan_sees_an_import_wherever_it_hides(line):
     assert not imports_of_the_training("from core.guidance.builtin import words")
 
 
-def test_a_generate_imports_nothing_of_the_training():
+def test_a_generate_imports_nothing_of_the_training_nor_torchs_compiler():
     done = subprocess.run(
         [sys.executable, "-c", PREPARE], cwd=ROOT, capture_output=True, text=True, check=True
     )
     modules = json.loads(done.stdout.splitlines()[-1])
     assert "core.guidance.builtin.network" in modules
     assert [name for name in modules if name.startswith("core.prior")] == []
+    assert "torch._dynamo" not in modules  # 2 CPU-seconds

@@ -27,6 +27,7 @@ from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
 from core.guidance.sds import add_noise, predict_eps
 from core.io.job import Job
+from core.prior import evaluate
 from core.prior.data import CAMERAS
 from core.prior.draw import Draw
 from core.prior.evaluate import score_paint, score_pattern
@@ -43,10 +44,11 @@ def guidance() -> BuiltinGuidance:
 
 
 @pytest.fixture(scope="module")
-def one_light() -> Iterator[None]:
-    """The studio's light is prefiltered once, which takes longer than a score."""
+def made_once() -> Iterator[None]:
+    """The studio's light and the objects of a seed, which take longer than a score."""
     light = classmethod(remembered(Environment.of.__func__))
-    with mock.patch.object(Environment, "of", light):
+    objects = mock.patch.object(evaluate, "make", remembered(evaluate.make))
+    with mock.patch.object(Environment, "of", light), objects:
         yield
 
 
@@ -236,7 +238,7 @@ def test_missing_weights_say_what_to_do(tmp_path, monkeypatch):
         load_builtin("cpu")
 
 
-@pytest.mark.usefixtures("one_light")
+@pytest.mark.usefixtures("made_once")
 @pytest.mark.parametrize("noun", ["chair", "hamburger", "car"])
 def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
     score = score_paint(guidance.appearance, noun, 4, torch.Generator().manual_seed(3))
@@ -248,7 +250,7 @@ def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
         assert sum(unseen.delta_e) > 2 * sum(score.delta_e)
 
 
-@pytest.mark.usefixtures("one_light")
+@pytest.mark.usefixtures("made_once")
 @pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
 def test_a_stated_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
     score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))

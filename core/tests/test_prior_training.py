@@ -10,6 +10,8 @@ from core.camera import Cameras
 from core.errors import UserError
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
+from core.guidance.builtin.offered import WEIGHTS
+from core.guidance.builtin.solid import load_solid_net
 from core.guidance.builtin.weights import load_weights, load_words, save_weights
 from core.guidance.sds import add_noise, eps_from_v
 from core.prior.__main__ import main
@@ -212,6 +214,13 @@ def test_weights_travel_in_half_precision(tmp_path):
     for a, b in zip(net.parameters(), again.parameters(), strict=True):
         torch.testing.assert_close(a, b, atol=1e-4, rtol=1e-3)
         assert not b.requires_grad
+
+
+@pytest.mark.parametrize(("load", "name"), [(load_weights, "parts"), (load_solid_net, "solid")])
+def test_loading_draws_no_weights_that_it_overwrites(load, name):
+    before = torch.get_rng_state()
+    load(WEIGHTS / f"{name}.safetensors")
+    assert torch.equal(torch.get_rng_state(), before)
 
 
 def test_turning_a_pictures_normals_turns_them_with_the_camera():

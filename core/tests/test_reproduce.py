@@ -171,8 +171,10 @@ def test_what_is_there_is_not_made_again(made):
     assert times(out, "runs/*/asset/*") | times(out, "figures/*/*/*") == before
 
 
-def test_a_row_is_continued_at_its_missing_picture(made):
+def test_a_row_is_continued_at_its_missing_picture(made, monkeypatch):
     out, _ = made
+    # In this process: ``made`` started one for each picture.
+    monkeypatch.setattr(making, "carry_out", main)
     (place,) = out.glob(PLACE)
     kept = times(place, "0.png")
     (place / "1.png").unlink()

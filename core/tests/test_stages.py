@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 import torch
 
+from core.adam import Adam
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import UvMesh
@@ -28,6 +29,7 @@ from core.render.antialias import edge_table
 from core.stages.appearance import LitObject, appearance_phases, learn_appearance
 from core.stages.geometry import Distillation, Fitting, learn_geometry, random_rotations
 from core.stages.regularisers import bending, eikonal, strays
+from core.stages.shape_scene import ShapeScene
 from core.stages.start_shape import sdf_net
 from core.stages.state import Training
 from core.stages.training import Setup, decayed
@@ -238,7 +240,7 @@ def test_walls_that_came_up_far_away_go_again():
     with torch.no_grad():
         net.mlp[-1].bias[0] -= 1.0
         assert (net(grid.tet_verts)[0].sign() != band.sdf.sign())[far].float().mean() > 0.5
-    optimizer = torch.optim.Adam(net.parameters(), 1e-2)
+    optimizer = Adam(net.parameters(), 1e-2)
     generator = torch.Generator().manual_seed(0)
     for _ in range(30):
         optimizer.zero_grad()
@@ -259,6 +261,23 @@ def test_the_mask_along_empty_rays_reaches_the_lattice(tmp_path):
     assert grads[0] is not None
     assert float(grads[0].abs().sum()) > 0
     assert grads[1] is None
+
+
+def test_what_is_gathered_at_the_surface_and_the_lattice_is_carried_into_psi():
+    """As if the losses had been computed on Ψ's own graph."""
+    grid, grads = tet_grid(12), []
+    for apart in (True, False):
+        net = start_net()
+        scene = ShapeScene(net, grid, guidance(), lattice=True)
+        verts, sdf = (scene.verts, scene.sdf) if apart else (scene._verts, scene._sdf)
+        assert sdf is not None
+        loss = (verts**3).sum() + (sdf**2).sum()
+        if apart:
+            scene.backward(iter([loss]))
+        else:
+            loss.backward()
+        grads.append(torch.cat([p.grad.flatten() for p in net.parameters()]))
+    torch.testing.assert_close(*grads, rtol=1e-4, atol=1e-5)
 
 
 @pytest.fixture(scope="module")

@@ -21,6 +21,7 @@ WORLD = "Fantasia3D light"
 STUDIO = "studio"
 MAX_PIXELS = 1 << 27  # of a light, 16384 x 8192: as in the core
 WARM = 3.0  # red over blue at the horizon of a sunset
+CYCLES_MAP = 4096  # texels, the width of Cycles' own map
 HEADER = 1 << 16  # bytes in which the size is declared
 EXR_WINDOW = b"dataWindow\0box2i\0"  # then the length of the four numbers, and they
 # The core's own studio light as a file; blender_tests/test_light.py has the command.
@@ -92,10 +93,19 @@ def set_world(
     ):
         tree.links.new(nodes[source].outputs[out], nodes[sink].inputs[into])
     compat.deselect_nodes(tree)
+    _map_importance(world, image.size[0])
     # The new world is complete before the old one is touched.
     old, scene.world = scene.world, world
     _remove_unused(old)
     return world
+
+
+def _map_importance(world: bpy.types.World, width: int) -> None:
+    """Cycles finds the bright places by a map, which by itself is 4096 texels wide: of each frame
+    a second of a core. Four times the picture's width is as good."""
+    if 4 * width < CYCLES_MAP and hasattr(world, "cycles"):  # Cycles may be switched off
+        world.cycles.sampling_method = "MANUAL"
+        world.cycles.sample_map_resolution = 4 * max(width, 1)
 
 
 def light_node(world: bpy.types.World | None, kind: str) -> bpy.types.Node | None:

@@ -17,7 +17,7 @@ from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import BASE, KINDS, SCALE, SolidNet, SolidNetConfig, Triplane
 from core.guidance.builtin.stretch import IN_PLACE, NOT_STRETCHED, STRETCH, Frame, frame_of
-from core.guidance.builtin.weights import write_tensors
+from core.guidance.builtin.weights import filled, write_tensors
 
 CHUNK = 1 << 16  # points at a time
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
@@ -151,9 +151,7 @@ def load_solid_net(path: Path) -> SolidNet:
     facts = read_metadata(path)["config"]
     for name in ("words", "widths"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
-    net = SolidNet(SolidNetConfig(**facts))
-    net.load_state_dict(solid_tensors(path))
-    return net.eval().requires_grad_(False)
+    return filled(lambda: SolidNet(SolidNetConfig(**facts)), solid_tensors(path))
 
 
 def solid_tensors(path: Path) -> dict[str, Tensor]:

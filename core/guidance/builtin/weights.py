@@ -1,17 +1,24 @@
 """Files of weights: safetensors, with the network's sizes and words in the metadata."""
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any, TypeVar
 
 from safetensors.torch import load_file, save_file
-from torch import Tensor
+from torch import Tensor, nn
+from torch.overrides import TorchFunctionMode
 
 from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import SolidNetConfig
 from core.io.atomic import atomic_file
+
+Net = TypeVar("Net", bound=nn.Module)
+# How torch's layers start their weights.
+DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
@@ -40,10 +47,27 @@ def load_weights(path: Path) -> UNet:
     facts = read_metadata(path)["config"]
     for name in ("words", "widths", "attention"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
-    net = UNet(UNetConfig(**facts))
     # Half precision is for the file's size: the arithmetic's precision is the caller's autocast.
-    net.load_state_dict({name: tensor.float() for name, tensor in load_file(path).items()})
+    tensors = {name: tensor.float() for name, tensor in load_file(path).items()}
+    return filled(lambda: UNet(UNetConfig(**facts)), tensors)
+
+
+def filled(make: Callable[[], Net], tensors: dict[str, Tensor]) -> Net:
+    """The network that ``make`` builds, with these weights, ready for use."""
+    with _Undrawn():
+        net = make()
+    net.load_state_dict(tensors)
     return net.eval().requires_grad_(False)
+
+
+class _Undrawn(TorchFunctionMode):
+    """Within, a new network's weights stay unset: drawing them takes longer than reading them."""
+
+    def __torch_function__(
+        self, func: Callable, types: Any, args: tuple = (), kwargs: dict[str, Any] | None = None
+    ) -> Any:
+        kwargs = kwargs or {}
+        return kwargs["tensor"] if func in DRAWN else func(*args, **kwargs)
 
 
 def load_words(path: Path) -> dict[str, list[str]]:

@@ -47,7 +47,18 @@ def _parts(checkpoint: Checkpoint, dtype: torch.dtype) -> tuple[Any, Any]:
     return unet, vae
 
 
+_known: dict[tuple, int] = {}
+
+
 def _busy(unet: Any, vae: Any, chunk: int, texts: int) -> int:
+    """It takes up to a second, so each configuration is asked for once."""
+    key = str(unet.config), str(vae.config), unet.dtype, vae.dtype, chunk, texts
+    if key not in _known:
+        _known[key] = _measured(unet, vae, chunk, texts)
+    return _known[key]
+
+
+def _measured(unet: Any, vae: Any, chunk: int, texts: int) -> int:
     size, width = int(unet.config.sample_size), int(unet.config.cross_attention_dim)
     side = size * downscale(vae.config)
 
