@@ -17,7 +17,7 @@ import pytest
 
 from core.tests import checked
 
-# With a process for each core (pytest-xdist) more threads would only wait for each other. Before
+# With a process for each core and more (pytest-xdist) more threads would only wait for each other. Before
 # torch and numba are imported.
 if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ.setdefault("OMP_NUM_THREADS", "1")

@@ -257,12 +257,13 @@ def test(arguments: list[str]) -> int:
 
 
 def test_processes() -> int:
-    """One for each core that may be used and 3 GB of memory: each loads torch and Blender."""
+    """One more than cores that may be used, as tests wait for processes and clocks too; one for
+    each 3 GB of memory, as each loads torch and Blender."""
     cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
     memory = 4e9 * cores
     if hasattr(os, "sysconf"):
         memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    return max(1, min(cores, int(memory / 3e9)))
+    return max(1, min(cores + 1, int(memory / 3e9)))
 
 
 def package(args: Namespace) -> int:
