@@ -118,9 +118,11 @@ def _paired(obj: bpy.types.Object, faces: int, surface: Surface) -> bpy.types.Me
         _pair(mesh)
         count = len(mesh.loops)  # a quad for each corner
         if 0 < count <= faces:
-            verts, quads = _cut(mesh)
-            mesh.clear_geometry()
-            mesh.from_pydata(verts.tolist(), [], quads)
+            # More than once where the mesh has few triangles.
+            while len(mesh.loops) <= faces:
+                verts, quads = _cut(mesh)
+                mesh.clear_geometry()
+                mesh.from_pydata(verts.tolist(), [], quads)
             _onto(mesh, surface.tree)
             return mesh
         bpy.data.meshes.remove(mesh)
