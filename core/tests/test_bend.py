@@ -23,7 +23,7 @@ from core.geometry.residual import lattice_nodes
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.bent import MOST_RADIUS, in_box
-from core.guidance.load import make_guidance, shaped
+from core.guidance.load import make_guidance
 from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
@@ -139,7 +139,7 @@ def test_a_flat_guide_and_a_ball_s_box_leave_a_solid_that_is_seen(chair) -> None
 
 def test_where_nothing_is_drawn_a_guide_changes_no_guidance() -> None:
     prompted = make_guidance("builtin", "cpu").prompted("a wooden chair", "")
-    assert shaped(prompted, seat(), 0.5, LEAST) is prompted
+    assert prompted.in_proportion(seat(), 0.5, LEAST) is prompted
 
 
 def made_of(strength: float, run: Path) -> tuple[Inputs, Mesh]:
