@@ -40,13 +40,13 @@ MOST_TRIANGLES = 255  # of a convex collider: Unity's limit, and PhysX's
 def exported(tmp_path):
     """A function: the file for an engine, and the asset's triangles as it is in the scene (T,3,3).
 
-    The asset is 2 m high, turned by a quarter and away from the origin, where the file has it.
+    The asset is 2 m high, mirrored, turned by a quarter, and away from where the file has it.
     """
     folder = write_asset(tmp_path / "asset", normal=bump_normals(64), metallic=0.25, roughness=0.5)
     obj = import_asset(bpy.context, folder)
-    obj.scale, obj.rotation_euler[2] = (2, 2, 2), np.pi / 2
+    obj.scale, obj.rotation_euler[2] = (-2, 2, 2), np.pi / 2
     bpy.context.view_layer.update()
-    corners = world_verts(obj)[triangles(obj.data)[0]]
+    corners = world_verts(obj)[triangles(obj.data)[0]][:, ::-1]  # mirrored
     obj.location = (3, -2, 1)
     bpy.context.view_layer.update()
 
