@@ -19,11 +19,17 @@ from blender_tests.pictures import read, render, set_light  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.background import blender_process  # noqa: E402
 from fantasia3d_addon.blender import compat, png  # noqa: E402
-from fantasia3d_addon.blender.mesh_arrays import corner_uv, triangles, verts_of, world_verts  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import (  # noqa: E402
+    corner_uv,
+    triangles,
+    values,
+    verts_of,
+    world_verts,
+)
 from fantasia3d_addon.errors import AddonError, OutputError  # noqa: E402
 from fantasia3d_addon.jobs import print_export  # noqa: E402
 from fantasia3d_addon.material import edit as material_edit  # noqa: E402
-from fantasia3d_addon.mesh import asset_browser, export, health, maps, remesh  # noqa: E402
+from fantasia3d_addon.mesh import asset_browser, export, health, maps, quads, remesh  # noqa: E402
 
 pytestmark = [
     pytest.mark.blender,
@@ -270,16 +276,92 @@ def test_the_operator_writes_an_engines_folder(addon, obj, tmp_path):
 def test_quads_look_as_the_triangles_did(obj, tmp_path):
     set_light(tmp_path, (0.4, -1, 0.4), strength=0.4)
     first = render(obj, tmp_path, 20, 15, samples=16)
-    quads = remesh.quad_remesh(obj, faces=500, size=128)
-    sizes = [len(p.vertices) for p in quads.data.polygons]
+    made = remesh.quad_remesh(obj, faces=500, size=128)
+    sizes = [len(p.vertices) for p in made.data.polygons]
     assert sizes.count(4) == len(sizes)
-    assert 250 < len(sizes) < 1000
-    report = health.examine(quads)
-    assert report.closed and report.manifold and report.uv_fill > 0.2
+    assert 400 < len(sizes) <= 500
+    report = health.examine(made)
+    assert report.closed and report.manifold and report.uv_fill > 0.6
     assert all(image.packed_file for image in bpy.data.images if "quads" in image.name)
     assert obj.hide_render
-    picture = render(quads, tmp_path, 20, 15, samples=16)
+    picture = render(made, tmp_path, 20, 15, samples=16)
     assert np.abs(first - picture).mean() < 0.03
+
+
+def thin_bowl(obj) -> None:
+    """Make the mesh of ``obj`` a tapered tube with a wall of a hundredth and a sharp rim."""
+    bm = bmesh.new()
+    angle = np.linspace(0, 2 * np.pi, 49)[:-1]
+    profile = [(0.3, 0.0), (0.5, 0.4), (0.49, 0.4), (0.29, 0.0)]
+    rings = [[bm.verts.new((r * np.cos(a), r * np.sin(a), z)) for a in angle] for r, z in profile]
+    for one, other in zip(rings, rings[1:] + rings[:1], strict=True):
+        for i in range(len(angle)):
+            bm.faces.new((one[i - 1], one[i], other[i], other[i - 1]))
+    bmesh.ops.recalc_face_normals(bm, faces=bm.faces[:])
+    bm.to_mesh(obj.data)
+    bm.free()
+
+
+@pytest.mark.parametrize("faces", [600, 2000, 4000])
+def test_quads_keep_a_thin_wall(obj, faces):
+    """QuadriFlow's alone are a tenth of the size away."""
+    thin_bowl(obj)
+    former = obj.data.copy()
+    surface = quads.Surface(former)
+    away = quads.to_quads(obj, faces)
+    mesh = obj.data
+    assert away == pytest.approx(surface.distance(mesh)) and away < 0.02
+    assert {len(polygon.vertices) for polygon in mesh.polygons} == {4}
+    assert 0.25 * faces < len(mesh.polygons) <= faces  # the tube has 384 triangles
+    report = health.examine(obj)
+    assert report.closed and report.manifold
+    volume = [abs(bmesh_volume(each)) for each in (mesh, former)]
+    assert volume[0] == pytest.approx(volume[1], rel=0.15)
+
+
+def bmesh_volume(mesh) -> float:
+    bm = bmesh.new()
+    bm.from_mesh(mesh)
+    volume = bm.calc_volume()
+    bm.free()
+    return volume
+
+
+def test_a_smooth_body_has_quads_in_rows(obj):
+    """QuadriFlow's: nearly all corners have four quads. Of pairs of triangles half have."""
+    bm = bmesh.new()
+    bmesh.ops.create_icosphere(bm, subdivisions=5, radius=0.5)
+    bm.to_mesh(obj.data)
+    bm.free()
+    assert quads.to_quads(obj, 1000) < 0.01
+    degree = np.bincount([v for edge in obj.data.edges for v in edge.vertices])
+    assert (degree == 4).mean() > 0.9
+
+
+def test_a_level_of_detail_shades_flat_sides_flat(obj):
+    """Its corners have the normals of the sides, which all round them would tilt by 50 degrees."""
+    bm = bmesh.new()
+    bmesh.ops.create_cube(bm, size=1.0)
+    bmesh.ops.subdivide_edges(bm, edges=bm.edges[:], cuts=15, use_grid_fill=True)
+    bm.to_mesh(obj.data)
+    bm.free()
+    obj.data.shade_smooth()
+    (lod,) = remesh.make_lods(obj, max_faces=60)
+    normals = values(lod.data.corner_normals, "vector", 3)
+    sides = np.repeat(values(lod.data.polygons, "normal", 3), 3, axis=0)
+    assert (normals * sides).sum(1).min() > 0.99
+
+
+def test_a_level_of_detail_shades_a_round_body_round(obj):
+    bm = bmesh.new()
+    bmesh.ops.create_icosphere(bm, subdivisions=5, radius=0.5)
+    bm.to_mesh(obj.data)
+    bm.free()
+    obj.data.shade_smooth()
+    (lod,) = remesh.make_lods(obj, max_faces=300)
+    normals = values(lod.data.corner_normals, "vector", 3)
+    at = verts_of(lod.data)[values(lod.data.loops, "vertex_index", 1, np.int32)[:, 0]]
+    assert (normals * at).sum(1).min() > 0.98 * 0.5
 
 
 def test_an_open_mesh_is_not_remeshed(tmp_path):
@@ -298,8 +380,8 @@ def test_a_small_thing_has_quads_at_its_own_size(obj):
     for vertex in obj.data.vertices:
         vertex.co *= 0.002
     bpy.context.view_layer.update()
-    quads = remesh.quad_remesh(obj, faces=300, size=32)
-    assert max(quads.dimensions) == pytest.approx(max(obj.dimensions), rel=0.05)
+    made = remesh.quad_remesh(obj, faces=300, size=32)
+    assert max(made.dimensions) == pytest.approx(max(obj.dimensions), rel=0.05)
 
 
 def test_a_blender_without_a_window_makes_the_same_quads(obj):

@@ -1,5 +1,8 @@
 """Every operator is found by search, has a tooltip, and says why it is disabled."""
 
+import re
+from pathlib import Path
+
 import pytest
 
 bpy = pytest.importorskip("bpy")
@@ -10,6 +13,7 @@ from fantasia3d_addon.ui import menus, registration  # noqa: E402
 
 pytestmark = [pytest.mark.blender]
 CLASSES = registration.CLASSES
+GENERATE = Path(registration.__file__).with_name("generate_panel.py")
 OPERATORS = {
     cls.bl_idname.partition(".")[2]: cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)
 }
@@ -59,6 +63,14 @@ def test_blenders_menus_have_the_entries_and_lose_them_again(empty):
     assert counts() == [count + 1 for count in before]
     fantasia3d_addon.unregister()
     assert counts() == before
+
+
+def test_no_two_parts_of_the_panel_have_one_name():
+    """Panels, and the parts of Generate from Text."""
+    panels = [cls.bl_label for cls in CLASSES if issubclass(cls, bpy.types.Panel)]
+    parts = re.findall(r'collapsible\(layout, "\w+", "([\w ]+)"\)', GENERATE.read_text("utf-8"))
+    assert {"Light", "Output"} <= set(parts)
+    assert len({*panels, *parts}) == len(panels) + len(parts)
 
 
 def test_the_pie_menus_operators_exist():

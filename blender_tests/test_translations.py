@@ -10,11 +10,14 @@ import pytest
 bpy = pytest.importorskip("bpy")
 
 from fantasia3d_addon.jobs import events  # noqa: E402
-from fantasia3d_addon.ui import registration, translations, words_menu  # noqa: E402
+from fantasia3d_addon.mesh import health  # noqa: E402
+from fantasia3d_addon.ui import registration, tools_panel, translations, words_menu  # noqa: E402
+from fantasia3d_addon.ui.text import SENTENCES, VALUES, in_language  # noqa: E402
 
 pytestmark = [pytest.mark.blender]
 ADDON = Path(__file__).parents[1] / "fantasia3d_addon"
 GERMAN = translations.read_po(translations.LOCALE / "de.po")
+NO_PANEL = ("cli", "environment")  # their errors end a command
 SHOWN = ("text", "placeholder", "heading")  # keywords of a layout's functions
 
 
@@ -44,6 +47,11 @@ def constants(node: ast.AST) -> Iterator[str]:
         yield from constants(node.orelse)
 
 
+def sentences(text: str) -> list[str]:
+    """Those of a message that end as one; the rest is a part of one."""
+    return [each for each in SENTENCES.split(text) if each.endswith(".")]
+
+
 def of_panels() -> Iterator[str]:
     """What the panels draw, and why something can't be done now."""
     for path in ADDON.rglob("*.py"):
@@ -60,6 +68,11 @@ def of_panels() -> Iterator[str]:
                     yield from constants(node.args[2])
                 if name == "collapsible":
                     yield from constants(node.args[2])
+                if name in ("translated", "in_language"):
+                    yield from constants(node.args[0])
+                if name.endswith("Error") and path.parent.name not in NO_PANEL:
+                    found = (text for arg in node.args for text in constants(arg))
+                    yield from (each for text in found for each in sentences(text))
             if isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("reason"):
                 for found in ast.walk(node):
                     yield from constants(found.value) if isinstance(found, ast.Return) else ()
@@ -73,6 +86,32 @@ def messages() -> set[str]:
 def test_every_string_has_a_german_one(addon):
     lacking = sorted(messages() - set(GERMAN))
     assert lacking == []
+
+
+def test_a_message_of_sentences_and_values_is_translated():
+    german = {"No model is chosen.": "Kein Modell.", "{} of {}, {} left": "{} von {}, noch {}",
+              "{} is running.": "{} läuft.", "Shape": "Form"}  # fmt: skip
+
+    def shown(text: str) -> str:
+        return in_language(text, lambda message: german.get(message, message))
+
+    assert shown("No model is chosen. Enter one.") == "Kein Modell. Enter one."
+    assert shown("2 of 10, 1:05 left") == "2 von 10, noch 1:05"
+    assert shown("“Shape” is running.") == "“Form” läuft."
+    assert shown("a red chair, 1.5 m {tall}") == "a red chair, 1.5 m {tall}"
+
+
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_every_line_of_a_mesh_report_has_a_german_one(count):
+    for uv_fill in (None, 0.64):
+        report = health.Report(
+            verts=count, faces=count, triangles=2, components=count, small_components=0, loose=0,
+            doubled=count, degenerate=0, open_edges=count, nonmanifold=count, inverted=count > 0,
+            scaled=False, uv_fill=uv_fill, uv_overlap=0.1 * count, texel_density=570.0 * count,
+            textures=(),
+        )  # fmt: skip
+        for text, _ in tools_panel.lines(report):
+            assert VALUES.sub("{}", text) in GERMAN, text
 
 
 def test_the_test_sees_what_is_drawn(addon):

@@ -24,7 +24,7 @@ from core.geometry.mesh import Mesh, normalise, turned
 from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
 from core.guidance.guidance import PromptedGuidance, PromptWarning
-from core.guidance.load import make_guidance, shaped
+from core.guidance.load import make_guidance
 from core.io.asset import Asset, check_asset_folder, place, read_asset, write_asset
 from core.io.job import Job
 from core.io.mesh_file import load_mesh
@@ -244,7 +244,8 @@ def in_proportion(inputs: Inputs, job: Job) -> Inputs:
     if guide is None or job.command != "generate":
         return inputs
     least = least_of(inputs.config.geometry)
-    return replace(inputs, guidance=shaped(inputs.guidance, guide, job.guide_strength, least))
+    guidance = inputs.guidance.in_proportion(guide, job.guide_strength, least)
+    return replace(inputs, guidance=guidance)
 
 
 def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:

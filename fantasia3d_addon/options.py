@@ -141,7 +141,7 @@ MAX_FACES = Option(
     "max_faces", "Max Faces", "One level with this many triangles or fewer; 0: by levels and ratio",
     0, low=0, soft_high=100_000,
 )  # fmt: skip
-QUADS = Option("faces", "Quads", "Approximate number of quads", 4000, low=100, soft_high=100_000)
+QUADS = Option("faces", "Quads", "Quads, at most", 4000, low=100, soft_high=100_000)
 BAKE_SIZE = Option(
     "texture_size", "Texture Size", "Texels along a side; 0: as the present maps", 0, low=0
 )

@@ -20,6 +20,7 @@ from torch import Tensor
 from core.camera import Cameras
 from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
+from core.geometry.mesh import Mesh
 
 NormalFrame = Literal["object", "camera"]
 
@@ -191,6 +192,14 @@ class PromptedGuidance(ABC):
         """The guidance of one certain object that the prompt means, drawn by ``seed``; itself where
         it knows pictures alone."""
         del seed
+        return self
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedGuidance":
+        """The guidance of that object in the proportions of ``guide``; itself where none is drawn.
+
+        ``least``: half of the thickness that thin parts of the guide get, training units.
+        """
+        del guide, strength, least
         return self
 
     def start_shape(self) -> Shape | None:

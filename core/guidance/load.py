@@ -1,4 +1,4 @@
-"""The guidance that a job names, and what a guide makes of it."""
+"""The guidance that a job names."""
 
 from collections.abc import Mapping, Sequence
 from typing import Final
@@ -7,8 +7,7 @@ import torch
 
 from core.config import GUIDANCE, GuidanceConfig
 from core.errors import UserError
-from core.geometry.mesh import Mesh
-from core.guidance.guidance import Guidance, PromptedGuidance
+from core.guidance.guidance import Guidance
 
 NO_LORAS: Final[Mapping[str, float]] = {}
 
@@ -57,19 +56,6 @@ def make_guidance(
 
     additions = Additions(dict(loras), tuple(embeddings))
     return StableDiffusion.load(spec, device, chunk=chunk, config=config, additions=additions)
-
-
-def shaped(
-    guidance: PromptedGuidance, guide: Mesh, strength: float, least: float
-) -> PromptedGuidance:
-    """The guidance of the object that it has drawn, in the proportions of ``guide``; itself where
-    none is drawn. ``least``: half the thickness that thin parts of the guide get, training units.
-    """
-    from core.guidance.builtin.bent import bent
-    from core.guidance.builtin.guidance import PromptedBuiltin
-
-    known = isinstance(guidance, PromptedBuiltin)
-    return bent(guidance, guide, strength, least) if known else guidance
 
 
 def _refuse_view_settings(config: GuidanceConfig) -> None:

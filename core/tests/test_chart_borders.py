@@ -1,6 +1,7 @@
 """Borders between charts are least cuts: short on what is flat, on edges where there are some."""
 
 import numpy as np
+import pytest
 import trimesh
 
 from core.geometry.faces import areas_and_normals, neighbours, unit
@@ -31,6 +32,19 @@ def test_a_border_goes_to_the_edge_next_to_it() -> None:
     found = drawn(verts, faces, (middle[:, 2] > 0.35).astype(np.int64))
     normal = areas_and_normals(verts, faces)[1]
     assert np.array_equal(found == 1, normal[:, 2] > 0.5)
+
+
+@pytest.mark.parametrize("narrow", [0, 1])
+def test_a_narrow_chart_keeps_its_middle(narrow: int) -> None:
+    """Or the wide one, whose middle is farther from the border, would take all of it."""
+    solid = trimesh.creation.box((1.0, 1.0, 0.2))
+    for _ in range(4):
+        solid = solid.subdivide()
+    verts, faces = np.asarray(solid.vertices), np.asarray(solid.faces)
+    middle = verts[faces].mean(1)
+    spot = (np.abs(middle[:, :2]).max(1) < 0.12) & (middle[:, 2] > 0.09)
+    found = drawn(verts, faces, np.where(spot, narrow, 1 - narrow))
+    assert 0 < (found == narrow).sum() < 0.5 * len(found)
 
 
 def test_the_least_cut_is_that_of_all_cuts() -> None:

@@ -15,6 +15,7 @@ from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.kernels.quadrics import add_planes, best_place
+from core.stages import texturing
 from core.stages.texturing import unwrap_shape
 from core.tests.meshes import sphere
 from core.tests.test_simplify import chair  # noqa: F401  (a fixture)
@@ -187,6 +188,27 @@ def test_the_budget_decides_and_a_users_mesh_is_kept(
     own = unwrap_shape(shape, replace(config, max_faces=20_000), progress, keep_faces=True)
     assert torch.equal(own.mesh.faces, shape.faces)
     assert own.fine is None
+
+
+@pytest.mark.parametrize(
+    ("max_faces", "way"), [(500, "even"), (100_000, "even"), (100_001, "fewer")]
+)
+def test_triangles_are_even_up_to_a_hundred_thousand(
+    max_faces: int, way: str, tmp_path, monkeypatch
+) -> None:
+    def stop(name: str):
+        def stopped(*_: object) -> None:
+            raise InterruptedError(name)
+
+        return stopped
+
+    monkeypatch.setattr(texturing, "even_in_charts", stop("even"))
+    monkeypatch.setattr(texturing, "simplify", stop("fewer"))
+    progress = Progress(RunFolder.create(tmp_path / "run", Job(prompt="a chair")))
+    ball = trimesh.creation.icosphere(1)
+    shape = Mesh(torch.from_numpy(ball.vertices.copy()), torch.from_numpy(ball.faces.copy()))
+    with pytest.raises(InterruptedError, match=way):
+        unwrap_shape(shape, TextureConfig(max_faces=max_faces), progress)
 
 
 def test_steps_of_a_thousandth_leave_no_slivers() -> None:

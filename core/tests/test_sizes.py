@@ -59,10 +59,18 @@ def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):
         ("house", 50e3, 200e3),
         ("person", 50, 110),
         ("pencil", 0.003, 0.012),
+        ("submarine", 100e3, 400e3),
     ],
 )
 def test_the_mass_is_that_of_an_ordinary_specimen(noun, low, high):
     assert low < usual_mass(noun) < high
+
+
+def test_chess_pieces_are_of_one_set():
+    pieces = ("chess king", "chess knight", "chess rook", "pawn")
+    sizes = [NOUNS[name].usual.size_m for name in pieces]
+    assert sizes == sorted(set(sizes), reverse=True)
+    assert sizes[-1] == pytest.approx(sizes[0] / 2, rel=0.1)  # as Staunton's
 
 
 def test_the_page_of_sizes_has_every_thing_as_it_is_now():

@@ -27,6 +27,7 @@ from . import export, maps, proxy, remesh
 
 LODS = 3  # beyond the full mesh, each with half of the faces
 CAGE_FACES = 600  # of the mesh that is cut into colliders
+CORNERS = 128  # of a collider: 252 triangles; Unity takes 255
 
 
 @dataclass(frozen=True)
@@ -152,7 +153,7 @@ def _colliders(
     hulls = []
     for i, points in enumerate(parts):
         title = preset.collider.format(name=name, i=i)
-        hull = bpy.data.objects.new(title, proxy.hull_mesh(title, points)[0])
+        hull = bpy.data.objects.new(title, proxy.hull_mesh(title, points, CORNERS)[0])
         bpy.context.scene.collection.objects.link(hull)
         made.append(hull)
         hulls.append(hull)

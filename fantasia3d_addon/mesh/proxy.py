@@ -95,12 +95,23 @@ def convex_parts(mesh: bpy.types.Mesh, most: int = 12) -> list[np.ndarray]:
     return points
 
 
-def hull_mesh(name: str, points: np.ndarray) -> tuple[bpy.types.Mesh, np.ndarray, float]:
-    """The convex hull of ``points`` as a new mesh, its centre of mass (3,) and its volume."""
+def hull_mesh(
+    name: str, points: np.ndarray, corners: int = 0
+) -> tuple[bpy.types.Mesh, np.ndarray, float]:
+    """The convex hull of ``points`` as a new mesh, its centre of mass (3,) and its volume.
+
+    ``corners``: of the hull, at most; 0: as many as it has.
+    """
     bm = bmesh.new()
     for point in points:
         bm.verts.new(point)
     _to_hull(bm)
+    if 0 < corners < len(bm.verts):
+        few = outermost(np.array([v.co[:] for v in bm.verts]), corners)
+        bm.clear()
+        for point in few:
+            bm.verts.new(point)
+        _to_hull(bm)
     bmesh.ops.triangulate(bm, faces=bm.faces[:])
     corners = np.array([[v.co[:] for v in face.verts] for face in bm.faces]).reshape(-1, 3, 3)
     mesh = bpy.data.meshes.new(name)
@@ -116,6 +127,18 @@ def hull_mesh(name: str, points: np.ndarray) -> tuple[bpy.types.Mesh, np.ndarray
         return mesh, middle, 0.0
     center = middle + ((a + b + c) * sixth[:, None]).sum(0) / 4 / sixth.sum()
     return mesh, center, volume
+
+
+def outermost(points: np.ndarray, count: int) -> np.ndarray:
+    """The points that are outermost along the axes and in directions spread over a ball
+    (Fibonacci's); ``count`` at most."""
+    spread = np.arange(count - 6)
+    turn, z = spread * math.pi * (3 - math.sqrt(5)), 1 - (2 * spread + 1) / len(spread)
+    ring = np.sqrt(1 - z * z)
+    ball = np.stack([ring * np.cos(turn), ring * np.sin(turn), z])
+    ways = np.concatenate([ball, np.eye(3), -np.eye(3)], 1)
+    box = np.maximum(np.ptp(points, axis=0), 1e-12)  # or all would see the ends of what is long
+    return points[np.unique((points / box @ ways).argmax(0))]
 
 
 def _weld(mesh: bpy.types.Mesh) -> None:

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
+import math
 import tempfile
 from pathlib import Path
 
 import bpy
-import numpy as np
-from mathutils import Matrix
 
 from .. import options
 from ..asset.material_nodes import build_material
 from ..background.thread import ReportProgress, ignore_progress
-from ..blender.mesh_arrays import acting, apply_modifiers, mesh_object, verts_of
+from ..blender.mesh_arrays import apply_modifiers, mesh_object
 from ..blender.names import data_name
 from ..errors import AddonError
 from ..material.edit import principled
 from . import health, maps
+from .quads import to_quads
 
 QUADS_FRACTION = 0.3  # of the time; the bake of the maps is the rest
+EDGE = math.radians(60.0)  # between two faces, whose shading is then apart
 MIN_FACES = 50  # below it nothing keeps its shape
-REACH = 0.02  # of the object's size: the greatest distance of the quads from the surface
-LARGE = 100.0  # metres: of a mesh's longest side while QuadriFlow has it
+REACH = 0.02  # of the object's size, at least: how far from the quads the surface is looked for
+FARTHER = 1.2  # times the greatest distance between the two
 
 
 def make_lods(
@@ -58,6 +59,7 @@ def make_lods(
             bpy.data.objects.remove(lod)
             bpy.data.meshes.remove(mesh)
             lod = _decimated(obj, data_name(obj.name, f" LOD{level}"), fewer, collection)
+        _shade_apart(lod)
         hide(lod)
         made.append(lod)
     return made
@@ -93,13 +95,26 @@ def _decimated(
     return lod
 
 
+def _shade_apart(lod: bpy.types.Object) -> None:
+    """Normals of the large faces, apart at edges.
+
+    A mean of all faces about a corner would tilt the shading of a whole side, and the maps, which
+    are those of the fine mesh, level only the narrow faces along its edges.
+    """
+    lod.data.set_sharp_from_angle(angle=EDGE)
+    weighted = lod.modifiers.new("large faces", "WEIGHTED_NORMAL")
+    weighted.mode, weighted.keep_sharp = "FACE_AREA", True
+    bpy.context.view_layer.update()
+    apply_modifiers(lod)
+
+
 def quad_remesh(
     obj: bpy.types.Object,
     faces: int = 4000,
     size: int = 0,
     progress: ReportProgress = ignore_progress,
 ) -> bpy.types.Object:
-    """A new object like ``obj`` of about ``faces`` quads, with UVs and maps of its own.
+    """A new object like ``obj`` of ``faces`` quads or fewer, with UVs and maps of its own.
 
     ``size``: texels along a side; 0 is that of the present maps. ``obj`` is kept, hidden.
     ``progress`` is called for the quads and for each map, which take seconds.
@@ -113,9 +128,10 @@ def quad_remesh(
     place_like(quads, obj)
     try:
         progress("Quads", 0.0)
-        _to_quads(quads, faces)
+        reach = max(REACH, FARTHER * to_quads(quads, faces))
+        quads.data.set_sharp_from_angle(angle=EDGE)
         health.unwrap(quads)
-        _bake_material(obj, quads, size, progress)
+        _bake_material(obj, quads, size, reach, progress)
     except BaseException:
         mesh = quads.data
         bpy.data.objects.remove(quads)
@@ -150,25 +166,12 @@ def hide(obj: bpy.types.Object) -> None:
     obj.hide_render = True
 
 
-def _to_quads(quads: bpy.types.Object, faces: int) -> None:
-    # QuadriFlow refuses a mesh with an edge of less than 0.1 mm: a chair of 0.9 m has some.
-    larger = LARGE / max(float(np.ptp(verts_of(quads.data), axis=0).max()), 1e-9)
-    quads.data.transform(Matrix.Scale(larger, 4))
-    with acting(quads):
-        done = bpy.ops.object.quadriflow_remesh(
-            mode="FACES", target_faces=faces, use_preserve_sharp=False, smooth_normals=True
-        )
-    mesh = quads.data
-    if done != {"FINISHED"} or not len(mesh.polygons) or not np.isfinite(verts_of(mesh)).all():
-        raise AddonError(f"No quads were found for {quads.name}.", "Use more faces.")
-    mesh.transform(Matrix.Scale(1 / larger, 4))
-    # The UVs of the old faces do not fit the new ones.
-    while mesh.uv_layers:
-        mesh.uv_layers.remove(mesh.uv_layers[0])
-
-
 def _bake_material(
-    source: bpy.types.Object, target: bpy.types.Object, size: int, progress: ReportProgress
+    source: bpy.types.Object,
+    target: bpy.types.Object,
+    size: int,
+    reach: float,
+    progress: ReportProgress,
 ) -> None:
     """Bake the maps of ``source`` into a new material of ``target``, packed."""
     own = [principled(slot.material) for slot in source.material_slots]
@@ -183,7 +186,7 @@ def _bake_material(
         title = channel.replace("_", " ").capitalize()
         progress(title, QUADS_FRACTION + (1 - QUADS_FRACTION) * fraction)
 
-    found = maps.bake_maps(source, target, size, REACH, report)
+    found = maps.bake_maps(source, target, size, reach, report)
     material = bpy.data.materials.new(target.name)
     with tempfile.TemporaryDirectory() as folder:
         paths = maps.save_images(found, Path(folder), "quads")

@@ -210,7 +210,8 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
         )
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif session.asset:
-        wrapped_label(layout, context, f"Imported: {session.asset}", "CHECKMARK")
+        text = f"{translated('Imported')}: {session.asset}"
+        wrapped_label(layout, context, text, "CHECKMARK")
         if view.hides_colors(context.space_data):
             row = layout.row(align=True)
             for shading, text in (("MATERIAL", "Material Preview"), ("TEXTURE", "Texture Color")):
@@ -218,7 +219,8 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
                 button.shading = shading
     for entry in session.missed:
         row = layout.row(align=True)
-        row.label(text=f"Ready: {entry.prompt}", icon="CHECKMARK")
+        text = f"{translated('Ready')}: {entry.prompt}"
+        row.label(text=text, icon="CHECKMARK", translate=False)
         row.operator("fantasia3d.job_import", text="Import", icon="IMPORT").folder = str(
             entry.folder
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 from ..jobs import history
 from ..jobs.events import STAGES
@@ -134,24 +135,26 @@ def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: E
 def facts(entry: Entry) -> list[str]:
     """The settings of a run that distinguish it from others, in a few short lines."""
     job, done = entry.job, entry.state == history.DONE
-    when = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.requested))
+    when = time.strftime("%Y-%m-%d, %H:%M", time.localtime(entry.requested))
     took = f", {duration(entry.seconds)}" if done else ""
-    stage = f" in “{STAGES.get(entry.stage, entry.stage)}”" if entry.stage else ""
-    state = "" if done else f"{STATES.get(entry.state, entry.state.capitalize())}{stage}"
+    stage = f", {translated(STAGES.get(entry.stage, entry.stage))}" if entry.stage else ""
+    name = translated(STATES.get(entry.state, entry.state.capitalize()))
+    state = "" if done else f"{name}{stage}"
     lines = [f"{when}{took}", state]
     lines.append(f"{str(job.get('preset', '')).capitalize()}, seed {job.get('seed', 0)}")
     if entry.size_m:
-        lines.append(f"Size: {length(entry.size_m)}")
+        lines.append(f"{translated('Size')}: {length(entry.size_m)}")
     # Only what differs from the default.
     if job.get("negative_prompt"):
-        lines.append(f"Negative prompt: {job['negative_prompt']}")
+        lines.append(f"{translated('Negative Prompt')}: {job['negative_prompt']}")
     if job.get("guidance", "builtin") != "builtin":
-        lines.append(f"Model: {job['guidance']}")
+        lines.append(f"{translated('Model')}: {job['guidance']}")
     if job.get("guide_mesh"):
         lines.append(f"Guide mesh, strength {job.get('guide_strength', 0.5):.2g}")
     if job.get("light", "studio") != "studio":
         # The file's name alone; chr(92) is the backslash of Windows.
-        lines.append(f"Light: {job['light'].replace(chr(92), '/').rpartition('/')[2]}")
+        name = job["light"].replace(chr(92), "/").rpartition("/")[2]
+        lines.append(f"{translated('Light')}: {name}")
     for key, unit in (("texture_size", "texels"), ("max_faces", "faces")):
         if job.get(key):
             lines.append(f"{job[key]} {unit}")

@@ -10,6 +10,7 @@ import bpy
 from ..background.thread import Task
 from ..errors import AddonError
 from ..jobs.panels import redraw
+from .text import in_language
 
 
 @dataclass
@@ -76,7 +77,8 @@ class ModalTask:
             running[:] = [now]
             redraw()
         context.window_manager.progress_update(100 * fraction)
-        context.workspace.status_text_set(f"{self.title}: {step} {fraction:.0%}    Esc: Cancel")
+        title, now_at, escape = map(in_language, (self.title, step, "Esc: Cancel"))
+        context.workspace.status_text_set(f"{title}: {now_at} {fraction:.0%}    {escape}")
         return {"PASS_THROUGH"} if self.shares_window else {"RUNNING_MODAL"}
 
     def cancel(self, context: bpy.types.Context) -> None:

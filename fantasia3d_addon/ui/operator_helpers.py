@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 
 from ..asset.asset_folder import read_asset
 from ..asset.import_asset import import_asset
@@ -15,6 +16,7 @@ from ..errors import AddonError
 from ..jobs.place import bounds_of, place_of
 from ..jobs.session import session
 from ..scene import view
+from .text import in_language
 
 UNDO = {"REGISTER", "UNDO"}
 USER_ERRORS = (AddonError, SetupError)  # what the user can fix; anything else is a bug
@@ -39,7 +41,7 @@ def run_and_report(operator: bpy.types.Operator, act: Callable[[], object]) -> s
     try:
         act()
     except AddonError as error:
-        operator.report({"ERROR"}, str(error))
+        operator.report({"ERROR"}, in_language(str(error)))
         return {"CANCELLED"}
     return {"FINISHED"}
 
@@ -56,14 +58,14 @@ def queue_job(operator: bpy.types.Operator, submit: Callable[[], Path]) -> set[s
     except USER_ERRORS as error:
         return report_error(operator, error)
     started = any(followed.run.folder == folder for followed in session.running)
-    operator.report({"INFO"}, f"{'Started' if started else 'Queued'}: {folder.name}")
+    operator.report({"INFO"}, f"{translated('Started' if started else 'Queued')}: {folder.name}")
     return {"FINISHED"}
 
 
 def report_error(operator: bpy.types.Operator, error: AddonError | SetupError) -> set[str]:
     """Report an error and its fix, in the panel and in the status bar."""
     session.error = (error.text, error.fix)
-    operator.report({"ERROR"}, str(error))
+    operator.report({"ERROR"}, in_language(str(error)))
     return {"CANCELLED"}
 
 

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+
 import blf
 import bpy
 from bpy.app.translations import pgettext_iface as translated
 
 TAB = "Fantasia3D"
 TEXT_SIZE = 11.0  # points, as Blender's widgets
+SENTENCES = re.compile(r"(?<=[.!?]) +")
+VALUES = re.compile(r"“[^”]*”|\d[\d.,:]*(?<=\d)")  # what a message is told with: names, numbers
 OTHER_WIDTH = 96.0  # pixels at scale 1 that text can't use: tabs, the panel's borders, an icon
 
 
@@ -21,11 +26,31 @@ def wrapped_label(
     """Text of any length, in lines that fit the region; ``dimmed`` for the less important."""
     column = layout.column(align=True)
     column.active = not dimmed
-    # Translated as a whole: the lines are no messages.
-    for index, line in enumerate(wrapped(translated(text), _text_width(context))):
+    # Before it is wrapped: the lines are no messages.
+    for index, line in enumerate(wrapped(in_language(text), _text_width(context))):
         # The icon comes before the first line; a blank one indents the others.
         shown = icon if index == 0 or icon == "NONE" else "BLANK1"
         column.label(text=line, icon=shown, translate=False)
+
+
+def in_language(text: str, translate: Callable[[str], str] = translated) -> str:
+    """``text`` in the interface's language: a message, or several sentences of which each is one.
+
+    In a message "{}" stands for a number or a “name”, which come in the same order.
+    """
+    whole = translate(text)
+    if whole != text:
+        return whole
+    return " ".join(_sentence(each, translate) for each in SENTENCES.split(text))
+
+
+def _sentence(text: str, translate: Callable[[str], str]) -> str:
+    message = VALUES.sub("{}", text)
+    found = translate(message)
+    if found == message:
+        return translate(text)
+    values = VALUES.findall(text)
+    return found.format(*(f"“{translate(x[1:-1])}”" if x[0] == "“" else x for x in values))
 
 
 def error_and_fix(

@@ -12,7 +12,7 @@ from ..physics import simulation
 from ..scene import cornell_box, light
 from . import modal_operator
 from .operator_helpers import reason_against_tool
-from .text import TAB, wrapped_label
+from .text import TAB, in_language, wrapped_label
 
 
 class ToolPanel:
@@ -69,11 +69,11 @@ class FANTASIA3D_PT_material(ToolPanel, bpy.types.Panel):
         layout.prop(tools, "material")
         layout.prop(tools, "own_material")
         layout.prop(tools, "keep_normals")
-        row = layout.row(align=True)
-        button = row.operator("fantasia3d.replace_material", text="Apply", icon="MATERIAL")
+        column = layout.column(align=True)  # in one row their names would be cut
+        button = column.operator("fantasia3d.replace_material", text="Apply", icon="MATERIAL")
         button.material = tools.own_material.name if tools.own_material else tools.material
         button.keep_normals = tools.keep_normals
-        row.operator("fantasia3d.restore_material", icon="LOOP_BACK")
+        column.operator("fantasia3d.restore_material", icon="LOOP_BACK")
         material = context.active_object.active_material
         nodes = material_edit.edit_nodes(material) if material else []
         if not nodes:
@@ -143,7 +143,8 @@ class FANTASIA3D_PT_health(ToolPanel, bpy.types.Panel):
             return
         column = layout.column(align=True)
         for text, is_good in lines(report):
-            column.label(text=text, icon="CHECKMARK" if is_good else "ERROR")
+            icon = "CHECKMARK" if is_good else "ERROR"
+            column.label(text=in_language(text), icon=icon, translate=False)
         for name, width, height in report.textures:
             role = name.removeprefix(plain_name(obj)).strip() or name
             column.label(text=f"{role}: {width} × {height}", icon="TEXTURE")
@@ -255,8 +256,9 @@ def _draw_reason(layout: bpy.types.UILayout, context: bpy.types.Context) -> bool
     """
     if modal_operator.running:
         now = modal_operator.running[0]
-        layout.progress(factor=now.fraction, text=f"{now.title}  {now.fraction:.0%}")
-        wrapped_label(layout, context, f"{now.step}  Esc: Cancel".strip(), dimmed=True)
+        title, step, escape = map(in_language, (now.title, now.step, "Esc: Cancel"))
+        layout.progress(factor=now.fraction, text=f"{title}  {now.fraction:.0%}")
+        wrapped_label(layout, context, f"{step}  {escape}".strip(), dimmed=True)
         return True
     reason = reason_against_tool(context)
     if reason:

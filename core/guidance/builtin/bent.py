@@ -11,7 +11,6 @@ from core.geometry.bend import bend_to, stiffness_of
 from core.geometry.guide import guide_shape
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.signed_distance import SolidMesh
-from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import Frame
 
@@ -31,22 +30,22 @@ class BentSolid(Solid):
         return super().distances(self.bend(points))
 
 
-def bent(guidance: PromptedBuiltin, guide: Mesh, strength: float, least: float) -> PromptedBuiltin:
-    """The guidance of its drawn object in the proportions of ``guide``, the more the stronger.
+def bent(
+    solid: Solid, flat: tuple[float, ...], guide: Mesh, strength: float, least: float
+) -> BentSolid:
+    """``solid`` in the proportions of ``guide``, the more the stronger.
 
-    ``least``: half of the thickness that the guide's thin parts get, training units.
+    Args:
+        flat: of each part, which fraction of it is meant to be flat.
+        least: half of the thickness that the guide's thin parts get, training units.
     """
-    solid, parts = guidance.solid, guidance.parts()
-    if solid is None or parts is None:
-        return guidance
     fitted = in_box(solid, normalise(guide.verts)[0], least)
     verts, faces = fitted.mesh
-    flat = float(torch.tensor(parts.forms.flat)[fitted.part(verts)].mean())
-    stiffness = stiffness_of(strength, flat)
+    flatness = float(torch.tensor(flat)[fitted.part(verts)].mean())
+    stiffness = stiffness_of(strength, flatness)
     # By its mesh: the solid's own distances are too short where the box is uneven.
     bend = bend_to(SolidMesh(verts, faces).sdf, guide_shape(guide, least).sdf, stiffness)
-    made = BentSolid(solid.net, solid.triplane, fitted.frame, solid.swell, bend)
-    return PromptedBuiltin(guidance.builtin, guidance.words, guidance.negative, made)
+    return BentSolid(solid.net, solid.triplane, fitted.frame, solid.swell, bend)
 
 
 def in_box(solid: Solid, guide: Float[Tensor, "v 3"], least: float) -> Solid:

@@ -16,7 +16,9 @@ from torch import Tensor
 
 from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
+from core.geometry.mesh import Mesh
 from core.guidance.builtin.areas import SolidAreas, depths, patterned
+from core.guidance.builtin.bent import bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
@@ -155,6 +157,14 @@ class PromptedBuiltin(PromptedGuidance):
         solid = Solid.drawn(net, rows, torch.Generator().manual_seed(seed))
         solid = solid.placed("" if formed else words.shape)
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
+        """With the drawn solid stretched and bent."""
+        solid, parts = self.solid, self.parts()
+        if solid is None or parts is None:
+            return self
+        made = bent(solid, parts.forms.flat, guide, strength, least)
+        return PromptedBuiltin(self.builtin, self.words, self.negative, made)
 
     def start_shape(self) -> Shape | None:
         """The drawn solid."""

@@ -217,7 +217,7 @@ PROPS = {
     "pawn": Noun(
         "chess pawn, chess piece; chessman",
         {"body": "*e6d4b0", "base": "&d8c49c", "collar": "&d8c49c"},
-        Usual(0.06, WOOD),
+        Usual(0.048, WOOD),
     ),
     "arrow": Noun(
         "; crossbow bolt, dart",

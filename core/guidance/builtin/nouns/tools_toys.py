@@ -296,7 +296,7 @@ TOOLS_AND_TOYS = {
             "base": "&e3cda4 . paint",
             "eyes": "-2a1f16",
         },
-        Usual(0.07, WOOD),
+        Usual(0.062, WOOD),
     ),
     "chess rook": Noun(
         "rook, chess castle, chess tower, chess rook piece",
@@ -306,7 +306,7 @@ TOOLS_AND_TOYS = {
             "base": "&2f2823 . paint",
             "ring": "+8a6a3c . paint",
         },
-        Usual(0.06, WOOD),
+        Usual(0.053, WOOD),
     ),
     "chess king": Noun(
         "king chess piece, king piece; chess queen, chess bishop",

@@ -208,7 +208,7 @@ VEHICLES = {
             "fins": "+c9241e",
             "screw": "-c79a3e . golden",
         },
-        Usual(30.0, STEEL, 0.12),
+        Usual(30.0, STEEL, 0.012),
     ),
     "hot air balloon": Noun(
         "hot-air balloon, air balloon; montgolfier",
