@@ -17,8 +17,8 @@ import pytest
 
 from core.tests import checked
 
-# With a process for each core and more (pytest-xdist) more threads would only wait for each other. Before
-# torch and numba are imported.
+# With a process for each core and more (pytest-xdist) more threads would only wait for each other.
+# Before torch and numba are imported.
 if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("NUMBA_NUM_THREADS", "1")
