@@ -57,7 +57,7 @@ class RayPool:
         command: Sequence[str] = COMMAND,
         seconds: float = 30.0,
     ) -> None:
-        self._needs, self._at_once = needs, at_once
+        self.needs, self._at_once = needs, at_once
         self._order = {"timeout": timeout, "command": tuple(command), "seconds": seconds}
         self._running: dict[Any, tuple[Task, float]] = {}
         options = {"num_cpus": needs.cpus, "memory": needs.memory, "num_gpus": needs.gpus}
@@ -70,7 +70,7 @@ class RayPool:
     def places(self) -> int:
         """How many assets the nodes that are alive have room for."""
         nodes = [node["Resources"] for node in ray.nodes() if node["Alive"]]
-        places = sum(room(resources, self._needs) for resources in nodes)
+        places = sum(room(resources, self.needs) for resources in nodes)
         return places if self._at_once is None else min(places, self._at_once)
 
     def start(self, task: Task) -> None:

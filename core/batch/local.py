@@ -20,7 +20,7 @@ class LocalPool:
         timeout: float | None = None,
         command: Sequence[str] = COMMAND,
     ) -> None:
-        self.places = places(needs, at_once)
+        self.needs, self.places = needs, places(needs, at_once)
         self._command, self._timeout = command, timeout
         self._running: list[tuple[Task, Attempt, int]] = []
         self._gpus = gpus() if needs.gpus else 0

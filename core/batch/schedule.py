@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from core.batch.attempt import End
+from core.batch.needs import Needs
 from core.batch.options import OUT_OF_TIME
 from core.batch.plan import Task
 from core.batch.progress_line import ProgressLine, seconds_left
@@ -26,6 +27,8 @@ STAGES = ("geometry", "appearance")
 @runtime_checkable  # or the tests cannot check arguments of it
 class Pool(Protocol):
     """Where assets are made: this machine, or a cluster."""
+
+    needs: Needs  # of one asset
 
     @property
     def places(self) -> int:
@@ -69,12 +72,13 @@ class Batch:
         """Make what is missing; KeyboardInterrupt leaves it resumable."""
         waiting = deque(task for task in self.tasks if not is_done(task))
         self._waiting, self._running = waiting, dict[Path, Task]()
-        self._failed = self.refused
+        self._failed, self._is_told = self.refused, False
         self._line = ProgressLine(len(self.tasks) + self.refused)
         try:
             while waiting or self._running:
                 while waiting and len(self._running) < self.pool.places:
                     self._start(waiting.popleft())
+                self._tell_of_no_room()
                 self._show()
                 for task, end in self.pool.wait(WAIT):
                     self._ended(task, end)
@@ -84,6 +88,12 @@ class Batch:
                 self._line.add("Stopping after the present step; Ctrl-C again stops at once.")
                 self.pool.stop()
             self._line.close()
+
+    def _tell_of_no_room(self) -> None:
+        """Once: a cluster may have no node that is large enough, and get one later."""
+        if self._waiting and not self._running and not self._is_told:
+            self._is_told = True
+            self._line.add(f"No node has room for an asset ({self.pool.needs}); waiting for one.")
 
     def _start(self, task: Task) -> None:
         assert task.folder and task.job
