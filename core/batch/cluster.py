@@ -49,6 +49,8 @@ ANSWER_SECONDS = 10.0  # a cluster's head has to answer within
 class RayPool:
     """Makes assets on a cluster, as many at once as its nodes have room for."""
 
+    stopping = "Stopping; what runs resumes from the last checkpoints that came back."
+
     def __init__(
         self,
         needs: Needs,

@@ -13,6 +13,8 @@ PAUSE = 0.1  # seconds between two looks at the processes
 class LocalPool:
     """Makes assets on this machine, as many at once as fit (:func:`core.batch.needs.places`)."""
 
+    stopping = "Stopping after the present step; Ctrl-C again stops at once."
+
     def __init__(
         self,
         needs: Needs,

@@ -29,6 +29,7 @@ class Pool(Protocol):
     """Where assets are made: this machine, or a cluster."""
 
     needs: Needs  # of one asset
+    stopping: str  # what the user reads while it stops
 
     @property
     def places(self) -> int:
@@ -85,7 +86,7 @@ class Batch:
             self._show()
         finally:
             if self._running:
-                self._line.add("Stopping after the present step; Ctrl-C again stops at once.")
+                self._line.add(self.pool.stopping)
                 self.pool.stop()
             self._line.close()
 

@@ -302,7 +302,9 @@ def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
 
     threading.Thread(target=interrupt).start()
     assert main(["batch", *argv, "--at-once", "2"]) == 130
-    assert "0 of 3 are done. The same command goes on" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert said.count("Stopping after the present step") == 1
+    assert "0 of 3 are done. The same command goes on" in said
     assert [r["state"] for r in report(tmp_path)] == ["unfinished", "unfinished", "missing"]
     assert main(["batch", *argv, "--at-once", "2"]) == 0
     starts = [sessions(tmp_path / "out" / r["folder"]) for r in report(tmp_path)]
