@@ -143,7 +143,7 @@ def is_done(task: Task) -> bool:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """What resume needs, of a run that is done: five sixths of its bytes."""
+    """What resume needs, of a run that is done: two thirds of its bytes."""
     for file in (folder / "checkpoint").glob("*.safetensors"):
         file.unlink()
 
