@@ -66,6 +66,8 @@ def _check(args: Namespace) -> None:
         raise UserError(f"--retries is {args.retries}.", "It takes 0 or more.")
     if args.timeout is not None and not args.timeout > 0:
         raise UserError(f"--timeout is {args.timeout:g}.", "It takes seconds, more than 0.")
+    if args.ray is not None and not args.ray.strip():  # a script's variable that was never set
+        raise UserError("--ray is empty.", "It takes auto, local or HOST:PORT.")
     if args.out.exists() and not args.out.is_dir():
         raise UserError(f"--out is {args.out}, which is no folder.", "Name a folder, or a new one.")
 

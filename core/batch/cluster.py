@@ -49,6 +49,8 @@ ANSWER_SECONDS = 10.0  # a cluster's head has to answer within
 class RayPool:
     """Makes assets on a cluster, as many at once as its nodes have room for."""
 
+    stopping = "Stopping; what runs resumes from the last checkpoints that came back."
+
     def __init__(
         self,
         needs: Needs,
@@ -57,7 +59,7 @@ class RayPool:
         command: Sequence[str] = COMMAND,
         seconds: float = 30.0,
     ) -> None:
-        self._needs, self._at_once = needs, at_once
+        self.needs, self._at_once = needs, at_once
         self._order = {"timeout": timeout, "command": tuple(command), "seconds": seconds}
         self._running: dict[Any, tuple[Task, float]] = {}
         options = {"num_cpus": needs.cpus, "memory": needs.memory, "num_gpus": needs.gpus}
@@ -70,7 +72,7 @@ class RayPool:
     def places(self) -> int:
         """How many assets the nodes that are alive have room for."""
         nodes = [node["Resources"] for node in ray.nodes() if node["Alive"]]
-        places = sum(room(resources, self._needs) for resources in nodes)
+        places = sum(room(resources, self.needs) for resources in nodes)
         return places if self._at_once is None else min(places, self._at_once)
 
     def start(self, task: Task) -> None:

@@ -13,6 +13,8 @@ PAUSE = 0.1  # seconds between two looks at the processes
 class LocalPool:
     """Makes assets on this machine, as many at once as fit (:func:`core.batch.needs.places`)."""
 
+    stopping = "Stopping after the present step; Ctrl-C again stops at once."
+
     def __init__(
         self,
         needs: Needs,
@@ -20,7 +22,7 @@ class LocalPool:
         timeout: float | None = None,
         command: Sequence[str] = COMMAND,
     ) -> None:
-        self.places = places(needs, at_once)
+        self.needs, self.places = needs, places(needs, at_once)
         self._command, self._timeout = command, timeout
         self._running: list[tuple[Task, Attempt, int]] = []
         self._gpus = gpus() if needs.gpus else 0

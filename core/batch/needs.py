@@ -29,6 +29,10 @@ class Needs:
     memory: int  # bytes
     gpus: float  # 0 on the CPU; a fraction lets several share one
 
+    def __str__(self) -> str:
+        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
+        return f"{self.cpus} core, {self.memory / 1e9:.1f} GB of memory{gpus}"
+
 
 def needs_of(job: Job, has_gpu: bool) -> Needs:
     """What ``job`` takes on a machine with or without a CUDA GPU."""

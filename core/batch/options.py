@@ -50,15 +50,19 @@ def check_node(args: argparse.Namespace) -> None:
     """Refuse what Ray would report in its own way, or only after it was started.
 
     Raises:
-        UserError: --head with --join, an address, a port or a number of cores that there is not.
+        UserError: --head or --jobs with --join, an address, a port or a number of cores that there
+            is not.
     """
     if args.join is not None and args.head:
         raise UserError("A node is either --head or --join HOST:PORT.", "Give one of them.")
+    if args.join is not None and args.jobs:
+        raise UserError("--jobs is of the head.", "Leave it out with --join.")
     host, _, port = (args.join or "").rpartition(":")
     if args.join is not None and not (host and _is_port(port)):
         raise UserError(f"--join is {args.join!r}.", "It takes HOST:PORT, the head's address.")
-    if not _is_port(str(args.port)):
-        raise UserError(f"--port is {args.port}.", f"It takes 1 to {MAX_PORT}.")
+    for name, given in (("port", args.port), ("jobs-port", args.jobs_port)):
+        if not _is_port(str(given)):
+            raise UserError(f"--{name} is {given}.", f"It takes 1 to {MAX_PORT}.")
     if args.cpus is not None and args.cpus < 1:
         raise UserError(f"--cpus is {args.cpus}.", "It takes 1 or more.")
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
 from core.batch.attempt import End
+from core.batch.needs import Needs
 from core.batch.options import OUT_OF_TIME
 from core.batch.plan import Task
 from core.batch.progress_line import ProgressLine, seconds_left
@@ -26,6 +27,9 @@ STAGES = ("geometry", "appearance")
 @runtime_checkable  # or the tests cannot check arguments of it
 class Pool(Protocol):
     """Where assets are made: this machine, or a cluster."""
+
+    needs: Needs  # of one asset
+    stopping: str  # what the user reads while it stops
 
     @property
     def places(self) -> int:
@@ -69,21 +73,28 @@ class Batch:
         """Make what is missing; KeyboardInterrupt leaves it resumable."""
         waiting = deque(task for task in self.tasks if not is_done(task))
         self._waiting, self._running = waiting, dict[Path, Task]()
-        self._failed = self.refused
+        self._failed, self._is_told = self.refused, False
         self._line = ProgressLine(len(self.tasks) + self.refused)
         try:
             while waiting or self._running:
                 while waiting and len(self._running) < self.pool.places:
                     self._start(waiting.popleft())
+                self._tell_of_no_room()
                 self._show()
                 for task, end in self.pool.wait(WAIT):
                     self._ended(task, end)
             self._show()
         finally:
             if self._running:
-                self._line.add("Stopping after the present step; Ctrl-C again stops at once.")
+                self._line.add(self.pool.stopping)
                 self.pool.stop()
             self._line.close()
+
+    def _tell_of_no_room(self) -> None:
+        """Once: a cluster may have no node that is large enough, and get one later."""
+        if self._waiting and not self._running and not self._is_told:
+            self._is_told = True
+            self._line.add(f"No node has room for an asset ({self.pool.needs}); waiting for one.")
 
     def _start(self, task: Task) -> None:
         assert task.folder and task.job
@@ -132,7 +143,7 @@ def is_done(task: Task) -> bool:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """What resume needs, of a run that is done: five sixths of its bytes."""
+    """What resume needs, of a run that is done: two thirds of its bytes."""
     for file in (folder / "checkpoint").glob("*.safetensors"):
         file.unlink()
 

@@ -2,6 +2,7 @@
 
 import csv
 import difflib
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -87,14 +88,15 @@ def _text(path: Path) -> str:
 
 
 def _lines(text: str) -> list[Row]:
-    lines = [(number, line.strip()) for number, line in enumerate(text.splitlines(), 1)]
+    # Not splitlines: a spreadsheet's line break within a cell is no end of a row.
+    lines = [(number, line.strip()) for number, line in enumerate(text.split("\n"), 1)]
     return [Row(number, line) for number, line in lines if line and not line.startswith("#")]
 
 
 def _csv_rows(text: str, path: Path) -> list[Row]:
     first = text.partition("\n")[0]
     delimiter = max(",;\t", key=first.count)  # some countries' spreadsheets write semicolons
-    reader = csv.reader(text.splitlines(keepends=True), delimiter=delimiter, strict=True)
+    reader = csv.reader(io.StringIO(text), delimiter=delimiter, strict=True)
     try:
         header = [_column(cell, path) for cell in next(reader, [])]
         _check_header(header, path)

@@ -90,6 +90,16 @@ def test_a_text_file_has_a_prompt_on_each_line(tmp_path):
     ]
 
 
+@pytest.mark.parametrize("mark", ["\u2028", "\v", "\x85"])
+def test_a_line_break_within_a_cell_ends_no_row(tmp_path, mark):
+    """Word processors write these; Python's splitlines takes them for the end of a line."""
+    (tmp_path / "t.csv").write_text(f"prompt,seed\na red{mark}chair,3\n", encoding="utf-8")
+    (tmp_path / "t.txt").write_text(f"a red{mark}chair\n", encoding="utf-8")
+    (row,), (line,) = read_table(tmp_path / "t.csv"), read_table(tmp_path / "t.txt")
+    assert (row.line, row.prompt, row.options) == (2, f"a red{mark}chair", {"seed": "3"})
+    assert (line.line, line.prompt) == (1, f"a red{mark}chair")
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -218,6 +228,23 @@ def test_what_dies_goes_on_from_its_checkpoint(table, tmp_path):
     assert sessions(tmp_path / "out" / row["folder"]) == [0, 2]
 
 
+def test_no_room_is_told_once_and_waited_for(table, tmp_path, monkeypatch, capsys):
+    """A cluster's nodes may all be too small, until one joins."""
+
+    class Small(LocalPool):
+        waits = 0
+        places = property(lambda self: int(self.waits > 1), lambda self, _: None)
+
+        def wait(self, seconds):
+            self.waits += 1
+            return super().wait(0.01)
+
+    monkeypatch.setattr(batch, "LocalPool", partial(Small, command=FAKE))
+    assert main(["batch", *table("a chair\n", "t.txt")]) == 0
+    said = capsys.readouterr().err
+    assert said.count("No node has room for an asset (1 core, 1.5 GB of memory); waiting") == 1
+
+
 def test_retries_end(table, tmp_path):
     argv = table("a chair that dies\n", "t.txt")
     assert main(["batch", *argv, "--retries", "0"]) == 6
@@ -275,7 +302,9 @@ def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
 
     threading.Thread(target=interrupt).start()
     assert main(["batch", *argv, "--at-once", "2"]) == 130
-    assert "0 of 3 are done. The same command goes on" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert said.count("Stopping after the present step") == 1
+    assert "0 of 3 are done. The same command goes on" in said
     assert [r["state"] for r in report(tmp_path)] == ["unfinished", "unfinished", "missing"]
     assert main(["batch", *argv, "--at-once", "2"]) == 0
     starts = [sessions(tmp_path / "out" / r["folder"]) for r in report(tmp_path)]

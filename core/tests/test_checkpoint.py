@@ -13,6 +13,7 @@ from core.errors import MissingError, UserError
 from core.guidance.load import make_guidance
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint, weight_variant
 from core.guidance.stable_diffusion.guidance import StableDiffusion
+from core.guidance.stable_diffusion.models import described
 
 
 @pytest.fixture
@@ -119,11 +120,25 @@ def test_weights_of_another_shape_are_refused(broken):
         load(broken)
 
 
+@pytest.mark.parametrize("text", ["{", "[]", "5", '{"n": ' + "9" * 5000 + "}", "[" * 100_000])
 @pytest.mark.parametrize("name", ["model_index.json", "unet/config.json", "vae/config.json"])
-def test_broken_json_is_refused_by_file(broken, name):
-    (broken / name).write_text("{")
+def test_broken_json_is_refused_by_file(broken, name, text):
+    (broken / name).write_text(text)
     with pytest.raises(UserError, match="cannot be read"):
         load(broken)
+
+
+@pytest.mark.parametrize("entry", [5, "ab", ["diffusers"], ["diffusers", ["x"]], {}])
+def test_an_index_without_its_classes_is_refused_and_listed_as_such(broken, entry):
+    edit(broken / "model_index.json", unet=entry)
+    with pytest.raises(UserError, match="whose unet is missing"):
+        find_checkpoint(str(broken))
+    assert "whose unet is missing" in described(broken).reason
+
+
+def test_a_scheduler_s_class_that_is_no_name_is_none_of_the_distilled(broken):
+    edit(broken / "scheduler" / "scheduler_config.json", _class_name=["LCMScheduler"])
+    assert find_checkpoint(str(broken)).folder == broken
 
 
 def test_a_missing_tokenizer_is_refused(broken):

@@ -12,13 +12,20 @@ from core.appearance import shaded
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import SurfacePoints, material_at
-from core.benchmarks.bench_rehearsal import PHASES, Rehearsal, bench_rehearsal
+from core.benchmarks.bench_rehearsal import (
+    PHASES,
+    Rehearsal,
+    bench_rehearsal,
+    configurations,
+    random_guidance,
+)
 from core.camera import Cameras
 from core.command_line import main
 from core.device import sent
 from core.errors import MemoryShortError, UserError
 from core.geometry.tet_grid import tet_grid
 from core.guidance.gaussian import GaussianGuidance
+from core.guidance.guidance import Views
 from core.guidance.stable_diffusion.memory import _Live
 from core.io.job import read_events
 from core.io.progress import Progress, Step
@@ -232,6 +239,16 @@ def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, 
     total = sum(line["value"] for line in lines if "steps of 24" in line["name"])
     assert values["the paper's whole schedule"] == pytest.approx(total)
     assert "fine: VAE" in capsys.readouterr().out
+
+
+def test_stable_diffusion_2_is_rehearsed_with_its_own_networks():
+    rehearsal = Rehearsal("sd21", batch=1, chunk=1)
+    unet, _ = configurations(rehearsal)
+    assert (unet["cross_attention_dim"], unet["sample_size"]) == (1024, 64)  # of 512² pictures
+    small = random_guidance(replace(rehearsal, scale="tiny"), torch.device("cpu"))
+    views = Views(Cameras.orbit([0.0], [20.0]))
+    found = small.predict(torch.zeros(1, 4, 8, 8), torch.tensor([500]), views)
+    assert found.cond.shape == (1, 4, 8, 8)
 
 
 def test_an_unknown_architecture_is_one_sentence(capsys):

@@ -1,6 +1,7 @@
 """LoRA files and textual inversions over a checkpoint, against the sums by hand."""
 
 import json
+import struct
 
 import pytest
 import torch
@@ -10,7 +11,9 @@ from core.command_line import job_of, parse
 from core.errors import UserError
 from core.generate import prepare
 from core.guidance.guidance import PromptWarning
+from core.guidance.stable_diffusion.embedding import read_embedding
 from core.guidance.stable_diffusion.guidance import StableDiffusion
+from core.guidance.stable_diffusion.lora import read_pairs
 from core.guidance.stable_diffusion.source import Additions
 from core.io.job import Job
 from core.provenance import recorded
@@ -128,6 +131,19 @@ def lora(key, down, up):
         ({"x.hada_w1_a": torch.zeros(1)}, "holds LoHa"),
         ({"x.lora_A.weight": torch.zeros(1), "x.dora_scale": torch.zeros(1)}, "holds DoRA"),
         ({"emb_params": torch.zeros(1, 16)}, "is textual inversion"),
+        # What was not read was once left out in silence.
+        (
+            {f"unet.{QUERY}.lora_{x}.default.weight": torch.zeros(1, 1) for x in "AB"},
+            "layout that is not known here: 2 of its 2",
+        ),
+        (
+            lora("x", *torch.zeros(2, 1, 1)) | {"x.lora_up.bias": torch.zeros(1)},
+            "layout that is not known here: 1 of its 3",
+        ),
+        (lora("x", torch.zeros(1, 2), torch.zeros(2, 3)), "have no product"),
+        (lora("x", torch.zeros(0, 2), torch.zeros(2, 0)), "have no product"),
+        (lora("x", torch.zeros(()), torch.zeros(())), "have no product"),
+        (lora("x", *torch.zeros(2, 1, 1)) | {"x.alpha": torch.zeros(3)}, "have no product"),
     ],
 )
 def test_what_is_no_lora_for_this_checkpoint_is_refused(tensors, says, checkpoints, tmp_path):
@@ -176,6 +192,31 @@ def test_an_embedding_that_is_not_written_warns_and_one_too_wide_is_refused(chec
     save_file({"emb_params": torch.zeros(1, 768)}, path)
     with pytest.raises(UserError, match="for other text encoders.*768"):
         load(checkpoints["1.x"], embeddings=[path])
+
+
+@pytest.mark.parametrize(
+    ("tensors", "says"),
+    [
+        ({"emb_params": torch.zeros(0, 16)}, "has no vectors"),
+        ({"emb_params": torch.zeros(1, 1, 16)}, "for other text encoders"),
+        ({"emb_params": torch.zeros(())}, "for other text encoders"),
+    ],
+)
+def test_an_embedding_that_is_no_table_is_refused(tensors, says, checkpoints, tmp_path):
+    save_file(tensors, tmp_path / "x.safetensors")
+    with pytest.raises(UserError, match=says):
+        load(checkpoints["1.x"], embeddings=[tmp_path / "x.safetensors"])
+
+
+@pytest.mark.parametrize("name", ["x.lora_A.weight", "emb_params"])
+def test_a_file_whose_header_alone_is_whole_is_refused(name, tmp_path):
+    """Its entry has a shape of 16 numbers and the bytes of one."""
+    entry = {name: {"dtype": "F32", "shape": [1, 16], "data_offsets": [0, 4]}}
+    text = json.dumps(entry).encode()
+    path = tmp_path / "x.safetensors"
+    path.write_bytes(struct.pack("<Q", len(text)) + text + bytes(4))
+    with pytest.raises(UserError, match="cannot be loaded"):
+        read_embedding(path, [16]) if name == "emb_params" else read_pairs(path)
 
 
 # ---- the job

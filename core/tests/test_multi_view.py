@@ -22,7 +22,7 @@ from core.guidance.stable_diffusion.header import kind_of, read_header
 from core.guidance.stable_diffusion.keys import UNET, unet_key
 from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numbers
 from core.guidance.stable_diffusion.networks import UNet2DConditionModel, unet_config
-from core.guidance.stable_diffusion.source import Checkpoint
+from core.guidance.stable_diffusion.source import Additions, Checkpoint
 from core.io.job import Job
 from core.stages.distill import require_groups
 from core.tests.one_file import write_configurations, write_one_file
@@ -197,6 +197,18 @@ def test_a_guided_prediction_holds_groups_and_cameras_together(guidance, weights
     )
     expected = uncond + 7.5 * (cond - uncond)
     torch.testing.assert_close(found, expected, rtol=1e-3, atol=1e-3)
+
+
+def test_a_lora_changes_the_network_within(folder, guidance, tmp_path):
+    """Its names are those of the network without cameras."""
+    name = "down_blocks.0.attentions.0.transformer_blocks.0.attn1.to_q"
+    before = guidance.unet.state_dict()[f"unet.{name}.weight"]
+    up, down = torch.randn(len(before), 1), torch.randn(1, before.shape[1])
+    path = tmp_path / "x.safetensors"
+    save_file({f"unet.{name}.lora_A.weight": down, f"unet.{name}.lora_B.weight": up}, path)
+    additions = Additions({str(path): 0.5})
+    changed = StableDiffusion.load(str(folder), "cpu", additions=additions).unet.state_dict()
+    torch.testing.assert_close(changed[f"unet.{name}.weight"], before + 0.5 * up @ down)
 
 
 def test_a_view_sees_the_others_and_its_camera(guidance):

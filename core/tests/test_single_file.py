@@ -259,6 +259,8 @@ def test_broken_short_and_missing_files_are_refused(files, tmp_path):
         (b"x" * 100, "no whole safetensors"),
         (struct.pack("<Q", 4) + b"[1]  ", "no whole safetensors"),
         (struct.pack("<Q", 10) + b'{"a": 1}  ', "no whole safetensors"),
+        (struct.pack("<Q", 100_000) + b"[" * 100_000, "no whole safetensors"),
+        (struct.pack("<Q", 23) + b'{"a":{"shape":[1e999]}}', "no whole safetensors"),
     ):
         path.write_bytes(content)
         with pytest.raises(UserError, match=says):

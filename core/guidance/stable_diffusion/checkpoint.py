@@ -78,13 +78,15 @@ def read_json(path: Path) -> dict[str, Any]:
     Raises:
         UserError: missing or broken.
     """
+    fix = "Download or convert the checkpoint again."
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise UserError(
-            f'"{path}" cannot be read ({type(error).__name__}).',
-            "Download or convert the checkpoint again.",
-        ) from error
+        # Infinity is no JSON, but diffusers' own schedulers write it.
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise UserError(f'"{path}" cannot be read ({type(error).__name__}).', fix) from error
+    if not isinstance(data, dict):
+        raise UserError(f'"{path}" cannot be read (it holds no object).', fix)
+    return data
 
 
 def weight_variant(folder: Path, part: str, *, half: bool) -> str | None:
@@ -125,14 +127,21 @@ def _require_text_to_image(folder: Path) -> Checkpoint:
             f"Give the folder of {_EXPECTED}, or a .safetensors file of one.",
         )
     parts = read_json(index)
-    if (parts.get("unet") or [None, None])[1] == CLASS:
+    if _class_of(parts, "unet") == CLASS:
         return _require_multi_view(folder, parts)
-    is_xl = bool((parts.get("text_encoder_2") or [None, None])[1])
+    is_xl = bool(_class_of(parts, "text_encoder_2"))
     _require_parts(folder, parts, PARTS | SECOND if is_xl else PARTS)
     _require_unet(folder, is_xl)
     _require_no_distilled(folder)
     zero_empty = is_xl and bool(parts.get("force_zeros_for_empty_prompt", True))
     return Checkpoint(folder, family="sdxl" if is_xl else "sd", zero_empty=zero_empty)
+
+
+def _class_of(parts: dict[str, Any], part: str) -> str | None:
+    """The class of a part: an entry is [library, class], both null where there is none."""
+    entry = parts.get(part)
+    found = entry[1] if isinstance(entry, list) and len(entry) == 2 else None
+    return found if isinstance(found, str) else None
 
 
 def _require_multi_view(folder: Path, parts: dict[str, Any]) -> Checkpoint:
@@ -153,10 +162,9 @@ def _require_multi_view(folder: Path, parts: dict[str, Any]) -> Checkpoint:
 
 def _require_parts(folder: Path, parts: dict[str, Any], wanted: dict[str, str]) -> None:
     for part, expected in wanted.items():
-        # An entry is [library, class], and null where the pipeline has no such part.
-        found = (parts.get(part) or [None, None])[1]
+        found = _class_of(parts, part)
         # CLIPTokenizerFast is the same tokenizer in another language.
-        if not found or (expected and str(found).removesuffix("Fast") != expected):
+        if not found or (expected and found.removesuffix("Fast") != expected):
             raise UserError(
                 f'"{folder}" is a {parts.get("_class_name", "pipeline")} whose {part} is '
                 f"{found or 'missing'}; expected {expected or 'one'}.",
@@ -197,12 +205,12 @@ def _require_no_distilled(folder: Path) -> None:
     if not path.is_file():  # the scheduler's own loader names what is missing
         return
     scheduler = read_json(path)
-    kind = scheduler.get("_class_name", "")
+    kind = str(scheduler.get("_class_name", ""))
     if kind in DISTILLED:
         raise _distilled(folder, DISTILLED[kind], f"its scheduler is {kind}")
     trailing = scheduler.get("timestep_spacing") == "trailing"
     predicts_noise = scheduler.get("prediction_type", "epsilon") == "epsilon"
-    if str(kind).startswith("Euler") and trailing and predicts_noise:
+    if kind.startswith("Euler") and trailing and predicts_noise:
         raise _distilled(folder, "turbo model", f'its {kind} has timestep_spacing "trailing"')
 
 

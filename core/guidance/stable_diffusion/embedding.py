@@ -8,6 +8,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.guidance.stable_diffusion.header import kind_of, read_header
+from core.guidance.stable_diffusion.networks import readable
 
 _NAMES: Final = ("emb_params", "clip_l", "clip_g")  # of tensors whose names are no word
 
@@ -23,17 +24,20 @@ def read_embedding(path: Path, widths: list[int]) -> tuple[set[str], list[Tensor
     kind = kind_of(read_header(path))
     if kind != "textual inversion":
         raise UserError(f'"{path}" is no textual inversion: it is {kind}.', "Give its own file.")
-    tensors = load_file(path)
+    with readable(path):
+        tensors = load_file(path)
     names = ["clip_l", "clip_g"] if len(widths) == 2 else list(tensors)[:1]
     vectors = [tensors[name].float() for name in names if name in tensors]
     vectors = [v[None] if v.ndim == 1 else v for v in vectors]
-    if [v.shape[-1] for v in vectors] != widths:
+    if [v.shape[-1] if v.ndim == 2 else None for v in vectors] != widths:
         found = " and ".join(str(tuple(t.shape)) for t in tensors.values())
         raise UserError(
             f'"{path}" is for other text encoders: its vectors are {found}, and this checkpoint\'s '
             f"are {' and '.join(map(str, widths))} wide.",
             "Use it with a checkpoint of the version it was trained for (1.x, 2.x or XL).",
         )
-    if len({len(v) for v in vectors}) != 1:
-        raise UserError(f'"{path}" has two lengths.', "Download it again.")
+    lengths = {len(v) for v in vectors}
+    if len(lengths) != 1 or 0 in lengths:
+        has = "two lengths" if len(lengths) > 1 else "no vectors"
+        raise UserError(f'"{path}" has {has}.', "Download it again.")
     return {path.stem, *(set(names) - set(_NAMES))}, vectors

@@ -12,6 +12,11 @@ from core.guidance.stable_diffusion.keys import UNET, VAE
 
 PICKLES: Final = (".ckpt", ".pt", ".pth", ".bin", ".pkl")
 _LONGEST: Final = 100_000_000  # bytes of a header, the format's own limit
+# What a header that is none raises: no JSON, none of its entries, a number without an end, nesting.
+_BROKEN: Final = (
+    ValueError, KeyError, TypeError, AttributeError, IndexError, struct.error, OverflowError,
+    RecursionError,
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -55,7 +60,7 @@ def read_header(path: Path) -> Header:
         size = path.stat().st_size
     except OSError as error:
         raise UserError(f'"{path}" cannot be read ({error.strerror}).', "Check it.") from error
-    except (ValueError, KeyError, TypeError, AttributeError, IndexError, struct.error) as error:
+    except _BROKEN as error:
         raise UserError(
             f'"{path}" is no whole safetensors file: its header cannot be read.',
             "Download it again.",

@@ -18,11 +18,14 @@ from torch import Tensor, nn
 from core.errors import UserError
 from core.guidance.stable_diffusion.header import Header, kind_of, read_header
 from core.guidance.stable_diffusion.keys import unet_key
+from core.guidance.stable_diffusion.networks import readable
 
 _DOWN: Final = (".lora_down.weight", ".lora_A.weight", "_lora.down.weight", ".lora.down.weight",
                 ".lora_linear_layer.down.weight")  # fmt: skip
 _UP: Final = (".lora_up.weight", ".lora_B.weight", "_lora.up.weight", ".lora.up.weight",
               ".lora_linear_layer.up.weight")  # fmt: skip
+# In the name of each tensor of a LoRA, whatever its layout.
+_OF_LORA: Final = re.compile(r"lora[._](down|up|A|B|linear_layer|embedding)\b")
 # Other ways to change a layer, by a part of their tensors' names.
 _OTHERS: Final = {
     "hada_": "LoHa", "lokr_": "LoKr", "dora_scale": "DoRA", "lora_mid": "LoCon in three parts",
@@ -90,12 +93,16 @@ def read_pairs(path: Path) -> dict[str, Pair]:
             )
     if kind_of(header) != "LoRA":
         raise UserError(f'"{path}" is no LoRA: it is {kind_of(header)}.', "Give a LoRA's file.")
-    tensors = load_file(path)
+    with readable(path):
+        tensors = load_file(path)
+    _require_all_read(path, tensors)
     downs, ups = (_by_layer(tensors, endings) for endings in (_DOWN, _UP))
     if odd := sorted(downs.keys() ^ ups.keys()):
         raise UserError(f'"{path}" has one half of {odd[0]} alone.', "Download it again.")
     alphas = _by_layer(tensors, (".alpha",))
     stated = _stated_alphas(header)
+    for name, down in downs.items():
+        _require_pair(path, name, down, ups[name], alphas.get(name))
     return {
         name: Pair(
             down,
@@ -104,6 +111,29 @@ def read_pairs(path: Path) -> dict[str, Pair]:
         )
         for name, down in downs.items()
     }
+
+
+def _require_all_read(path: Path, tensors: dict[str, Tensor]) -> None:
+    """Refuse a layout that is not known: what is not read would be left out in silence."""
+    read = (*_DOWN, *_UP, ".alpha")
+    unread = [name for name in tensors if _OF_LORA.search(name) and not name.endswith(read)]
+    if unread:
+        raise UserError(
+            f'"{path}" has a layout that is not known here: {len(unread)} of its {len(tensors)} '
+            f"tensors, the first {unread[0]}.",
+            "Save it in kohya's or diffusers' layout, or use a checkpoint into which it was "
+            "merged.",
+        )
+
+
+def _require_pair(path: Path, name: str, down: Tensor, up: Tensor, alpha: Tensor | None) -> None:
+    matrices = min(down.ndim, up.ndim) >= 2 and 0 < len(down) == up.shape[1]
+    if not matrices or (alpha is not None and alpha.numel() != 1):
+        raise UserError(
+            f'"{path}" is broken: the two halves of {name} are {tuple(down.shape)} and '
+            f"{tuple(up.shape)}, which have no product.",
+            "Download it again.",
+        )
 
 
 def _by_layer(tensors: dict[str, Tensor], endings: tuple[str, ...]) -> dict[str, Tensor]:
