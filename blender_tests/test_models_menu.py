@@ -41,6 +41,27 @@ def test_the_core_lists_what_can_be_used_and_why_the_rest_cannot(found):
     assert models.label(usable[0]) == "style.safetensors (LoRA, 0.0 GB)"
 
 
+def test_another_tools_models_are_offered_too(addon, tmp_path, monkeypatch):
+    hub, tool = tmp_path / "hub", tmp_path / "ComfyUI" / "models" / "loras"
+    hub.mkdir()
+    tool.mkdir(parents=True)
+    write(hub / "word.safetensors", "emb_params", (1, 768))
+    write(tool / "style.safetensors", "lora_unet_x.lora_down.weight")
+    core = Paths(bpy.context).core._replace(environ={"HF_HUB_CACHE": str(hub)})
+    found = models.ask_all(core, tmp_path / "ComfyUI")
+    assert {model["kind"] for model in found} == {"LoRA", "textual inversion"}
+    assert models.ask_all(core, None) == [model for model in found if model["kind"] != "LoRA"]
+    assert models.ask_all(core, tmp_path / "gone") == models.ask_all(core, None)
+    # The session asks with the folder of the preferences.
+    asked = []
+    monkeypatch.setattr(models, "ask_all", lambda _core, folder: asked.append(folder) or [])
+    monkeypatch.setattr(Paths, "tool", tmp_path / "ComfyUI")
+    session.find_models()
+    session.models._task.join(10)
+    session.tick()
+    assert asked == [tmp_path / "ComfyUI"]
+
+
 def test_a_choice_fills_the_field_that_it_is_for(addon, tmp_path):
     settings = bpy.context.scene.fantasia3d
     for kind, path in (("LoRA", "/l"), ("textual inversion", "/e"), ("Stable Diffusion 1", "/m")):
@@ -52,7 +73,7 @@ def test_a_choice_fills_the_field_that_it_is_for(addon, tmp_path):
 def test_the_session_asks_once_and_takes_the_answer(addon, monkeypatch):
     answer = [{"path": "/m", "kind": "LoRA", "bytes": 1, "reason": ""}]
     asked = []
-    monkeypatch.setattr(models, "ask", lambda core: asked.append(core) or answer)
+    monkeypatch.setattr(models, "ask", lambda core, folder=None: asked.append(core) or answer)
     assert session.found_models() is None
     session.models._task.join(10)
     assert session.found_models() is None

@@ -35,10 +35,10 @@ class Models:
         """Whether the core is looking."""
         return self._task is not None
 
-    def look(self, core: Core) -> None:
-        """Have the core look at the models' folder; never blocks."""
+    def look(self, core: Core, folder: Path | None = None) -> None:
+        """Have the core look at the models' folder, and at another tool's; never blocks."""
         if self._task is None:
-            self._task = Task("Models", lambda _progress: ask(core))
+            self._task = Task("Models", lambda _progress: ask_all(core, folder))
 
     def tick(self) -> None:
         """Take an answer."""
@@ -47,13 +47,18 @@ class Models:
             self.found = answer if isinstance(answer, list) else []
 
 
-def ask(core: Core) -> Any:
-    """The core's answer; an empty list where it gives none."""
+def ask_all(core: Core, folder: Path | None) -> list[Model]:
+    """What lies in the models' folder, and in another tool's if there is one."""
+    return [*ask(core), *(ask(core, folder) if folder else ())]
+
+
+def ask(core: Core, folder: Path | None = None) -> Any:
+    """The core's answer for a folder, or for the models' own; an empty list where it gives none."""
     # Any Python will do, also before the installation: Blender's own.
     python = core.python if core.python.exists() else sys.executable
     try:
         done = subprocess.run(
-            [str(python), "-m", "core", "models", "--json"],
+            [str(python), "-m", "core", "models", "--json", *([str(folder)] if folder else [])],
             cwd=core.root,
             env=clean_environ() | dict(core.environ) | {"PYTHONUTF8": "1"},
             stdin=subprocess.DEVNULL,

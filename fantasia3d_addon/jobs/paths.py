@@ -80,6 +80,11 @@ class Paths:
         return self._path("runs_folder") or _user_folder() / "runs"
 
     @property
+    def tool(self) -> Path | None:
+        """The folder of another tool, whose models are offered too."""
+        return self._path("tool_folder")
+
+    @property
     def core_environ(self) -> dict[str, str]:
         """Variables for the core's process: its models, and whether it may use the network."""
         # Blender's own switch and the user's must both allow it.

@@ -264,8 +264,9 @@ class Session:
         return self.models.found
 
     def find_models(self) -> None:
-        """Have the core look at the models' folder; SetupError where there is no core."""
-        self.models.look(Paths(bpy.context).core)
+        """Have the core look at the models' folders; SetupError where there is no core."""
+        paths = Paths(bpy.context)
+        self.models.look(paths.core, paths.tool)
         self.start_timer()
 
     # From register to unregister

@@ -8,7 +8,7 @@ from ..jobs.session import session
 
 
 class FANTASIA3D_OT_find_models(bpy.types.Operator):
-    """Look again for models in the models folder of the preferences; opens no weights"""
+    """Look again for models in the folders of the preferences; opens no weights"""
 
     bl_idname = "fantasia3d.find_models"
     bl_label = "Find Models"

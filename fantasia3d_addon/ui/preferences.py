@@ -47,6 +47,12 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         description="Where downloaded Stable Diffusion models are kept; empty: the hub's own cache",
         subtype="DIR_PATH",
     )
+    tool_folder: StringProperty(
+        name="Other Tool",
+        description="The folder of ComfyUI, Stable Diffusion web UI or another tool, whose models "
+        "are offered too",
+        subtype="DIR_PATH",
+    )
     download_models: BoolProperty(
         name="Download models",
         description="Allow the method to download a model that is named by its hub id",
@@ -85,7 +91,7 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         for name in ("environment_folder", "base_python", "wheels_folder", "python"):
             column.prop(self, name)
         column = layout.column()
-        for name in ("runs_folder", "models_folder"):
+        for name in ("runs_folder", "models_folder", "tool_folder"):
             column.prop(self, name)
         row = column.row()
         row.active = bpy.app.online_access
