@@ -7,6 +7,7 @@ does not bend, it was a line; lines that meet have a corner, and the rest is a c
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+import igl
 import numpy as np
 from jaxtyping import Bool, Float
 from scipy import ndimage
@@ -15,6 +16,7 @@ Field = Float[np.ndarray, "r c"]
 Loop = Float[np.ndarray, "_ 2"]
 Point = Float[np.ndarray, " 2"]
 
+TINY = 1e-9  # of a node's distance
 SYMMETRY = 0.5  # errors, in the mean, between the two sides of what is the same on both
 SPECK = 1.4  # errors: no loop is as small as a square of this side
 ONE = 0.5  # errors between lines that are one
@@ -78,39 +80,26 @@ def even(field: Field, error: float) -> Field:
 
 
 def contours(field: Field) -> Iterator[Loop]:
-    """The loops where the field is 0, in nodes: marching over each square's two triangles."""
+    """The loops where the field is 0, in nodes, counter-clockwise around what is negative."""
     rows, columns = field.shape
     node = np.arange(rows * columns).reshape(rows, columns)
+    place = np.stack([*np.divmod(node.reshape(-1), columns), np.zeros(node.size)], 1)
     a, b, c, d = node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]
     triangles = np.concatenate([np.stack(x, -1).reshape(-1, 3) for x in ((a, b, c), (a, c, d))])
-    value = field.reshape(-1)
-    # Each crossing lies on an edge, which its two nodes name. Around the corner that is by itself
-    # the outline goes from the edge ahead to the one behind if that is inside, or else back.
-    pairs = []
-    for k in range(3):
-        turned = np.roll(triangles, -k, 1)
-        inside = value[turned] < 0
-        lone = (inside[:, 0] != inside[:, 1]) & (inside[:, 0] != inside[:, 2])
-        ahead, behind = turned[:, [0, 1]], turned[:, [0, 2]]
-        pairs += [np.stack([ahead, behind], 1)[lone & inside[:, 0]]]
-        pairs += [np.stack([behind, ahead], 1)[lone & ~inside[:, 0]]]
-    ends = np.sort(np.concatenate(pairs), 2)
-    edges, index = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
-    start, end = index.reshape(-1, 2).T
-    following = np.empty(len(edges), int)
-    following[start] = end
-    first, second = value[edges].T
-    place = np.stack(np.divmod(edges, columns), -1).astype(float)
-    place = place[:, 0] + (first / (first - second))[:, None] * (place[:, 1] - place[:, 0])
-    left = np.ones(len(edges), bool)
-    for k in range(len(edges)):
+    # libigl's run counter-clockwise around maxima. At a node of just 0 two could meet.
+    value = np.where(field == 0, TINY, -field).reshape(-1)
+    points, steps, _ = map(np.asarray, igl.isolines(place, triangles, value, np.zeros(1)))
+    following = np.empty(len(points), int)
+    following[steps[:, 0]] = steps[:, 1]
+    left = np.ones(len(points), bool)
+    for k in range(len(points)):
         loop = []
         while left[k]:
             left[k] = False
             loop.append(k)
             k = following[k]
         if len(loop) > 2:
-            yield place[loop]
+            yield points[loop, :2]
 
 
 def area(loop: Loop) -> float:
@@ -150,17 +139,8 @@ def corners_of(loop: Loop, off: float) -> list[int]:
 def needed(run: Loop, off: float) -> list[int]:
     """Which of a run's inner points a polygon needs that is nowhere farther than ``off`` from it
     (Douglas and Peucker 1973)."""
-    kept, todo = [], [(0, len(run) - 1)]
-    while todo:
-        a, b = todo.pop()
-        if b - a < 2:
-            continue
-        far = np.abs(through(run[a], run[b]).off(run[a + 1 : b]))
-        worst = a + 1 + int(far.argmax())
-        if far.max() > off:
-            kept.append(worst)
-            todo += [(a, worst), (worst, b)]
-    return sorted(kept)
+    _, kept = igl.ramer_douglas_peucker(run, off)
+    return np.asarray(kept)[1:-1].tolist()
 
 
 def through(a: Point, b: Point) -> Line:

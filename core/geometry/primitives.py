@@ -1,20 +1,18 @@
-"""The simple solid that a piece is, up to its errors: fitted to points of its surface.
+"""Simple solids, of which most pieces of things are one: a box, a ball, a wheel, a leg, a board.
 
-Most pieces of things are one: a box, a ball, a wheel, a leg. Where one fits, it takes the place of
+Where one fits (:mod:`core.geometry.fitting`, :mod:`core.geometry.layered`), it takes the place of
 what was drawn, and has its edges, its roundness and its symmetry.
 
-Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org). Fitted
-by least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft L1).
+Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org).
 """
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 import torch
 from jaxtyping import Float, Int
-from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
@@ -26,23 +24,9 @@ Loop = Float[np.ndarray, "_ 2"]
 Layer = tuple[float, float, Sequence[Loop]]  # from one height to another: outline, holes clockwise
 Turn = Float[np.ndarray, " 3"]  # rotation vector, radians
 
-REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
-SOFT = 0.3  # errors, beyond which a point counts less
-LOGS = (-6.0, 2.0)  # of lengths: what is lost goes no farther
-TOLD = 4.0  # points' worth, of where the points end
-TURNED = 3  # of the fits along the axes are turned
-STEPS = 14  # evaluations of the gradient, at most
-# What a solid with more freedom, or less, has to have of the other's mean error, at most.
-TURNED_GAIN, ROUNDED_GAIN, EVEN_LOSS = 0.7, 0.75, 1.15
-EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
 # By so much a sharp edge is rounded that the network draws, a rounded one by less, training units:
 # a rim of 0.055 comes out as 0.07, one of 0.08 as it is.
 BLUR, UNBLURRED, LEAST_RIM = 0.05, 2.5, 0.02
-MEAN, WITHIN = 0.22, 0.93  # mean error, in errors, at most; least share within half an error
-FITS = {"layers": (0.25, 0.85), "wall": (0.25, 0.85)}
-ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
-STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
-TUBE = 0.75  # of a ring's radius, at most, its tube's
 ON_AXIS = 1e-4  # training units
 CHORD = 8e-4  # training units, at most, between a circle and its polygon
 SEGMENTS = (24, 96)
@@ -96,18 +80,10 @@ def ring(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
 
 def turned(p: Points, profile: Lengths) -> Float[np.ndarray, " n"]:
     """A closed profile about the axis: radius and height of each corner, one after another."""
-    corners = profile.reshape(-1, 2)
-    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2]
-    nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
-    for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, 0), strict=True):
-        ex, ey, wx, wy = bx - ax, by - ay, across - ax, up - ay
-        if max(ax, bx) < ON_AXIS:  # there is no surface
-            continue
-        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
-        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
-        if ay != by:  # the even-odd rule, for a ray away from the axis
-            inside ^= ((up >= ay) != (up >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
-    return np.sqrt(nearest) * np.where(inside, -1, 1)
+    start, end = sides_of([profile.reshape(-1, 2)])
+    seen = np.maximum(start[:, 0], end[:, 0]) >= ON_AXIS  # on the axis there is no surface
+    across = np.stack([np.hypot(p[:, 0], p[:, 1]), p[:, 2]], 1)
+    return _within(across, start[seen], end[seen])
 
 
 def layers(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
@@ -116,7 +92,7 @@ def layers(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     nearest = np.full(len(p), np.inf)
     for low, high, loops in unpacked(lengths):
         apart = np.abs(p[:, 2] - (low + high) / 2) - (high - low) / 2
-        q = np.stack([_within(p[:, :2], loops), apart])
+        q = np.stack([_within(p[:, :2], *sides_of(loops)), apart])
         nearest = np.minimum(nearest, np.hypot(*q.clip(min=0)) + q.max(0).clip(max=0))
     return nearest
 
@@ -133,17 +109,21 @@ def unrolled(p: Points, radius: float) -> Points:
     return np.stack([radius * angle, p[:, 2], np.hypot(p[:, 0], p[:, 1])], 1)
 
 
-def _within(p: Float[np.ndarray, "n 2"], loops: Sequence[Loop]) -> Float[np.ndarray, " n"]:
-    """Signed distance from an outline, negative inside."""
+def sides_of(loops: Sequence[Loop]) -> tuple[Loop, Loop]:
+    """The first and the last point of each side."""
+    return np.concatenate(loops), np.concatenate([np.roll(loop, -1, 0) for loop in loops])
+
+
+def _within(p: Float[np.ndarray, "n 2"], start: Loop, end: Loop) -> Float[np.ndarray, " n"]:
+    """Signed distance from an outline of such sides, negative inside."""
     nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
     x, y = p.T
-    for loop in loops:
-        for (ax, ay), (bx, by) in zip(loop, np.roll(loop, -1, 0), strict=True):
-            ex, ey, wx, wy = bx - ax, by - ay, x - ax, y - ay
-            along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
-            nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
-            if ay != by:  # the even-odd rule, for a ray to one side
-                inside ^= ((y >= ay) != (y >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
+    for (ax, ay), (bx, by) in zip(start, end, strict=True):
+        ex, ey, wx, wy = bx - ax, by - ay, x - ax, y - ay
+        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
+        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
+        if ay != by:  # the even-odd rule, for a ray towards x
+            inside ^= ((y >= ay) != (y >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
     return np.sqrt(nearest) * np.where(inside, -1, 1)
 
 
@@ -178,17 +158,24 @@ class Form(NamedTuple):
     distance: Callable[[Points, Lengths], Float[np.ndarray, " n"]]
     same: tuple[tuple[int, ...], ...] = ()  # lengths that are often the same
     rims: bool = False  # whether the last length rounds its edges
+    # How far points of it are off in the mean, in errors, at most; least share within half an error
+    fits: tuple[float, float] = (0.22, 0.93)
+    # Within so many errors of what is drawn lies so much of its surface, at least.
+    drawn: tuple[tuple[float, float], ...] = ((0.6, 0.9), (1.2, 0.985))
 
 
+# The network rounds the edges of an outline; battlements, a spout or a notch are no noise of what
+# is turned.
+OUTLINED = {"fits": (0.25, 0.85), "drawn": ((0.6, 0.84), (1.2, 0.985))}
 FORMS = {
     "ellipsoid": Form(ellipsoid, ((0, 1, 2), (0, 1), (0, 2), (1, 2))),
     "box": Form(box, rims=True),
     "frustum": Form(frustum, ((1, 2),), rims=True),
     "capsule": Form(capsule, ((1, 2),)),
     "ring": Form(ring),
-    "turned": Form(turned),
-    "layers": Form(layers),
-    "wall": Form(wall),
+    "turned": Form(turned, drawn=((0.6, 0.9), (1.2, 0.995))),
+    "layers": Form(layers, **OUTLINED),
+    "wall": Form(wall, **OUTLINED),
 }
 
 
@@ -224,7 +211,7 @@ class Primitive(NamedTuple):
     def fits(self, points: Points, error: float) -> bool:
         """Whether the points are on its surface up to their errors."""
         within = (np.abs(self.at(points)) < error / 2).mean()
-        mean, least = FITS.get(self.form, (MEAN, WITHIN))
+        mean, least = FORMS[self.form].fits
         return self.off(points, error) <= mean and bool(within >= least)
 
     def placed(
@@ -249,135 +236,6 @@ class Primitive(NamedTuple):
         verts, faces = _mesh(self.form, self.lengths, edge)
         placed = verts.double().numpy() @ self.frame.T + self.center
         return torch.from_numpy(placed).to(verts), faces
-
-
-def primitive_of(points: Points, error: float) -> Primitive | None:
-    """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
-
-    def off(one: Primitive) -> float:
-        return one.off(points, error)
-
-    def covered(one: Primitive) -> bool:
-        return _covered(one, points, error)
-
-    best, limit = None, np.inf
-    gain = TURNED_GAIN  # of what lies along the coordinate axes
-    for frame in frames_of(points):
-        fixed = [_fitted(one, points, error) for one in _starts(points, frame)]
-        likely = sorted(fixed, key=off)[:TURNED]
-        freely = [_fitted(one, points, error, turns=True) for one in likely]
-        for found, needed in ((fixed, 1.0), (freely, gain)):
-            one = min(filter(covered, found), key=off, default=None)
-            if one is not None and off(one) < needed * limit:
-                best, limit = one, off(one)
-        limit, gain = limit * gain, 1.0  # the points' own are no better than any near them
-    if best is None:
-        return None
-    if FORMS[best.form].rims:
-        soft = _fitted(_with_rims(best), points, error, rims=True)
-        best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
-    best = _evened(best, off)
-    return best if best.fits(points, error) else None
-
-
-def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
-    """The coordinate axes, and the points' own where these are others."""
-    yield np.eye(3)
-    own = np.linalg.svd(points - points.mean(0), full_matrices=False)[2].T
-    if np.abs(own).max(0).min() < ASKEW:
-        yield own * np.sign(np.linalg.det(own))
-
-
-def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primitive]:
-    """What fills the box around the points along the frame's axes, its columns."""
-    local = points @ frame
-    low, high = local.min(0), local.max(0)
-    center, half = frame @ (low + high) / 2, ((high - low) / 2).clip(1e-3)
-    upright = Rotation.from_matrix(frame).as_rotvec()
-    yield Primitive("ellipsoid", center, upright, half)
-    yield Primitive("box", center, upright, np.append(half, 0.0))
-    for axis in range(3):
-        i, j = (k for k in range(3) if k != axis)
-        if max(half[i], half[j]) > STOUT * min(half[i], half[j]):
-            continue
-        turn = Rotation.from_matrix(frame @ np.roll(np.eye(3), axis + 1, 0)).as_rotvec()
-        radius, height = (half[i] + half[j]) / 2, half[axis]
-        yield Primitive("frustum", center, turn, np.array([height, radius, radius, 0.0]))
-        if height > LONG * radius:
-            yield Primitive("capsule", center, turn, np.array([height - radius, radius, radius]))
-        if height < TUBE * radius:
-            yield Primitive("ring", center, turn, np.array([radius - height, height]))
-
-
-def _covered(one: Primitive, points: Points, error: float) -> bool:
-    """Whether the points are all over the surface: it ends where they do."""
-    if one.form == "ring" and one.lengths[1] > TUBE * one.lengths[0]:
-        return False
-    verts = one.mesh(np.inf)[0].numpy()
-    ends = np.stack([verts.min(0) - points.min(0), verts.max(0) - points.max(0)])
-    return bool(np.abs(ends).max() < REACH * error)
-
-
-def _fitted(
-    start: Primitive, points: Points, error: float, *, turns: bool = False, rims: bool = False
-) -> Primitive:
-    """Where the points are least off; turned freely, or as it is; with its rims' radius, or not."""
-    count = len(start.lengths) - (FORMS[start.form].rims and not rims)
-    fixed = start.lengths[count:]
-
-    def of(x: np.ndarray) -> Primitive:
-        turn = x[3:6] if turns else start.turn
-        lengths = np.concatenate([np.exp(x[-count:].clip(*LOGS)), fixed])
-        if rims:  # no more than a ball has
-            lengths[-1] = min(lengths[-1], lengths[:-1].min())
-        return Primitive(start.form, x[:3], turn, lengths)
-
-    x = [start.center, *([start.turn] if turns else []), np.log(start.lengths[:count])]
-    first = np.concatenate(x)
-
-    def residuals(x: np.ndarray) -> np.ndarray:
-        one = of(x)
-        local = one.local(points)
-        # No point tells where a side ends that is long: it ends where the points do.
-        low, high = _ends(one)
-        ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])
-        return np.concatenate([FORMS[one.form].distance(local, one.lengths), TOLD * ends]) / error
-
-    solved = least_squares(
-        residuals,
-        first,
-        loss="soft_l1",
-        f_scale=SOFT,
-        max_nfev=STEPS,
-    )
-    return of(solved.x)
-
-
-def _ends(one: Primitive) -> tuple[float, float]:
-    """How far it goes below and above its middle along its own z."""
-    if one.form == "capsule":
-        half, below, above = one.lengths
-        return half + below, half + above
-    return (one.lengths[{"frustum": 0, "ring": 1}.get(one.form, 2)],) * 2
-
-
-def _with_rims(one: Primitive) -> Primitive:
-    rim = min(BLUR, one.lengths[:3].min() / 2)
-    return one._replace(lengths=np.append(one.lengths[:3], rim))
-
-
-def _evened(one: Primitive, off: Callable[[Primitive], float]) -> Primitive:
-    """With lengths that are nearly the same made the same, where that fits about as well."""
-    limit = EVEN_LOSS * off(one)
-    for same in FORMS[one.form].same:
-        lengths = one.lengths.copy()
-        mean = lengths[list(same)].mean()
-        if np.abs(lengths[list(same)] / mean - 1).max() > EVEN / 2:
-            continue
-        lengths[list(same)] = mean
-        if off(one._replace(lengths=lengths)) <= limit:
-            return one._replace(lengths=lengths)
-    return one
 
 
 def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:

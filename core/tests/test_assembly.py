@@ -5,16 +5,9 @@ import math
 import pytest
 import torch
 
-from core.geometry.assembly import (
-    Forms,
-    KnownParts,
-    assembled,
-    drawn_at,
-    places_of,
-    repeats,
-    turned_share,
-)
+from core.geometry.assembly import Forms, KnownParts, assembled
 from core.geometry.mesh import health
+from core.geometry.pieces import drawn_at, places_of, repeats, turned_share
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals
 from core.tests.meshes import torus

@@ -5,8 +5,10 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.layered import Lattice, drift, layered, segments, wall
+from core.geometry.lattice import Lattice
+from core.geometry.layered import drift, ends_share, layered, segments, wall
 from core.geometry.mesh import health
+from core.geometry.pieces import Piece, Place
 from core.geometry.primitives import Primitive, packed, unpacked
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import tet_grid
@@ -47,15 +49,16 @@ def crown(p):
     return np.maximum(ring, (p[:, 2] + 0.1 - 0.5 * (1 - point)) * 0.5)
 
 
-def lattice_of(distance, wave=0.0):
+def piece_of(distance, wave=0.0):
     field = distance(NODES) + wave * np.sin(19 * NODES).sum(1)
     verts, faces, *_ = surface(torch.from_numpy(field).float(), GRID.tet_verts, GRID)
     lattice = Lattice(field.reshape(GRID.shape), NODES[0], GRID.cell)
-    return lattice, verts.double().numpy(), faces.numpy()
+    place = Place(0, NODES[0], NODES[-1], lambda points: torch.zeros(len(points), dtype=torch.bool))
+    return Piece(place, verts, faces, lattice, ERROR)
 
 
 def found_in(distance, frame, wave=0.0):
-    return layered(*lattice_of(distance, wave), ERROR, frame)
+    return layered(piece_of(distance, wave), frame)
 
 
 def farthest(one, distance):
@@ -96,13 +99,13 @@ def test_layers_are_found_in_a_frame_of_their_own():
 
 @pytest.mark.parametrize("distance", [blade, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_tapers_or_bulges_is_not_of_layers(distance):
-    lattice, verts, faces = lattice_of(distance)
-    one = layered(lattice, verts, faces, ERROR, UP)
-    assert one is None or not one.fits(verts, ERROR)
+    piece = piece_of(distance)
+    one = layered(piece, UP)
+    assert one is None or not one.fits(piece.verts.double().numpy(), ERROR)
 
 
 def test_an_outline_around_a_line_is_a_wall():
-    one = wall(*lattice_of(crown, wave=0.002), ERROR, np.array([0.0, 0.0, 0.1]))
+    one = wall(piece_of(crown, wave=0.002))
     assert one is not None and one.form == "wall"
     verts, faces = one.mesh(0.06)
     found = health(verts, faces)
@@ -122,7 +125,7 @@ def test_an_outline_around_a_line_is_a_wall():
 
 @pytest.mark.parametrize("distance", [arch, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_has_no_empty_middle_or_bulges_is_no_wall(distance):
-    assert wall(*lattice_of(distance), ERROR, np.array([0.0, 0.0, 0.2])) is None
+    assert wall(piece_of(distance)) is None
 
 
 def test_segments_are_the_runs_of_like_sections():
@@ -140,6 +143,13 @@ def test_drift_is_how_far_an_outline_moves():
     moving = np.stack([rectangle(x - 12 - k / 4, y - 12, (6.0, 4.0)) for k in range(9)])
     assert drift(still) == 0
     assert drift(moving) == pytest.approx(1.5, abs=0.1)  # from its second section to its eighth
+
+
+def test_ends_are_what_lies_across_the_axis():
+    square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    turn = np.array([0.3, 0.2, 0.1])
+    one = Primitive("layers", np.zeros(3), turn, packed([(0.0, 0.5, [square])]))
+    assert ends_share(one) == pytest.approx(2 / (2 + 4 * 0.5))
 
 
 def test_layers_as_numbers_and_back():

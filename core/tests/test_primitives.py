@@ -5,9 +5,10 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
+from core.geometry.fitting import primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
-from core.geometry.primitives import Primitive, primitive_of
+from core.geometry.primitives import Primitive
 
 ERROR = 0.04
 CENTER = np.array([0.1, 0.2, 0.3])

@@ -1,0 +1,155 @@
+"""The simple solid that a piece is, up to its errors: fitted to points of its surface.
+
+By least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft L1).
+"""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from jaxtyping import Float
+from scipy.optimize import least_squares
+from scipy.spatial.transform import Rotation
+
+from core.geometry.primitives import BLUR, FORMS, Points, Primitive
+
+REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
+SOFT = 0.3  # errors, beyond which a point counts less
+LOGS = (-6.0, 2.0)  # of lengths: what is lost goes no farther
+TOLD = 4.0  # points' worth, of where the points end
+TURNED = 3  # of the fits along the axes are turned
+STEPS = 14  # evaluations of the gradient, at most
+# What a solid with more freedom, or less, has to have of the other's mean error, at most.
+TURNED_GAIN, ROUNDED_GAIN, EVEN_LOSS = 0.7, 0.75, 1.15
+EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
+ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
+STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
+TUBE = 0.75  # of a ring's radius, at most, its tube's
+
+
+def primitive_of(points: Points, error: float) -> Primitive | None:
+    """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
+
+    def off(one: Primitive) -> float:
+        return one.off(points, error)
+
+    def covered(one: Primitive) -> bool:
+        return _covered(one, points, error)
+
+    best, limit = None, np.inf
+    gain = TURNED_GAIN  # of what lies along the coordinate axes
+    for frame in frames_of(points):
+        fixed = [_fitted(one, points, error) for one in _starts(points, frame)]
+        likely = sorted(fixed, key=off)[:TURNED]
+        freely = [_fitted(one, points, error, turns=True) for one in likely]
+        for found, needed in ((fixed, 1.0), (freely, gain)):
+            one = min(filter(covered, found), key=off, default=None)
+            if one is not None and off(one) < needed * limit:
+                best, limit = one, off(one)
+        limit, gain = limit * gain, 1.0  # the points' own are no better than any near them
+    if best is None:
+        return None
+    if FORMS[best.form].rims:
+        soft = _fitted(_with_rims(best), points, error, rims=True)
+        best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
+    best = _evened(best, off)
+    return best if best.fits(points, error) else None
+
+
+def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
+    """The coordinate axes, and the points' own where these are others."""
+    yield np.eye(3)
+    own = np.linalg.svd(points - points.mean(0), full_matrices=False)[2].T
+    if np.abs(own).max(0).min() < ASKEW:
+        yield own * np.sign(np.linalg.det(own))
+
+
+def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primitive]:
+    """What fills the box around the points along the frame's axes, its columns."""
+    local = points @ frame
+    low, high = local.min(0), local.max(0)
+    center, half = frame @ (low + high) / 2, ((high - low) / 2).clip(1e-3)
+    upright = Rotation.from_matrix(frame).as_rotvec()
+    yield Primitive("ellipsoid", center, upright, half)
+    yield Primitive("box", center, upright, np.append(half, 0.0))
+    for axis in range(3):
+        i, j = (k for k in range(3) if k != axis)
+        if max(half[i], half[j]) > STOUT * min(half[i], half[j]):
+            continue
+        turn = Rotation.from_matrix(frame @ np.roll(np.eye(3), axis + 1, 0)).as_rotvec()
+        radius, height = (half[i] + half[j]) / 2, half[axis]
+        yield Primitive("frustum", center, turn, np.array([height, radius, radius, 0.0]))
+        if height > LONG * radius:
+            yield Primitive("capsule", center, turn, np.array([height - radius, radius, radius]))
+        if height < TUBE * radius:
+            yield Primitive("ring", center, turn, np.array([radius - height, height]))
+
+
+def _covered(one: Primitive, points: Points, error: float) -> bool:
+    """Whether the points are all over the surface: it ends where they do."""
+    if one.form == "ring" and one.lengths[1] > TUBE * one.lengths[0]:
+        return False
+    verts = one.mesh(np.inf)[0].numpy()
+    ends = np.stack([verts.min(0) - points.min(0), verts.max(0) - points.max(0)])
+    return bool(np.abs(ends).max() < REACH * error)
+
+
+def _fitted(
+    start: Primitive, points: Points, error: float, *, turns: bool = False, rims: bool = False
+) -> Primitive:
+    """Where the points are least off; turned freely, or as it is; with its rims' radius, or not."""
+    count = len(start.lengths) - (FORMS[start.form].rims and not rims)
+    fixed = start.lengths[count:]
+
+    def of(x: np.ndarray) -> Primitive:
+        turn = x[3:6] if turns else start.turn
+        lengths = np.concatenate([np.exp(x[-count:].clip(*LOGS)), fixed])
+        if rims:  # no more than a ball has
+            lengths[-1] = min(lengths[-1], lengths[:-1].min())
+        return Primitive(start.form, x[:3], turn, lengths)
+
+    x = [start.center, *([start.turn] if turns else []), np.log(start.lengths[:count])]
+    first = np.concatenate(x)
+
+    def residuals(x: np.ndarray) -> np.ndarray:
+        one = of(x)
+        local = one.local(points)
+        # No point tells where a side ends that is long: it ends where the points do.
+        low, high = _ends(one)
+        ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])
+        return np.concatenate([FORMS[one.form].distance(local, one.lengths), TOLD * ends]) / error
+
+    solved = least_squares(
+        residuals,
+        first,
+        loss="soft_l1",
+        f_scale=SOFT,
+        max_nfev=STEPS,
+    )
+    return of(solved.x)
+
+
+def _ends(one: Primitive) -> tuple[float, float]:
+    """How far it goes below and above its middle along its own z."""
+    if one.form == "capsule":
+        half, below, above = one.lengths
+        return half + below, half + above
+    return (one.lengths[{"frustum": 0, "ring": 1}.get(one.form, 2)],) * 2
+
+
+def _with_rims(one: Primitive) -> Primitive:
+    rim = min(BLUR, one.lengths[:3].min() / 2)
+    return one._replace(lengths=np.append(one.lengths[:3], rim))
+
+
+def _evened(one: Primitive, off: Callable[[Primitive], float]) -> Primitive:
+    """With lengths that are nearly the same made the same, where that fits about as well."""
+    limit = EVEN_LOSS * off(one)
+    for same in FORMS[one.form].same:
+        lengths = one.lengths.copy()
+        mean = lengths[list(same)].mean()
+        if np.abs(lengths[list(same)] / mean - 1).max() > EVEN / 2:
+            continue
+        lengths[list(same)] = mean
+        if off(one._replace(lengths=lengths)) <= limit:
+            return one._replace(lengths=lengths)
+    return one

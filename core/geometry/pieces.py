@@ -1,0 +1,179 @@
+"""The pieces of parts: where each is, its surface as it is drawn, and how it repeats itself."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from scipy import ndimage
+from torch import Tensor
+
+from core.geometry.init_shape import sample_surface
+from core.geometry.lattice import FAR, Lattice
+from core.geometry.mesh import compact, component_labels, face_areas, polished
+from core.geometry.primitives import Primitive
+from core.geometry.sdf_net import surface
+from core.geometry.tet_grid import EXTENT, tet_grid
+
+SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
+BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
+LEAST_NODES = 4  # of a piece
+MARGIN = 1.6  # of its cell, around a piece
+# What the network leaves to be made exact is of about this size, and less on small pieces; in
+# twelfths of the piece's longest side.
+ERROR, ERROR_SHARE = (0.02, 0.04), 1 / 12
+CELLS = 1.6  # of the piece's own lattice, to such an error
+MOST_CELLS = 72  # along the piece's longest side
+POLISH = 2  # rounds
+TURNS, TURNED = 12, 500  # by which a piece is turned about its middle, vertices that are
+TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
+TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
+REPEATED = 0.94  # the least share of its surface that does
+FITTED = 400  # points of a piece's surface, which tell its primitive
+
+Mesh = tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]
+Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
+
+
+class Place(NamedTuple):
+    """Where one connected piece of a part is."""
+
+    part: int
+    low: Float[np.ndarray, " 3"]  # of the box around it, with a margin
+    high: Float[np.ndarray, " 3"]
+    others: Callable[[Float[Tensor, "n 3"]], Tensor]  # whether a place is of another of the part's
+
+
+class Piece(NamedTuple):
+    """One connected piece of a part, as it is drawn."""
+
+    place: Place
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    lattice: Lattice  # of the part's distances, that the surface comes from
+    error: float  # about what it may be off
+    primitive: Primitive | None = None  # that it is up to its errors
+
+    @property
+    def cell(self) -> float:
+        """Of its lattice."""
+        return self.lattice.cell
+
+    @property
+    def middle(self) -> Float[Tensor, " 3"]:
+        """Of its surface."""
+        area = face_areas(self.verts, self.faces)
+        return area @ self.verts[self.faces].mean(1) / area.sum()
+
+
+def places_of(distances: Distances, parts: int) -> Iterator[Place]:
+    """The connected pieces of each part, found on one lattice."""
+    cell = 2 * EXTENT / SEARCH
+    side = torch.linspace(-EXTENT, EXTENT, SEARCH + 1)
+    nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
+    found = distances(nodes.view(-1, 3))[:, :parts].view(*nodes.shape[:3], parts).cpu().numpy()
+    for part in range(parts):
+        labels = np.zeros(found.shape[:3], np.int32)
+        ndimage.label(found[..., part] < BOARD * cell, output=labels)
+        for index, where in enumerate(ndimage.find_objects(labels)):
+            mine = labels[where] == index + 1
+            if mine.sum() < LEAST_NODES or found[(*where, part)][mine].min() >= 0:
+                continue
+            ends = np.array([(side.start, side.stop - 1) for side in where]).T * cell - EXTENT
+            others = _elsewhere(labels, index + 1, cell)
+            yield Place(part, ends[0] - MARGIN * cell, ends[1] + MARGIN * cell, others)
+
+
+def _elsewhere(
+    labels: Int[np.ndarray, "n n n"], mine: int, cell: float
+) -> Callable[[Float[Tensor, "n 3"]], Tensor]:
+    """Whether places are in another labelled piece than ``mine``, by the nearest node."""
+    table = torch.from_numpy((labels != 0) & (labels != mine))
+
+    def at(points: Float[Tensor, "n 3"]) -> Tensor:
+        node = ((points + EXTENT) / cell).round().long().clamp(0, len(table) - 1)
+        return table[tuple(node.T)]
+
+    return at
+
+
+def drawn_at(distances: Distances, place: Place) -> Piece | None:
+    """The piece's closed surface on a lattice of its own."""
+    longest = float((place.high - place.low).max())
+    error = min(max(longest * ERROR_SHARE, ERROR[0]), ERROR[1])
+    grid = tet_grid(min(int(np.ceil(longest * CELLS / error)), MOST_CELLS))
+    cell = longest / grid.resolution
+    middle = torch.from_numpy((place.low + place.high) / 2).float()
+    nodes = grid.tet_verts * (longest / (2 * EXTENT)) + middle
+    low, high = (torch.from_numpy(end).float() for end in (place.low, place.high))
+    asked = ((nodes > low) & (nodes < high)).all(1) & ~grid.boundary
+    asked[asked.clone()] = ~place.others(nodes[asked])
+    distance = torch.full((len(nodes),), FAR * cell)  # outside, where nothing is asked
+    distance[asked] = distances(nodes[asked])[:, place.part].cpu()
+    verts, faces, *_ = surface(distance, nodes, grid)
+    if not len(faces):
+        return None
+    verts, faces = largest(verts, faces)
+    verts = polished(verts, faces, POLISH)
+    values = distance.view(grid.shape).double().numpy()
+    return Piece(place, verts, faces, Lattice(values, nodes[0].double().numpy(), cell), error)
+
+
+def points_of(piece: Piece) -> Float[np.ndarray, "n 3"]:
+    """Of the piece's surface, evenly by area."""
+    generator = torch.Generator().manual_seed(0)
+    return sample_surface(piece.verts, piece.faces, FITTED, generator).double().numpy()
+
+
+def turned_share(distances: Distances, piece: Piece, axis: int) -> float:
+    """The fraction of a piece's surface that stays on it when it is turned about the line along
+    ``axis`` through its middle."""
+    # By no symmetry of a square.
+    return on_itself(distances, piece, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
+
+
+def repeated(distances: Distances, piece: Piece) -> Piece:
+    """The piece as it is in the mean over the turns that leave it as it is."""
+    mean = repeats(distances, piece)
+    return (mean and drawn_at(mean, piece.place)) or piece
+
+
+def repeats(distances: Distances, piece: Piece) -> Distances | None:
+    """The mean of a piece's distances over the turns that leave it as it is; None: over none."""
+    middle = piece.middle
+    for times in TIMES:
+        turns = [k / times for k in range(times)]
+        for axis in (2, 0, 1):
+            if on_itself(distances, piece, axis, turns[1:]) >= REPEATED:
+                return lambda points: torch.stack(
+                    [distances(x + middle) for x in ring_of(points - middle, axis, turns)]
+                ).mean(0)
+    return None
+
+
+def on_itself(distances: Distances, piece: Piece, axis: int, turns: Sequence[float]) -> float:
+    """The fraction of a piece's surface that parts of a whole turn leave on it."""
+    some = piece.verts[:: -(-len(piece.verts) // TURNED)] - piece.middle
+    places = ring_of(some, axis, turns) + piece.middle
+    off = distances(places.view(-1, 3))[:, piece.place.part].abs()
+    return float((off < TURNED_OFF * piece.error).float().mean())
+
+
+def ring_of(
+    points: Float[Tensor, "n 3"], axis: int, turns: Sequence[float]
+) -> Float[Tensor, "t n 3"]:
+    """The points by each part of a whole turn about an axis through the origin."""
+    angle = 2 * torch.pi * torch.tensor(turns)
+    c, s = angle.cos()[:, None], angle.sin()[:, None]
+    i, j = (k for k in range(3) if k != axis)
+    placed = points.repeat(len(turns), 1, 1)
+    placed[..., i] = c * points[:, i] - s * points[:, j]
+    placed[..., j] = s * points[:, i] + c * points[:, j]
+    return placed
+
+
+def largest(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Mesh:
+    """The component of the most faces."""
+    _, label = component_labels(faces, len(verts))
+    return compact(verts, faces[torch.from_numpy(label == np.bincount(label).argmax())])
