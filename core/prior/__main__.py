@@ -107,6 +107,7 @@ def parser() -> argparse.ArgumentParser:
     data.add_argument("--close-pairs", type=count, default=0, help="the same, of close-ups")
     data.add_argument("--solids", type=count, default=0, help="files of two solids of each noun")
     data.add_argument("--workers", type=some, default=2)
+    data.add_argument("--nouns", nargs="+", default=NOUNS, choices=NOUNS, metavar="NOUN")
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
     )
@@ -118,6 +119,9 @@ def parser() -> argparse.ArgumentParser:
     train.add_argument("--minutes", type=minutes, help="the whole budget of this training")
     train.add_argument(
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
+    )
+    train.add_argument(
+        "--hold", action="store_true", help="let only the words learn that --start lacks"
     )
     train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
     train.add_argument("--seed", type=count, default=0)
@@ -132,6 +136,7 @@ def parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--seed", type=count, default=1_000_000, help="the data's end at 100,000")
 
     ship = commands.add_parser("ship", help="put the trained weights into the project")
+    ship.add_argument("--held", action="store_true", help="trained with --hold")
     ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
 
     commands.add_parser("forms", help="ask the families how flat and how round each part is")
@@ -160,17 +165,20 @@ def data(options: argparse.Namespace) -> None:
         print(models, flush=True)
     else:
         print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
-    for path in write_shards(options.out, range(options.shards), options.workers):
+    workers, nouns = options.workers, options.nouns
+    for path in write_shards(options.out, range(options.shards), workers, nouns):
         print(path, flush=True)
-    for path in write_solid_files(options.out, range(options.solids), options.workers):
+    for path in write_solid_files(options.out, range(options.solids), workers, nouns):
         print(path, flush=True)
     for count, close in ((options.pairs, False), (options.close_pairs, True)):
-        for path in write_pair_files(options.out, range(count), options.workers, close=close):
+        for path in write_pair_files(options.out, range(count), workers, nouns, close=close):
             print(path, flush=True)
 
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
+    if options.hold and not options.start:
+        raise UserError("--hold says nothing without --start.", "Add --start FILE, the weights.")
     needed = SOLIDS if options.network == SOLID else SHARDS
     if not any(options.out.glob(needed)):
         raise UserError(
@@ -190,6 +198,8 @@ def train(options: argparse.Namespace) -> None:
         training.resume(checkpoint)
     elif options.start:
         training.start_from(options.start)
+    if options.hold:
+        training.hold(options.start)
     run(training, source(options.out), checkpoint)
 
 
@@ -209,7 +219,7 @@ def ship(options: argparse.Namespace) -> None:
         print(path)
     if (options.out / f"{SOLID}_ema.safetensors").exists():
         path = WEIGHTS / f"{SOLID}.safetensors"
-        save_solid_net(path, trained_solid_net(options.out))
+        save_solid_net(path, trained_solid_net(options.out, path if options.held else None))
         print(path)
 
 

@@ -8,7 +8,7 @@ being made.
 
 import math
 import multiprocessing
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -102,16 +102,14 @@ class Samples:
         return self.point[index].float() / 120 * (self.coverage[index].float() / 255)
 
 
-def make(seed: int, objects: int = OBJECTS, noun: str = "") -> Samples:
-    """``objects`` random objects, ``VIEWS`` views of each; all of one ``noun`` if it is given."""
+def make(seed: int, objects: int = OBJECTS, nouns: Sequence[str] = NOUNS) -> Samples:
+    """``objects`` random objects of ``nouns``, ``VIEWS`` views of each."""
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
-    weights = torch.tensor([NOUN_WEIGHTS.get(noun, 1.0) for noun in NOUNS])
+    weights = torch.tensor([NOUN_WEIGHTS.get(noun, 1.0) * (noun in nouns) for noun in NOUNS])
     rows = []
     for _ in range(objects):
-        # Drawn in any case: the draws that follow do not depend on ``noun``.
         kind = int(torch.multinomial(weights, 1, generator=generator))
-        kind = NOUNS.index(noun) if noun else kind
         plain = draw.chance(NO_ADJECTIVE)
         adjective = 0 if plain else 1 + int(draw(0, len(ADJECTIVES) - 1))
         options = OPTIONS.get(NOUNS[kind], ())
@@ -128,11 +126,13 @@ def _views(noun: int, adjective: int, part_state: int, draw: Draw) -> Samples:
     return Samples.of(render(shape, cameras, SIZE), cameras, noun, adjective, part_state)
 
 
-def write_shard(folder: Path, number: int, objects: int = OBJECTS) -> Path:
-    """Make shard ``number`` (it is also the seed) unless the folder has it."""
+def write_shard(
+    folder: Path, number: int, objects: int = OBJECTS, nouns: Sequence[str] = NOUNS
+) -> Path:
+    """Make shard ``number`` (it is also the seed) of ``nouns`` unless the folder has it."""
     path = folder / f"shard_{number:05d}.safetensors"
     if not path.exists():
-        write_samples(path, make(number, objects))
+        write_samples(path, make(number, objects, nouns))
     return path
 
 
@@ -142,18 +142,21 @@ def write_samples(path: Path, samples: Samples) -> None:
         save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, temporary)
 
 
-def _work(job: tuple[Path, int]) -> Path:
+def _work(job: tuple[Path, int, Sequence[str]]) -> Path:
     # The pool already has a process for each core that is to be used.
     torch.set_num_threads(1)
-    return write_shard(*job)
+    folder, number, nouns = job
+    return write_shard(folder, number, nouns=nouns)
 
 
-def write_shards(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+def write_shards(
+    folder: Path, numbers: range, workers: int, nouns: Sequence[str] = NOUNS
+) -> Iterator[Path]:
     """The shards ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
     folder.mkdir(parents=True, exist_ok=True)
     # A fork would copy torch's thread pools in whatever state they are.
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
-        yield from pool.imap(_work, [(folder, number) for number in numbers])
+        yield from pool.imap(_work, [(folder, number, nouns) for number in numbers])
 
 
 def read_shards(paths: list[Path]) -> Samples:

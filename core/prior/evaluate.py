@@ -10,6 +10,7 @@ Of the appearance: how far the mean picture that it sees in much noise is from t
 the mean colour of a plain thing, and pixel by pixel on a patterned one.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import torch
@@ -152,7 +153,7 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
 
     The network is shown nearly nothing but noise, and predicts in one step what may be behind it.
     """
-    samples = fresh(views, generator, noun)
+    samples = fresh(views, generator, [noun])
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
     captions = Painter().words(samples.noun[index], generator)
     captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
@@ -185,9 +186,9 @@ def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generato
     return sorted(fractions)[len(fractions) // 2]
 
 
-def fresh(objects: int, generator: torch.Generator, noun: str = "") -> Samples:
+def fresh(objects: int, generator: torch.Generator, nouns: Sequence[str] = NOUNS) -> Samples:
     """New objects, of a seed that ``generator`` draws."""
-    return make(int(torch.randint(2**40, (1,), generator=generator)), objects, noun)
+    return make(int(torch.randint(2**40, (1,), generator=generator)), objects, nouns)
 
 
 def guessed(

@@ -1,7 +1,7 @@
 """Pairs of views for the restorer: solids, and the same views of the solids softened."""
 
 import multiprocessing
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,12 +51,12 @@ def as_picture(seen: Pictures) -> Float[Tensor, "b 4 s s"]:
 def make_pairs(
     seed: int,
     objects: int = OBJECTS,
-    noun: str = "",
+    nouns: Sequence[str] = NOUNS,
     *,
     close: bool = False,
     redrawing: Redrawing | None = None,
 ) -> Pairs:
-    """``objects`` random objects, of one ``noun`` if it is given, and a soft form of each.
+    """``objects`` random objects of ``nouns``, and a soft form of each.
 
     ``close``: close-ups, which show what is smaller than a pixel of the whole. ``redrawing``: most
     of the soft forms are what the solids' network makes of the objects.
@@ -65,7 +65,7 @@ def make_pairs(
     draw = Draw(generator)
     rows, soft = [], []
     for _ in range(objects):
-        kind = NOUNS.index(noun) if noun else int(draw(0, len(NOUNS)))
+        kind = NOUNS.index(nouns[int(draw(0, len(nouns)))])
         shape = build(NOUNS[kind], "", Draw(generator))
         # A close-up shows the lattice's facets too, whatever their size.
         cells = int(draw(CELLS, 1.5 * CELLS)) if close else CELLS
@@ -82,33 +82,45 @@ def make_pairs(
     return Pairs(joined(rows), torch.cat(soft))
 
 
-def write_pairs(folder: Path, number: int, objects: int = OBJECTS, *, close: bool = False) -> Path:
+def write_pairs(
+    folder: Path,
+    number: int,
+    objects: int = OBJECTS,
+    nouns: Sequence[str] = NOUNS,
+    *,
+    close: bool = False,
+) -> Path:
     """Make the file ``number`` unless the folder has it; whole or not at all. Where the solids'
     network is trained in the folder, it draws most of the soft forms."""
     path = folder / (CLOSE_PAIRS if close else PAIRS).replace("*", f"{number:05d}")
     if not path.exists():
         redrawing = Redrawing.of(folder)
-        pairs = make_pairs(FIRST_SEED + number, objects, close=close, redrawing=redrawing)
+        pairs = make_pairs(FIRST_SEED + number, objects, nouns, close=close, redrawing=redrawing)
         tensors = vars(pairs.samples) | {"soft": pairs.soft}
         with atomic_file(path) as temporary:
             save_file({name: tensor.contiguous() for name, tensor in tensors.items()}, temporary)
     return path
 
 
-def _work(job: tuple[Path, int, bool]) -> Path:
+def _work(job: tuple[Path, int, Sequence[str], bool]) -> Path:
     torch.set_num_threads(1)
-    folder, number, close = job
-    return write_pairs(folder, number, close=close)
+    folder, number, nouns, close = job
+    return write_pairs(folder, number, nouns=nouns, close=close)
 
 
 def write_pair_files(
-    folder: Path, numbers: range, workers: int, *, close: bool = False
+    folder: Path,
+    numbers: range,
+    workers: int,
+    nouns: Sequence[str] = NOUNS,
+    *,
+    close: bool = False,
 ) -> Iterator[Path]:
     """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
     if not numbers:
         return
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
-        yield from pool.imap(_work, [(folder, number, close) for number in numbers])
+        yield from pool.imap(_work, [(folder, number, nouns, close) for number in numbers])
 
 
 def read_pairs(paths: list[Path]) -> Pairs:

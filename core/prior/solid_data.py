@@ -5,7 +5,7 @@ objects of each noun, and takes half a minute of one core.
 """
 
 import multiprocessing
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -60,7 +60,7 @@ class Solids:
         return self.grid[index].float()[:, None] / 127
 
 
-def make_solids(seed: int, of_each: int = OF_EACH, nouns: list[str] = NOUNS) -> Solids:
+def make_solids(seed: int, of_each: int = OF_EACH, nouns: Sequence[str] = NOUNS) -> Solids:
     """``of_each`` random objects of each noun."""
     draw = Draw(torch.Generator().manual_seed(FIRST_SEED + seed))
     rows = [_object(NOUNS.index(noun), draw) for noun in nouns for _ in range(of_each)]
@@ -114,26 +114,31 @@ def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
     return torch.cat([on, about[ON:], anywhere]).clamp(-EXTENT, EXTENT)
 
 
-def write_solids(folder: Path, number: int, of_each: int = OF_EACH) -> Path:
+def write_solids(
+    folder: Path, number: int, of_each: int = OF_EACH, nouns: Sequence[str] = NOUNS
+) -> Path:
     """Make the file ``number`` (it is also the seed) unless the folder has it; whole or not."""
     path = folder / SOLIDS.replace("*", f"{number:05d}")
     if not path.exists():
         with atomic_file(path) as temporary:
-            save_file(vars(make_solids(number, of_each)), temporary)
+            save_file(vars(make_solids(number, of_each, nouns)), temporary)
     return path
 
 
-def _work(job: tuple[Path, int]) -> Path:
+def _work(job: tuple[Path, int, Sequence[str]]) -> Path:
     torch.set_num_threads(1)
-    return write_solids(*job)
+    folder, number, nouns = job
+    return write_solids(folder, number, nouns=nouns)
 
 
-def write_solid_files(folder: Path, numbers: range, workers: int) -> Iterator[Path]:
+def write_solid_files(
+    folder: Path, numbers: range, workers: int, nouns: Sequence[str] = NOUNS
+) -> Iterator[Path]:
     """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
     if not numbers:
         return
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
-        yield from pool.imap(_work, [(folder, number) for number in numbers])
+        yield from pool.imap(_work, [(folder, number, nouns) for number in numbers])
 
 
 def read_solids(paths: list[Path]) -> Solids:

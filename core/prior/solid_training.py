@@ -203,7 +203,7 @@ class SolidTraining(Training):
         What it lacks begins by chance, but for a layer's further inputs, which count nothing yet.
         The decoder stays at first: by a code that says nothing it would unlearn.
         """
-        old = {f"decoder.{name}": tensor for name, tensor in solid_tensors(path).items()}
+        old = self.shipped(path)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
                 if name in old:
@@ -213,12 +213,19 @@ class SolidTraining(Training):
                 if name in old and old[name].shape == p.shape:
                     p.register_hook(self._held)
 
+    def shipped(self, path: Path) -> dict[str, Tensor]:
+        """The decoder's tensors."""
+        return {f"decoder.{name}": tensor for name, tensor in solid_tensors(path).items()}
+
     def _held(self, gradient: Tensor) -> Tensor:
         return gradient if self.step >= HOLD else torch.zeros_like(gradient)
 
 
-def trained_solid_net(folder: Path) -> SolidNet:
-    """What ships: the decoder of the folder's checkpoint, with its averaged weights."""
+def trained_solid_net(folder: Path, before: Path | None = None) -> SolidNet:
+    """What ships: the decoder of the folder's checkpoint, with its averaged weights.
+
+    ``before``: the shipped weights whose words were held.
+    """
     net = Autoencoder()
     path = folder / "solid_ema.safetensors"
     weights = {name: tensor.float() for name, tensor in load_file(path).items()}
@@ -226,4 +233,9 @@ def trained_solid_net(folder: Path) -> SolidNet:
     source = SolidSource(folder)
     net.decoder.counts.copy_(source.counts())
     net.decoder.mirrored.copy_(source.mirrored)
+    if before:  # of whose nouns the folder may have no object
+        with torch.no_grad():
+            for name, tensor in solid_tensors(before).items():
+                whole = net.decoder.state_dict()[name]
+                whole[tuple(slice(n) for n in tensor.shape)] = tensor
     return net.decoder

@@ -12,6 +12,7 @@ import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
@@ -272,7 +273,7 @@ class Training:
         A new word starts as the mean of its slot's words, a new slot as zeros. A stem that the
         older network lacks keeps its first weights, which change nothing.
         """
-        old = load_file(path)
+        old = self.shipped(path)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
                 # A stem adds nothing at first, by its own zeros; with zeros everywhere it could not
@@ -290,14 +291,30 @@ class Training:
                     p.copy_(old[name])
                 mean.copy_(p)
 
+    def hold(self, path: Path) -> None:
+        """Let nothing learn but what the shipped weights lack: the rows of new words, in every
+        table. What is made of the old words stays as it is, to the bit."""
+        old = self.shipped(path)
+        for name, p in self.net.named_parameters():
+            if name in old and old[name].shape == p.shape:
+                p.requires_grad_(False)
+            elif name in old:
+                p.register_hook(partial(_without, len(old[name])))
+        for group in self.optimizer.param_groups:
+            group["weight_decay"] = 0.0  # it would shrink the old rows
+
+    def shipped(self, path: Path) -> dict[str, Tensor]:
+        """The tensors of a shipped file, by the names that they have here."""
+        return load_file(path)
+
     def save(self, path: Path) -> None:
         """Everything that ``resume`` needs, in one file; and the averaged weights next to it."""
         tensors = {}
         for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
-            state = self.optimizer.state[p]
             tensors |= {f"net.{name}": p.detach().contiguous(), f"ema.{name}": mean.contiguous()}
-            tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
-            tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
+            if state := self.optimizer.state.get(p):  # what is held has none
+                tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
+                tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
         facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss}
         write_tensors(path, tensors, {"training": json.dumps(facts)})
         save_weights(
@@ -322,11 +339,18 @@ class Training:
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
                 p.copy_(tensors[f"net.{name}"])
                 mean.copy_(tensors[f"ema.{name}"])
+                if f"m.{name}" not in tensors:
+                    continue
                 self.optimizer.state[p] = {
                     "step": torch.tensor(float(self.step), device=p.device),
                     "exp_avg": torch.empty_like(p).copy_(tensors[f"m.{name}"]),
                     "exp_avg_sq": torch.empty_like(p).copy_(tensors[f"v.{name}"]),
                 }
+
+
+def _without(rows: int, gradient: Tensor) -> Tensor:
+    """The gradient of a table whose first ``rows`` are held."""
+    return torch.cat([torch.zeros_like(gradient[:rows]), gradient[rows:]])
 
 
 def run(training: Training, source: Batches, checkpoint: Path) -> None:

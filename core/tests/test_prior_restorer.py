@@ -286,7 +286,7 @@ def test_a_close_up_is_traced_as_the_part_of_a_whole_picture_is():
 
 
 def test_the_same_seed_makes_the_same_pairs():
-    one, other = make_pairs(5, 1, "mug"), make_pairs(5, 1, "mug")
+    one, other = make_pairs(5, 1, ["mug"]), make_pairs(5, 1, ["mug"])
     assert torch.equal(one.soft, other.soft)
     assert (one.samples.noun == NOUNS.index("mug")).all()
 

@@ -6,7 +6,7 @@ from functools import cache, partial
 
 import pytest
 import torch
-from safetensors.torch import save_file
+from safetensors.torch import load_file, save_file
 
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.sdf_net import surface
@@ -201,10 +201,8 @@ def test_only_a_round_table_keeps_its_adjective():
 def folder(tmp_path_factory):
     """Objects of two nouns; the others' kinds are empty."""
     path = tmp_path_factory.mktemp("solids")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("core.prior.solid_data.make_solids", partial(make_solids, nouns=NOUN))
-        for number in range(3):
-            write_solids(path, number, of_each=4)
+    for number in range(3):
+        write_solids(path, number, of_each=4, nouns=NOUN)
     return path
 
 
@@ -287,6 +285,34 @@ def test_a_training_goes_on_from_a_shipped_decoder_of_fewer_features(tmp_path):
     training.step = solid_training.HOLD
     new.own.weight.sum().backward()
     assert new.own.weight.grad.any()
+
+
+def test_a_training_of_new_nouns_leaves_the_old_ones_to_the_bit(folder, tmp_path):
+    chair = NOUNS.index("chair")  # the older network ends with the noun before it
+    small = replace(TINY, words=(chair, *WORDS[1:3], KINDS * chair))
+    old = SolidNet(small)
+    for tensor in (*old.parameters(), old.counts):
+        torch.nn.init.normal_(tensor)
+    save_solid_net(tmp_path / "old.safetensors", old)
+    training = SolidTraining(
+        partial(Autoencoder, TINY), TrainConfig(batch=4, warm_up=1), objective=solid_loss
+    )
+    training.start_from(tmp_path / "old.safetensors")
+    training.hold(tmp_path / "old.safetensors")
+    for _ in range(3):
+        training.advance(SolidSource(folder))
+    for path in folder.iterdir():
+        (tmp_path / path.name).symlink_to(path)
+    training.save(tmp_path / "solid.safetensors")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(solid_training, "Autoencoder", partial(Autoencoder, TINY))
+        net = trained_solid_net(tmp_path, tmp_path / "old.safetensors")
+    save_solid_net(tmp_path / "new.safetensors", net)
+    before, after = (load_file(tmp_path / f"{name}.safetensors") for name in ("old", "new"))
+    for name, tensor in before.items():
+        assert torch.equal(after[name][tuple(slice(n) for n in tensor.shape)], tensor), name
+    assert net.own.weight[1 + chair].any()
+    assert net.counts[..., 1 + KINDS * chair :].sum() == len(SolidSource(folder).samples)
 
 
 def test_nouns_of_larger_errors_are_drawn_more_often(folder):
@@ -415,9 +441,9 @@ def test_most_soft_pairs_are_redrawn_once_there_is_a_network(monkeypatch):
             return super().shape(shape, noun, cells)
 
     spy = Spy(_redrawing().net, _redrawing().kinds)
-    with_it = make_pairs(1, 4, "mug", redrawing=spy)
+    with_it = make_pairs(1, 4, ["mug"], redrawing=spy)
     assert 1 <= len(asked) <= 4 and set(asked) == {NOUNS.index("mug")}
-    without = make_pairs(1, 4, "mug")
+    without = make_pairs(1, 4, ["mug"])
     assert not torch.equal(with_it.soft, without.soft)
 
 
