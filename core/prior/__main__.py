@@ -121,7 +121,7 @@ def parser() -> argparse.ArgumentParser:
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
     )
     train.add_argument(
-        "--hold", action="store_true", help="let only the words learn that --start lacks"
+        "--hold", action="store_true", help="let only the nouns learn that there are data of"
     )
     train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
     train.add_argument("--seed", type=count, default=0)
@@ -177,8 +177,6 @@ def data(options: argparse.Namespace) -> None:
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
-    if options.hold and not options.start:
-        raise UserError("--hold says nothing without --start.", "Add --start FILE, the weights.")
     needed = SOLIDS if options.network == SOLID else SHARDS
     if not any(options.out.glob(needed)):
         raise UserError(
@@ -199,7 +197,7 @@ def train(options: argparse.Namespace) -> None:
     elif options.start:
         training.start_from(options.start)
     if options.hold:
-        training.hold(options.start)
+        training.hold()
     run(training, source(options.out), checkpoint)
 
 

@@ -4,7 +4,7 @@ Welling 2014; Sohn et al. 2015) over the distances of the families' solids, part
 
 import itertools
 from pathlib import Path
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import torch
 import torch.nn.functional as F
@@ -191,6 +191,14 @@ def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> 
 class SolidTraining(Training):
     """A training of the autoencoder, whose decoder may begin with shipped weights."""
 
+    noun_tables: ClassVar = (
+        "words.0.weight",
+        "words.3.weight",
+        "own.weight",
+        "kind.weight",
+    )
+    unshipped: ClassVar = ("encoder.",)
+
     def advance(self, source: Batches) -> None:
         """One step; what is mirrored is so by all objects that there are."""
         if isinstance(source, SolidSource):
@@ -224,7 +232,7 @@ class SolidTraining(Training):
 def trained_solid_net(folder: Path, before: Path | None = None) -> SolidNet:
     """What ships: the decoder of the folder's checkpoint, with its averaged weights.
 
-    ``before``: the shipped weights whose words were held.
+    ``before``: the shipped weights, where only the folder's nouns have learnt.
     """
     net = Autoencoder()
     path = folder / "solid_ema.safetensors"
@@ -233,9 +241,21 @@ def trained_solid_net(folder: Path, before: Path | None = None) -> SolidNet:
     source = SolidSource(folder)
     net.decoder.counts.copy_(source.counts())
     net.decoder.mirrored.copy_(source.mirrored)
-    if before:  # of whose nouns the folder may have no object
-        with torch.no_grad():
-            for name, tensor in solid_tensors(before).items():
-                whole = net.decoder.state_dict()[name]
-                whole[tuple(slice(n) for n in tensor.shape)] = tensor
-    return net.decoder
+    return kept(net.decoder, solid_tensors(before), source) if before else net.decoder
+
+
+def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet:
+    """``net`` with the older one's tensors, but for the rows of the nouns that it has learnt: a
+    checkpoint rounds the others."""
+    learnt = source.samples.words[:, 0].unique().long() + 1
+    kinds = (KINDS * (learnt[:, None] - 1) + 1 + torch.arange(KINDS)).flatten()
+    rows = {"words.0.weight": learnt, "own.weight": learnt, "counts": kinds}
+    for name, tensor in net.state_dict().items():
+        along = tensor.ndim - 1 if name == "counts" else 0
+        if name not in (*SolidTraining.noun_tables, "counts", "mirrored"):
+            tensor.copy_(old[name])
+            continue
+        new = tensor.index_select(along, rows.get(name, kinds))
+        tensor.narrow(along, 0, old[name].shape[along]).copy_(old[name])
+        tensor.index_copy_(along, rows.get(name, kinds), new)
+    return net

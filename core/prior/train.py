@@ -12,7 +12,6 @@ import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
@@ -221,6 +220,9 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
 class Training:
     """A network in training: weights, their moving average, the optimiser, the time spent."""
 
+    noun_tables: ClassVar[tuple[str, ...]] = ("words.0.weight",)  # a row for each noun
+    unshipped: ClassVar[tuple[str, ...]] = ()  # what is trained along, and only for the training
+
     def __init__(
         self,
         make: Callable[[], nn.Module],
@@ -291,17 +293,16 @@ class Training:
                     p.copy_(old[name])
                 mean.copy_(p)
 
-    def hold(self, path: Path) -> None:
-        """Let nothing learn but what the shipped weights lack: the rows of new words, in every
-        table. What is made of the old words stays as it is, to the bit."""
-        old = self.shipped(path)
+    def hold(self) -> None:
+        """Let nothing learn but the nouns: of these the ones that there are samples of, as a row
+        that is not asked for has no gradient. What is made of the others stays, to the bit."""
         for name, p in self.net.named_parameters():
-            if name in old and old[name].shape == p.shape:
+            if name.endswith(self.noun_tables):
+                p.register_hook(_but_the_first)
+            elif not name.startswith(self.unshipped):
                 p.requires_grad_(False)
-            elif name in old:
-                p.register_hook(partial(_without, len(old[name])))
         for group in self.optimizer.param_groups:
-            group["weight_decay"] = 0.0  # it would shrink the old rows
+            group["weight_decay"] = 0.0  # it would shrink the rows
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The tensors of a shipped file, by the names that they have here."""
@@ -348,9 +349,9 @@ class Training:
                 }
 
 
-def _without(rows: int, gradient: Tensor) -> Tensor:
-    """The gradient of a table whose first ``rows`` are held."""
-    return torch.cat([torch.zeros_like(gradient[:rows]), gradient[rows:]])
+def _but_the_first(gradient: Tensor) -> Tensor:
+    """The gradient of a table without its row 0, "not stated", which all nouns share."""
+    return torch.cat([torch.zeros_like(gradient[:1]), gradient[1:]])
 
 
 def run(training: Training, source: Batches, checkpoint: Path) -> None:

@@ -298,7 +298,7 @@ def test_a_training_of_new_nouns_leaves_the_old_ones_to_the_bit(folder, tmp_path
         partial(Autoencoder, TINY), TrainConfig(batch=4, warm_up=1), objective=solid_loss
     )
     training.start_from(tmp_path / "old.safetensors")
-    training.hold(tmp_path / "old.safetensors")
+    training.hold()
     for _ in range(3):
         training.advance(SolidSource(folder))
     for path in folder.iterdir():
