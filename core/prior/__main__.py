@@ -107,7 +107,6 @@ def parser() -> argparse.ArgumentParser:
     data.add_argument("--close-pairs", type=count, default=0, help="the same, of close-ups")
     data.add_argument("--solids", type=count, default=0, help="files of two solids of each noun")
     data.add_argument("--workers", type=some, default=2)
-    data.add_argument("--nouns", nargs="+", default=NOUNS, choices=NOUNS, metavar="NOUN")
     data.add_argument(
         "--catalogue", type=Path, default=CATALOGUE, metavar="FILE", help="of real models, .sh3f"
     )
@@ -139,8 +138,10 @@ def parser() -> argparse.ArgumentParser:
     ship.add_argument("--held", action="store_true", help="trained with --hold")
     ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
 
-    commands.add_parser("forms", help="ask the families how flat and how round each part is")
+    forms = commands.add_parser("forms", help="ask the families how flat and round each part is")
 
+    for command in (data, forms):
+        command.add_argument("--nouns", nargs="+", default=NOUNS, choices=NOUNS, metavar="NOUN")
     for command in (data, train, ship):
         command.add_argument("--out", type=Path, default=DEFAULT_FOLDER, metavar="FOLDER")
     return top
@@ -248,9 +249,8 @@ def evaluate(options: argparse.Namespace) -> None:
 
 
 def forms(options: argparse.Namespace) -> None:
-    """Write the project's table; about 10 minutes of one core."""
-    del options
-    write_forms()
+    """Write the project's table; about 10 minutes of one core for all."""
+    write_forms(nouns=options.nouns)
 
 
 def summary(scores: list[Score]) -> None:

@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -137,11 +138,11 @@ def _surface(shape: Shape, generator: torch.Generator) -> Float[Tensor, "n 3"]:
     return points[torch.randint(len(points), (POINTS,), generator=generator)]
 
 
-def write_forms(path: Path = TABLE) -> None:
-    """The table of all nouns."""
-    table = {}
-    for noun in NOUNS:
+def write_forms(path: Path = TABLE, nouns: Sequence[str] = NOUNS) -> None:
+    """Ask ``nouns``; the table keeps what it says of the others."""
+    table = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    for noun in nouns:
         flat, *around = ([round(x, 2) for x in row] for row in part_forms(noun).tolist())
         table[noun] = {"flat": flat, "round": around}
-    lines = [f"{json.dumps(noun)}: {json.dumps(row)}" for noun, row in table.items()]
+    lines = [f"{json.dumps(noun)}: {json.dumps(table[noun])}" for noun in NOUNS if noun in table]
     write_text(path, "{\n" + ",\n".join(lines) + "\n}\n")
