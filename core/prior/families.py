@@ -15,6 +15,7 @@ from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
+from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
 from core.prior.things.food import FOOD
 from core.prior.things.gear import GEAR
@@ -80,6 +81,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CRAFT
     | PROPS
     | YARD
+    | CREATURES
 )
 
 

@@ -6,7 +6,7 @@ from core.guidance.builtin.words import LEGS, OPTIONS, PART_SYNONYMS, PART_WORDS
 
 FOUR_LEGS = frozenset(
     """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn
-    corgi desk""".split()
+    corgi desk deer frog""".split()
 )
 
 

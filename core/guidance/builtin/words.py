@@ -82,9 +82,12 @@ PART_SYNONYMS = {
     "sails": "sail",
     "icing": "frosting",
     "wings": "wing",
-    "fins": "fin",
+    "fins": "fin, flippers, flipper",
     "stem": "stalk",
     "handles": "handle, ears",
+    "bill": "beak",
+    "claws": "claw, pincers, pincer",
+    "antlers": "antler",
 }
 # What people write around the subject and what describes nothing of it.
 FILLER = frozenset(

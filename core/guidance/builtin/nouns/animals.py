@@ -193,4 +193,179 @@ ANIMALS = {
         {"body": "*6b452a", "face": "+dcb58c", "eyes": "-111111"},
         Usual(0.9, FLESH, 0.32),
     ),
+    "bird": Noun(
+        (
+            "songbird, birdie; sparrow, crow, raven, eagle, hawk, falcon, parrot, parakeet, "
+            "macaw, pigeon, dove, seagull, robin, bluebird, blackbird, canary, finch, "
+            "woodpecker, hummingbird, magpie, vulture"
+        ),
+        {
+            "body": "*4f83bd",
+            "belly": "+e0a066",
+            "wings": "&345f98",
+            "bill": "-e8a02a",
+            "legs": "-8a5a34",
+            "eyes": "-111111",
+        },
+        Usual(0.2, FLESH, 0.17),
+    ),
+    "owl": Noun(
+        "; barn owl, owlet",
+        {
+            "body": "*8a6642",
+            "belly": "+d9c29a",
+            "face": "+ead9b8",
+            "wings": "&6b4a2c",
+            "eyes": "-f2b41c",
+            "pupils": "-111111",
+            "bill": "-d99a2c",
+            "feet": "-d99a2c",
+        },
+        Usual(0.5, FLESH, 0.069),
+    ),
+    "penguin": Noun(
+        "; emperor penguin, baby penguin",
+        {
+            "body": "*26282e",
+            "belly": "+f2f0ea",
+            "wings": "&26282e",
+            "bill": "-f09a1e",
+            "feet": "-f09a1e",
+            "eyes": "-111111",
+        },
+        Usual(0.8, FLESH, 0.19),
+    ),
+    "chicken": Noun(
+        "; hen, rooster, cockerel, chick",
+        {
+            "body": "*f0e8d8",
+            "wings": "&dccbab",
+            "tail": "&c9b48c",
+            "comb": "-d02a22",
+            "bill": "-eda028",
+            "legs": "-eda028",
+            "eyes": "-111111",
+        },
+        Usual(0.45, FLESH, 0.2),
+    ),
+    "whale": Noun(
+        "; orca, killer whale, blue whale, humpback, humpback whale, sperm whale, beluga, narwhal",
+        {"body": "*3f6488", "belly": "+dfe6ea", "fins": "&33547a", "eyes": "-111111"},
+        Usual(12.0, FLESH, 0.24),
+    ),
+    "shark": Noun(
+        "; great white shark, hammerhead, hammerhead shark",
+        {
+            "body": "*5f7180",
+            "belly": "+e8ebea",
+            "mouth": "-7a1f24",
+            "teeth": "-f4f2ec",
+            "eyes": "-111111",
+        },
+        Usual(4.0, FLESH, 0.22),
+    ),
+    "dolphin": Noun(
+        "; porpoise",
+        {"body": "*6f93ad", "belly": "+e4ecef", "eyes": "-111111"},
+        Usual(2.4, FLESH, 0.26),
+    ),
+    "octopus": Noun(
+        "octopi; squid, kraken, cuttlefish",
+        {"body": "*c2513f", "suckers": "+f0c4a8", "eyes": "-f4f2ec", "pupils": "-111111"},
+        Usual(1.0, FLESH, 0.072),
+    ),
+    "snake": Noun(
+        "serpent; cobra, rattlesnake, viper, python, anaconda",
+        {"body": "*5c8a34", "belly": "+d8cf8a", "eyes": "-e8b41c", "tongue": "-c2222c"},
+        Usual(0.5, FLESH, 0.26),
+    ),
+    "frog": Noun(
+        "; toad, tree frog, bullfrog, tadpole",
+        {
+            "body": "*5a9c2e",
+            "belly": "+e0dfa0",
+            "mouth": "-3a5a1e",
+            "eyes": "-f0b428",
+            "pupils": "-111111",
+        },
+        Usual(0.1, FLESH, 0.43),
+    ),
+    "butterfly": Noun(
+        "butterflies; moth, monarch butterfly",
+        {"wings": "*ee7d1a", "edges": "+1f1a17", "body": "-2b221c", "eyes": "-6b4a2c"},
+        Usual(0.1, FLESH, 0.011),
+    ),
+    "spider": Noun(
+        "; tarantula, black widow",
+        {"body": "*3b2f2a", "legs": "&4f3e34", "eyes": "-c22a22", "fangs": "-1a1412"},
+        Usual(0.1, FLESH, 0.33),
+    ),
+    "bee": Noun(
+        "; honeybee, honey bee, bumblebee, bumble bee, wasp, hornet",
+        {
+            "body": "*f2b81c",
+            "stripes": "+221c18",
+            "head": "+2a221c",
+            "wings": "+cfe2ea",
+            "eyes": "-e8e4dc",
+        },
+        Usual(0.02, FLESH, 0.24),
+    ),
+    "crab": Noun(
+        "; king crab, hermit crab, lobster, crayfish",
+        {
+            "body": "*d2432a",
+            "claws": "&d2432a",
+            "legs": "&b53722",
+            "belly": "+efc79a",
+            "eyes": "-111111",
+        },
+        Usual(0.25, FLESH, 0.59),
+    ),
+    "snail": Noun(
+        "",
+        {"body": "+c9a878", "shell": "*8f5a2e", "eyes": "-1a1512"},
+        Usual(0.08, FLESH, 0.77),
+    ),
+    "deer": Noun(
+        "; reindeer, stag, buck, doe, fawn, moose, elk, antelope, gazelle",
+        {
+            "body": "*a5703e",
+            "antlers": "-d8c4a0",
+            "muzzle": "+e6d6bc",
+            "belly": "+efe6d6",
+            "hooves": "-3a2c22",
+            "eyes": "-111111",
+            "nose": "-1a1818",
+        },
+        Usual(2.0, FLESH, 0.4),
+    ),
+    "mouse": Noun(
+        "mice; rat, hamster, gerbil",
+        {
+            "body": "*8f8a86",
+            "ears": "+e3a9a4",
+            "tail": "+d79c96",
+            "feet": "+e3b4ac",
+            "eyes": "-111111",
+            "nose": "-d77f83",
+        },
+        Usual(0.15, FLESH, 0.15),
+    ),
+    "ghost": Noun(
+        "; phantom, poltergeist",
+        {"body": "*eef0f4", "eyes": "-15151a", "mouth": "-15151a"},
+        Usual(1.5, FABRIC, 0.017),
+    ),
+    "alien": Noun(
+        "; martian, extraterrestrial",
+        {
+            "skin": "*7fb24a",
+            "suit": "+8d95a3",
+            "shoes": "+3c414c",
+            "eyes": "-0e0e12",
+            "mouth": "-2f4a1e",
+        },
+        Usual(1.4, FLESH, 0.19),
+    ),
 }
