@@ -17,10 +17,12 @@ from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.devices import DEVICES
 from core.prior.things.food import FOOD
+from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
+from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
@@ -80,6 +82,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CRAFT
     | PROPS
     | YARD
+    | LANDMARKS
+    | GADGETS
 )
 
 
