@@ -18,10 +18,12 @@ from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
 from core.prior.things.food import FOOD
+from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
+from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
@@ -82,6 +84,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | PROPS
     | YARD
     | CREATURES
+    | LANDMARKS
+    | GADGETS
 )
 
 

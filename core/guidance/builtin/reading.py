@@ -77,6 +77,9 @@ class Reading:
             self._ended_by = self._ended_by if token in ARTICLES else token
             if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
                 self._accessory = {slot: len(found) for slot, found in self.found.items()}
+        elif token == "shaped" and self._noun_end == at:
+            # "a heart shaped box": as if the two nouns were next to each other.
+            self._noun_end += 1
         elif token not in FILLER:
             return self._correct(token, at)
         return 1

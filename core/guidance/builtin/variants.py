@@ -98,4 +98,7 @@ BY_NOUN = {
     "vase": "clay",
 }
 # Things that are built of stones, not carved from one.
-BUILDINGS = ("house", "cottage", "tower", "lighthouse", "church", "arch")
+BUILDINGS = (
+    *("house", "cottage", "tower", "lighthouse", "church", "arch"),
+    *("bridge", "windmill", "castle", "pyramid", "pagoda"),
+)

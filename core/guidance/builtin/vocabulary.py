@@ -113,7 +113,7 @@ def parse(
     if reading.refused and not ignore_unknown:
         raise unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
-        # A bridge is known, but only as a part of a guitar.
+        # A face is known, but only as a part of a clock.
         things = [part for part, _, _ in reading.parts if part in MEANT]
         if things:
             raise unknown_error(things, [], known)

@@ -128,4 +128,15 @@ DEVICES = {
         {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
         Usual(1.1, PLASTIC, 0.041),
     ),
+    "typewriter": Noun(
+        "type writer",
+        {
+            "body": "*2f5f5c . paint",
+            "keys": "+f0e8d6",
+            "roller": "-1f2022 . rubber",
+            "knobs": "-a3a9b0 . metal",
+            "paper": "-faf8f0",
+        },
+        Usual(0.42, STEEL, 0.08),
+    ),
 }

@@ -227,4 +227,28 @@ HOUSEHOLD = {
         },
         Usual(0.5, STEEL, 0.047),
     ),
+    "blender": Noun(
+        "kitchen blender; mixer, food processor, juicer, smoothie maker",
+        {
+            "base": "*c9261f . paint",
+            "jug": "-bfdde4 . glass",
+            "handle": "&2a2b2e",
+            "lid": "+2a2b2e",
+            "collar": "&2a2b2e",
+            "knob": "-c3c8cd . metal",
+        },
+        Usual(0.4, PLASTIC, 0.35),
+    ),
+    "chandelier": Noun(
+        "crystal chandelier; candelabra, candelabrum, ceiling lamp, hanging lamp",
+        {
+            "stem": "*d0a040 . golden",
+            "arms": "*d0a040 . golden",
+            "cups": "&c08f34 . golden",
+            "candles": "-f2ead6",
+            "flames": "-ffb02e",
+            "drops": "-c9e6f0 . glass",
+        },
+        Usual(0.9, COPPER, 0.05),
+    ),
 }

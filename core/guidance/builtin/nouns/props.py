@@ -2,10 +2,12 @@
 
 from core.guidance.builtin.nouns.noun import (
     CERAMIC,
+    COPPER,
     FABRIC,
     GLASS,
     GOLD,
     PLANT,
+    PLASTIC,
     RUBBER,
     STEEL,
     STONE,
@@ -233,5 +235,53 @@ PROPS = {
             "base": "-6e6a64 . stone",
         },
         Usual(2.5, STEEL, 0.0051),
+    ),
+    "traffic light": Noun(
+        "traffic lights, traffic signal, stoplight, stop light",
+        {
+            "body": "*2b2d30 . paint",
+            "reds": "-e0241c",
+            "yellows": "-f7b81a",
+            "greens": "-2fb54a",
+            "hoods": "&1d1f21 . paint",
+            "pole": "+6e7378 . metal",
+            "base": "&55595e . metal",
+        },
+        Usual(2.8, STEEL, 0.016),
+    ),
+    "fire hydrant": Noun(
+        "hydrant, fireplug, fire plug",
+        {
+            "body": "*c9211b . paint",
+            "dome": "*c9211b . paint",
+            "rings": "&a81a15 . paint",
+            "outlets": "&c9211b . paint",
+            "caps": "+d8d3c6 . metal",
+        },
+        Usual(0.8, STEEL, 0.12),
+    ),
+    "traffic cone": Noun(
+        "road cone, safety cone, construction cone",
+        {"body": "*f0640f", "stripes": "+f4f2ec", "base": "-242527 . rubber"},
+        Usual(0.7, PLASTIC, 0.05),
+    ),
+    "pistol": Noun(
+        "handgun, hand gun; gun, revolver, firearm, toy gun, water gun, ray gun, blaster",
+        {
+            "barrel": "*4a4d52 . metal",
+            "frame": "&33363a . metal",
+            "grip": "+3a2a20",
+            "trigger": "-202225 . metal",
+        },
+        Usual(0.2, STEEL, 0.4),
+    ),
+    "padlock": Noun(
+        "pad lock; lock, combination lock",
+        {
+            "body": "*d8a83c . golden",
+            "shackle": "+b9bec4 . metal",
+            "keyhole": "-1d1d1f",
+        },
+        Usual(0.08, COPPER, 0.4),
     ),
 }

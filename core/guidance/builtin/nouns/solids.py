@@ -1,6 +1,6 @@
 """Solids."""
 
-from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun, Usual
 
 SOLIDS = {
     "ball": Noun(
@@ -9,7 +9,7 @@ SOLIDS = {
         Usual(0.22, RUBBER, 0.07),
     ),
     "cube": Noun(
-        "box, block; dice",
+        "box, block",
         {"body": "*9e998f"},
         Usual(0.3, WOOD),
     ),
@@ -24,8 +24,28 @@ SOLIDS = {
         Usual(0.4, WOOD),
     ),
     "cone": Noun(
-        "traffic cone",
+        "",
         {"body": "*ed610f band"},
         Usual(0.5, PLASTIC, 0.061),
+    ),
+    "heart": Noun(
+        "love heart; valentine",
+        {"body": "*d81f2e"},
+        Usual(0.2, PLASTIC, 0.3),
+    ),
+    "star": Noun(
+        "five pointed star; sheriff star, sheriff badge",
+        {"body": "*f4bf26"},
+        Usual(0.2, PLASTIC, 0.3),
+    ),
+    "crescent moon": Noun(
+        "crescent, half moon; moon",
+        {"body": "*f0d878"},
+        Usual(0.2, PLASTIC, 0.3),
+    ),
+    "gear": Noun(
+        "cog, cogwheel, cog wheel, gearwheel, gear wheel; sprocket",
+        {"body": "*9298a0 . metal", "teeth": "&9298a0 . metal", "hub": "&7d838b . metal"},
+        Usual(0.12, STEEL),
     ),
 }

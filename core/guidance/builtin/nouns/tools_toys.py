@@ -318,4 +318,66 @@ TOOLS_AND_TOYS = {
         },
         Usual(0.095, WOOD),
     ),
+    "chainsaw": Noun(
+        "chain saw, power saw",
+        {
+            "body": "*e8601a",
+            "bar": "-c3c8cd . metal",
+            "chain": "-4a4d52 . metal",
+            "handles": "+242629 . rubber",
+            "guard": "&242629",
+            "cover": "-e9e6de",
+        },
+        Usual(0.8, PLASTIC, 0.45),
+    ),
+    "magnifying glass": Noun(
+        "magnifier, magnifying lens; loupe, monocle",
+        {
+            "rim": "*c79a3e . golden",
+            "glass": "-bfe0ea . glass",
+            "handle": "+5a3420 grain",
+            "collar": "*c79a3e . golden",
+        },
+        Usual(0.25, 2500.0, 0.3),
+    ),
+    "telescope": Noun(
+        "refractor telescope, spyglass",
+        {
+            "tube": "*e6e8ea . paint",
+            "bands": "+2d3136 . metal",
+            "eyepiece": "&2d3136",
+            "lens": "-3f6f9a . glass",
+            "tripod": "-8a5a2e grain",
+            "mount": "-4a4d52 . metal",
+        },
+        Usual(1.5, STEEL, 0.012),
+    ),
+    "microscope": Noun(
+        "",
+        {
+            "base": "*e8e9ea . paint",
+            "arm": "*e8e9ea . paint",
+            "stage": "-2a2c30",
+            "tube": "&d3d6d9 . paint",
+            "eyepiece": "-232528",
+            "lenses": "+a3a9b0 . metal",
+            "knobs": "-2f3236",
+        },
+        Usual(0.4, STEEL, 0.15),
+    ),
+    "baseball bat": Noun(
+        "bat; cricket bat",
+        {"body": "*d0a05a grain", "grip": "+2a2624 . leather", "knob": "&c08f4a grain"},
+        Usual(0.85, WOOD, 0.19),
+    ),
+    "tennis racket": Noun(
+        "tennis racquet, racket, racquet; badminton racket, squash racket",
+        {"frame": "*d2281f . paint", "strings": "-f0eee2", "grip": "+26272a . leather"},
+        Usual(0.69, PLASTIC, 0.058),
+    ),
+    "dice": Noun(
+        "die, game die, gaming dice, d6; d20",
+        {"body": "*f2efe6", "pips": "+1b1b1d"},
+        Usual(0.02, PLASTIC),
+    ),
 }
