@@ -85,14 +85,14 @@ def some(text: str) -> int:
     return count(text)
 
 
-def minutes(text: str) -> float:
-    """A time that ends."""
+def positive(text: str) -> float:
+    """A number above 0 that ends."""
     try:
         given = float(text)
     except ValueError:
         given = math.nan
     if not 0 < given < MOST:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of minutes between 0 and {MOST}")
+        raise argparse.ArgumentTypeError(f"{text!r} is no number between 0 and {MOST}")
     return given
 
 
@@ -115,13 +115,14 @@ def parser() -> argparse.ArgumentParser:
         "train", help="train one network; goes on from the checkpoint in --out if there is one"
     )
     train.add_argument("network", choices=tuple(TRAININGS))
-    train.add_argument("--minutes", type=minutes, help="the whole budget of this training")
+    train.add_argument("--minutes", type=positive, help="the whole budget of this training")
     train.add_argument(
         "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
     )
     train.add_argument(
         "--hold", action="store_true", help="let only the nouns learn that there are data of"
     )
+    train.add_argument("--learning-rate", type=positive, help="at its highest")
     train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
     train.add_argument("--seed", type=count, default=0)
     train.add_argument("--device", default="cpu", choices=("cpu", "cuda"), help="cpu or cuda")
@@ -188,6 +189,8 @@ def train(options: argparse.Namespace) -> None:
     config = replace(config, seed=options.seed)
     if options.minutes is not None:
         config = replace(config, minutes=options.minutes)
+    if options.learning_rate is not None:
+        config = replace(config, learning_rate=options.learning_rate)
     if options.batch is not None:
         config = replace(config, batch=options.batch)
     kind = SolidTraining if options.network == SOLID else Training
