@@ -13,6 +13,7 @@ from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
+from core.prior.things.birds_sea import BIRDS_AND_SEA
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
@@ -83,6 +84,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CRAFT
     | PROPS
     | YARD
+    | BIRDS_AND_SEA
     | CREATURES
     | LANDMARKS
     | GADGETS

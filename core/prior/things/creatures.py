@@ -1,4 +1,4 @@
-"""Birds, what lives in the sea, small creatures, and two that no one has seen."""
+"""Small creatures, a deer, and two that no one has seen."""
 
 import math
 from itertools import pairwise
@@ -27,7 +27,7 @@ from core.prior.solids import (
 from core.prior.things.animals import Beast, fitted
 
 
-def _limb(points: list[Vector], first: float, last: float) -> Solid:
+def limb(points: list[Vector], first: float, last: float) -> Solid:
     """A round bar through the points, its radius from ``first`` to ``last``."""
     count = len(points) - 1
     radii = [first + (last - first) * i / count for i in range(count + 1)]
@@ -35,254 +35,9 @@ def _limb(points: list[Vector], first: float, last: float) -> Solid:
     return join(*(taper(a, b, ra, rb) for (a, b), (ra, rb) in ends))
 
 
-def _tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
+def tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
     """``solid``, made about the origin, its front lowered, then carried to ``at``."""
     return moved(turned(solid, 0, degrees), at)
-
-
-def _claws(x: float, y: float, z: float, reach: float, thick: float) -> Solid:
-    """A bird's foot: three toes to the front, one to the back."""
-    toes = [
-        capsule((x, y, z), (x + out, y - reach, z), thick) for out in (-0.5 * reach, 0.5 * reach)
-    ]
-    return join(*toes, capsule((x, y + reach * 0.6, z), (x, y - reach * 1.15, z), thick))
-
-
-def bird(draw: Draw) -> Parts:
-    """A songbird on two legs, its wings folded or raised."""
-    wide, leg, head = draw(0.34, 0.42), draw(0.3, 0.45), draw(0.27, 0.32)
-    z, raised = leg + wide * 0.85, draw.chance(0.3)
-    hy, hz = -0.48, z + draw(0.42, 0.52)
-    trunk = taper((0, 0.3, z - 0.03), (0, -0.18, z + 0.05), wide * 0.72, wide)
-    fan = [(-0.1, -0.3), (0.1, -0.3), (0.2, 0.55), (0, 0.62), (-0.2, 0.55)]
-    tail = _tilted(prism(fan, 2, 0.075), draw(-12, 20), (0, 0.75, z + 0.03))
-    folded = _tilted(egg((0, 0, 0), (0.13, 0.56, 0.25)), -8, (wide * 0.9, 0.22, z + 0.08))
-    vane = [(0, -0.3), (0.4, -0.42), (0.85, -0.3), (1.05, 0.0), (0.75, 0.12), (0.4, 0.36), (0, 0.3)]
-    spread = moved(
-        turned(prism(smooth_curve(vane), 2, 0.08), 1, -draw(25, 50)), (wide * 0.5, 0, z + 0.15)
-    )
-    shank = taper((0.2, 0.05, z - wide * 0.4), (0.2, 0.02, 0.09), 0.1, 0.075)
-    return {
-        "body": join(blend(0.15, trunk, ball((0, hy, hz), head)), tail),
-        "belly": egg((0, -0.27, z - 0.02), (wide * 0.82, wide * 0.95, wide * 0.9)),
-        "wings": both(spread if raised else folded),
-        "bill": taper(
-            (0, hy - head * 0.8, hz - 0.02), (0, hy - head - 0.24, hz - 0.07), 0.12, 0.05
-        ),
-        "legs": both(join(shank, _claws(0.2, 0, 0.075, 0.2, 0.075))),
-        "eyes": both(ball((head * 0.66, hy - head * 0.62, hz + head * 0.3), 0.08)),
-    }
-
-
-def owl(draw: Draw) -> Parts:
-    """Sits upright: a face of two discs, tufts, folded wings."""
-    wide, high = draw(0.48, 0.58), draw(0.62, 0.75)
-    head, z = wide * draw(0.84, 0.96), high * 1.62
-    y, x = -head * 0.78, head * 0.46
-    tuft = taper(
-        (head * 0.55, -0.05, z + head * 0.6),
-        (head * 0.95, 0.0, z + head * draw(1.1, 1.4)),
-        0.17,
-        0.06,
-    )
-    tail = box((0, wide * 0.75, 0.2), (0.22, 0.22, 0.12), 0.06)
-    trunk = blend(0.15, egg((0, 0, high), (wide, wide * 0.85, high * 0.95)), ball((0, 0, z), head))
-    wing = egg((wide * 0.9, 0.08, high * 0.95), (0.16, wide * 0.62, high * 0.72))
-    return {
-        "body": join(trunk, both(tuft), tail),
-        "belly": egg((0, -0.14, high * 0.85), (wide * 0.72, wide * 0.85, high * 0.72)),
-        "face": both(tube((x, y - 0.12, z), (x, y + 0.2, z), head * 0.5, 0.05)),
-        "wings": both(wing),
-        "eyes": both(tube((x, y - 0.2, z), (x, y, z), head * 0.34, 0.05)),
-        "pupils": both(ball((x, y - 0.18, z), head * 0.19)),
-        "bill": taper((0, y - 0.1, z - head * 0.12), (0, y - 0.22, z - head * 0.5), 0.11, 0.06),
-        "feet": both(
-            join(
-                taper((0.25, -0.1, 0.4), (0.28, -0.28, 0.12), 0.16, 0.12),
-                _claws(0.28, -0.28, 0.09, 0.24, 0.09),
-            )
-        ),
-    }
-
-
-def penguin(draw: Draw) -> Parts:
-    """Stands upright, a white front, flippers at its sides."""
-    wide, high, head = draw(0.46, 0.56), draw(0.7, 0.85), draw(0.34, 0.4)
-    z, out = high * 1.95, draw(0.1, 0.42)
-    y = -head * 0.5
-    trunk = blend(0.2, egg((0, 0, high), (wide, wide * 0.88, high * 0.96)), ball((0, 0, z), head))
-    wing = taper((wide * 0.72, 0, high * 1.42), (wide + out, 0.0, high * 0.72), 0.15, 0.1)
-    cheek = egg((head * 0.4, y, z - 0.04), (head * 0.46, head * 0.52, head * 0.56))
-    return {
-        "body": join(trunk, taper((0, wide * 0.6, 0.25), (0, wide + 0.1, 0.1), 0.16, 0.09)),
-        "belly": join(
-            egg((0, -0.13, high * 0.93), (wide * 0.82, wide * 0.86, high * 0.84)), both(cheek)
-        ),
-        "wings": both(wing),
-        "bill": taper(
-            (0, -head * 0.8, z - 0.06), (0, -head - draw(0.16, 0.28), z - 0.12), 0.13, 0.06
-        ),
-        "feet": both(egg((wide * 0.5, -wide * 0.55, 0.09), (0.22, 0.34, 0.11))),
-        "eyes": both(ball((head * 0.42, -head * 0.86, z + head * 0.2), 0.08)),
-    }
-
-
-def chicken(draw: Draw) -> Parts:
-    """A comb, a wattle, a raised tail: a hen, or a rooster with a great one."""
-    wide, leg, cock = draw(0.44, 0.54), draw(0.32, 0.45), draw.chance(0.4)
-    z, head = leg + wide * 0.75, draw(0.23, 0.27)
-    hy, hz = -0.62, z + draw(0.7, 0.85)
-    trunk = taper((0, 0.25, z), (0, -0.2, z), wide * 0.82, wide)
-    throat = taper((0, -0.35, z + 0.15), (0, hy, hz), wide * 0.6, head)
-    up = draw(0.55, 0.7) if cock else draw(0.32, 0.48)
-    plumes = [(0.52, 1.0), (0.72, 0.78), (0.84, 0.5)]
-    fan = [
-        _limb(
-            [
-                (0, 0.4, z + 0.1),
-                (0, y - 0.08, z + up * h * 1.2),
-                (0, y + (0.18 if cock else 0.0), z + up * h * 1.25 - (0.18 if cock else 0)),
-            ],
-            0.2,
-            0.12,
-        )
-        for y, h in plumes
-    ]
-    comb = [
-        ball((0, hy + y, hz + head + up), 0.11)
-        for y, up in ((-0.14, -0.02), (0.03, 0.06), (0.2, -0.05))
-    ]
-    shank = taper((0.24, 0.05, z - wide * 0.5), (0.24, 0.02, 0.1), 0.12, 0.08)
-    return {
-        "body": blend(0.2, trunk, throat),
-        "wings": both(
-            _tilted(egg((0, 0, 0), (0.14, 0.44, 0.27)), -12, (wide * 0.88, 0.12, z + 0.08))
-        ),
-        "tail": join(*fan),
-        "comb": join(
-            *comb, both(egg((0.06, hy - head * 0.85, hz - head * 0.95), (0.1, 0.1, 0.17)))
-        ),
-        "bill": taper((0, hy - head * 0.8, hz - 0.02), (0, hy - head - 0.2, hz - 0.07), 0.12, 0.05),
-        "legs": both(join(shank, _claws(0.24, 0, 0.08, 0.22, 0.08))),
-        "eyes": both(ball((head * 0.75, hy - head * 0.5, hz + head * 0.25), 0.075)),
-    }
-
-
-def _fluke(wide: float, long: float, half: float) -> Solid:
-    """A whale's tail fin, flat, from the origin to the back."""
-    side = [(0, -0.15), (0.14, -0.12), (wide * 0.6, long * 0.2), (wide, long * 0.75),
-            (wide * 0.98, long), (wide * 0.5, long * 0.8), (0.0, long * 0.5)]  # fmt: skip
-    return both(prism([*side, (-0.05, long * 0.5), (-0.05, -0.15)], 2, half))
-
-
-def whale(draw: Draw) -> Parts:
-    """A huge head, a pale belly, a raised fluke."""
-    wide, high, rise = draw(0.56, 0.68), draw(0.5, 0.6), draw(0.35, 0.75)
-    z = high
-    trunk = blend(
-        0.35,
-        egg((0, -0.45, z), (wide, 0.95, high)),
-        taper((0, 0.1, z), (0, 0.85, z + rise * 0.3), high * 0.72, 0.25),
-        taper((0, 0.85, z + rise * 0.3), (0, 1.25, z + rise), 0.25, 0.14),
-    )
-    fin = [(0, -0.2), (0.3, -0.1), (0.75, 0.35), (0.5, 0.35), (0, 0.15)]
-    flipper = moved(turned(prism(fin, 2, 0.085), 1, draw(15, 40)), (wide * 0.7, -0.45, z - 0.22))
-    fluke = _tilted(_fluke(draw(0.6, 0.8), 0.5, 0.09), draw(20, 50), (0, 1.25, z + rise))
-    return {
-        "body": trunk,
-        "belly": egg((0, -0.52, z - 0.13), (wide * 0.93, 0.92, high * 0.8)),
-        "fins": join(both(flipper), fluke),
-        "eyes": both(ball((wide * 0.8, -0.98, z + 0.12), 0.09)),
-    }
-
-
-def shark(draw: Draw) -> Parts:
-    """A pointed snout, fins, a tall tail, teeth."""
-    wide, z, half = draw(0.36, 0.44), 0.62, 0.09
-    high = wide * draw(1.0, 1.12)
-    trunk = blend(
-        0.2,
-        egg((0, -0.2, z), (wide, 0.85, high)),
-        taper((0, -0.55, z), (0, -1.12, z + 0.1), wide * 0.78, 0.17),
-        taper((0, 0.2, z), (0, 1.0, z + 0.08), wide * 0.75, 0.13),
-    )
-    back, top = draw(-0.3, -0.1), z + high
-    dorsal = [(0, z), (0.4, top + draw(0.38, 0.5)), (0.52, top + 0.36), (0.5, top), (0.62, z)]
-    caudal = [(0.9, z - 0.05), (1.3, z + 0.72), (1.46, z + 0.7), (1.25, z + 0.12),
-              (1.36, z - 0.3), (1.22, z - 0.34)]  # fmt: skip
-    fin = [(0, -0.25), (0.3, -0.15), (0.72, 0.25), (0.7, 0.38), (0.3, 0.22), (0, 0.25)]
-    side = moved(turned(prism(fin, 2, half), 1, draw(15, 35)), (wide * 0.6, -0.3, z - 0.12))
-    rear = moved(
-        turned(prism([(0.6 * x, 0.6 * y) for x, y in fin], 2, half), 1, 35), (0.12, 0.5, z - 0.05)
-    )
-    upright = prism([(back + y, h) for y, h in dorsal], 0, half)
-    low = taper((0, 0.1, z - 0.15), (0, 0.85, z + 0.03), wide * 0.72, 0.13)
-    teeth = [
-        taper((x, y, z - 0.07), (x, y, z - 0.18), 0.07, 0.03)
-        for x, y in ((0.08, -1.17), (0.2, -1.1))
-    ]
-    return {
-        "body": join(trunk, upright, prism(caudal, 0, half), both(join(side, rear))),
-        "belly": join(egg((0, -0.25, z - 0.13), (wide * 0.95, 0.8, high * 0.92)), low),
-        "mouth": egg((0, -1.0, z - 0.12), (0.28, 0.27, 0.15)),
-        "teeth": both(join(*teeth)),
-        "eyes": both(ball((wide * 0.68, -0.82, z + 0.14), 0.085)),
-    }
-
-
-def dolphin(draw: Draw) -> Parts:
-    """Leaps in an arch: a beak, a curved dorsal fin, flukes."""
-    wide, bend, half = draw(0.36, 0.43), draw(0.3, 0.55), 0.085
-    z = 0.6 + bend
-
-    def spine(y: float, down: float = 0.0) -> Vector:
-        return (0, y, z - bend * y * y - down)
-
-    def bar(*stops: tuple[float, float], down: float = 0.0) -> list[Solid]:
-        return [
-            taper(spine(a, down), spine(b, down), wide * r, wide * s)
-            for (a, r), (b, s) in pairwise(stops)
-        ]
-
-    trunk = blend(0.2, *bar((-0.78, 0.68), (-0.35, 1), (0.1, 0.96), (0.6, 0.62), (1.1, 0.33)))
-    beak = taper(spine(-0.8, 0.08), spine(-1.18, 0.02), 0.19, 0.1)
-    top = z + wide
-    fin = [(-0.2, z), (0.05, top + 0.2), (0.32, top + draw(0.32, 0.42)),
-           (0.4, top + 0.28), (0.28, top), (0.35, z)]  # fmt: skip
-    vane = [(0, -0.16), (0.25, -0.1), (0.62, 0.26), (0.55, 0.36), (0.25, 0.2), (0, 0.16)]
-    flipper = moved(turned(prism(vane, 2, half), 1, draw(25, 45)), (wide * 0.6, -0.45, z - 0.22))
-    slope = -math.degrees(math.atan(2.2 * bend))
-    fluke = _tilted(_fluke(draw(0.5, 0.62), 0.36, half), slope + draw(0, 30), spine(1.1))
-    return {
-        "body": join(trunk, beak, prism(fin, 0, half), both(flipper), fluke),
-        "belly": join(*bar((-0.7, 0.58), (-0.35, 0.88), (0.1, 0.84), (0.6, 0.5), down=0.1)),
-        "eyes": both(ball((wide * 0.66, -0.82, z - bend * 0.6 + 0.0), 0.08)),
-    }
-
-
-def octopus(draw: Draw) -> Parts:
-    """A bulb of a head on eight arms with curled tips."""
-    wide, high, reach = draw(0.5, 0.6), draw(0.55, 0.75), draw(0.95, 1.15)
-    curl, z = draw(0.2, 0.32), 0.5
-    arm = [
-        *((0.2, z), (0.55, 0.34), (reach * 0.75, 0.16), (reach + 0.05, 0.17)),
-        *((reach + 0.24, 0.3 + curl * 0.5), (reach + 0.1, 0.36 + curl), (reach - 0.1, 0.3 + curl)),
-    ]
-    cups = [
-        ball((x, 0, h), 0.08)
-        for x, h in ((reach + 0.06, 0.29), (reach + 0.09, 0.42 + curl * 0.5), (reach - 0.12, 0.26))
-    ]
-    dome = egg((0, 0.12, z + high * 0.95), (wide, wide * 1.05, high))
-    x, y = wide * 0.5, -wide * 0.62
-    return {
-        "body": join(
-            blend(0.15, dome, ball((0, 0, z + 0.02), 0.42)),
-            around(8, _limb([(x, 0, h) for x, h in smooth_curve(arm, 2)], 0.21, 0.09), 22.5),
-        ),
-        "suckers": around(8, join(*cups), 22.5),
-        "eyes": both(ball((x, y, z + high * 0.62), 0.16)),
-        "pupils": both(ball((x + 0.01, y - 0.11, z + high * 0.62), 0.09)),
-    }
 
 
 def snake(draw: Draw) -> Parts:
@@ -303,14 +58,14 @@ def snake(draw: Draw) -> Parts:
     top = z + up
     rise = [(0, y, z), (0, y + 0.06, z + up * 0.4), (0, y + 0.05, z + up * 0.75),
             (0, y - 0.08, top)]  # fmt: skip
-    tail = _limb(bends[:8], 0.08, thick)
+    tail = limb(bends[:8], 0.08, thick)
     head = egg((0, y - 0.26, top + 0.03), (thick * 1.4, 0.36, thick * 0.98))
     fork = capsule((0, y - 0.7, top - 0.03), (0.09, y - 0.82, top - 0.01), 0.07)
     return {
         "body": join(
-            tail, _limb([*bends[7:], rise[0]], thick, thick), _limb(rise, thick, thick * 0.85), head
+            tail, limb([*bends[7:], rise[0]], thick, thick), limb(rise, thick, thick * 0.85), head
         ),
-        "belly": _limb(
+        "belly": limb(
             [(x, b - thick * 0.35, h) for x, b, h in rise[1:]], thick * 0.78, thick * 0.72
         ),
         "eyes": both(ball((thick * 0.85, y - 0.38, top + thick * 0.6), 0.085)),
@@ -368,7 +123,7 @@ def butterfly(draw: Draw) -> Parts:
         flat = join(*(prism(smooth_curve(wing, 3), 2, half) for wing in wings))
         return both(moved(turned(flat, 1, -lift), (0.04, 0, 0)))
 
-    feeler = _limb([(0.08, -0.62, 0.06), (0.2, -0.85, 0.28), (0.34, -1.0, 0.42)], 0.08, 0.075)
+    feeler = limb([(0.08, -0.62, 0.06), (0.2, -0.85, 0.28), (0.34, -1.0, 0.42)], 0.08, 0.075)
     trunk = join(taper((0, -0.3, 0.03), (0, 0.7, -0.04), 0.17, 0.1), ball((0, -0.52, 0.04), 0.17))
     parts = {
         "wings": raised(0.1, spots),
@@ -377,7 +132,7 @@ def butterfly(draw: Draw) -> Parts:
         "eyes": both(ball((0.13, -0.6, 0.08), 0.08)),
     }
     lean = draw(8, 28)
-    return {name: _tilted(solid, lean, (0, 0, 0.6)) for name, solid in parts.items()}
+    return {name: tilted(solid, lean, (0, 0, 0.6)) for name, solid in parts.items()}
 
 
 def spider(draw: Draw) -> Parts:
@@ -389,7 +144,7 @@ def spider(draw: Draw) -> Parts:
     for angle in (-48, -17, 12, 40):
         c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
         steps = [(0.15, z), (out * 0.5, knee), (out * 0.85, knee * 0.6), (out * 1.05, 0.09)]
-        legs.append(_limb([(c * r, -0.26 + s * r, h) for r, h in steps], 0.11, 0.085))
+        legs.append(limb([(c * r, -0.26 + s * r, h) for r, h in steps], 0.11, 0.085))
     return {
         "body": join(
             egg((0, rear * 0.95 + 0.16, z + 0.18), (rear * 0.92, rear * 1.1, rear * 0.85)),
@@ -421,7 +176,7 @@ def bee(draw: Draw) -> Parts:
     )
     rear = smooth_curve([(0.7 * a, 0.7 * b) for a, b in vane], 2)
     small = moved(turned(prism(rear, 2, 0.075), 1, -20), (0.08, 0.3, z + wide * 0.8))
-    feeler = _limb(
+    feeler = limb(
         [
             (0.1, y - 0.1, z + head * 0.7),
             (0.18, y - 0.28, z + head + 0.2),
@@ -455,18 +210,16 @@ def crab(draw: Draw) -> Parts:
     for y, back in ((-0.12, -0.08), (0.12, 0.15), (0.32, 0.4)):
         knee = (wide + 0.26, y + back, z + 0.14)
         legs.append(
-            _limb(
-                [(wide * 0.7, y, z - 0.05), knee, (wide + 0.45, y + back * 1.5, 0.08)], 0.12, 0.08
-            )
+            limb([(wide * 0.7, y, z - 0.05), knee, (wide + 0.45, y + back * 1.5, 0.08)], 0.12, 0.08)
         )
     x, y, h = wide + 0.12, -0.72, z + draw(0.2, 0.42)
 
     def claw(*stops: Vector) -> list[Vector]:
         return [(x + a * big, y + b * big, h + c * big) for a, b, c in stops]
 
-    arm = _limb([(wide * 0.7, -0.2, z), (wide + 0.2, -0.42, z + 0.02), (x, y, h)], 0.14, 0.15)
-    outer = _limb(claw((0.08, 0, 0.1), (0.24, -0.04, 0.34), (0.12, -0.1, 0.6)), 0.15 * big, 0.075)
-    inner = _limb(
+    arm = limb([(wide * 0.7, -0.2, z), (wide + 0.2, -0.42, z + 0.02), (x, y, h)], 0.14, 0.15)
+    outer = limb(claw((0.08, 0, 0.1), (0.24, -0.04, 0.34), (0.12, -0.1, 0.6)), 0.15 * big, 0.075)
+    inner = limb(
         claw((-0.08, 0, 0.1), (-0.2, -0.04, 0.26), (-0.16, -0.08, 0.48)), 0.12 * big, 0.075
     )
     palm = egg((x, y, h + 0.06), (0.24 * big, 0.2 * big, 0.24 * big))
@@ -495,7 +248,7 @@ def snail(draw: Draw) -> Parts:
         0.15,
         taper((0, 1.1, 0.09), (0, 0.3, 0.2), 0.09, 0.26),
         taper((0, 0.3, 0.2), (0, -0.7, 0.17), 0.26, 0.2),
-        _limb([(0, -0.55, 0.2), (0, -0.8, 0.35), (0, -0.9, up)], 0.22, 0.2),
+        limb([(0, -0.55, 0.2), (0, -0.8, 0.35), (0, -0.9, up)], 0.22, 0.2),
     )
     stalk = taper((0.1, -0.92, up + 0.1), (0.24, -1.0, up + 0.5), 0.1, 0.08)
     feeler = taper((0.1, -1.0, up), (0.14, -1.2, up - 0.05), 0.09, 0.075)
@@ -530,7 +283,7 @@ def deer(draw: Draw) -> Parts:
     ear = taper((h * 0.7, y + 0.06, z + h * 0.4), (h + 0.24, y + 0.1, z + h * 0.65), 0.11, 0.07)
     return {
         "body": join(b.trunk(0.17), both(ear)),
-        "antlers": both(join(_limb(beam, 0.1, 0.075), *tines)),
+        "antlers": both(join(limb(beam, 0.1, 0.075), *tines)),
         "muzzle": b.muzzle(0.16, 0.13),
         "belly": join(
             egg((0, -0.08, b.belly - 0.08), (b.wide * 0.85, b.long * 0.88, b.wide * 0.85)),
@@ -560,7 +313,7 @@ def mouse(draw: Draw) -> Parts:
     return {
         "body": join(trunk, both(join(disc, haunch, fore))),
         "ears": both(tube((x, y + 0.15, top), (x, y + 0.3, top), ear * 0.7, 0.04)),
-        "tail": _limb(tail, 0.1, 0.075),
+        "tail": limb(tail, 0.1, 0.075),
         "feet": both(join(*feet)),
         "eyes": both(ball((0.2, y - 0.08, z + 0.34), 0.09)),
         "nose": ball((0, y - 0.48, z - 0.02), 0.1),
@@ -580,7 +333,7 @@ def ghost(draw: Draw) -> Parts:
     if draw.chance(0.3):
         ends = [(0, 0, high), (0, 0.02, high * 0.5), (0.03, 0.12, 0.22),
                 (0.1, 0.3, -0.04), (0.2, 0.55, -0.2)]  # fmt: skip
-        hem = _limb(ends, wide, 0.09)
+        hem = limb(ends, wide, 0.09)
     else:
         folds = around(8, egg((wide * 0.95, 0, 0.22), (0.24, 0.2, 0.27)))
         hem = blend(0.1, taper((0, 0, high), (0, 0, 0.55), wide, wide * 1.12), folds)
@@ -602,7 +355,7 @@ def alien(draw: Draw) -> Parts:
         egg((0, 0.06, z + 0.12), (head, head * 0.95, head * 0.85)),
         egg((0, -0.06, z - 0.2), (head * 0.58, head * 0.6, head * 0.62)),
     )
-    arm = _limb(
+    arm = limb(
         [
             (0.22, 0, top - 0.16),
             (0.22 + out * 0.7, -0.02, top - 0.42),
@@ -616,7 +369,7 @@ def alien(draw: Draw) -> Parts:
         turned(egg((0, 0, 0), (0.23, 0.1, 0.14)), 1, -draw(22, 38)),
         (head * 0.47, -head * 0.72, z + 0.02),
     )
-    feeler = _limb(
+    feeler = limb(
         [(head * 0.4, 0, z + head * 0.7), (head * 0.6, -0.02, z + head + 0.3)], 0.08, 0.075
     )
     tips = join(feeler, ball((head * 0.6, -0.02, z + head + 0.34), 0.12))
@@ -636,14 +389,6 @@ def alien(draw: Draw) -> Parts:
 
 
 CREATURES = {
-    "bird": fitted(bird),
-    "owl": fitted(owl),
-    "penguin": fitted(penguin),
-    "chicken": fitted(chicken),
-    "whale": fitted(whale),
-    "shark": fitted(shark),
-    "dolphin": fitted(dolphin),
-    "octopus": fitted(octopus),
     "snake": fitted(snake),
     "frog": fitted(frog),
     "butterfly": fitted(butterfly),
