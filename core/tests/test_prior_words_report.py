@@ -68,6 +68,9 @@ EVERYDAY = {
     "a dragon": ("dragon", []),
     "a mushroom soup": ("", []),
     "a flamingo": ("", []),
+    "a computer mouse": ("", []),
+    "a small sea horse": ("", []),
+    "a starfish": ("star", []),
     "a bird house": ("house", ["bird"]),
 }
 

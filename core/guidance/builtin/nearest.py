@@ -7,7 +7,7 @@ NEAREST = {
     "cabinet": "safe, locker",
     "shelf": "rack",
     "chest": "treasure, coffin",
-    "laptop": "computer",
+    "laptop": "computer, computer mouse",
     "monitor": "display",
     "table": "counter, altar",
     "bed": "hammock",
@@ -43,13 +43,13 @@ NEAREST = {
     "boat": "raft, ferry, gondola",
     "pirate ship": "warship",
     "train": "subway",
-    "rocket": "missile",
+    "rocket": "missile, star wars, star trek",
     "ball": "earth, beach, bubble, coconut",
     "robot": "android, mech, cyborg, droid",
     "bust": "head, face, mask, mannequin",
     "cone": "tornado",
     "torus": "bracelet",
-    "horse": "zebra, camel",
+    "horse": "zebra, camel, seahorse, sea horse",
     "deer": "llama, alpaca",
     "sheep": "goat",
     "elephant": "hippo, rhino",
@@ -59,9 +59,9 @@ NEAREST = {
     "bird": "flamingo, ostrich, bat",
     "fish": "trout",
     "dolphin": "seal, walrus",
-    "octopus": "jellyfish",
+    "octopus": "jellyfish, jelly fish",
     "rabbit": "squirrel, hare, kangaroo",
-    "mouse": "hedgehog",
+    "mouse": "hedgehog, guinea pig",
     "turtle": "crocodile, lizard",
     "frog": "salamander",
     "snake": "worm, eel",
@@ -132,7 +132,7 @@ REAL = frozenset(
     lumps macau maggie magnified magnifies maker makers makin march marches marian marie marion
     marked market markets marlon marrow martial martin martina martins math maze meal meals medial
     mellon melo mental meta metallica microscopy mikey milky milla mille milly mince mixes money
-    mono month months moore moron morons morse moses moth mouth mouths muse muses nail nails night
+    mono month months moore moron morons morse moses mouth mouths muse muses nail nails night
     nights odor offer offers olaf oliver oman option options oral ouch pacing packaged paddock paid
     paine painter painters pair palate palin pant pantry parsons pats paving paying pearl pearson
     pendant pendants persona phoned phony piazza pickle pickles picky piers piling pinky pistil

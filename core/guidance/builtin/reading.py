@@ -2,7 +2,16 @@
 
 import re
 
-from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, corrected, look_up
+from core.guidance.builtin.lexicon import (
+    LEXICON,
+    MEANT,
+    SLOTS,
+    Entry,
+    Vocabulary,
+    corrected,
+    look_up,
+    singulars,
+)
 from core.guidance.builtin.part_names import always_has, as_part, own_name
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
@@ -58,10 +67,14 @@ class Reading:
         tokens = self._tokens[at:]
         # The longest phrase first: "ice cream" must not be read as the colour "cream".
         for count in range(min(LONGEST, len(tokens)), 0, -1):
-            entry = look_up(" ".join(tokens[:count]), self.known)
+            phrase = " ".join(tokens[:count])
+            entry = look_up(phrase, self.known)
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
+            # "a computer mouse" is no mouse.
+            if count > 1 and any(form in MEANT for form in singulars(phrase)):
+                return self._leave_out(phrase, count)
         token = tokens[0]
         if token in WITHOUT:
             self._without = True
@@ -100,15 +113,19 @@ class Reading:
         # Only where it is surely one known word; anything less is a hint in the error.
         close = corrected(token)
         if not close or (close not in WITHOUT and look_up(close, self.known) is None):
-            self.left_out.append(token)
-            self._strange = self._accessory is not None
-            # What goes with the thing may be unknown, the thing itself may not.
-            if self._accessory is None:
-                self._pending.append(token)
-            return 1
+            return self._leave_out(token, 1)
         self.notes.append(f"{token!r} is read as {close!r}.")
         self._tokens[at] = close
         return self._take(at)  # it may begin a phrase: "a wizzard hat"
+
+    def _leave_out(self, unknown: str, count: int) -> int:
+        """Leave an unknown word, or a phrase of ``count``, out."""
+        self.left_out.append(unknown)
+        self._strange = self._accessory is not None
+        # What goes with the thing may be unknown, the thing itself may not.
+        if self._accessory is None:
+            self._pending.append(unknown)
+        return count
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
         slot, word = entry.slot, entry.word

@@ -34,7 +34,7 @@ SOLIDS = {
         Usual(0.2, PLASTIC, 0.3),
     ),
     "star": Noun(
-        "five pointed star; sheriff star, sheriff badge",
+        "five pointed star; sheriff star, sheriff badge, starfish, star fish, sea star",
         {"body": "*f4bf26"},
         Usual(0.2, PLASTIC, 0.3),
     ),

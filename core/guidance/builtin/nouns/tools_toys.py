@@ -366,7 +366,7 @@ TOOLS_AND_TOYS = {
         Usual(0.4, STEEL, 0.15),
     ),
     "baseball bat": Noun(
-        "bat; cricket bat",
+        "; cricket bat",
         {"body": "*d0a05a grain", "grip": "+2a2624 . leather", "knob": "&c08f4a grain"},
         Usual(0.85, WOOD, 0.19),
     ),
