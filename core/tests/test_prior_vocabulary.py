@@ -1,6 +1,7 @@
 """The built-in prior's parser: what it reads, what it corrects, what it refuses by name."""
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -202,6 +203,13 @@ def test_the_tables_hide_nothing_from_each_other():
     for word, forms in NEAREST.items():
         assert word in LEXICON
         assert not set(forms.split(", ")) & set(LEXICON)
+
+
+def test_the_readme_lists_all_things():
+    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    assert f"it knows {len(NOUNS)} things" in text
+    for group, nouns in GROUPS.items():
+        assert f"| {group.lower()} ({len(nouns)}) | {', '.join(nouns)} |" in text
 
 
 def test_the_words_are_those_that_were_drawn_in_their_order():
