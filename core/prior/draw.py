@@ -21,6 +21,11 @@ class Draw:
         """True with this probability."""
         return self(0, 1) < probability
 
+    def arranged(self, count: int = 3) -> "Draw":
+        """One of ``count`` draws that are the same in every object, for an arrangement: where each
+        object has its own, as the tufts of a bush, what is learnt is the mean of all, a lump."""
+        return Draw(torch.Generator().manual_seed(int(self(0, count))))
+
     def has(self, part: str, probability: float) -> bool:
         """Whether the thing has ``part``: as the caption states, or by chance."""
         # Drawn in any case: the draws that follow do not depend on the caption.

@@ -41,7 +41,7 @@ def helicopter(draw: Draw) -> Parts:
         "windows": egg((0, -0.25 - long * 0.42, z + 0.08), (x * 0.86, long * 0.62, x * 0.78)),
         "rotor": moved(
             join(
-                around(count, blade, draw(0, 90)),
+                around(count, blade, 45),
                 tube((0, 0, z), (0, 0, top + 0.16), 0.12, 0.03),
             ),
             (0, -0.12, 0),

@@ -158,7 +158,7 @@ def cookie(draw: Draw) -> Parts:
     body = join(tube((0, -thick, 0), (0, thick, 0), wide, 0.12), egg((0, 0, 0), (0.8, 0.24, 0.8)))
     bite = [ball((wide * 0.75, 0, wide * 0.75), 0.38), ball((wide * 0.98, 0, wide * 0.3), 0.2)]
     body = cut(body, *bite) if draw.chance(0.5) else body
-    turn = draw(0, 360)
+    turn = draw.arranged()(0, 360)
     spots = [(0.1, 0.1)] + [
         (r * math.cos(math.radians(turn + a)), r * math.sin(math.radians(turn + a)))
         for r, a in ((0.52, 0), (0.5, 75), (0.55, 150), (0.5, 220), (0.55, 290))
@@ -211,13 +211,13 @@ def fries(draw: Draw) -> Parts:
     front = [(-wide * 0.75, 0), (wide * 0.75, 0), (wide, high), (wide * 0.5, high * 0.86)]
     front += [(0, high * 0.8), (-wide * 0.5, high * 0.86), (-wide, high)]
     back = [*front[:3], (0, high * 1.15), (-wide, high)]
-    sticks = []
+    sticks, own = [], draw.arranged()
     for row in range(2):
         for k in range(5):
             x, y = (k - 2) * wide * 0.4, (row - 0.5) * deep * 0.9
-            top = high * draw(1.25, 1.65)
+            top = high * own(1.25, 1.65)
             stick = box((0, 0, top / 2 + 0.15), (0.105, 0.105, top / 2 - 0.15), 0.015)
-            sticks.append(moved(turned(stick, 1, (k - 2) * 4 + draw(-2, 2)), (x * 0.75, y, 0)))
+            sticks.append(moved(turned(stick, 1, (k - 2) * 4 + own(-2, 2)), (x * 0.75, y, 0)))
     return {
         "carton": join(prism(front, 1, deep, 0), prism(back, 1, 0.1, deep)),
         "fries": join(*sticks),
@@ -227,15 +227,15 @@ def fries(draw: Draw) -> Parts:
 def pancakes(draw: Draw) -> Parts:
     """A stack on a plate, butter and syrup on top."""
     wide, thick, count = draw(0.85, 0.95), draw(0.12, 0.15), 3 + draw.chance(0.5) + draw.chance(0.3)
-    stack, z = [], 0.12
+    stack, z, own = [], 0.12, draw.arranged()
     for _ in range(count):
-        x, y, size = draw(-0.06, 0.06), draw(-0.06, 0.06), wide * draw(0.94, 1.04)
+        x, y, size = own(-0.06, 0.06), own(-0.06, 0.06), wide * own(0.94, 1.04)
         stack.append(tube((x, y, z - 0.02), (x, y, z + 2 * thick), size, thick * 0.95))
         z += 2 * thick
     drop = capsule((wide * 1.0, 0, z - draw(0.35, 0.5)), (wide * 0.96, 0, z - 0.06), 0.12)
     syrup = join(
         tube((0, 0, z - 0.08), (0, 0, z + 0.06), wide * 0.72, 0.05),
-        around(5, join(drop, capsule((0.4, 0, z), (wide * 0.95, 0, z - 0.04), 0.12)), draw(0, 70)),
+        around(5, join(drop, capsule((0.4, 0, z), (wide * 0.95, 0, z - 0.04), 0.12)), 18),
     )
     butter = turned(box((0, 0, z + 0.13), (0.24, 0.24, 0.12), 0.03), 2, draw(10, 60))
     plate = lathe([(0.75, 0), (wide + 0.38, 0.14)], 0.05)

@@ -149,11 +149,10 @@ def grapes(draw: Draw) -> Parts:
     """A bunch, tip down, a stalk and a leaf above."""
     size, high, wide = draw(0.21, 0.25), draw(1.5, 1.75), draw(0.55, 0.65)
     balls, layers = [ball((0, 0, size), size)], 6
-    for k in range(1, layers):
+    for k, count in enumerate((3, 5, 7, 8, 7), 1):
         z = size + (high - size) * k / layers
         radius = wide * (k / (layers - 1.0)) ** 0.6 if k < layers - 1 else wide * 0.85
-        count = max(3, int(2 * math.pi * radius / (1.75 * size)))
-        balls.append(around(count, ball((radius, 0, z), size), draw(0, 60)))
+        balls.append(around(count, ball((radius, 0, z), size), 25 * k))
     core = taper((0, 0, size), (0, 0, high - 0.2), 0.12, wide * 0.85)
     return {
         "grapes": join(*balls, core),
@@ -198,7 +197,7 @@ def corn(draw: Draw) -> Parts:
     )
     return {
         "kernels": join(cob, *kernels),
-        "husk": join(around(4, husk, draw(0, 90)), tube((0, 0, -0.15), (0, 0, 0.3), 0.2, 0.04)),
+        "husk": join(around(4, husk, 45), tube((0, 0, -0.15), (0, 0, 0.3), 0.2, 0.04)),
     }
 
 

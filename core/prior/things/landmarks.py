@@ -138,7 +138,7 @@ def fountain(draw: Draw) -> Parts:
         "water": join(
             tube((0, 0, 0.14), (0, 0, rim - 0.07), r - 0.1),
             tube((0, 0, high - 0.06), (0, 0, high + 0.11), bowl - 0.09),
-            around(5 + draw.chance(0.5), fall, draw(0, 45)),
+            around(5 + draw.chance(0.5), fall, 20),
             jet,
         ),
     }

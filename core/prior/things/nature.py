@@ -179,7 +179,7 @@ def palm(draw: Draw) -> Parts:
         taper((lean * 0.35, 0, top * 0.55), (lean, 0, top), 0.16, 0.13),
     )
     return {
-        "leaves": moved(around(count, leaf, draw(0, 60)), (lean, 0, top)),
+        "leaves": moved(around(count, leaf, 15), (lean, 0, top)),
         "trunk": join(trunk, egg((0, 0, 0.05), (0.45, 0.45, 0.12))),
         "nuts": moved(around(3, nut, -90), (lean, 0, top)),
     }

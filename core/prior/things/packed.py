@@ -48,7 +48,7 @@ def pie(draw: Draw) -> Parts:
 
     rim = around(16, egg((wide + 0.02, 0, high + 0.02), (0.17, 0.24, 0.14)))
     return {
-        "crust": join(turned(lattice, 2, draw(0, 45)), rim),
+        "crust": join(turned(lattice, 2, 20), rim),
         "filling": lathe([(wide * 0.6, 0.08), (wide - 0.08, high - 0.02)]),
         "dish": lathe([(wide * 0.72, 0), (wide + 0.05, high - 0.06)], 0.03),
     }

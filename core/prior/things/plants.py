@@ -26,12 +26,13 @@ from core.prior.things.fruits import bent
 
 
 def _crown(draw: Draw, wide: float, high: float, z: float, count: int = 9) -> Solid:
-    """Round tufts about a middle, more above than below."""
+    """Round tufts about a middle, more above than below; of few arrangements."""
+    own = draw.arranged()
     tufts: list[Solid] = [egg((0, 0, z), (wide * 0.8, wide * 0.8, high * 0.85))]
     for k in range(count):
-        angle, level = 2.4 * k + draw(-0.3, 0.3), -0.35 + 1.15 * k / count
+        angle, level = 2.4 * k + own(-0.3, 0.3), -0.35 + 1.15 * k / count
         reach = wide * 0.72 * math.sqrt(max(0.1, 1 - level * level))
-        size = wide * draw(0.36, 0.46)
+        size = wide * own(0.36, 0.46)
         at = (reach * math.cos(angle), reach * math.sin(angle), z + high * 0.75 * level)
         tufts.append(ball(at, size))
     return join(*tufts)
@@ -45,9 +46,8 @@ def _pot(wide: float, high: float) -> Solid:
 def bush(draw: Draw) -> Parts:
     """Tufts down to the ground, sometimes with berries."""
     wide, high = draw(0.95, 1.1), draw(0.65, 0.9)
-    count = 8 + int(draw(0, 4))
-    crown = _crown(draw, wide, high, high * 0.85, count)
-    low = around(7, ball((wide * 0.72, 0, 0.32), 0.38), draw(0, 50))
+    crown = _crown(draw, wide, high, high * 0.85, 9)
+    low = around(7, ball((wide * 0.72, 0, 0.32), 0.38), 10)
     stems = join(around(3, taper((0.15, 0, -0.2), (0.2, 0, 0.4), 0.16, 0.1)))
     return {"leaves": cut(join(crown, low), box((0, 0, -2), (3, 3, 2))), "stems": stems}
 
@@ -64,8 +64,8 @@ def potted_plant(draw: Draw) -> Parts:
         )
 
     leaves = [
-        around(5, leaf(rise * 0.65, out + 0.15, 0.2), draw(0, 70)),
-        around(4, leaf(rise, out * 0.7, 0.2), draw(0, 70)),
+        around(5, leaf(rise * 0.65, out + 0.15, 0.2), 18),
+        around(4, leaf(rise, out * 0.7, 0.2), 45),
         taper((0, 0, high), (0.05, 0, high + rise * 1.15), 0.16, 0.08),
     ]
     return {
@@ -109,9 +109,9 @@ def rose(draw: Draw) -> Parts:
         return moved(around(count, turned(outer, 1, 14), first), (0, 0, (low + high) / 2))
 
     head = join(
-        petals(5, size, z - 0.35, z + 0.3, draw(0, 70)),
-        petals(4, size * 0.75, z - 0.1, z + 0.48, draw(0, 90)),
-        petals(3, size * 0.5, z + 0.0, z + 0.62, draw(0, 120)),
+        petals(5, size, z - 0.35, z + 0.3, 18),
+        petals(4, size * 0.75, z - 0.1, z + 0.48, 45),
+        petals(3, size * 0.5, z + 0.0, z + 0.62, 90),
         cup(size * 0.6, z - 0.38, z + 0.35),
     )
     leaf = turned(egg((0.36, 0, 0), (0.4, 0.22, 0.09)), 1, -draw(20, 40))
@@ -191,7 +191,7 @@ def stump(draw: Draw) -> Parts:
         ring((0, 0, high + 0.04), wide * 0.26, 0.06),
     )
     twig = taper((wide * 0.8, 0, high * 0.6), (wide + 0.4, 0, high + 0.1), 0.14, 0.11)
-    return {"bark": join(bark, turned(twig, 2, draw(-150, -30))), "wood": rings}
+    return {"bark": join(bark, turned(twig, 2, -70)), "wood": rings}
 
 
 def log(draw: Draw) -> Parts:
@@ -213,12 +213,12 @@ def log(draw: Draw) -> Parts:
 def boulder(draw: Draw) -> Parts:
     """A rock with flat faces, now and then moss on it."""
     size = [draw(0.85, 1.15), draw(0.75, 0.95), draw(0.6, 0.85)]
-    planes = []
+    planes, own = [], draw.arranged()
     for k in range(22):
         # Directions spread evenly over the sphere (a Fibonacci spiral), jittered.
-        z = 1 - (2 * k + 1) / 22 + draw(-0.06, 0.06)
-        angle, flat = 2.39996 * k + draw(-0.35, 0.35), math.sqrt(max(0.0, 1 - z * z))
-        planes.append((flat * math.cos(angle), flat * math.sin(angle), z, draw(0.82, 1.0)))
+        z = 1 - (2 * k + 1) / 22 + own(-0.06, 0.06)
+        angle, flat = 2.39996 * k + own(-0.35, 0.35), math.sqrt(max(0.0, 1 - z * z))
+        planes.append((flat * math.cos(angle), flat * math.sin(angle), z, own(0.82, 1.0)))
     smallest = min(size)
 
     def faceted(p, grow: float = 0.0):
@@ -230,7 +230,7 @@ def boulder(draw: Draw) -> Parts:
     def rock(p):
         return faceted(p).maximum(-0.55 * size[2] - p[:, 2])
 
-    angle = draw(0, 6.28)
+    angle = own(0, 6.28)
     by = (size[0] * 0.35 * math.cos(angle), size[1] * 0.35 * math.sin(angle), size[2] * 0.95)
     patch = egg(by, (0.55, 0.5, 0.4)) if draw.chance(0.4) else ball((0, 0, 0), 0.05)
     return {"rock": rock, "moss": lambda p: faceted(p, 0.04).maximum(patch(p))}
@@ -256,31 +256,31 @@ def acorn(draw: Draw) -> Parts:
 def oak_tree(draw: Draw) -> Parts:
     """A broad round crown on a stout trunk with boughs and roots."""
     wide, high, top = draw(0.95, 1.15), draw(0.65, 0.85), draw(0.95, 1.2)
-    z, trunk, count = top + high * 0.75, draw(0.2, 0.26), 9 + int(draw(0, 4))
+    z, trunk, count = top + high * 0.75, draw(0.2, 0.26), 10
     bough = taper((0.04, 0, top * 0.62), (wide * 0.55, 0, z - 0.15), trunk * 0.65, 0.1)
     root = taper((0.1, 0, 0.22), (trunk + 0.28, 0, 0.06), 0.15, 0.08)
-    lobes = around(6, ball((wide * 0.68, 0, z - high * 0.3), wide * 0.36), draw(0, 60))
+    lobes = around(6, ball((wide * 0.68, 0, z - high * 0.3), wide * 0.36), 15)
     return {
         "leaves": join(_crown(draw, wide, high, z, count), lobes),
         "trunk": join(
             taper((0, 0, 0.1), (0, 0, z), trunk * 1.15, trunk * 0.8),
-            around(4, bough, draw(0, 90)),
-            around(5, root, draw(0, 70)),
+            around(4, bough, 45),
+            around(5, root, 18),
         ),
     }
 
 
 def coral(draw: Draw) -> Parts:
     """Branches that fork, with round tips, on a stone."""
-    branches, count = [], 5
+    branches, count, own = [], 5, draw.arranged()
     for k in range(count):
-        angle = 2 * math.pi * k / count + draw(-0.25, 0.25)
-        c, s, high = math.cos(angle), math.sin(angle), draw(0.75, 1.05)
+        angle = 2 * math.pi * k / count + own(-0.25, 0.25)
+        c, s, high = math.cos(angle), math.sin(angle), own(0.75, 1.05)
         knee = (0.42 * c, 0.42 * s, high)
         branches.append(taper((0.05 * c, 0.05 * s, 0.2), knee, 0.2, 0.15))
         for turn, reach in ((-0.5, 0.4), (0.5, 0.36)):
             c, s = math.cos(angle + turn), math.sin(angle + turn)
-            tip = (knee[0] + reach * c, knee[1] + reach * s, high + draw(0.4, 0.7))
+            tip = (knee[0] + reach * c, knee[1] + reach * s, high + own(0.4, 0.7))
             branches.append(taper(knee, tip, 0.15, 0.13))
     top = draw(1.3, 1.5)
     branches.append(taper((0, 0, 0.2), (0, 0, top), 0.22, 0.16))

@@ -94,7 +94,7 @@ def drum(draw: Draw) -> Parts:
     radius, high = draw(0.78, 0.88), draw(0.75, 1.0)
     hoop = tube((0, 0, -0.1), (0, 0, 0.1), radius + 0.08, 0.03)
     stick = join(capsule((-0.5, 0, 0.12), (0.65, 0, 0.12), 0.085), ball((-0.5, 0, 0.12), 0.13))
-    sticks = (moved(turned(stick, 2, a), (0, 0, high)) for a in (draw(50, 75), draw(105, 130)))
+    sticks = (moved(turned(stick, 2, a), (0, 0, high)) for a in (62, 118))
     return {
         "shell": tube((0, 0, 0.0), (0, 0, high), radius),
         "hoops": join(moved(hoop, (0, 0, 0.1)), moved(hoop, (0, 0, high - 0.12))),

@@ -166,7 +166,7 @@ def xylophone(draw: Draw) -> Parts:
     slope = [(-x - 0.05, 0), (-x - 0.05, long * 0.72), (x + 0.05, short * 0.78), (x + 0.05, 0)]
     inner = [(-x + 0.15, -1), (-x + 0.15, long * 0.72 - 0.2), (x - 0.15, short * 0.78 - 0.2)]
     rail = cut(prism(slope, 2, 0.13, 0.13), prism([*inner, (x - 0.15, -1)], 2, 1))
-    start, end = (-x * 0.7, -0.25, 0.46), (x * draw(0.3, 0.7), draw(-0.1, 0.2), 0.46)
+    start, end = (-x * 0.7, -0.25, 0.46), (x * 0.5, 0.05, 0.46)
     return {
         "frame": both(rail, 1),
         "bars": join(*bars[::2]),

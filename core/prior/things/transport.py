@@ -57,7 +57,7 @@ def bicycle(draw: Draw) -> Parts:
     top = (0, -y + 0.1, bar)
     frame = [(rear, low), (low, post), (low, head), (post, head), (rear, post), (head, front)]
     spokes = join(*(box((0, 0, 0), (0.06, r, 0.05)), box((0, 0, 0), (0.06, 0.05, r))))
-    wheel = join(ring((0, 0, 0), r, tire, 0), turned(spokes, 0, draw(0, 90)))
+    wheel = join(ring((0, 0, 0), r, tire, 0), turned(spokes, 0, 45))
     return {
         "frame": rods(rod, *frame),
         "wheels": join(moved(wheel, rear), moved(wheel, front)),
