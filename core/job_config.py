@@ -2,10 +2,11 @@
 
 from dataclasses import replace
 
-from core.config import DRAFT, AppearanceConfig, Config, check, preset, with_settings
+from core.config import DRAFT, AppearanceConfig, Config, preset
 from core.geometry.sdf_net import SdfNetConfig
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job
+from core.settings import check, with_settings
 
 BUILTIN = "builtin"  # the guidance of that name
 # Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.

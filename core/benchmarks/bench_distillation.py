@@ -22,7 +22,7 @@ from core.appearance.lights import studio
 from core.appearance.material import MaterialNet
 from core.benchmarks import machine, row, table_line
 from core.benchmarks.bench_prior import main_delta_e, words_for
-from core.config import DRAFT, Config, PhaseConfig, RefineConfig, TextureConfig, with_settings
+from core.config import DRAFT, Config, PhaseConfig, RefineConfig, TextureConfig
 from core.errors import UserError
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, face_areas, health
@@ -37,6 +37,7 @@ from core.job_config import within
 from core.prior.draw import Draw
 from core.prior.families import build
 from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
+from core.settings import with_settings
 from core.stages.appearance import learn_appearance
 from core.stages.geometry import learn_geometry
 from core.stages.start_shape import fit_start_shape, sdf_net

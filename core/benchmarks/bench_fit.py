@@ -19,7 +19,7 @@ from core.benchmarks import machine, row, table_line
 from core.benchmarks.fit_scores import Truth, scores
 from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
-from core.config import DRAFT, GeometryConfig, with_settings
+from core.config import DRAFT, GeometryConfig
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.prompt_errors import known_things
@@ -31,6 +31,7 @@ from core.prior.draw import Draw
 from core.prior.families import FAMILIES, Shape, build
 from core.prior.tracer import render
 from core.render.normals import render_normals
+from core.settings import with_settings
 from core.stages.geometry import learn_geometry
 from core.stages.preview import over_grey
 from core.stages.start_shape import fit_start_shape, sdf_net

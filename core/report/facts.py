@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from core.config import setting_names
 from core.errors import UserError
 from core.io.input_file import own_file
 from core.io.job import LAST, Job, read_events
 from core.io.json_file import read_object
 from core.io.run_folder import RunFolder
 from core.job_config import config_of
+from core.settings import setting_names
 
 REMAKE = "Make the asset again, or report on another run."
 STAGES = ("fit", "geometry", "sharpen", "start", "unwrap", "appearance", "bake")

@@ -11,7 +11,7 @@ from core.appearance.latlong import directions
 from core.appearance.material import MaterialNet
 from core.appearance.shade import shade
 from core.camera import Cameras
-from core.config import DRAFT, RefineConfig, preset, with_settings
+from core.config import DRAFT, RefineConfig, preset
 from core.geometry.tet_grid import tet_grid
 from core.guidance.guidance import MaterialRanges
 from core.io.job import Job, read_events
@@ -20,6 +20,7 @@ from core.io.run_folder import RunFolder
 from core.job_config import config_of, within
 from core.ops import normalize
 from core.render.antialias import edge_table
+from core.settings import with_settings
 from core.stages.appearance import LitObject
 from core.stages.geometry import Distillation, geometry_phases, learn_geometry
 from core.stages.lit_shape import CLAY, LitShape, clay, lit_shape, take_material

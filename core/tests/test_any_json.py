@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from core.appearance.lights import load_light
-from core.config import PRESETS, Config, check, preset, setting_names, with_settings
+from core.config import PRESETS, Config, preset
 from core.device import device_of
 from core.errors import UserError
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint
@@ -20,6 +20,7 @@ from core.io.asset import inspect
 from core.io.job import Job
 from core.io.mesh_file import load_mesh
 from core.job_config import config_of
+from core.settings import check, setting_names, with_settings
 from core.stages.start_color import start_picture
 from core.terminal import sentence_of
 from core.tests.bad_files import make_assets

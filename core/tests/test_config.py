@@ -5,11 +5,12 @@ from dataclasses import fields, replace
 
 import pytest
 
-from core.config import PRESETS, check, preset, setting_names, with_settings
+from core.config import PRESETS, preset
 from core.errors import UserError
 from core.io.job import Job
 from core.job_config import config_of
 from core.ranges import range_of
+from core.settings import check, setting_names, with_settings
 
 
 def test_every_setting_can_be_set_to_its_own_value():

@@ -14,7 +14,7 @@ from torch import Tensor
 from core.appearance.material import Material
 from core.appearance.shade import perturb
 from core.appearance.shaded import UvMesh
-from core.config import DRAFT, with_settings
+from core.config import DRAFT
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.guidance.builtin.nouns import NOUNS
@@ -26,6 +26,7 @@ from core.guidance.builtin.words import MATERIALS
 from core.guidance.guidance import PromptedGuidance, Surface
 from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion
 from core.ops import lab, srgb_to_linear
+from core.settings import with_settings
 from core.tests.texture_shapes import one_material, torus, torus_uv
 from core.tests.tiny_runs import remembered
 from core.texture import finish

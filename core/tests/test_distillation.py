@@ -6,7 +6,7 @@ import pytest
 import torch
 
 from core.camera import Cameras
-from core.config import preset, with_settings
+from core.config import preset
 from core.errors import UserError
 from core.guidance import sds
 from core.guidance.builtin.guidance import load_builtin
@@ -15,6 +15,7 @@ from core.guidance.guidance import Predictions, PromptedGuidance, Views
 from core.guidance.sds import Method, classifier_score, inverted_noise, sds_grad
 from core.io.job import Job
 from core.io.run_folder import RunFolder
+from core.settings import with_settings
 from core.stages.distill import Draw
 from core.stages.state import Training
 from core.stages.training import Setup

@@ -10,7 +10,7 @@ from safetensors.torch import load_file, save_file
 from torch.nn import functional as F
 
 from core.camera import CameraConfig, Cameras, sample_cameras, sample_groups
-from core.config import PRESETS, GuidanceConfig, with_settings
+from core.config import PRESETS, GuidanceConfig
 from core.errors import UserError
 from core.generate import prepare
 from core.guidance.guidance import Views
@@ -24,6 +24,7 @@ from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numb
 from core.guidance.stable_diffusion.networks import UNet2DConditionModel, unet_config
 from core.guidance.stable_diffusion.source import Additions, Checkpoint
 from core.io.job import Job
+from core.settings import with_settings
 from core.stages.distill import require_groups
 from core.tests.one_file import write_configurations, write_one_file
 

@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from core.command_line import job_of, main, parse
-from core.config import preset, with_settings
+from core.config import preset
 from core.errors import UserError
 from core.geometry.mesh import health
 from core.guidance.builtin.offered import offered_words
@@ -23,6 +23,7 @@ from core.reproduce.guides import GUIDES, guide_file, triangle_volume
 from core.reproduce.make import QUICK, Order, command_words, words_of
 from core.reproduce.numbers import LABELS, guide_distance
 from core.reproduce.page import write_page
+from core.settings import with_settings
 
 ROOT = Path(__file__).parents[2]
 
