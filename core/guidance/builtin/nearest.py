@@ -31,6 +31,7 @@ NEAREST = {
     "telescope": "binoculars, periscope",
     "pistol": "rifle, shotgun, musket",
     "baseball bat": "club",
+    "blender": "coffee machine",
     "castle": "dungeon, kingdom",
     "arch": "portal, tunnel",
     "flower": "orchid, bouquet",

@@ -117,7 +117,7 @@ PROPS = {
         Usual(0.26, WOOD, 0.47),
     ),
     "scroll": Noun(
-        "parchment scroll; parchment, map scroll",
+        "parchment scroll; parchment, map scroll, map, treasure map",
         {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f"},
         Usual(0.35, WOOD, 0.16),
     ),

@@ -29,7 +29,7 @@ TOOLS_AND_TOYS = {
         Usual(1.0, WOOD, 0.11),
     ),
     "drum": Noun(
-        "snare drum",
+        "snare drum; drum kit, drum set",
         {
             "shell": "*b71f24 . paint",
             "hoops": "+e0b84a . golden",
