@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 import torch
 
@@ -239,7 +240,8 @@ def test_four_legs_are_one_leg_four_times():
 
     found = [piece.primitive for piece in KnownParts(legs, Forms((1.0,), ((0.0,),) * 3)).pieces]
     assert [one.form for one in found] == ["box"] * 4
-    assert all((one.lengths == found[0].lengths).all() for one in found)
+    # But for the last digit, as the legs' faces are made flush.
+    assert np.ptp([one.lengths for one in found], axis=0).max() < 1e-12
     assert sorted(round(float(one.center[0]), 1) for one in found) == [-0.5, -0.5, 0.5, 0.5]
 
 
