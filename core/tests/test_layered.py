@@ -127,8 +127,10 @@ def test_there_are_no_more_than_so_many_layers(monkeypatch):
     assert found_in(tower, UP) is None
 
 
-def test_what_is_thinner_than_its_steps_are_known_is_none():
-    assert found_in(lambda p: box(p, half=(0.6, 0.03, 0.5)), ALONG_Y) is None
+def test_a_layer_without_height_is_none(monkeypatch):
+    """Both of its ends are the same faces."""
+    monkeypatch.setattr("core.geometry.layered.step_at", lambda *_: 0.0)
+    assert found_in(arch, ALONG_Y) is None
 
 
 def test_a_blade_has_no_layers():
