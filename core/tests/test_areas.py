@@ -1,9 +1,13 @@
 """The areas of one colour: points near a border go into their own area, along the surface."""
 
+from functools import partial
+
 import pytest
 import torch
 
+from core.geometry import pieces
 from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin import guidance
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.patterns import MARGINS
@@ -105,7 +109,10 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
         ("a lighthouse", (False, True, True, True)),  # its rings are of its nature
     ],
 )
-def test_the_areas_of_what_is_drawn(prompt, plain):
+def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
+    # On coarser lattices: an eighth of the time.
+    monkeypatch.setattr(guidance, "SolidAreas", partial(SolidAreas, cells=40))
+    monkeypatch.setattr(pieces, "SEARCH", 40)
     prompted = load_builtin("cpu").prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()
