@@ -50,6 +50,18 @@ def test_a_moved_point_stays_on_the_surface():
     assert (after - before).abs().max() < 0.004
 
 
+def test_a_slanted_border_is_left_along_the_surface():
+    def field(points):
+        x, _, z = points.unbind(1)
+        return z, torch.stack([-x - z, x + z], 1)
+
+    borders = SolidAreas(field, (True, True), cells=20)
+    points = torch.tensor([[0.01, 0.1, 0.0], [-0.02, 0.3, 0.0]])
+    moved = borders.at(points)[1]
+    expected = torch.tensor([[INSET, 0.1, 0.0], [-INSET, 0.3, 0.0]])
+    torch.testing.assert_close(moved, expected, atol=1e-4, rtol=0)
+
+
 def test_a_part_smaller_than_the_inset_is_not_left():
     def field(points):  # a disc of radius 0.04 on a plane
         r = points[:, :2].norm(dim=1)

@@ -183,7 +183,11 @@ def test_a_wall_within_another_is_none():
     assert wall(piece_of(two)) is None
 
 
-@pytest.mark.parametrize("distance", [arch, lambda p: np.linalg.norm(p, axis=1) - 0.5])
+def column(p):
+    return np.maximum(np.hypot(p[:, 0], p[:, 1]) - 0.5, np.abs(p[:, 2]) - 0.5)
+
+
+@pytest.mark.parametrize("distance", [arch, column, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_has_no_empty_middle_or_bulges_is_no_wall(distance):
     assert wall(piece_of(distance)) is None
 

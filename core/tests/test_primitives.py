@@ -55,6 +55,11 @@ def test_a_primitive_is_found_from_points_of_it(one):
         assert not found.lengths[3]  # and sharp
 
 
+def test_edges_that_are_hardly_blurred_are_sharp():
+    points = points_on(solid("box", (0.2, 0.3, 0.1, 0.02)), noise=0.002)
+    assert primitive_of(points, ERROR).lengths[3] == 0
+
+
 def test_lengths_that_are_not_meant_to_be_one_stay_two():
     found = primitive_of(points_on(solid("ellipsoid", (0.4, 0.35, 0.2))), ERROR)
     assert found.lengths[:2] == pytest.approx((0.4, 0.35), abs=5e-3)

@@ -85,8 +85,7 @@ def _tiny() -> SolidNet:
 @pytest.fixture(scope="module", autouse=True)
 def coarse() -> Iterator[None]:
     """Solids have their meshes on a lattice of a third as many nodes."""
-    grid = tet_grid(44)
-    with mock.patch.object(solid, "_grid", lambda: grid):
+    with mock.patch.object(solid, "_grid", return_value=tet_grid(44)):
         yield
 
 
