@@ -1,9 +1,13 @@
 """The areas of one colour: points near a border go into their own area, along the surface."""
 
+from functools import partial
+
 import pytest
 import torch
 
+from core.geometry import pieces
 from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin import guidance
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.patterns import MARGINS
@@ -44,6 +48,18 @@ def test_a_moved_point_stays_on_the_surface():
     points = _on_the_ball()
     before, after = (field(p)[0] for p in (points, borders.at(points)[1]))
     assert (after - before).abs().max() < 0.004
+
+
+def test_a_slanted_border_is_left_along_the_surface():
+    def field(points):
+        x, _, z = points.unbind(1)
+        return z, torch.stack([-x - z, x + z], 1)
+
+    borders = SolidAreas(field, (True, True), cells=20)
+    points = torch.tensor([[0.01, 0.1, 0.0], [-0.02, 0.3, 0.0]])
+    moved = borders.at(points)[1]
+    expected = torch.tensor([[INSET, 0.1, 0.0], [-INSET, 0.3, 0.0]])
+    torch.testing.assert_close(moved, expected, atol=1e-4, rtol=0)
 
 
 def test_a_part_smaller_than_the_inset_is_not_left():
@@ -105,7 +121,10 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
         ("a lighthouse", (False, True, True, True)),  # its rings are of its nature
     ],
 )
-def test_the_areas_of_what_is_drawn(prompt, plain):
+def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
+    # On coarser lattices: an eighth of the time.
+    monkeypatch.setattr(guidance, "SolidAreas", partial(SolidAreas, cells=40))
+    monkeypatch.setattr(pieces, "SEARCH", 40)
     prompted = load_builtin("cpu").prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()

@@ -2,12 +2,34 @@
 
 import math
 
+import numpy as np
 import pytest
 import torch
 
-from core.geometry.assembly import Forms, KnownParts, assembled
+from core.geometry import assembly
+from core.geometry import pieces as assembly_pieces
+from core.geometry.assembly import (
+    Forms,
+    KnownParts,
+    alike,
+    assembled,
+    fitted_together,
+    mirrored,
+    slack_of,
+)
+from core.geometry.lattice import Lattice
 from core.geometry.mesh import health
-from core.geometry.pieces import drawn_at, places_of, repeats, turned_share
+from core.geometry.pieces import (
+    Piece,
+    Place,
+    drawn_at,
+    places_of,
+    points_of,
+    repeats,
+    turned_share,
+)
+from core.geometry.primitives import Primitive, packed
+from core.geometry.tet_grid import EXTENT
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals
 from core.tests.meshes import torus
@@ -112,11 +134,121 @@ def test_what_is_round_is_told_by_the_piece_itself():
 
 def test_what_does_not_touch_is_joined():
     def apart(points):
-        ends = [box(points, (x, 0.0, 0.0), (0.2, 0.2, 0.2)) for x in (-0.4, 0.4)]
+        ends = [box(points, (x, 0.0, 0.0), (0.2, 0.2, z)) for x, z in ((-0.4, 0.2), (0.4, 0.206))]
         return torch.stack(ends, 1)
 
-    found = health(*made(apart, Forms((1.0, 1.0), ((0.0, 0.0),) * 3)))
+    verts, faces = made(apart, Forms((1.0, 1.0), ((0.0, 0.0),) * 3))
+    found = health(verts, faces)
     assert found["components"] == 1 and found["closed"] and found["genus"] == 0
+    # And their upper faces are one plane, in between.
+    left, right = (verts[x, 2].amax() for x in (verts[:, 0] < -0.3, verts[:, 0] > 0.3))
+    assert left == pytest.approx(float(right), abs=1e-6) and 0.201 < left < 0.205
+
+
+def piece_of(one, part=0, error=0.03):
+    """The piece whose surface a primitive's is."""
+    verts, faces = one.mesh(0.05)
+    low, high = verts.amin(0).double().numpy(), verts.amax(0).double().numpy()
+    place = Place(part, low, high, lambda points: torch.zeros(len(points), dtype=torch.bool))
+    return Piece(place, verts, faces, Lattice(np.ones((2, 2, 2)), low, 0.05), error)
+
+
+def upright(*lengths, at=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0)):
+    """A sharp box."""
+    return Primitive("box", np.array(at), np.array(turn), np.array([*lengths, 0.0]))
+
+
+CUBE = upright(0.4, 0.3, 0.2)
+CUBES = KnownParts(lambda points: CUBE.distance(points)[:, None], Forms((1.0,), ((0.0,),) * 3))
+
+
+@pytest.mark.parametrize("fault", ["ragged", "open"])
+def test_planes_that_tear_a_piece_or_open_it_are_not_taken(monkeypatch, fault):
+    piece = piece_of(CUBE)
+    noise = 0.01 * torch.randn(piece.verts.shape, generator=torch.Generator().manual_seed(0))
+    bad = {
+        "ragged": (piece.verts + noise, piece.faces),
+        "open": (piece.verts.clone(), piece.faces[1:]),
+    }[fault]
+    good = piece.verts + 0.01, piece.faces
+    for answer, taken in ((bad, False), (good, True)):
+        monkeypatch.setattr(assembly, "crisp", lambda *_, a=answer: a)
+        verts, _ = assembly.exact_surface(CUBES, piece)
+        assert (verts is answer[0]) == taken
+
+
+def layers(steps):
+    """The cube as one layer, each side of its outline in so many steps."""
+    corners = np.array([(-0.4, -0.3), (0.4, -0.3), (0.4, 0.3), (-0.4, 0.3)])
+    share = np.linspace(0, 1, steps, endpoint=False)[:, None]
+    sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, 0), strict=True)]
+    outline = packed([(-0.2, 0.2, [np.concatenate(sides)])])
+    return Primitive("layers", np.zeros(3), np.zeros(3), outline)
+
+
+def test_of_layers_that_fit_as_well_those_of_fewer_numbers_are_taken(monkeypatch):
+    fine, plain = layers(20), layers(1)
+    found = iter([fine, plain, fine])
+    monkeypatch.setattr(assembly, "layered", lambda *_: next(found))
+    one = CUBES._layered(piece_of(CUBE))
+    assert one is plain and next(found, None) is None  # along all three axes
+
+
+def test_layers_are_sought_along_a_piece_s_own_axes_and_around_it(monkeypatch):
+    frames, tilted = [], upright(0.4, 0.3, 0.1, turn=(0.0, 0.5, 0.3))
+    around_it = layers(1)
+    monkeypatch.setattr(assembly, "layered", lambda _, frame: frames.append(frame))
+    monkeypatch.setattr(assembly, "wall", lambda _: around_it)
+    assert CUBES._layered(piece_of(CUBE)) is around_it
+    assert len(frames) == 3
+    CUBES._layered(piece_of(tilted))
+    assert len(frames) == 9
+    along = [abs(frame[:, 2] @ tilted.frame[:, 2]) for frame in frames[6:]]
+    assert max(along) > 0.99
+
+
+def test_pieces_of_one_part_and_size_are_alike():
+    sizes = ((0, 0.3), (0, 0.1), (1, 0.1), (0, 0.105))
+    pieces = [piece_of(upright(half, half, half), part) for part, half in sizes]
+    assert sorted(map(sorted, alike(pieces))) == [[0], [1, 3], [2]]
+
+
+def test_three_pieces_may_be_worse_than_two():
+    assert slack_of(2) == 1 < slack_of(3)
+
+
+@pytest.mark.parametrize("placed", [mirrored, assembly.around])
+def test_pieces_that_are_mirrored_or_turned_are_fitted_together(placed):
+    """Legs that spread."""
+    leg = upright(0.06, 0.09, 0.3, turn=(0.1, 0.4, 0.0))
+    ends = [(0.5, 0.4), (-0.5, 0.4)] if placed is mirrored else [(0.5, 0.0), (-0.3, 0.4)]
+    middles = [np.array([*end, 0.1]) for end in ends]
+    pieces = [piece_of(leg.placed(placed(middle), middle)) for middle in middles]
+    points = [points_of(piece) for piece in pieces]
+    found = fitted_together(pieces, points)
+    for one, some in zip(found, points, strict=True):
+        assert one is not None and one.fits(some, pieces[0].error)
+        np.testing.assert_array_equal(one.lengths, found[0].lengths)
+
+
+def test_a_board_between_the_nodes_is_one_piece_and_what_is_only_near_is_none(monkeypatch):
+    monkeypatch.setattr(assembly_pieces, "SEARCH", 24)
+    cell = 2 * EXTENT / 24
+
+    def board(half):
+        """It rises slowly through the lattice."""
+
+        def at(points):
+            z = points[:, 2] - 0.1 * points[:, 0]
+            flat = torch.stack([points[:, 0].abs() - 0.6, points[:, 1].abs() - 0.4])
+            return torch.maximum(flat.amax(0), z.abs() - half * cell)[:, None]
+
+        return at
+
+    assert len(list(places_of(board(0.3), 1))) == 1
+    assert not list(places_of(lambda points: board(0.0)(points) + 0.1 * cell, 1))
+    speck = lambda points: points.norm(dim=1, keepdim=True) - 0.5 * cell  # noqa: E731
+    assert not list(places_of(speck, 1))
 
 
 def test_there_is_none_where_nothing_is_inside():
@@ -239,7 +371,8 @@ def test_four_legs_are_one_leg_four_times():
 
     found = [piece.primitive for piece in KnownParts(legs, Forms((1.0,), ((0.0,),) * 3)).pieces]
     assert [one.form for one in found] == ["box"] * 4
-    assert all((one.lengths == found[0].lengths).all() for one in found)
+    # But for the last digit, as the legs' faces are made flush.
+    assert np.ptp([one.lengths for one in found], axis=0).max() < 1e-12
     assert sorted(round(float(one.center[0]), 1) for one in found) == [-0.5, -0.5, 0.5, 0.5]
 
 

@@ -47,30 +47,38 @@ SHORT = {
     "geometry.fit_steps": 60,
     "geometry.views": 2,
     "geometry.views_at_once": 2,
-    "appearance.early.steps": 20,
+    "appearance.early.steps": 14,
     "appearance.late.steps": 2,
     "appearance.refine.rounds": 1,
     "appearance.refine.steps": 4,
     "appearance.refine.views": 2,
-    "appearance.refine.size": 64,
+    "appearance.refine.size": 32,
     "appearance.learning_rate": 0.03,
-    "appearance.early.size": 64,
-    "appearance.late.size": 64,
+    "appearance.early.size": 32,
+    "appearance.late.size": 32,
     "appearance.views": 2,
 }
 OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
 OPTIONS += ["--texture-size=64", "--max-faces=600"]
 
+LOOSE = """
+import runpy
+from core.tests.tiny_runs import loosely_packed
+loosely_packed().start()
+runpy.run_module("core", run_name="__main__", alter_sys=True)
+"""
+
 
 def core(*argv: object, recorded: Path | None = None) -> "subprocess.Popen[str]":
     """A process of its own; ``recorded`` is a recorder of what it tries to reach.
 
-    It then runs without a network.
+    It then runs without a network, and packs as loosely as the forks do.
     """
     places = [str(recorded)] if recorded else []
     environ = os.environ | {"PYTHONPATH": os.pathsep.join([*places, str(ROOT)])} | ONE_THREAD
     cut = cut_off() if recorded else ()
-    command = [*cut, sys.executable, "-m", "core", *map(str, argv)]
+    module = ["-c", LOOSE] if recorded else ["-m", "core"]
+    command = [*cut, sys.executable, *module, *map(str, argv)]
     return subprocess.Popen(
         command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )

@@ -97,6 +97,46 @@ def test_layers_are_found_in_a_frame_of_their_own():
     assert one is not None and farthest(one, tilted) < 0.025
 
 
+def test_the_rounded_ends_of_a_layer_do_not_lessen_its_outline():
+    (layer,) = unpacked(found_in(cushion, ALONG_Y).lengths)
+    ends = np.stack([x(np.concatenate(layer[2]), axis=0) for x in (np.min, np.max)])
+    np.testing.assert_allclose(ends, [(-0.5, -0.6), (0.5, 0.6)], atol=1e-3)
+
+
+def cushion(p):
+    return box(p, half=(0.52, 0.17, 0.42)) - 0.08
+
+
+def test_what_is_nearly_the_same_on_both_sides_is_so_in_a_layer():
+    (layer,) = unpacked(found_in(arch, ALONG_Y, wave=0.002).lengths)
+    x = np.concatenate(layer[2])[:, 1]
+    assert abs(x.min() + x.max()) < 1e-3  # the waves are not: 0.004
+
+
+def tower(p):
+    """Three boxes, the middle one narrow."""
+    return np.min([box(p, (0.0, 0.0, z), (x, x, 0.25)) for z, x in TOWER], 0)
+
+
+TOWER = ((-0.5, 0.6), (0.0, 0.3), (0.5, 0.6))  # heights, half widths
+
+
+def test_there_are_no_more_than_so_many_layers(monkeypatch):
+    assert len(unpacked(found_in(tower, UP).lengths)) == 3
+    monkeypatch.setattr("core.geometry.layered.MOST", 2)
+    assert found_in(tower, UP) is None
+
+
+def test_a_layer_without_height_is_none(monkeypatch):
+    """Both of its ends are the same faces."""
+    monkeypatch.setattr("core.geometry.layered.step_at", lambda *_: 0.0)
+    assert found_in(arch, ALONG_Y) is None
+
+
+def test_a_blade_has_no_layers():
+    assert found_in(blade, UP) is None
+
+
 @pytest.mark.parametrize("distance", [blade, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_tapers_or_bulges_is_not_of_layers(distance):
     piece = piece_of(distance)
@@ -123,7 +163,31 @@ def test_an_outline_around_a_line_is_a_wall():
     assert np.ptp(tops) < 0.05 and min(tops) > 0.3
 
 
-@pytest.mark.parametrize("distance", [arch, lambda p: np.linalg.norm(p, axis=1) - 0.5])
+def notched(p):
+    """A ring with a notch in front."""
+    r, angle = np.hypot(p[:, 0], p[:, 1]), np.arctan2(p[:, 0], -p[:, 1])
+    notch = np.maximum(0.6 * np.abs(angle) - 0.2, -0.1 - p[:, 2])
+    return np.maximum(np.maximum(np.abs(r - 0.6) - 0.09, np.abs(p[:, 2]) - 0.4), -notch)
+
+
+def test_the_front_of_a_wall_is_in_front():
+    assert farthest(wall(piece_of(notched)), notched) < 0.06
+
+
+def test_a_wall_within_another_is_none():
+    def two(p):
+        r = np.hypot(p[:, 0], p[:, 1])
+        inner = np.maximum(np.abs(r - 0.4) - 0.1, np.abs(p[:, 2]) - 0.5)
+        return np.minimum(inner, np.maximum(np.abs(r - 0.6) - 0.1, np.abs(p[:, 2] + 0.3) - 0.2))
+
+    assert wall(piece_of(two)) is None
+
+
+def column(p):
+    return np.maximum(np.hypot(p[:, 0], p[:, 1]) - 0.5, np.abs(p[:, 2]) - 0.5)
+
+
+@pytest.mark.parametrize("distance", [arch, column, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_has_no_empty_middle_or_bulges_is_no_wall(distance):
     assert wall(piece_of(distance)) is None
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from core.geometry.outline import area, contours, even, level, outline
+from core.geometry.outline import area, contours, even, level, line_of, outline
 
 ERROR, STEP = 0.04, 0.0125
 SIDE = np.arange(-0.8, 0.8, STEP)
@@ -76,6 +76,13 @@ def test_a_narrow_board_ends_flat():
     (loop,) = loops_of(rectangle(X, Y, (0.5, 0.04), 0.04))  # as round as it can be
     assert len(loop) == 4
     assert np.abs(np.abs(loop) - (0.5, 0.04)).max() < 6e-3
+
+
+def test_a_line_is_that_of_its_middle_not_of_its_rounded_ends():
+    x = np.linspace(0, 0.6, 49)
+    side = np.stack([x, -6 * (0.06 - x).clip(min=0) ** 2], 1)
+    line = line_of(side, ERROR)
+    assert line is not None and abs(line.place[1]) < 1e-9
 
 
 def test_specks_are_none():

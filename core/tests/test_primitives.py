@@ -5,7 +5,7 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.fitting import primitive_of
+from core.geometry.fitting import _covered, _evened, _fitted, primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
 from core.geometry.primitives import Primitive
@@ -49,6 +49,41 @@ def test_a_primitive_is_found_from_points_of_it(one):
         assert np.ptp(found.lengths) == 0  # a ball is one exactly
     if one.form == "frustum" and one.lengths[1] == one.lengths[2]:
         assert found.lengths[1] == found.lengths[2]
+    if one.turn is not TILTED and np.abs(one.frame).max(0).min() > 0.999:
+        assert np.abs(found.frame).max(0).min() == pytest.approx(1, abs=1e-12)  # exactly upright
+    if one.form in ("box", "frustum") and not one.lengths[3]:
+        assert not found.lengths[3]  # and sharp
+
+
+def test_edges_that_are_hardly_blurred_are_sharp():
+    points = points_on(solid("box", (0.2, 0.3, 0.1, 0.02)), noise=0.002)
+    assert primitive_of(points, ERROR).lengths[3] == 0
+
+
+def test_lengths_that_are_not_meant_to_be_one_stay_two():
+    found = primitive_of(points_on(solid("ellipsoid", (0.4, 0.35, 0.2))), ERROR)
+    assert found.lengths[:2] == pytest.approx((0.4, 0.35), abs=5e-3)
+    one = solid("ellipsoid", (0.4, 0.3, 0.2))
+    assert _evened(one, lambda _: 1.0) is one  # however well it fits
+
+
+def test_a_ring_without_a_hole_covers_nothing():
+    for tube, covered in ((0.12, True), (0.18, False)):
+        one = solid("ring", (0.2, tube))
+        assert _covered(one, points_on(one, noise=0.0), ERROR) == covered
+
+
+def test_rims_are_no_rounder_than_a_ball():
+    ball = points_on(solid("ellipsoid", (0.3, 0.3, 0.3)))
+    *half, rim = _fitted(solid("box", (0.3, 0.3, 0.3, 0.05)), ball, ERROR, rims=True).lengths
+    assert min(half) >= rim > 0.28
+
+
+def test_points_far_off_count_less():
+    ball = solid("ellipsoid", (0.3, 0.3, 0.3))
+    points = points_on(ball, noise=0.002)
+    points[::20] += (CENTER - points[::20]) / 2
+    assert np.abs(_fitted(ball, points, ERROR).lengths - 0.3).max() < 5e-3  # 0.01 by plain squares
 
 
 @pytest.mark.parametrize("one", SOLIDS, ids=lambda one: one.form)

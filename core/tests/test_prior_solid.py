@@ -1,8 +1,9 @@
 """The network that draws solids: its parts, its data, its training, and what it ships with."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache, partial
+from unittest import mock
 
 import pytest
 import torch
@@ -11,6 +12,7 @@ from safetensors.torch import load_file, save_file
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
+from core.guidance.builtin import solid
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import Solid, drawn_kind, load_solid_net, save_solid_net
@@ -78,6 +80,13 @@ def _tiny() -> SolidNet:
     torch.nn.init.normal_(net.kind.weight)
     net.counts[0, 0, 1:] = 1
     return net.eval().requires_grad_(False)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def coarse() -> Iterator[None]:
+    """Solids have their meshes on a lattice of a third as many nodes."""
+    with mock.patch.object(solid, "_grid", return_value=tet_grid(44)):
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from core.geometry.tangents import smooth_normals
 from core.io.asset import Maps, read_asset, write_asset
 from core.ops import normalize
 from core.stages.reshape import free_verts
-from core.tests.tiny_runs import OPTIONS, once
+from core.tests.tiny_runs import OPTIONS
 from core.texture.region import Region, edited, read_faces, region_weight
 from core.texture.texels import texel_points
 
@@ -100,11 +100,10 @@ def test_what_may_move_is_no_neighbour_of_the_border():
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> Path:
+def whole(tmp_path_factory, once) -> Path:
     """The run folder of a red torus; only read."""
     run = tmp_path_factory.mktemp("torus") / "whole"
-    with once():
-        assert main(["generate", "a red torus", f"--out={run}", *OPTIONS]) == 0
+    assert main(["generate", "a red torus", f"--out={run}", *OPTIONS]) == 0
     return run
 
 
