@@ -59,6 +59,26 @@ def test_it_is_where_the_asset_will_be_and_is_updated_in_place(addon, tmp_path):
     assert not mesh.validate()
 
 
+def test_a_box_has_sharp_edges_and_a_bent_surface_is_smooth(addon, tmp_path):
+    """The normals that run over a box's edges make it look inflated."""
+    path = tmp_path / "shape.npz"
+    verts = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    faces = np.array(quads, np.int32)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
+    for _ in range(2):  # when it is filled again, too
+        np.savez(path, verts=verts, faces=faces)
+        assert corners_off_their_faces(show(path).data) == pytest.approx(0, abs=1e-5)
+    write_shape(path)
+    assert corners_off_their_faces(show(path).data) > 0.1
+
+
+def corners_off_their_faces(mesh: bpy.types.Mesh) -> float:
+    """The largest distance between a corner's normal and its face's."""
+    corners = np.array([corner.vector[:] for corner in mesh.corner_normals])
+    faces = np.repeat([face.normal[:] for face in mesh.polygons], 3, 0)
+    return float(np.linalg.norm(corners - faces, axis=1).max())
+
+
 def test_a_file_that_is_being_replaced_is_passed_over(addon, tmp_path):
     path = tmp_path / "shape.npz"
     assert show(path) is None

@@ -6,6 +6,7 @@ and undo does not bring it back.
 
 from __future__ import annotations
 
+import math
 import zipfile
 import zlib
 from collections.abc import Sequence
@@ -21,6 +22,7 @@ from .progress import FollowedRun
 
 RUN = "fantasia3d_run"  # the custom property with the run of a preview object
 SIZE_M = 1.0  # the longest side, where the core reports none
+SHARP = math.radians(40)  # between two faces: more than a growing surface's ripples have
 GROWTH = 0.6  # of the longest side: room that a preview gets at least in width and depth
 
 
@@ -121,3 +123,4 @@ def _fill(mesh: bpy.types.Mesh, verts: np.ndarray, faces: np.ndarray) -> None:
     mesh.polygons.foreach_set("loop_start", np.arange(0, faces.size, 3, dtype=np.int32))
     mesh.update(calc_edges=True)
     mesh.shade_smooth()
+    mesh.set_sharp_from_angle(angle=SHARP)  # no normal map here: smooth, a box looks inflated
