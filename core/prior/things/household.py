@@ -101,13 +101,12 @@ def bookshelf(draw: Draw) -> Parts:
         box((0, -0.2, 0.09 + gap * (k + 0.5)), (x - 2 * wall, y, gap / 2 - 0.08), 0.01)
         for k in range(shelves)
     )
-    books, own, room = [], draw.arranged(), x - 0.2
+    books = []
     for k in range(shelves):
-        left, floor = -room, 0.17 + gap * k
-        for _ in range(4 + own.chance(0.5)):
-            half, tall = room * own(0.14, 0.22), (gap - 0.16) * own(0.55, 0.92) / 2
-            books.append(box((left + half, -0.04, floor + tall), (half, y - 0.15, tall), 0.02))
-            left += 2 * half
+        left, width = draw(-0.9, -0.6) * (x - 0.2), draw(0.55, 0.8) * (x - 0.2)
+        tall = (gap - 0.16) * draw(0.6, 0.85) / 2
+        floor = 0.17 + gap * k
+        books.append(box((left + width, -0.04, floor + tall), (width, y - 0.15, tall), 0.02))
     return {
         "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *inside),
         "books": join(*books),
