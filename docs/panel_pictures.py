@@ -2,8 +2,8 @@
 
     python3 run.py generate "a wooden treasure chest" --out CHEST
     python3 run.py explore "a red wooden chair" --count 4 --seed 1 --out CHAIRS
-    FANTASIA3D_PYTHON=PYTHON xvfb-run -a -s "-screen 0 1280x900x24" blender --factory-startup \\
-        --enable-event-simulate --window-geometry 0 0 1280 900 \\
+    FANTASIA3D_PYTHON=PYTHON xvfb-run -a -s "-screen 0 1280x960x24" blender --factory-startup \\
+        --enable-event-simulate --window-geometry 0 0 1280 960 \\
         --python docs/panel_pictures.py -- OUT chest CHEST    # or: OUT chairs CHAIRS
 
 PYTHON has the core's packages. OUT gets the whole window, for docs/images to be cut from: panel and
@@ -84,7 +84,7 @@ def chairs(screen: Screen) -> Iterator[float]:
     yield 5.0
     shown = [obj for obj in bpy.data.objects if obj.type == "MESH"]
     middle = sum((obj.location for obj in shown), Vector()) / len(shown)
-    look(screen, middle + Vector((0, 0, 0.3)), 4.0, (57, 62))
+    look(screen, middle + Vector((0, 0, 0.3)), 3.7, (44, 40))
     screen.region("UI").tag_redraw()
     yield 5.0
     screenshot("candidates")
@@ -99,9 +99,7 @@ def understood(prompt: str) -> Iterator[float]:
     yield 0.5
 
 
-def look(
-    screen: Screen, at: Sequence[float], far: float, turned_deg: tuple[float, float]
-) -> None:
+def look(screen: Screen, at: Sequence[float], far: float, turned_deg: tuple[float, float]) -> None:
     """From the front: up from straight down, then to the right."""
     up, right = turned_deg
     region = screen.area.spaces.active.region_3d
