@@ -123,7 +123,7 @@ def frames(
 
 def physics_rows(chair: Path, _torus: Path, _mug: Path) -> list[list[Image.Image]]:
     """A soft body, a cloth, and a sheet over the chair."""
-    soft = simulation.Options(frames=40, height=0.6, softness=0.75)
+    soft = simulation.Options(frames=40, height=0.6, softness=0.45)
     cloth = simulation.Options(frames=40, height=0.4)
     drape = simulation.Options(frames=60)
     return [
