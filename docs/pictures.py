@@ -86,11 +86,11 @@ def materials(chair: Path, _torus: Path, _mug: Path) -> list[list[Image.Image]]:
 
 
 def cornell(chair: Path, torus: Path, mug: Path) -> list[list[Image.Image]]:
-    """All three in the box, the mug on the torus's other side."""
+    """All three in the box, about as large as one another, the mug on the torus's other side."""
     target = empty()
     objs = [import_asset(target, folder) for folder in (torus, chair, mug)]
     for obj, size in zip(objs, (0.8, 1.0, 0.62), strict=True):
-        obj.scale = (size, size, size)
+        obj.scale = (size / max(obj.dimensions),) * 3
     objs[1].rotation_euler.z = -0.35
     cornell_box.build(target, objs)
     render.set_up_cycles(target, 420, 3 * SAMPLES)
@@ -123,7 +123,7 @@ def frames(
 
 def physics_rows(chair: Path, _torus: Path, _mug: Path) -> list[list[Image.Image]]:
     """A soft body, a cloth, and a sheet over the chair."""
-    soft = simulation.Options(frames=40, height=0.6, softness=0.75)
+    soft = simulation.Options(frames=40, height=0.6, softness=0.45)
     cloth = simulation.Options(frames=40, height=0.4)
     drape = simulation.Options(frames=60)
     return [

@@ -47,7 +47,7 @@ WORDY = 0.001  # errors in the mean, for each number of an outline
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
-TORN = 1.05  # times the bending of what is drawn, at most
+STRAIGHT = 0.83  # times the bending of what is drawn, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
 STRUT = 0.03  # radius, training units
 
@@ -270,4 +270,4 @@ def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
     made = crisp(verts, faces, verts, of, (flat,), piece.error)
     before, after = (bending(v.double().numpy(), f.numpy()) for v, f in ((verts, faces), made))
     # On what is finer than its errors the planes are wrong, and leave it ragged.
-    return made if after < TORN * before and is_solid(*made) else (verts, faces)
+    return made if after < STRAIGHT * before and is_solid(*made) else (verts, faces)

@@ -118,7 +118,8 @@ def plain(name: str) -> str:
 # The core's folders and files, lowest first: each imports only from those before it.
 ORDER = (
     "errors", "interrupt", "terminal", "ranges", "device", "camera", "ranks", "kernels", "ops",
-    "adam", "hash_grid", "geometry", "config", "settings", "io", "render", "appearance", "guidance", "texture",
+    "adam", "hash_grid", "geometry", "config", "settings", "io", "render", "appearance", "guidance",
+    "texture",
     "simulation", "job_config", "stages", "provenance", "generate", "explore", "verify", "picture",
     "report", "batch", "together", "prior", "benchmarks", "reproduce", "options",
     "command_line", "__main__",
