@@ -219,7 +219,6 @@ ANIMALS = {
             "eyes": "-f2b41c",
             "pupils": "-111111",
             "bill": "-d99a2c",
-            "feet": "-d99a2c",
         },
         Usual(0.5, FLESH, 0.069),
     ),
