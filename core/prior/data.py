@@ -32,7 +32,7 @@ VIEWS = 4  # of one object
 OBJECTS = 256  # of one shard
 CAMERAS = CameraConfig(distance=(2.9, 3.1), elevation_deg=(-60.0, 78.0))  # bottoms too
 
-NOUNS = list(ORDER)
+NOUNS = ORDER
 ADJECTIVES = ["", *STRETCH]
 PART_STATES = ["", *PARTS]
 # The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.

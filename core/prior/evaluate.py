@@ -153,7 +153,7 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
 
     The network is shown nearly nothing but noise, and predicts in one step what may be behind it.
     """
-    samples = fresh(views, generator, [noun])
+    samples = fresh(views, generator, (noun,))
     index = torch.arange(0, len(samples), VIEWS)  # one of each object's
     captions = Painter().words(samples.noun[index], generator)
     captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)

@@ -26,7 +26,7 @@ class PartScore(NamedTuple):
 
 def score_parts(net: UNet, noun: str, objects: int, seed: int) -> PartScore:
     """Of ``objects`` fresh objects of the noun."""
-    samples = make(seed, objects, [noun])
+    samples = make(seed, objects, (noun,))
     pictures = samples.pictures()
     strength = torch.full((len(pictures),), STRENGTH)
     soft = soft_pictures(pictures, strength, torch.Generator().manual_seed(seed))

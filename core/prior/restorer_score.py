@@ -45,7 +45,7 @@ def score_restoring(
     net: UNet, noun: str, views: int, seed: int, *, close: bool = False
 ) -> RestoreScore:
     """Of ``views`` views, or close-ups, of fresh objects; the same seed is the same objects."""
-    pairs = make_pairs(seed, -(-views // VIEWS), [noun], close=close)
+    pairs = make_pairs(seed, -(-views // VIEWS), (noun,), close=close)
     s, soft = pairs.samples, pairs.soft_pictures()
     words = torch.stack([s.noun + 1, s.adjective, s.part_state], 1)
     words = words * (words <= torch.tensor(net.config.words))  # later nouns are "not stated"

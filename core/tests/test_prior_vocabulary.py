@@ -213,7 +213,7 @@ def test_the_readme_lists_all_things():
 
 
 def test_the_words_are_those_that_were_drawn_in_their_order():
-    assert list(NOUNS) == DRAWN
+    assert tuple(NOUNS) == DRAWN
     rows = [noun for group in GROUPS.values() for noun in group]
     assert sorted(rows) == sorted(NOUNS), "each once, and in the networks' order"
     assert ["", *SHAPES] == ADJECTIVES == ["", *STRETCH]
