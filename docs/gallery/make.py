@@ -18,9 +18,10 @@ BATCH = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
+    "a castle",
+    "a penguin",
     "a rusty metal robot",
     "a golden crown",
-    "a red wooden chair",
     "a white car with red wheels",
 )
 SHOWN = ("normal", "base_color", "cycles")
