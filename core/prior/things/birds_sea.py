@@ -75,6 +75,7 @@ def owl(draw: Draw) -> Parts:
     tail = box((0, wide * 0.75, 0.2), (0.22, 0.22, 0.12), 0.06)
     trunk = blend(0.15, egg((0, 0, high), (wide, wide * 0.85, high * 0.95)), ball((0, 0, z), head))
     wing = egg((wide * 0.9, 0.08, high * 0.95), (0.16, wide * 0.62, high * 0.72))
+    belly = egg((0, -0.14, high * 0.85), (wide * 0.72, wide * 0.85, high * 0.72))
     bill = taper((0, y - 0.1, z - head * 0.12), (0, y - 0.22, z - head * 0.5), 0.11, 0.06)
     foot = join(
         taper((0.25, -0.1, 0.4), (0.28, -0.28, 0.14), 0.16, 0.14),
@@ -82,8 +83,7 @@ def owl(draw: Draw) -> Parts:
     )
     return {
         "body": join(trunk, both(tuft), tail),
-        "belly": egg((0, -0.14, high * 0.85), (wide * 0.72, wide * 0.85, high * 0.72)),
-        "face": both(tube((x, y - 0.12, z), (x, y + 0.2, z), head * 0.5, 0.05)),
+        "belly": join(belly, both(tube((x, y - 0.12, z), (x, y + 0.2, z), head * 0.5, 0.05))),
         "wings": both(wing),
         "eyes": both(tube((x, y - 0.2, z), (x, y, z), head * 0.34, 0.05)),
         "pupils": both(ball((x, y - 0.18, z), head * 0.19)),

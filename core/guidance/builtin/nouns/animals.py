@@ -213,8 +213,7 @@ ANIMALS = {
         "; barn owl, owlet",
         {
             "body": "*8a6642",
-            "belly": "+d9c29a",
-            "face": "+ead9b8",
+            "belly": "+e2cea8",
             "wings": "&6b4a2c",
             "eyes": "-f2b41c",
             "pupils": "-111111",
