@@ -53,6 +53,7 @@ from core.stages.training import Phase, Setup, gradient_of
 
 TOKENS = 77
 STEPS = 3  # of each phase that are timed, after one that is not
+LONG = 20.0  # s of that one, beside which what it does only once is little: it is the measurement
 FACES = 20_000  # of the mesh that the appearance is learned on
 PHASES = ("coarse", "fine", "appearance")
 # The shipped configuration of each architecture.
@@ -251,16 +252,19 @@ def grey(points: Tensor, uv: Tensor) -> Any:
 
 
 def wall_ms(run: Callable[[], object], device: torch.device, rounds: int = STEPS) -> float:
-    """Mean wall milliseconds of ``run`` after a first one, until the device has done it."""
-    run()
-    if device.type == "cuda":
-        torch.cuda.synchronize(device)
+    """Mean wall milliseconds of ``run`` after a first one, until the device has done it; or the
+    first one's, if it takes longer than ``LONG``."""
+    first = _seconds(run, device, 1)
+    return 1e3 * (first if first > LONG else _seconds(run, device, rounds) / rounds)
+
+
+def _seconds(run: Callable[[], object], device: torch.device, rounds: int) -> float:
     start = time.perf_counter()
     for _ in range(rounds):
         run()
     if device.type == "cuda":
         torch.cuda.synchronize(device)
-    return 1e3 * (time.perf_counter() - start) / rounds
+    return time.perf_counter() - start
 
 
 def schedule(found: dict[str, dict[str, float]], batch: int) -> dict[str, float]:

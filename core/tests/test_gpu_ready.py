@@ -12,8 +12,10 @@ from core.appearance import shaded
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import SurfacePoints, material_at
+from core.benchmarks import bench_rehearsal as rehearsed
 from core.benchmarks.bench_rehearsal import (
     PHASES,
+    STEPS,
     Rehearsal,
     bench_rehearsal,
     configurations,
@@ -261,3 +263,11 @@ def test_an_unknown_architecture_is_one_sentence(capsys):
     assert "a multiple of 4" in caught.value.fix
     assert main(["bench", "render", "--architecture", "sd15"]) == 2
     assert "belongs to bench guidance" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("long", "times"), [(0.0, 1), (60.0, 1 + STEPS)])
+def test_a_long_step_is_timed_once_and_a_short_one_after_a_first(monkeypatch, long, times):
+    monkeypatch.setattr(rehearsed, "LONG", long)
+    done = []
+    assert rehearsed.wall_ms(lambda: done.append(1), torch.device("cpu")) > 0
+    assert len(done) == times
