@@ -20,6 +20,7 @@ from torch import Tensor
 
 from core.errors import UserError
 
+LONG = 20.0  # s, beside which what only a first run does is little
 PARTS = ("render", "gradients", "geometry", "texture", "guidance", "gpu")
 
 
@@ -32,6 +33,19 @@ def least_ms(run: Callable[[], Any], rounds: int = 3) -> float:
         run()
         times.append(time.process_time() - start)
     return 1e3 * min(times)
+
+
+def wall_ms(run: Callable[[], object], device: torch.device, rounds: int = 5) -> float:
+    """Wall milliseconds of ``run`` until the device has done it, the least of ``rounds`` after a
+    first one; or that one's, if it takes longer than ``LONG``."""
+    times: list[float] = []
+    while len(times) <= rounds and not (times and times[0] > LONG):
+        start = time.perf_counter()
+        run()
+        if device.type == "cuda":
+            torch.cuda.synchronize(device)
+        times.append(time.perf_counter() - start)
+    return 1e3 * min(times[1:] or times)
 
 
 def row(

@@ -1,12 +1,9 @@
 """The renderer and a network of Stable Diffusion's size, on a CUDA device where there is one."""
 
-import time
-from collections.abc import Callable
-
 import torch
 from torch import Tensor
 
-from core.benchmarks import ball, row
+from core.benchmarks import ball, row, wall_ms
 from core.camera import Cameras
 from core.guidance.guidance import coarse_latent
 from core.guidance.stable_diffusion.networks import UNet2DConditionModel
@@ -21,18 +18,6 @@ SD15 = {
     "attention_head_dim": 8,
 }
 TOKENS = 77
-
-
-def wall_ms(run: Callable[[], object], device: torch.device, rounds: int = 5) -> float:
-    """Wall milliseconds of ``run`` until the device has done it, the least of several."""
-    times = []
-    for _ in range(rounds + 1):
-        start = time.perf_counter()
-        run()
-        if device.type == "cuda":
-            torch.cuda.synchronize(device)
-        times.append(time.perf_counter() - start)
-    return 1e3 * min(times[1:])
 
 
 def iteration_ms(

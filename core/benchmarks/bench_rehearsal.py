@@ -6,8 +6,6 @@ schedule foretold, before a checkpoint of gigabytes is there.
 
 import json
 import tempfile
-import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +16,7 @@ from torch import Tensor
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import UvMesh, render_shaded
-from core.benchmarks import ball, machine, row, table_line
+from core.benchmarks import ball, machine, row, table_line, wall_ms
 from core.camera import Cameras, sample_cameras
 from core.config import PAPER, Config
 from core.device import device_of
@@ -53,7 +51,6 @@ from core.stages.training import Phase, Setup, gradient_of
 
 TOKENS = 77
 STEPS = 3  # of each phase that are timed, after one that is not
-LONG = 20.0  # s of that one, beside which what it does only once is little: it is the measurement
 FACES = 20_000  # of the mesh that the appearance is learned on
 PHASES = ("coarse", "fine", "appearance")
 # The shipped configuration of each architecture.
@@ -208,7 +205,7 @@ def parts_ms(setup: Setup, phase: Phase, device: torch.device) -> dict[str, floa
     if phase.name != "coarse":  # whose latents are the normals themselves
         parts["VAE"] = lambda: encode(guidance, views, size, setup.config.views_at_once)
     parts["renderer"] = lambda: draw(setup, phase, cameras, size)
-    found = {name: wall_ms(run, device) for name, run in parts.items()}
+    found = {name: wall_ms(run, device, STEPS) for name, run in parts.items()}
     rest = found["a step"] - sum(ms for name, ms in found.items() if name != "a step")
     return found | {"field and the rest": max(rest, 0.0)}
 
@@ -249,22 +246,6 @@ def grey(points: Tensor, uv: Tensor) -> Any:
     one = torch.full_like(points[:, :1], 0.5).requires_grad_()
     up = points.new_tensor([0.0, 0.0, 1.0]).expand_as(points)
     return Material(one.expand_as(points), one, one, up)
-
-
-def wall_ms(run: Callable[[], object], device: torch.device, rounds: int = STEPS) -> float:
-    """Mean wall milliseconds of ``run`` after a first one, until the device has done it; or the
-    first one's, if it takes longer than ``LONG``."""
-    first = _seconds(run, device, 1)
-    return 1e3 * (first if first > LONG else _seconds(run, device, rounds) / rounds)
-
-
-def _seconds(run: Callable[[], object], device: torch.device, rounds: int) -> float:
-    start = time.perf_counter()
-    for _ in range(rounds):
-        run()
-    if device.type == "cuda":
-        torch.cuda.synchronize(device)
-    return time.perf_counter() - start
 
 
 def schedule(found: dict[str, dict[str, float]], batch: int) -> dict[str, float]:

@@ -136,7 +136,6 @@ def parser() -> argparse.ArgumentParser:
     evaluate.add_argument("--seed", type=count, default=1_000_000, help="the data's end at 100,000")
 
     ship = commands.add_parser("ship", help="put the trained weights into the project")
-    ship.add_argument("--held", action="store_true", help="trained with --hold")
     ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
 
     forms = commands.add_parser("forms", help="ask the families how flat and round each part is")
@@ -162,10 +161,12 @@ def data(options: argparse.Namespace) -> None:
         options.out.mkdir(parents=True, exist_ok=True)
     models = options.out / MODEL_VIEWS
     if not models.exists() and options.catalogue.exists():
-        write_samples(models, make_models(options.catalogue))
+        of_nouns = make_models(options.catalogue, nouns=options.nouns)
+        if of_nouns is not None:
+            write_samples(models, of_nouns)
     if models.exists():
         print(models, flush=True)
-    else:
+    elif not options.catalogue.exists():
         print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
     workers, nouns = options.workers, options.nouns
     for path in write_shards(options.out, range(options.shards), workers, nouns):
@@ -200,7 +201,7 @@ def train(options: argparse.Namespace) -> None:
         training.resume(checkpoint)
     elif options.start:
         training.start_from(options.start)
-    if options.hold:
+    if options.hold and not training.held:
         training.hold()
     run(training, source(options.out), checkpoint)
 
@@ -221,7 +222,7 @@ def ship(options: argparse.Namespace) -> None:
         print(path)
     if (options.out / f"{SOLID}_ema.safetensors").exists():
         path = WEIGHTS / f"{SOLID}.safetensors"
-        save_solid_net(path, trained_solid_net(options.out, path if options.held else None))
+        save_solid_net(path, trained_solid_net(options.out, path))
         print(path)
 
 

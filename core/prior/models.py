@@ -11,7 +11,7 @@ Java properties file with an entry ``key#number=value`` for each model's facts.
 import re
 import tempfile
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import torch
@@ -87,15 +87,20 @@ def _facts(text: str) -> list[dict[str, str]]:
     return [facts[number] for number in sorted(facts)]
 
 
-def make_models(path: Path, views: int = VIEWS, seed: int = SEED) -> Samples:
-    """``views`` views of each model of the catalogue; all that is seen is part 0."""
+def make_models(
+    path: Path, views: int = VIEWS, seed: int = SEED, nouns: Sequence[str] = NOUNS
+) -> Samples | None:
+    """``views`` views of each model of ``nouns`` in the catalogue, None of none; all that is seen
+    is part 0."""
     draw = Draw(torch.Generator().manual_seed(seed))
     rows = []
     for noun, verts, faces in catalogue_models(path):
+        if noun not in nouns:
+            continue
         cameras = sample_cameras(views, CAMERAS, draw.generator)
         seen = render_mesh(verts * draw(1 - JITTER, 1 + JITTER), faces, cameras, SIZE)
         rows.append(Samples.of(seen, cameras, NOUNS.index(noun)))
-    return joined(rows)
+    return joined(rows) if rows else None
 
 
 def render_mesh(

@@ -12,6 +12,7 @@ from jaxtyping import Bool, Float, Int
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
+from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid import solid_tensors
 from core.guidance.builtin.solid_net import KINDS, PARTS, SCALE, SolidNet, SolidNetConfig
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
@@ -229,11 +230,9 @@ class SolidTraining(Training):
         return gradient if self.step >= HOLD else torch.zeros_like(gradient)
 
 
-def trained_solid_net(folder: Path, before: Path | None = None) -> SolidNet:
-    """What ships: the decoder of the folder's checkpoint, with its averaged weights.
-
-    ``before``: the shipped weights, where only the folder's nouns have learnt.
-    """
+def trained_solid_net(folder: Path, before: Path) -> SolidNet:
+    """What ships: the decoder of the folder's checkpoint, with its averaged weights; of a held
+    training those of its nouns alone, and else what shipped ``before``."""
     net = Autoencoder()
     path = folder / "solid_ema.safetensors"
     weights = {name: tensor.float() for name, tensor in load_file(path).items()}
@@ -241,12 +240,13 @@ def trained_solid_net(folder: Path, before: Path | None = None) -> SolidNet:
     source = SolidSource(folder)
     net.decoder.counts.copy_(source.counts())
     net.decoder.mirrored.copy_(source.mirrored)
-    return kept(net.decoder, solid_tensors(before), source) if before else net.decoder
+    held = read_metadata(folder / "solid.safetensors")["training"]["held"]
+    return kept(net.decoder, solid_tensors(before), source) if held else net.decoder
 
 
 def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet:
-    """``net`` with the older one's tensors, but for the rows of the nouns that it has learnt: a
-    checkpoint rounds the others."""
+    """``net`` with the older one's tensors, but for the rows of the source's nouns: a checkpoint
+    rounds the others."""
     learnt = source.samples.words[:, 0].unique().long() + 1
     kinds = (KINDS * (learnt[:, None] - 1) + 1 + torch.arange(KINDS)).flatten()
     rows = {"words.0.weight": learnt, "own.weight": learnt, "counts": kinds}

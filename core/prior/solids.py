@@ -6,8 +6,9 @@ where the docstring says so, which is what sphere tracing needs.
 """
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
+from itertools import pairwise
 
 import torch
 from jaxtyping import Float
@@ -210,6 +211,17 @@ def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
     return distance
 
 
+def chain(stops: Iterable[tuple[Vector, float]]) -> Solid:
+    """The hulls of each two balls that follow one another; a ball is its centre and its radius."""
+    return join(*(taper(a, b, first, last) for (a, first), (b, last) in pairwise(stops)))
+
+
+def limb(points: Sequence[Vector], first: float, last: float) -> Solid:
+    """A round bar through the points, its radius from ``first`` to ``last``."""
+    count = len(points) - 1
+    return chain((at, first + (last - first) * k / count) for k, at in enumerate(points))
+
+
 def egg(center: Vector, radii: Vector) -> Solid:
     """An ellipsoid; a lower bound of the distance."""
     # |p / r| grows by at most 1 / smallest a unit, so times ``smallest`` it is no more than a
@@ -255,6 +267,11 @@ def turned(solid: Solid, axis: int, degrees: float) -> Solid:
         return solid(torch.stack(q, 1))
 
     return distance
+
+
+def tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
+    """``solid``, made about the origin, its front lowered, then carried to ``at``."""
+    return moved(turned(solid, 0, degrees), at)
 
 
 def both(solid: Solid, *axes: int) -> Solid:

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 import torch
-from safetensors import safe_open
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
@@ -24,6 +23,7 @@ from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
+from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import save_weights, write_tensors
 from core.guidance.sds import add_noise
@@ -243,6 +243,7 @@ class Training:
         self.alpha_bar = alpha_bar_schedule().to(self.device)
         self.generator = torch.Generator().manual_seed(config.seed)
         self.step, self.seconds, self.loss = 0, 0.0, float("nan")
+        self.held = False
 
     @property
     def progress(self) -> float:
@@ -303,6 +304,7 @@ class Training:
                 p.requires_grad_(False)
         for group in self.optimizer.param_groups:
             group["weight_decay"] = 0.0  # it would shrink the rows
+        self.held = True
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The tensors of a shipped file, by the names that they have here."""
@@ -316,7 +318,7 @@ class Training:
             if state := self.optimizer.state.get(p):  # what is held has none
                 tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
                 tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
-        facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss}
+        facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss, "held": self.held}
         write_tensors(path, tensors, {"training": json.dumps(facts)})
         save_weights(
             path.with_name(path.stem + "_ema.safetensors"), self.net.config, self.averaged()
@@ -330,9 +332,10 @@ class Training:
     def resume(self, path: Path) -> None:
         """Go on from ``save``'s file."""
         tensors = load_file(path)
-        with safe_open(path, "pt") as file:
-            facts = json.loads(file.metadata()["training"])
+        facts = read_metadata(path)["training"]
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
+        if facts.get("held"):
+            self.hold()
         # The generator's state is not in the file. Another seed, or the run would see its first
         # batches again.
         self.generator.manual_seed(self.config.seed + self.step)

@@ -26,11 +26,13 @@ from core.prior.solids import (
     ellipsoid,
     join,
     lathe,
+    limb,
     moved,
     polygon,
     prism,
     ring,
     taper,
+    tilted,
     tube,
     turned,
 )
@@ -219,6 +221,25 @@ def test_solids_made_in_two_ways_are_the_same():
     )
     round_one = ellipsoid((0, 0, 0), (0.7, 0.7, 0.7))(points)
     torch.testing.assert_close(round_one, points.norm(dim=1) - 0.7, atol=1e-5, rtol=0)
+
+
+def test_a_limb_tapers_evenly_through_its_points():
+    a, b, c = (0.0, 0.0, 0.0), (0.4, 0.1, 0.0), (0.4, 0.5, 0.3)
+    halves = join(taper(a, b, 0.3, 0.2), taper(b, c, 0.2, 0.1))
+    points = _points(500)
+    torch.testing.assert_close(limb([a, b, c], 0.3, 0.1)(points), halves(points))
+
+
+def test_what_is_tilted_has_its_front_lower():
+    """A ball in front of the middle, which is to -Y."""
+    low = tilted(ball((0, -1, 0), 0.1), 30, (0, 0, 2))
+    front = torch.tensor([[0.0, -math.cos(math.pi / 6), 2 - 0.5]])
+    torch.testing.assert_close(low(front), torch.tensor([-0.1]), atol=1e-6, rtol=0)
+
+
+def test_an_arrangement_is_one_of_few_and_the_same_in_every_object():
+    seen = {Draw(torch.Generator().manual_seed(seed)).arranged(3)(0, 1) for seed in range(40)}
+    assert len(seen) == 3
 
 
 def test_a_ring_has_a_hole_and_a_cut_removes():

@@ -127,6 +127,16 @@ def test_the_data_command_draws_the_models_for_the_geometry_alone(catalogue, tmp
     assert MODEL_VIEWS in capsys.readouterr().out  # made before, so it is not asked for again
 
 
+def test_the_data_of_some_nouns_has_their_models_alone(catalogue, tmp_path):
+    made = ["data", "--shards", "0", "--catalogue", str(catalogue), "--nouns"]
+    main([*made, "stool", "--out", str(tmp_path / "stool")])
+    assert set(read_shards([tmp_path / "stool" / MODEL_VIEWS]).noun.tolist()) == {
+        NOUNS.index("stool")
+    }
+    main([*made, "penguin", "--out", str(tmp_path / "penguin")])
+    assert not (tmp_path / "penguin" / MODEL_VIEWS).exists()
+
+
 def test_without_the_catalogue_the_data_command_says_how_to_get_it(tmp_path, capsys):
     missing = str(tmp_path / "none.sh3f")
     main(["data", "--shards", "0", "--out", str(tmp_path), "--catalogue", missing])

@@ -269,7 +269,7 @@ def test_a_training_learns_ships_and_draws(folder, tmp_path, monkeypatch):
     for path in folder.iterdir():
         (tmp_path / path.name).symlink_to(path)
     training.save(tmp_path / "solid.safetensors")
-    net = trained_solid_net(tmp_path)
+    net = trained_solid_net(tmp_path, WEIGHTS / "solid.safetensors")
     assert net.counts.sum() == len(source.samples)
     drawn = drawn_kind(net, _rows("chair")[:, :3], _generator())
     assert net.counts[..., drawn].sum() > 0

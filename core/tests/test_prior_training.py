@@ -198,14 +198,14 @@ def test_what_is_held_stays_to_the_bit_and_the_datas_nouns_learn(known, tmp_path
     write_shard(tmp_path, 0, 2, ["mug"])
     mug = 1 + NOUNS.index("mug")
     config = TrainConfig(batch=4, minutes=60, warm_up=1)
-    for again in (False, True):  # a resumed training holds too
+    for again in (False, True):
         training = Training(partial(UNet, TINY), config)
-        if again:
+        if again:  # it holds by itself
             training.resume(tmp_path / "net.safetensors")
         else:
             training.start_from(tmp_path / "old.safetensors")
+            training.hold()
         before = training.net.words[0].weight.detach().clone()
-        training.hold()
         for _ in range(3):
             training.advance(Geometry(tmp_path))
         training.save(tmp_path / "net.safetensors")

@@ -12,6 +12,7 @@ from core.prior.solids import (
     cut,
     egg,
     join,
+    limb,
     prism,
     ring,
     taper,
@@ -52,6 +53,42 @@ def unicorn(draw: Draw) -> Parts:
     start = (0, b.y - 0.1, b.z + 0.15)
     horn = taper(start, (0, b.y - 0.4, b.z + draw(0.7, 0.95)), 0.11, 0.04)
     return parts | {"horn": horn}
+
+
+def deer(draw: Draw) -> Parts:
+    """Slender, with branched antlers and a white tail."""
+    b = Beast(draw, 0.34, 0.68, 0.8, 0.24, (0.3, 0.66))
+    h, y, z = b.head, b.y, b.z
+    high = draw(0.6, 0.85)
+    beam = [
+        (0.14, y + 0.05, z + h * 0.7),
+        (0.34, y + 0.2, z + h + high * 0.4),
+        (0.4, y + 0.05, z + h + high),
+    ]
+    tines = [
+        taper(
+            (0.24, y + 0.14, z + h + high * 0.2), (0.3, y - 0.22, z + h + high * 0.38), 0.085, 0.07
+        ),
+        taper(
+            (0.36, y + 0.16, z + h + high * 0.55),
+            (0.66, y + 0.18, z + h + high * 0.85),
+            0.085,
+            0.07,
+        ),
+    ]
+    ear = taper((h * 0.7, y + 0.06, z + h * 0.4), (h + 0.24, y + 0.1, z + h * 0.65), 0.11, 0.07)
+    return {
+        "body": join(b.trunk(0.17), both(ear)),
+        "antlers": both(join(limb(beam, 0.1, 0.075), *tines)),
+        "muzzle": b.muzzle(0.16, 0.13),
+        "belly": join(
+            egg((0, -0.08, b.belly - 0.08), (b.wide * 0.85, b.long * 0.88, b.wide * 0.85)),
+            taper((0, b.long * 0.9, b.belly + 0.12), (0, b.long + 0.14, b.belly + 0.06), 0.13, 0.1),
+        ),
+        "hooves": b.feet(0.14),
+        "eyes": both(ball((h * 0.66, y - h * 0.62, z + h * 0.36), 0.08)),
+        "nose": b.nose(0.24, 0.09),
+    }
 
 
 def corgi(draw: Draw) -> Parts:
@@ -231,6 +268,7 @@ def monkey(draw: Draw) -> Parts:
 BEASTS = {
     "horse": fitted(horse),
     "unicorn": fitted(unicorn),
+    "deer": fitted(deer),
     "corgi": fitted(corgi),
     "dragon": fitted(dragon),
     "dinosaur": fitted(dinosaur),

@@ -16,15 +16,16 @@ from core.prior.solids import (
     capsule,
     egg,
     join,
+    limb,
     moved,
     prism,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
 )
 from core.prior.things.animals import fitted
-from core.prior.things.creatures import limb, tilted
 
 
 def _claws(x: float, y: float, z: float, reach: float, thick: float) -> Solid:

@@ -1,7 +1,6 @@
-"""Small creatures, a deer, and two that no one has seen."""
+"""Small creatures, and two that no one has seen."""
 
 import math
-from itertools import pairwise
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -14,30 +13,20 @@ from core.prior.solids import (
     both,
     box,
     capsule,
+    chain,
     cut,
     egg,
     join,
+    limb,
     moved,
     prism,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
 )
-from core.prior.things.animals import Beast, fitted
-
-
-def limb(points: list[Vector], first: float, last: float) -> Solid:
-    """A round bar through the points, its radius from ``first`` to ``last``."""
-    count = len(points) - 1
-    radii = [first + (last - first) * i / count for i in range(count + 1)]
-    ends = zip(pairwise(points), pairwise(radii), strict=True)
-    return join(*(taper(a, b, ra, rb) for (a, b), (ra, rb) in ends))
-
-
-def tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
-    """``solid``, made about the origin, its front lowered, then carried to ``at``."""
-    return moved(turned(solid, 0, degrees), at)
+from core.prior.things.animals import fitted
 
 
 def snake(draw: Draw) -> Parts:
@@ -254,44 +243,8 @@ def snail(draw: Draw) -> Parts:
     feeler = taper((0.1, -1.0, up), (0.14, -1.2, up - 0.05), 0.09, 0.075)
     return {
         "body": join(foot, both(join(stalk, feeler))),
-        "shell": join(*(taper(a, b, ra, rb) for (a, ra), (b, rb) in pairwise(coil))),
+        "shell": chain(coil),
         "eyes": both(ball((0.24, -1.0, up + 0.54), 0.12)),
-    }
-
-
-def deer(draw: Draw) -> Parts:
-    """Slender, with branched antlers and a white tail."""
-    b = Beast(draw, 0.34, 0.68, 0.8, 0.24, (0.3, 0.66))
-    h, y, z = b.head, b.y, b.z
-    high = draw(0.6, 0.85)
-    beam = [
-        (0.14, y + 0.05, z + h * 0.7),
-        (0.34, y + 0.2, z + h + high * 0.4),
-        (0.4, y + 0.05, z + h + high),
-    ]
-    tines = [
-        taper(
-            (0.24, y + 0.14, z + h + high * 0.2), (0.3, y - 0.22, z + h + high * 0.38), 0.085, 0.07
-        ),
-        taper(
-            (0.36, y + 0.16, z + h + high * 0.55),
-            (0.66, y + 0.18, z + h + high * 0.85),
-            0.085,
-            0.07,
-        ),
-    ]
-    ear = taper((h * 0.7, y + 0.06, z + h * 0.4), (h + 0.24, y + 0.1, z + h * 0.65), 0.11, 0.07)
-    return {
-        "body": join(b.trunk(0.17), both(ear)),
-        "antlers": both(join(limb(beam, 0.1, 0.075), *tines)),
-        "muzzle": b.muzzle(0.16, 0.13),
-        "belly": join(
-            egg((0, -0.08, b.belly - 0.08), (b.wide * 0.85, b.long * 0.88, b.wide * 0.85)),
-            taper((0, b.long * 0.9, b.belly + 0.12), (0, b.long + 0.14, b.belly + 0.06), 0.13, 0.1),
-        ),
-        "hooves": b.feet(0.14),
-        "eyes": both(ball((h * 0.66, y - h * 0.62, z + h * 0.36), 0.08)),
-        "nose": b.nose(0.24, 0.09),
     }
 
 
@@ -396,7 +349,6 @@ CREATURES = {
     "bee": fitted(bee),
     "crab": fitted(crab),
     "snail": fitted(snail),
-    "deer": fitted(deer),
     "mouse": fitted(mouse),
     "ghost": fitted(ghost),
     "alien": fitted(alien),

@@ -3,8 +3,6 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
-    Vector,
     around,
     ball,
     blend,
@@ -20,21 +18,17 @@ from core.prior.solids import (
     ring,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
 )
-
-
-def _tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
-    """``solid`` about the origin with its top tipped to the back, carried to ``at``."""
-    return moved(turned(solid, 0, -degrees), at)
 
 
 def laptop(draw: Draw) -> Parts:
     """Open, its screen leaning back."""
     x, y, high, lean = draw(0.95, 1.1), draw(0.62, 0.74), draw(0.6, 0.72), draw(8, 25)
     hinge = (0, y - 0.06, 0.14)
-    lid = _tilted(box((0, 0, high), (x, 0.09, high), 0.05), lean, hinge)
+    lid = tilted(box((0, 0, high), (x, 0.09, high), 0.05), -lean, hinge)
     keys = (
         box((x * u, y * v, 0.2), (x * 0.085, y * 0.11, 0.05), 0.02)
         for u in (-0.8, -0.57, -0.34, -0.11, 0.11, 0.34, 0.57, 0.8)
@@ -42,7 +36,7 @@ def laptop(draw: Draw) -> Parts:
     )
     return {
         "body": join(box((0, 0, 0.1), (x, y, 0.1), 0.06), lid),
-        "screen": _tilted(box((0, -0.08, high), (x - 0.1, 0.03, high - 0.11)), lean, hinge),
+        "screen": tilted(box((0, -0.08, high), (x - 0.1, 0.03, high - 0.11)), -lean, hinge),
         "keys": join(*keys),
         "touchpad": box((0, -y * 0.58, 0.19), (x * 0.3, y * 0.24, 0.03), 0.01),
     }
@@ -194,7 +188,7 @@ def game_controller(draw: Draw) -> Parts:
         "sticks": both(stick),
         "triggers": both(box((x, 0.5, 0.02), (0.26, 0.14, 0.12), 0.08)),
     }
-    return {name: _tilted(solid, -lean, up) for name, solid in parts.items()}
+    return {name: tilted(solid, lean, up) for name, solid in parts.items()}
 
 
 def light_bulb(draw: Draw) -> Parts:
@@ -218,7 +212,7 @@ def telephone(draw: Draw) -> Parts:
     dial = (0, (back - 0.15 - y) / 2, (z + 0.2) / 2)
     rise = z + 0.34
     face = (lathe([(r, -0.1), (r, top)], 0.02) for r, top in ((0.4, 0.08), (0.17, 0.15)))
-    disc, hub = (_tilted(part, -36, dial) for part in face)
+    disc, hub = (tilted(part, 36, dial) for part in face)
     grip = capsule((-reach, back + 0.15, rise), (reach, back + 0.15, rise), 0.14)
     cup = tube((reach, back + 0.15, rise - 0.26), (reach, back + 0.15, rise + 0.1), 0.26, 0.07)
     return {
@@ -271,10 +265,10 @@ def printer(draw: Draw) -> Parts:
     return {
         "body": join(
             cut(box((0, 0, z), (x, y, z), 0.07), slot),
-            _tilted(box((0, 0.12, 0.2), (x * 0.72, 0.09, 0.28), 0.03), lean, at),
+            tilted(box((0, 0.12, 0.2), (x * 0.72, 0.09, 0.28), 0.03), -lean, at),
         ),
         "paper": join(
-            _tilted(box((0, 0, sheet), (x * 0.6, 0.09, sheet + 0.1)), lean, at),
+            tilted(box((0, 0, sheet), (x * 0.6, 0.09, sheet + 0.1)), -lean, at),
             box((0, -y - 0.05, z * 0.62), (x * 0.58, 0.36, 0.08)),
         ),
         "tray": box((0, -y - 0.1, z * 0.42), (x * 0.72, 0.4, 0.09), 0.02),
