@@ -1,11 +1,14 @@
 """How flat and how round a noun's parts are: the shipped table, and what the families say."""
 
+import json
+
 import pytest
 import torch
 
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_forms import part_forms_table
+from core.prior import part_forms as asked
 from core.prior.families import Shape
 from core.prior.part_forms import axes_of, is_flat, is_round, part_forms
 from core.prior.solids import Solid, ball, box, join, tube
@@ -34,6 +37,19 @@ def test_the_table_is_of_the_families_of_today(noun):
         # Rounded to hundredths; and of 360 points of a handle one or two lie so near a bound that
         # another CPU has them on its other side.
         assert found == pytest.approx(row, abs=0.008)
+
+
+def test_asking_some_nouns_keeps_what_is_said_of_the_others(tmp_path, monkeypatch):
+    monkeypatch.setattr(asked, "part_forms", lambda noun: torch.full((4, 8), len(noun) / 10))
+    path = tmp_path / "forms.json"
+    asked.write_forms(path, ["mug", "chair"])
+    asked.write_forms(path, ["vase"])
+    table = json.loads(path.read_text())
+    assert {noun: row["flat"][0] for noun, row in table.items()} == {
+        "chair": 0.5,
+        "mug": 0.3,
+        "vase": 0.4,
+    }
 
 
 def test_flat_is_neither_a_ball_nor_a_cylinder_but_a_box_up_to_its_edges():
