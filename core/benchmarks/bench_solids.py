@@ -58,8 +58,9 @@ def solid_scores(guidance: BuiltinGuidance, noun: str, seeds: int) -> dict[str, 
 
 def variety(drawn: "list[Surface]", own: "tuple[Surface, ...]") -> float:
     """Mean distance of the drawn from one another over that of the noun's own objects; 1 where
-    there is one drawn only."""
-    return _spread(list(drawn)) / _spread(list(own)) if len(drawn) > 1 else 1.0
+    there is one drawn only, or all of its own are the same (balls)."""
+    spread = _spread(list(own))
+    return _spread(list(drawn)) / spread if len(drawn) > 1 and spread else 1.0
 
 
 def _spread(surfaces: list[Surface]) -> float:
