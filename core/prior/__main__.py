@@ -19,7 +19,7 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import save_solid_net
-from core.guidance.builtin.weights import load_weights, save_weights
+from core.guidance.builtin.weights import load_weights, ship_weights
 from core.io.atomic import disk_errors
 from core.io.input_file import check_file
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
@@ -216,9 +216,8 @@ def ship(options: argparse.Namespace) -> None:
         trained = options.out / f"{name}_ema.safetensors"
         if not trained.exists():  # the others are replaced, this one stays
             continue
-        net = load_weights(trained)
         path = WEIGHTS / f"{name}.safetensors"
-        save_weights(path, net.config, dict(net.named_parameters()), known)
+        ship_weights(path, load_weights(trained), known)
         print(path)
     if (options.out / f"{SOLID}_ema.safetensors").exists():
         path = WEIGHTS / f"{SOLID}.safetensors"

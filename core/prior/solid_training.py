@@ -13,8 +13,8 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.builtin.offered import read_metadata
-from core.guidance.builtin.solid import solid_tensors
 from core.guidance.builtin.solid_net import KINDS, PARTS, SCALE, SolidNet, SolidNetConfig
+from core.guidance.builtin.weights import load_tensors
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
 from core.prior.solid_data import SOLIDS, Solids, read_solids
 from core.prior.solid_kinds import NEAR, compared, kind_rows, kinds_of
@@ -224,7 +224,7 @@ class SolidTraining(Training):
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The decoder's tensors."""
-        return {f"decoder.{name}": tensor for name, tensor in solid_tensors(path).items()}
+        return {f"decoder.{name}": tensor for name, tensor in load_tensors(path).items()}
 
     def _held(self, gradient: Tensor) -> Tensor:
         return gradient if self.step >= HOLD else torch.zeros_like(gradient)
@@ -241,7 +241,7 @@ def trained_solid_net(folder: Path, before: Path) -> SolidNet:
     net.decoder.counts.copy_(source.counts())
     net.decoder.mirrored.copy_(source.mirrored)
     held = read_metadata(folder / "solid.safetensors")["training"]["held"]
-    return kept(net.decoder, solid_tensors(before), source) if held else net.decoder
+    return kept(net.decoder, load_tensors(before), source) if held else net.decoder
 
 
 def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet:

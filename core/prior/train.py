@@ -25,7 +25,7 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.weights import save_weights, write_tensors
+from core.guidance.builtin.weights import load_tensors, save_weights, write_tensors
 from core.guidance.sds import add_noise
 from core.prior.colored import CAPTION_SLOTS, Painter, blurred, lumpy
 from core.prior.data import (
@@ -286,7 +286,7 @@ class Training:
                 if name not in old:
                     p.zero_()
                 elif name.startswith("words."):
-                    rows = old[name].float()
+                    rows = old[name]
                     p[: len(rows)] = rows
                     # Row 0 is "not stated" and no word.
                     p[len(rows) :] = rows[1:].mean(0)
@@ -308,7 +308,7 @@ class Training:
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The tensors of a shipped file, by the names that they have here."""
-        return load_file(path)
+        return load_tensors(path)
 
     def save(self, path: Path) -> None:
         """Everything that ``resume`` needs, in one file; and the averaged weights next to it."""

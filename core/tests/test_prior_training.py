@@ -1,6 +1,7 @@
 """The prior's network, its camera map, its diffusion, its data and its training loop."""
 
 import math
+from dataclasses import replace
 from functools import partial
 
 import pytest
@@ -13,7 +14,7 @@ from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
 from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.builtin.solid import load_solid_net
-from core.guidance.builtin.weights import load_weights, load_words, save_weights
+from core.guidance.builtin.weights import load_weights, load_words, save_weights, ship_weights
 from core.guidance.sds import add_noise, eps_from_v
 from core.prior.__main__ import main
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, make, read_shards, write_shard
@@ -249,6 +250,48 @@ def test_weights_travel_in_half_precision(tmp_path):
     for a, b in zip(net.parameters(), again.parameters(), strict=True):
         torch.testing.assert_close(a, b, atol=1e-4, rtol=1e-3)
         assert not b.requires_grad
+
+
+def _large(seed: int) -> UNet:
+    """A network some of whose layers are shipped in bytes."""
+    torch.manual_seed(seed)
+    return UNet(replace(TINY, widths=(16, 16, 32, 32)))
+
+
+def test_shipped_layers_are_within_half_a_step_of_a_byte(tmp_path):
+    net, known = _large(0), {"noun": ["ball", "cube"]}
+    path = tmp_path / "net.safetensors"
+    ship_weights(path, net, known)
+    again = load_weights(path)
+    assert load_words(path) == known
+    stored = load_file(path)
+    in_bytes = [name for name in stored if stored[name].dtype == torch.int8]
+    assert in_bytes and not any(name.startswith("words.") for name in in_bytes)
+    for (name, a), b in zip(net.named_parameters(), again.parameters(), strict=True):
+        error = (a - b).abs() - a.abs() * 2e-3  # of the rounding to halves
+        half_step = a.abs().flatten(1).amax(1) / 254 if name in in_bytes else torch.zeros(len(a))
+        assert (error.view(len(a), -1).amax(1) <= half_step + 1e-6).all()
+
+
+def test_what_a_training_left_alone_is_shipped_to_the_bit(tmp_path):
+    """Through a checkpoint's half precision, once and again; what has learnt is another."""
+    path, net = tmp_path / "net.safetensors", _large(0)
+    ship_weights(path, net, {})
+    first = load_file(path)
+    with torch.no_grad():
+        net = load_weights(path)
+        net.words[0].weight[1] += 1
+        layer = next(n for n in first if n.endswith(".step")).removesuffix(".step")
+        rounded = {n: p.half().float() for n, p in net.named_parameters()}
+        net.load_state_dict(rounded)
+    ship_weights(path, net, {})
+    second = load_file(path)
+    changed = [name for name in first if not torch.equal(first[name], second[name])]
+    assert changed == ["words.0.weight"]
+    with torch.no_grad():
+        net.get_parameter(layer).mul_(1.5)
+    ship_weights(path, net, {})
+    assert not torch.equal(load_file(path)[f"{layer}.step"], first[f"{layer}.step"])
 
 
 @pytest.mark.parametrize(("load", "name"), [(load_weights, "parts"), (load_solid_net, "solid")])

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import torch
 from jaxtyping import Float, Int
-from safetensors.torch import load_file
 from torch import Tensor
 
 from core.geometry.init_shape import Shape, sample_surface
@@ -17,7 +16,7 @@ from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import BASE, KINDS, SCALE, SolidNet, SolidNetConfig, Triplane
 from core.guidance.builtin.stretch import IN_PLACE, NOT_STRETCHED, STRETCH, Frame, frame_of
-from core.guidance.builtin.weights import filled, write_tensors
+from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_tensors
 
 CHUNK = 1 << 16  # points at a time
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
@@ -136,11 +135,8 @@ def save_solid_net(path: Path, net: SolidNet) -> None:
     """The shipped form: half precision, and bytes for the tables of features, its bulk."""
     tensors = {}
     for name, tensor in net.state_dict().items():
-        if name in TABLES:
-            groups = tensor.view(-1, (2 * BASE) ** 2)  # a channel of a plane
-            step = groups.abs().amax(1, keepdim=True).clamp_min(1e-6) / 127
-            tensors[name] = (groups / step).round().to(torch.int8).view(tensor.shape)
-            tensors[f"{name}.step"] = step[:, 0].half()
+        if name in TABLES:  # a group is a channel of a plane
+            tensors |= in_bytes(name, tensor, tensor.numel() // (2 * BASE) ** 2)
         else:
             tensors[name] = tensor if tensor.dtype == torch.bool else tensor.half()
     write_tensors(path, tensors, {"config": json.dumps(asdict(net.config))})
@@ -151,16 +147,4 @@ def load_solid_net(path: Path) -> SolidNet:
     facts = read_metadata(path)["config"]
     for name in ("words", "widths"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
-    return filled(lambda: SolidNet(SolidNetConfig(**facts)), solid_tensors(path))
-
-
-def solid_tensors(path: Path) -> dict[str, Tensor]:
-    """The weights of the shipped form, in single precision."""
-    tensors = {
-        name: tensor if tensor.dtype == torch.bool else tensor.float()
-        for name, tensor in load_file(path).items()
-    }
-    for name in TABLES:
-        step = tensors.pop(f"{name}.step")[:, None]
-        tensors[name] = (tensors[name].view(len(step), -1) * step).view(tensors[name].shape)
-    return tensors
+    return filled(lambda: SolidNet(SolidNetConfig(**facts)), load_tensors(path))

@@ -1,4 +1,8 @@
-"""Files of weights: safetensors, with the network's sizes and words in the metadata."""
+"""Files of weights: safetensors, with the network's sizes and words in the metadata.
+
+The shipped form is in half precision, and its bulk in bytes: a tensor ``NAME`` of int8 is to be
+multiplied, group by group, by the steps ``NAME.step``.
+"""
 
 import json
 from collections.abc import Callable
@@ -6,6 +10,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TypeVar
 
+import torch
+from jaxtyping import Float
 from safetensors.torch import load_file, save_file
 from torch import Tensor, nn
 from torch.overrides import TorchFunctionMode
@@ -19,6 +25,8 @@ from core.io.atomic import atomic_file
 Net = TypeVar("Net", bound=nn.Module)
 # How torch's layers start their weights.
 DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
+STEP = ".step"
+BULK = 1 << 14  # numbers of a layer, from which on it is kept in bytes
 
 
 def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, str]) -> None:
@@ -35,21 +43,71 @@ def save_weights(
     tensors: dict[str, Tensor],
     words: Vocabulary | None = None,
 ) -> None:
-    """The shipped form, in half precision; ``words`` are those by slot that are good enough."""
+    """In half precision; ``words`` are those by slot that are good enough."""
     half = {name: tensor.half() for name, tensor in tensors.items()}
+    write_tensors(path, half, _metadata(config, words))
+
+
+def ship_weights(path: Path, net: UNet, words: Vocabulary) -> None:
+    """The shipped form of a U-Net: a layer's rows in bytes.
+
+    What is as in the file that this replaces, up to the rounding of a checkpoint, keeps its bytes:
+    what a held training left alone stays to the bit.
+    """
+    old = load_file(path) if path.exists() else {}
+    tensors = {}
+    for name, tensor in net.named_parameters():
+        layer = tensor.ndim > 1 and tensor.numel() >= BULK and not name.startswith("words.")
+        new = in_bytes(name, tensor, len(tensor)) if layer else {name: tensor.half()}
+        kept = {part: old[part] for part in new if part in old}
+        tensors |= kept if kept.keys() == new.keys() and _same(name, kept, tensor) else new
+    write_tensors(path, tensors, _metadata(net.config, words))
+
+
+def _metadata(config: UNetConfig | SolidNetConfig, words: Vocabulary | None) -> dict[str, str]:
     offered = {slot: list(known) for slot, known in (words or {}).items()}
-    metadata = {"config": json.dumps(asdict(config)), "words": json.dumps(offered)}
-    write_tensors(path, half, metadata)
+    return {"config": json.dumps(asdict(config)), "words": json.dumps(offered)}
+
+
+def _same(name: str, old: dict[str, Tensor], new: Tensor) -> bool:
+    before = whole(old)[name]
+    return before.shape == new.shape and torch.equal(before.half(), new.half())
+
+
+def in_bytes(name: str, tensor: Tensor, groups: int) -> dict[str, Tensor]:
+    """A tensor as bytes, and the step of each of its ``groups`` of numbers that lie together."""
+    rows = tensor.detach().reshape(groups, -1)
+    step = (rows.abs().amax(1, keepdim=True) / 127).clamp_min(1e-6)
+    whole_steps = (rows / step).round().to(torch.int8)
+    return {name: whole_steps.view(tensor.shape), f"{name}{STEP}": step[:, 0].half()}
+
+
+def whole(tensors: dict[str, Tensor]) -> dict[str, Float[Tensor, "..."]]:
+    """The tensors of a file in single precision; what is yes or no stays so."""
+    found = {
+        name: tensor if tensor.dtype == torch.bool else tensor.float()
+        for name, tensor in tensors.items()
+        if not name.endswith(STEP)
+    }
+    for name in found:
+        if name + STEP in tensors:
+            step = tensors[name + STEP].float()[:, None]
+            found[name] = (found[name].view(len(step), -1) * step).view(found[name].shape)
+    return found
+
+
+def load_tensors(path: Path) -> dict[str, Tensor]:
+    """The tensors of a file of weights, in single precision."""
+    return whole(load_file(path))
 
 
 def load_weights(path: Path) -> UNet:
-    """A network from ``save_weights``, in single precision, ready for use."""
+    """A network from ``save_weights`` or ``ship_weights``, in single precision, ready for use."""
     facts = read_metadata(path)["config"]
     for name in ("words", "widths", "attention"):  # JSON has no tuples
         facts[name] = tuple(facts[name])
-    # Half precision is for the file's size: the arithmetic's precision is the caller's autocast.
-    tensors = {name: tensor.float() for name, tensor in load_file(path).items()}
-    return filled(lambda: UNet(UNetConfig(**facts)), tensors)
+    # The file's precision is for its size: the arithmetic's is the caller's autocast.
+    return filled(lambda: UNet(UNetConfig(**facts)), load_tensors(path))
 
 
 def filled(make: Callable[[], Net], tensors: dict[str, Tensor]) -> Net:
