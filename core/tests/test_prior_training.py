@@ -270,7 +270,7 @@ def test_shipped_layers_are_within_half_a_step_of_a_byte(tmp_path):
     for (name, a), b in zip(net.named_parameters(), again.parameters(), strict=True):
         error = (a - b).abs() - a.abs() * 2e-3  # of the rounding to halves
         half_step = a.abs().flatten(1).amax(1) / 254 if name in in_bytes else torch.zeros(len(a))
-        assert (error.view(len(a), -1).amax(1) <= half_step + 1e-6).all()
+        assert (error.reshape(len(a), -1).amax(1) <= half_step + 1e-6).all()
 
 
 def test_what_a_training_left_alone_is_shipped_to_the_bit(tmp_path):
