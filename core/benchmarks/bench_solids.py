@@ -50,7 +50,7 @@ def solid_scores(guidance: BuiltinGuidance, noun: str, seeds: int) -> dict[str, 
     for seed in range(seeds):
         parts = prompted.of_object(seed).parts()
         assert parts is not None  # each of them has
-        made = assembled(parts, True, DRAFT.geometry.floaters, lambda done: None)
+        made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
         assert made is not None  # of some size
         drawn.append(made)
     cpu_s = (time.process_time() - start) / seeds
