@@ -63,7 +63,7 @@ def table(draw: Draw) -> Parts:
         )
     else:
         reach = 0.76 if disc else 1.0  # a disc has no corners
-        legs = _legs(x * reach, y * reach, top + plate, thick, draw.chance(0.4))
+        legs = _legs(x * reach, y * reach, top + plate, thick, round_legs=disc)
     return {"top": slab if disc else box((0, 0, top + plate), (x, y, plate), 0.03), "legs": legs}
 
 

@@ -1,5 +1,7 @@
 """Things that are worn or carried."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
@@ -353,22 +355,15 @@ def dress(draw: Draw) -> Parts:
 
 
 def wizard_hat(draw: Draw) -> Parts:
-    """A tall pointed hat with a wide brim, its tip bent."""
-    wide, high, brim, bend = draw(0.5, 0.6), draw(1.3, 1.8), draw(0.95, 1.1), draw(-0.6, 0.6)
-    knee = (bend * 0.25, 0, high * 0.6)
-    cone = blend(
-        0.1,
-        taper((0, 0, 0.1), knee, wide, wide * 0.5),
-        taper(knee, (bend, 0, high), wide * 0.5, 0.1),
-    )
-    star = around(5, prism([(0, -0.1), (0.24, 0), (0, 0.1)], 2, 0.08), 90)
-    stand = turned(star, 0, 82)
+    """A tall pointed hat with a wide brim, its side hollow, a star and a buckle in front."""
+    wide, high, brim = draw(0.5, 0.6), draw(1.5, 1.8), draw(0.95, 1.1)
+    side = smooth_curve([(wide + 0.02, 0.16), (wide * 0.56, high * 0.5), (0.07, high)])
+    star = around(5, prism([(0, -0.1), (0.26, 0), (0, 0.1)], 2, 0.09), 90)
+    lean = math.degrees(math.atan2(wide * 0.44, high * 0.5))
     return {
-        "body": join(
-            cut(cone, box((0, 0, -0.95), (2, 2, 1))), tube((0, 0, 0), (0, 0, 0.17), brim, 0.07)
-        ),
+        "body": join(lathe(side, 0.02), tube((0, 0, 0), (0, 0, 0.17), brim, 0.05)),
         "ribbon": tube((0, 0, 0.12), (0, 0, 0.34), wide + 0.06, 0.03),
-        "stars": moved(stand, (0, -wide * 0.86, high * 0.4)),
+        "stars": moved(turned(star, 0, 90 - lean), (0, -wide * 0.62, high * 0.42)),
         "buckle": box((0, -wide - 0.04, 0.24), (0.15, 0.08, 0.14), 0.02),
     }
 

@@ -164,35 +164,25 @@ def canoe(draw: Draw) -> Parts:
 
 
 def pirate_ship(draw: Draw) -> Parts:
-    """A hull with a high stern, two masts with square sails, a black flag."""
-    x, y, deep = draw(0.4, 0.46), draw(1.0, 1.1), draw(0.5, 0.6)
-    deck, tall = 0.62, draw(2.3, 2.5)
-    body = cut(egg((0, 0, deck), (x, y, deep)), box((0, 0, deck + 1), (2, 2, 1)))
-    stern = [(y * 0.3, deck - 0.25), (y * 0.84, deck - 0.25), (y * 0.98, deck + 0.45)]
-    bow = [(-y * 0.55, deck - 0.2), (-y * 0.8, deck - 0.1), (-y * 1.02, deck + 0.24)]
-    hull = join(
-        body,
-        prism([*stern, (y * 0.3, deck + draw(0.32, 0.42))], 0, x * 0.86),
-        prism([*bow, (-y * 0.5, deck + 0.16)], 0, x * 0.55),
-    )
+    """A hull with a high stern and a bow, two masts with square sails, a black flag."""
+    x, y, deck, tall = draw(0.4, 0.48), draw(1.05, 1.15), draw(0.52, 0.6), draw(2.3, 2.5)
+    plan = [(-x, y), (x, y), (x, -y * 0.5), (0, -y), (-x, -y * 0.5)]
+    stern = box((0, y * 0.72, deck + 0.16), (x, y * 0.28, 0.22))
+    bow = prism([(x * 0.92, -y * 0.52), (0, -y), (-x * 0.92, -y * 0.52)], 2, 0.12, deck + 0.06)
     sails, masts = [], []
-    for v, top in ((-0.38, tall * 0.86), (0.3, tall)):
-        masts.append(capsule((0, v, 0.3), (0, v, top), 0.08))
-        span = top - deck - 0.3
-        for z, half in ((deck + 0.3 + span * 0.24, 0.62), (deck + 0.3 + span * 0.72, 0.46)):
-            belly = cut(
-                egg((0, v + 0.0, z), (half, 0.24, span * 0.24)), box((0, v + 1, z), (2, 1, 2))
-            )
-            sails += [belly, box((0, v - 0.03, z), (half * 0.92, 0.07, span * 0.19), 0.03)]
-    masts.append(capsule((0, -y * 0.7, deck), (0, -1.5, deck + 0.42), 0.08))
-    flag = box((0, 0.5, tall - 0.02), (0.07, 0.22, 0.14), 0.02)
+    for v, top in ((-0.36, tall * 0.86), (0.34, tall)):
+        masts.append(tube((0, v, 0.3), (0, v, top), 0.08))
+        low, span = deck + 0.42, top - deck - 0.5
+        for z, half in ((low + span * 0.2, 0.66), (low + span * 0.66, 0.48)):
+            sails.append(box((0, v - 0.1, z), (half, 0.075, span * 0.19)))
+    masts.append(tube((0, -y * 0.8, deck + 0.08), (0, -y - 0.4, deck + 0.42), 0.08))
     return {
-        "hull": hull,
+        "hull": join(prism(plan, 2, deck / 2, deck / 2), stern, bow),
         "sails": join(*sails),
         "masts": join(*masts),
-        "flag": flag,
+        "flag": box((0, 0.56, tall - 0.13), (0.075, 0.25, 0.15)),
         "windows": both(
-            join(*(box((x * 0.86, v, deck - 0.14), (0.12, 0.1, 0.08)) for v in (-0.3, 0.1)))
+            join(*(box((x, v, deck * 0.55), (0.07, 0.1, 0.1)) for v in (-0.35, 0.1, 0.55)))
         ),
     }
 

@@ -158,10 +158,9 @@ def cookie(draw: Draw) -> Parts:
     body = join(tube((0, -thick, 0), (0, thick, 0), wide, 0.12), egg((0, 0, 0), (0.8, 0.24, 0.8)))
     bite = [ball((wide * 0.75, 0, wide * 0.75), 0.38), ball((wide * 0.98, 0, wide * 0.3), 0.2)]
     body = cut(body, *bite) if draw.chance(0.5) else body
-    turn = draw.arranged()(0, 360)
-    spots = [(0.1, 0.1)] + [
-        (r * math.cos(math.radians(turn + a)), r * math.sin(math.radians(turn + a)))
-        for r, a in ((0.52, 0), (0.5, 75), (0.55, 150), (0.5, 220), (0.55, 290))
+    spots = [(0.08, 0.06)] + [
+        (r * math.cos(math.radians(a)), r * math.sin(math.radians(a)))
+        for r, a in ((0.52, 10), (0.5, 85), (0.55, 160), (0.5, 230), (0.55, 300))
     ]
     chips = (egg((x, 0, z), (0.14, thick + 0.13, 0.14)) for x, z in spots)
     tilt = draw(-20, -8)

@@ -231,9 +231,9 @@ def spinning_top(draw: Draw) -> Parts:
 
 
 def lego_brick(draw: Draw) -> Parts:
-    """A building brick, two studs deep and one to four wide, whole or flat."""
-    across = (2, 3, 4, 4, 1)[int(draw(0, 5))]
-    pitch, high = 0.6, 0.72 if draw.chance(0.75) else 0.34
+    """A building brick, two studs deep, and four wide or two."""
+    across = 4 if draw.chance(0.7) else 2
+    pitch, high = 0.6, draw(0.66, 0.76)
     x, y = across * pitch / 2, pitch
     studs = (
         tube(
