@@ -72,6 +72,10 @@ EVERYDAY = {
     "a small sea horse": ("", []),
     "a starfish": ("star", []),
     "a bird house": ("house", ["bird"]),
+    "a mossy grey rock": ("boulder", ["mossy"]),
+    "rocks": ("boulder", []),
+    "a table of stone": ("table", []),
+    "a stone thing": ("", []),
 }
 
 

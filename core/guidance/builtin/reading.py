@@ -15,6 +15,7 @@ from core.guidance.builtin.lexicon import (
 from core.guidance.builtin.part_names import always_has, as_part, own_name
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
+    ALONE,
     CHOICES,
     DEPICTIONS,
     FILLER,
@@ -33,10 +34,14 @@ LONGEST = 3  # words of a phrase
 
 
 class Reading:
-    """A prompt's words, sorted into slots."""
+    """A prompt's words, sorted into slots.
 
-    def __init__(self, prompt: str, known: Vocabulary) -> None:
+    ``alone``: what ends a phrase is a thing if it can be one: "a grey rock" is a boulder.
+    """
+
+    def __init__(self, prompt: str, known: Vocabulary, alone: bool = False) -> None:
         self.known = known
+        self._alone = alone
         self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
         self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
         self.left_out: list[str] = []  # all that has no effect, in order
@@ -52,10 +57,10 @@ class Reading:
         self._strange = False  # whether an unknown word was read in it
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
-        self._tokens, breaks = _tokens(prompt)
+        self._tokens, self._breaks = _tokens(prompt)
         at = 0
         while at < len(self._tokens):
-            if at in breaks:
+            if at in self._breaks:
                 self._end_phrase()
                 self._accessory = None
             at += self._take(at)
@@ -128,6 +133,8 @@ class Reading:
         return count
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
+        if self._alone and entry.form in ALONE and not self.found["noun"] and self._ends(end):
+            entry = Entry("noun", ALONE[entry.form], entry.form)
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
             return
@@ -157,6 +164,10 @@ class Reading:
             self.found[slot].append(entry)
         self._after_color = slot == "color" and bool(self.found["noun"])
         self._without = False
+
+    def _ends(self, at: int) -> bool:
+        """Whether a phrase ends before the token ``at``."""
+        return at in (*self._breaks, len(self._tokens)) or self._tokens[at] in PHRASE_ENDS
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
