@@ -11,6 +11,7 @@ from core.guidance.builtin.stretch import NOT_STRETCHED, STRETCH, frame_of
 from core.prior.draw import Draw
 from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
+from core.prior.things.appliances import APPLIANCES
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
@@ -88,6 +89,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CREATURES
     | LANDMARKS
     | GADGETS
+    | APPLIANCES
 )
 
 

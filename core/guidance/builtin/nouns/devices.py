@@ -139,4 +139,144 @@ DEVICES = {
         },
         Usual(0.42, STEEL, 0.08),
     ),
+    "jukebox": Noun(
+        "juke box, juke boxes, jukeboxes",
+        {
+            "body": "*8a4526 grain",
+            "lights": "+ffb52e",
+            "window": "-7fd0d8 . glass",
+            "grille": "&b3242c",
+            "bars": "-e8c35a . golden",
+            "buttons": "-f4efe2",
+        },
+        Usual(1.5, WOOD, 0.25),
+    ),
+    "desktop computer": Noun(
+        "computer, pc, personal computer, home computer, desktop pc, retro computer, "
+        "old computer; workstation, gaming pc, mainframe, server",
+        {
+            "body": "*ddd3b8",
+            "screen": "-2f6f8f . glass",
+            "keyboard": "&cfc4a6",
+            "keys": "+6d665a",
+            "slot": "-2c2b29",
+            "button": "-58b368",
+        },
+        Usual(0.5, PLASTIC, 0.14),
+    ),
+    "coffee machine": Noun(
+        "coffee maker, coffeemaker, coffee brewer, filter coffee machine, drip coffee maker; "
+        "espresso machine, espresso maker, percolator",
+        {
+            "body": "*b8322c",
+            "jug": "-4a2414 . glass",
+            "collar": "+24252a",
+            "handle": "+24252a",
+            "plate": "-b9bec4 . metal",
+            "panel": "-d7dade . metal",
+        },
+        Usual(0.35, PLASTIC, 0.12),
+    ),
+    "vacuum cleaner": Noun(
+        "vacuum, hoover, vacuum machine, upright vacuum; dust buster, carpet cleaner",
+        {
+            "body": "*6b3fa0",
+            "cup": "-a9d6dc . glass",
+            "base": "+f0b429",
+            "pole": "-b7bbc1 . metal",
+            "grip": "+2b2c31",
+            "wheels": "-2b2c31 . rubber",
+        },
+        Usual(1.1, PLASTIC, 0.1),
+    ),
+    "lawn mower": Noun(
+        "lawnmower, mower, grass mower, grass cutter; lawn tractor",
+        {
+            "deck": "*c8281f . paint",
+            "engine": "+2d2f33",
+            "wheels": "-222326 . rubber",
+            "hubs": "-e6c22f",
+            "handle": "-3c3f45 . metal",
+            "bag": "-4d5157 . fabric",
+        },
+        Usual(1.5, STEEL, 0.012),
+    ),
+    "power drill": Noun(
+        "drill, electric drill, cordless drill, hand drill, drill machine, drilling machine; "
+        "screwdriver drill, power tool, impact driver",
+        {
+            "body": "*f2b01e",
+            "chuck": "-3a3c41 . metal",
+            "bit": "-b4b9bf . metal",
+            "grip": "+26272b . rubber",
+            "battery": "&2f3136",
+            "trigger": "-c7281f",
+        },
+        Usual(0.25, PLASTIC, 0.6),
+    ),
+    "sewing machine": Noun(
+        "sewing machines; embroidery machine, overlocker",
+        {
+            "body": "*1f2b33 . paint",
+            "base": "+8a5128 grain",
+            "wheel": "-c9ced4 . metal",
+            "needle": "-d4d8dc . metal",
+            "spool": "-d23a4e",
+            "band": "-e3bb4c . golden",
+        },
+        Usual(0.42, STEEL, 0.035),
+    ),
+    "record player": Noun(
+        "gramophone, phonograph, grammophone, victrola; turntable, vinyl player, record deck",
+        {
+            "horn": "*e0ac3c . golden",
+            "pipe": "-c79734 . golden",
+            "case": "+7a3d1c grain",
+            "record": "-18181b",
+            "label": "-c3262b",
+            "crank": "-b08a3a . golden",
+        },
+        Usual(0.7, WOOD, 0.12),
+    ),
+    "projector": Noun(
+        "film projector, movie projector, cinema projector, cine projector; "
+        "video projector, slide projector, beamer",
+        {
+            "body": "*5f7f86 . paint",
+            "lens": "-26272b",
+            "reels": "+3a3c42 . metal",
+            "hubs": "-d9b24a . golden",
+            "base": "&3f555b . paint",
+            "door": "-c6cace . metal",
+        },
+        Usual(0.6, STEEL, 0.03),
+    ),
+    "clothes iron": Noun(
+        "steam iron, flat iron, flatiron, clothing iron, electric iron, ironing iron, laundry iron",
+        {
+            "body": "*2f7fc4",
+            "sole": "-c9ced4 . metal",
+            "handle": "+eef0f2",
+            "dial": "-e4572e",
+            "button": "-e4572e",
+        },
+        Usual(0.28, PLASTIC, 0.3),
+    ),
+    "cash register": Noun(
+        "till, cashregister, cash machine, shop till; checkout register",
+        {
+            "body": "*8f2a24 . paint",
+            "keys": "-f3ead4",
+            "display": "-efe9d6",
+            "frame": "+e0b24a . golden",
+            "drawer": "&6e1f1b . paint",
+            "knob": "-e0b24a . golden",
+        },
+        Usual(0.45, STEEL, 0.06),
+    ),
+    "calculator": Noun(
+        "pocket calculator, desk calculator, electronic calculator; adding machine",
+        {"body": "*34373d", "display": "-a9c3a0", "keys": "+e7e9ec", "accents": "-e8832a"},
+        Usual(0.15, PLASTIC, 0.5),
+    ),
 }
