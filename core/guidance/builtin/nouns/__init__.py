@@ -14,6 +14,7 @@ from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
+from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
@@ -21,7 +22,7 @@ from core.guidance.builtin.nouns.vehicles import VEHICLES
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD,
+    "Household": HOUSEHOLD | SMALL_THINGS,
     "Props": PROPS,
     "Food": FOOD,
     "Plants": PLANTS,

@@ -27,7 +27,7 @@ HOUSEHOLD = {
         Usual(0.3, CERAMIC, 0.12),
     ),
     "bottle": Noun(
-        "; flask",
+        "",
         {"body": "*1f6638 . glass", "cap": "+332b26"},
         Usual(0.3, GLASS, 0.12),
     ),
