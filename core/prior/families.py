@@ -26,10 +26,13 @@ from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.landmarks import LANDMARKS
+from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
 from core.prior.things.table_ware import TABLE_WARE
+from core.prior.things.sites import SITES
+from core.prior.things.street import STREET
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -92,6 +95,9 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | GADGETS
     | APPLIANCES
     | TABLE_WARE
+    | SITES
+    | STREET
+    | MACHINES
 )
 
 

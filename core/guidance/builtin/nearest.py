@@ -24,8 +24,7 @@ NEAREST = {
     "house": "building, hotel, shop, store, mosque",
     "church": "cathedral, monastery",
     "tower": "obelisk, minaret, silo",
-    "cottage": "igloo, bungalow, treehouse",
-    "pagoda": "temple",
+    "cottage": "bungalow, treehouse",
     "windmill": "turbine",
     "telescope": "binoculars, periscope",
     "pistol": "rifle, shotgun, musket",
@@ -38,7 +37,7 @@ NEAREST = {
     "car": "limousine",
     "bus": "caravan, camper",
     "excavator": "forklift, crane",
-    "airplane": "jet, glider",
+    "airplane": "jet",
     "boat": "raft, ferry, gondola",
     "pirate ship": "warship",
     "train": "subway",
@@ -146,14 +145,14 @@ REAL = frozenset(
     shes shine shines shone shooter shooters shoots shopper shoppers shore shorty shot shots shouts
     shove shoved shrink side silky sing sings sitar skilled skit slander slid slider slime sludge
     snare snowden sofia soon sort sorts soup spark sparks spawn spectacle spicer spine spinner
-    sport sprinter squad squads stable stage stair stake stakes stale stall stalls stamp stare
+    sport sprinter squad squads stable stage stake stakes stale stamp stare
     stark starr start starts starz steal steals steam steele steroid steroids stink stinks stoned
     stoner stopped strain strains stride strides strife strike strikes strip strips strive strives
     stroll struck swallow swallows swears sweeter swell tail tale tally tara tarot tarzan tastes
     tenth thank thanks thine thing things think thinks thorne three tick ticks time timer timers
     toasted tone tones tool tools tore tote tours tout towel towels trailer trailers trained
     trainee trainees traitor traitors tramp trans trent truss trust trusted trusts tsar tuck tyrone
-    valentin valentina valentino vidal violates violent viral vital waffle wail wales wall wanda
+    valentin valentina valentino vidal violates violent viral vital waffle wail wales wanda
     washed washes while whit whole widen wider widow widows wilde wolfe wolff wooded woody woolf
     word words woven""".split()
 )

@@ -100,5 +100,5 @@ BY_NOUN = {
 # Things that are built of stones, not carved from one.
 BUILDINGS = (
     *("house", "cottage", "tower", "lighthouse", "church", "arch"),
-    *("bridge", "windmill", "castle", "pyramid", "pagoda"),
+    *("bridge", "windmill", "castle", "pyramid", "pagoda", "temple", "wall"),
 )

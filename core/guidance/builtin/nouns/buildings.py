@@ -1,6 +1,6 @@
 """Buildings."""
 
-from core.guidance.builtin.nouns.noun import STONE, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usual
 
 BUILDINGS = {
     "house": Noun(
@@ -115,5 +115,135 @@ BUILDINGS = {
             "windows": "-f2e6c8",
         },
         Usual(20.0, WOOD, 0.2),
+    ),
+    "igloo": Noun(
+        "iglu, snow house, ice house, eskimo house; ice hut, snow hut",
+        {
+            "dome": "*e4eef7 bricks",
+            "tunnel": "*e4eef7 bricks",
+            "arch": "&f6fafd",
+            "door": "-2f4256",
+        },
+        Usual(4.0, SNOW, 0.5),
+    ),
+    "volcano": Noun(
+        "erupting volcano, active volcano, vulcano",
+        {
+            "mountain": "*5d4a40 . stone",
+            "lava": "+ff5a12",
+            "smoke": "-b9b4ae",
+            "rocks": "&4a3c35 . stone",
+        },
+        Usual(2000.0, STONE),
+    ),
+    "staircase": Noun(
+        "stairs, stair, stairway, flight of stairs, flight of steps, staircases, steps; "
+        "stair case, doorstep, doorsteps",
+        {
+            "body": "*e9e2d4",
+            "treads": "+8a5530 grain",
+            "posts": "*e9e2d4",
+            "rails": "+8a5530 grain",
+            "knobs": "+8a5530 grain",
+        },
+        Usual(3.5, WOOD, 0.15),
+    ),
+    "temple": Noun(
+        "greek temple, roman temple, ancient temple, parthenon; pantheon, acropolis, mausoleum, "
+        "bank building, courthouse, museum",
+        {
+            "base": "&d5cdbb . stone",
+            "columns": "*ece5d6 . stone",
+            "walls": "*d9cfba . stone",
+            "beam": "*ece5d6 . stone",
+            "roof": "+b05a38",
+            "door": "-4a3524",
+        },
+        Usual(30.0, STONE, 0.3),
+    ),
+    "wall": Noun(
+        "walls; garden wall, castle wall, city wall, house wall",
+        {
+            "body": "*a8543c bricks",
+            "piers": "*a8543c bricks",
+            "cap": "+cfc7b8 . stone",
+            "base": "-8f877b . stone",
+        },
+        Usual(3.0, STONE),
+    ),
+    "island": Noun(
+        "floating island, sky island, flying island; desert island, tropical island, "
+        "palm island, treasure island",
+        {
+            "rock": "+7a6654 . stone",
+            "grass": "*6fae3c",
+            "trunk": "-8a5f38",
+            "leaves": "&2f8a3c",
+            "coconuts": "-5a3820",
+            "stones": "-9a958c . stone",
+        },
+        Usual(12.0, STONE, 0.6),
+    ),
+    "market stall": Noun(
+        "stall, food stand, food stall, fruit stand, fruit stall, market stand, market booth; "
+        "kiosk, lemonade stand, farm stand, shop stand, vegetable stand, newsstand",
+        {
+            "counter": "-a06a38 grain",
+            "awning": "*d1261f . fabric",
+            "stripes": "+f6f0e2 . fabric",
+            "posts": "-7c4f2a grain",
+            "shelf": "-c08a4e grain",
+            "fruit": "+f29a1c",
+        },
+        Usual(2.6, WOOD, 0.2),
+    ),
+    "phone booth": Noun(
+        "telephone booth, phone box, telephone box, phonebooth, red telephone box, call box, "
+        "telephone kiosk, london phone booth; police box, tardis, payphone, pay phone",
+        {
+            "body": "*c4161c . paint",
+            "windows": "-b8d8e6 . glass",
+            "sign": "-f4efe0",
+            "roof": "*c4161c . paint",
+            "handle": "-c9a24a . golden",
+        },
+        Usual(2.5, STEEL, 0.05),
+    ),
+    "vending machine": Noun(
+        "soda machine, drink machine, snack machine, drinks machine, vendor machine, "
+        "soda vending machine; coke machine, ticket machine, gumball machine, cigarette machine",
+        {
+            "body": "*c9201f . paint",
+            "window": "-e4f1f6",
+            "cans": "+2f9ad0",
+            "shelves": "-8f979e . metal",
+            "panel": "-d3d7da . metal",
+            "flap": "-26282b",
+        },
+        Usual(1.9, STEEL, 0.02),
+    ),
+    "dumpster": Noun(
+        "waste container, garbage container, trash container, garbage dumpster; "
+        "skip, rubbish skip, waste skip, recycling container",
+        {
+            "body": "*2f7d46 . paint",
+            "lid": "+2b2d30",
+            "ribs": "&286c3c . paint",
+            "pockets": "&286c3c . paint",
+            "wheels": "-1c1c1e . rubber",
+        },
+        Usual(1.9, STEEL, 0.02),
+    ),
+    "shipping container": Noun(
+        "container, cargo container, freight container, sea container, intermodal container, "
+        "storage container, cargo box",
+        {
+            "body": "*b8461f . paint",
+            "ribs": "&cc5526 . paint",
+            "frame": "&8f3416 . paint",
+            "doors": "&c24d22 . paint",
+            "bars": "-c3c8cc . metal",
+        },
+        Usual(6.1, STEEL, 0.008),
     ),
 }

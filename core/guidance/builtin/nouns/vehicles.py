@@ -316,4 +316,41 @@ VEHICLES = {
         },
         Usual(6.0, PLASTIC, 0.2),
     ),
+    "longship": Noun(
+        "viking ship, viking longship, viking boat, long ship, longboat, drakkar; dragon boat",
+        {
+            "hull": "*7d4d26 grain",
+            "prows": "&5f3819 grain",
+            "mast": "-4f3018",
+            "sail": "+efe6d2 . fabric",
+            "stripes": "+b3261e . fabric",
+            "shields": "+d9a53a",
+        },
+        Usual(20.0, WOOD, 0.1),
+    ),
+    "biplane": Noun(
+        "bi plane, double decker plane; propeller plane, prop plane, propeller airplane, "
+        "propeller aircraft, stunt plane, crop duster, old plane, warplane, seaplane, glider",
+        {
+            "body": "*c4201c . paint",
+            "wings": "+f0c22a . paint",
+            "struts": "-6b4526",
+            "engine": "-5a5f65 . metal",
+            "propeller": "-8a5a30",
+            "wheels": _TYRES,
+        },
+        Usual(8.0, STEEL, 0.01),
+    ),
+    "blimp": Noun(
+        "airship, air ship, zeppelin, dirigible",
+        {
+            "balloon": "*d9dde2 . paint",
+            "band": "+c4281f . paint",
+            "fins": "+c4281f . paint",
+            "cabin": "-4a5058 . paint",
+            "windows": "-8fd0ee . glass",
+            "engines": "-3a3d42 . metal",
+        },
+        Usual(60.0, FABRIC, 0.005),
+    ),
 }

@@ -1,0 +1,189 @@
+"""Small buildings and places."""
+
+import math
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    both,
+    box,
+    cut,
+    join,
+    lathe,
+    moved,
+    prism,
+    taper,
+    tube,
+    turned,
+)
+
+Point = tuple[float, float]
+
+
+def dome_of(radius: float, low: float, high: float, steps: int = 14) -> list[Point]:
+    """The profile of a quarter ellipse, from its rim to its top."""
+    angles = [math.pi / 2 * k / steps for k in range(steps + 1)]
+    return [(radius * math.cos(a), low + (high - low) * math.sin(a)) for a in angles]
+
+
+def tunnel(r: float, z: float, front: float, back: float) -> Solid:
+    """A vault along y: a half cylinder of radius ``r`` on walls of height ``z``."""
+    walls = box((0, (front + back) / 2, z / 2), (r, (back - front) / 2, z / 2))
+    return join(cut(tube((0, front, z), (0, back, z), r), box((0, 0, z - 1), (3, 3, 1))), walls)
+
+
+def igloo(draw: Draw) -> Parts:
+    """A dome of snow, an entrance tunnel with a dark opening."""
+    r, high, side = draw(1.05, 1.18), draw(1.0, 1.15), draw(0.34, 0.4)
+    long, rim = draw(0.3, 0.42), draw(0.1, 0.13)
+    front, z = -r - long, 0.3
+    return {
+        "dome": lathe([(r * 0.97, 0.0), *dome_of(r, 0.14, high)]),
+        "tunnel": tunnel(side, z, front + 0.1, 0),
+        "arch": tunnel(side + rim, z, front, front + 0.24),
+        "door": tunnel(side - 0.08, z - 0.02, front - 0.04, -0.3),
+    }
+
+
+def volcano(draw: Draw) -> Parts:
+    """A mountain with a crater, lava that overflows in streams, a cloud of smoke."""
+    r, high, crater = draw(1.38, 1.52), draw(1.2, 1.4), draw(0.36, 0.42)
+    waist = draw(0.66, 0.76)
+    side = [(r, 0.0), (waist + 0.26, high * 0.33), (waist, high * 0.6), (crater + 0.04, high)]
+    thick = [(u + 0.075, v + 0.02) for u, v in side]
+    # A stream is what of a thicker mountain is above its foot and within a bar.
+    coat = lathe(thick)
+    feet = draw(0.16, 0.22), draw(0.36, 0.44)
+    first = box((0, -1.0, 1 + high * feet[0]), (0.18, 1.0, 1))
+    second = turned(box((1.0, 0, 1 + high * feet[1]), (1.0, 0.18, 1)), 2, 30)
+    bars = join(first, both(second))
+    streams = cut(coat, lambda p: -bars(p))
+    puff = draw(0.24, 0.28)
+    top = high + 0.2
+    return {
+        "mountain": lathe(side),
+        "lava": join(streams, lathe(dome_of(crater + 0.1, high - 0.06, high + 0.16))),
+        "smoke": join(
+            ball((0, 0, top + puff * 0.7), puff),
+            both(ball((puff * 1.15, 0, top + puff * 1.9), puff * 1.1)),
+            ball((0, 0, top + puff * 2.5), puff * 1.25),
+        ),
+        "rocks": around(6, lathe(dome_of(0.2, 0, 0.24), 0.0, (r - 0.07, 0)), 30),
+    }
+
+
+def staircase(draw: Draw) -> Parts:
+    """Six steps that rise to the back, with treads, and a handrail on either side."""
+    x, run, rise, rail = draw(0.58, 0.7), draw(0.34, 0.38), draw(0.24, 0.29), draw(0.6, 0.7)
+    count, thick = 6, 0.11
+    front = -run * count / 2
+    side, treads = [(front, 0.0)], []
+    for k in range(count):
+        y, z = front + run * k, rise * (k + 1)
+        side += [(y, z - 0.04), (y + run, z - 0.04)]
+        treads.append(box((0, y + run / 2 - 0.03, z - 0.03), (x + 0.05, run / 2 + 0.03, 0.055)))
+    low, last = (front + run / 2, rise), (front + run * (count - 0.5), rise * count)
+    posts = [box((x - 0.09, y, z + rail / 2), (0.09, 0.09, rail / 2)) for y, z in (low, last)]
+    middle = ((low[0] + last[0]) / 2, (low[1] + last[1]) / 2)
+    posts.append(box((x - 0.09, middle[0], middle[1] + rail / 2), (0.07, 0.07, rail / 2)))
+    knobs = [ball((x - 0.09, y, z + rail + 0.14), 0.14) for y, z in (low, last)]
+    bar = [(y, z + rail + e) for (y, z), e in ((low, -thick), (last, -thick), (last, thick))]
+    bar.append((low[0], low[1] + rail + thick))
+    return {
+        "body": prism([*side, (-front, 0.0)], 0, x),
+        "treads": join(*treads),
+        "posts": both(join(*posts)),
+        "rails": both(prism(bar, 0, 0.1, x - 0.09)),
+        "knobs": both(join(*knobs)),
+    }
+
+
+def temple(draw: Draw) -> Parts:
+    """Greek: steps, columns around, a beam and a gabled roof."""
+    x, y, high = draw(0.84, 0.92), draw(1.08, 1.16), draw(0.88, 1.02)
+    r, gable, step = draw(0.13, 0.155), draw(0.4, 0.5), 0.13
+    low = 2 * step
+    top, beam = low + high, 0.2
+    across, along = [-x, -x / 3, x / 3, x], [-y, -y / 2, 0, y / 2, y]
+    places = [(u, v) for u in across for v in along if abs(u) == x or abs(v) == y]
+    columns = []
+    for u, v in places:
+        shaft = [(r * 1.08, low), (r * 0.86, top - 0.08), (r * 1.25, top - 0.02)]
+        columns += [lathe(shaft, 0, (u, v)), box((u, v, top - 0.05), (r * 1.3, r * 1.3, 0.06))]
+    wide, deep, eave = x + 0.26, y + 0.26, top + beam
+    roof = [(-wide - 0.06, eave - 0.02), (wide + 0.06, eave - 0.02), (wide + 0.06, eave + 0.06)]
+    roof += [(0, eave + gable + 0.14), (-wide - 0.06, eave + 0.06)]
+    hall = y - 0.42
+    return {
+        "base": join(
+            *(
+                box((0, 0, step * (k + 0.5)), (x + d, y + d, step / 2 + 0.005))
+                for k, d in enumerate((0.42, 0.26))
+            )
+        ),
+        "columns": join(*columns),
+        "walls": box((0, 0, low + high / 2), (x - 0.36, hall, high / 2 + 0.02)),
+        "beam": join(
+            box((0, 0, top + beam / 2), (x + 0.19, y + 0.19, beam / 2)),
+            prism([(-wide + 0.1, eave), (wide - 0.1, eave), (0, eave + gable)], 1, deep + 0.03),
+        ),
+        "roof": prism(roof, 1, deep - 0.04),
+        "door": box((0, -hall, low + high * 0.36), (x * 0.22, 0.06, high * 0.36)),
+    }
+
+
+def wall(draw: Draw) -> Parts:
+    """A straight garden wall between two piers with caps."""
+    x, y, high = draw(1.05, 1.18), draw(0.18, 0.24), draw(0.92, 1.15)
+    pier, more, cap = draw(0.24, 0.3), draw(0.14, 0.24), 0.075
+    top = high + more
+    tip = lathe([(pier * 1.2, top), (0.03, top + 0.26)], 0, (x, 0))
+    return {
+        "body": box((0, 0, high / 2), (x, y, high / 2)),
+        "piers": both(box((x, 0, top / 2), (pier, pier, top / 2))),
+        "cap": join(
+            box((0, 0, high), (x, y + 0.1, cap)),
+            both(box((x, 0, top), (pier + 0.1, pier + 0.1, cap))),
+            both(cut(tip, box((x, 0, top - 1), (1, 1, 1)))),
+        ),
+        "base": join(
+            box((0, 0, 0.1), (x, y + 0.09, 0.1)),
+            both(box((x, 0, 0.1), (pier + 0.09, pier + 0.09, 0.1))),
+        ),
+    }
+
+
+def island(draw: Draw) -> Parts:
+    """Floating: a rock that narrows downwards, grass on top, a palm and some stones."""
+    r, deep, high = draw(1.0, 1.12), draw(1.05, 1.25), draw(0.85, 1.0)
+    leaf, droop = draw(0.74, 0.84), draw(0.24, 0.34)
+    top = deep + 0.26
+    rock = [(0.1, 0.0), (0.34, deep * 0.3), (0.4, deep * 0.42), (0.72, deep * 0.62)]
+    rock += [(0.78, deep * 0.74), (r - 0.06, deep * 0.95), (r - 0.06, deep + 0.02)]
+    crown = top + high
+    blade = [(0, 0.1), (leaf * 0.45, 0.2), (leaf * 0.85, 0.06), (leaf, -droop)]
+    blade += [(leaf * 0.78, -0.12), (leaf * 0.42, -0.02), (0, -0.1)]
+    return {
+        "rock": lathe(rock),
+        "grass": lathe([(r, deep), (r + 0.02, deep + 0.1), (r * 0.86, top), (0, top + 0.05)]),
+        "trunk": taper((0, 0, top - 0.1), (0, 0, crown), 0.17, 0.11),
+        "leaves": around(5, moved(prism(blade, 1, 0.16), (0, 0, crown + 0.02)), -90),
+        "coconuts": around(3, ball((0.16, 0, crown - 0.12), 0.13), 90),
+        "stones": join(
+            both(lathe(dome_of(0.2, top - 0.08, top + 0.2), 0, (r * 0.58, -r * 0.2))),
+            lathe(dome_of(0.17, top - 0.08, top + 0.14), 0, (0, -r * 0.6)),
+        ),
+    }
+
+
+SITES = {
+    "igloo": igloo,
+    "volcano": volcano,
+    "staircase": staircase,
+    "temple": temple,
+    "wall": wall,
+    "island": island,
+}
