@@ -165,7 +165,7 @@ FOOD = {
         Usual(0.16, 350.0, 0.54),
     ),
     "pancakes": Noun(
-        "pancake, stack of pancakes; waffles",
+        "pancake, stack of pancakes",
         {"pancakes": "*d99a48", "syrup": "+7a3c12", "butter": "-f8e58a", "plate": "-eceae4"},
         Usual(0.22, 600.0, 0.45),
     ),
@@ -213,5 +213,61 @@ FOOD = {
         "carton of milk; milk, juice carton, juice box",
         {"carton": "*f2f3f4", "top": "+2f6fc2", "cap": "-d8352a"},
         Usual(0.24, FLESH, 0.32),
+    ),
+    "candy cane": Noun(
+        "candycane, christmas candy cane, candy stick",
+        {"candy": "*f6f2ee", "stripes": "+d01c28"},
+        Usual(0.15, 1300.0, 0.2),
+    ),
+    "sundae": Noun(
+        "ice cream sundae, ice cream cup; parfait, milkshake, knickerbocker glory, "
+        "banana split, frozen yogurt, ice cream bowl",
+        {
+            "glass": "&c4e2e8 . glass",
+            "scoops": "*f7e3c4",
+            "sauce": "+4a2413",
+            "cherry": "-c4142a",
+            "wafer": "-d19a50 waffle",
+        },
+        Usual(0.2, FLESH, 0.43),
+    ),
+    "tomato": Noun(
+        "; cherry tomato, persimmon",
+        {"body": "*d4261c", "leaves": "+3f8a32", "stalk": "-4f7a34"},
+        Usual(0.08, PLANT, 0.69),
+    ),
+    "orange fruit": Noun(
+        "oranges, orange slice, sliced orange, fresh orange, ripe orange; tangerine, mandarin, "
+        "clementine, grapefruit, citrus fruit, satsuma",
+        {
+            "body": "*f0861a",
+            "pith": "-f8ecd0",
+            "flesh": "+f59a22",
+            "stalk": "-5c6b2c",
+            "leaf": "-4d9a35",
+        },
+        Usual(0.14, PLANT, 0.69),
+    ),
+    "coconut": Noun(
+        "coco nut; coconut shell, half coconut",
+        {"shell": "*6b4526", "flesh": "+f7f4ec", "water": "-b9d9e4 . glass", "eyes": "-2a1a10"},
+        Usual(0.22, PLANT, 0.8),
+    ),
+    "steak": Noun(
+        "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, pork chop, "
+        "cooked meat, grilled steak, ham steak",
+        {"fat": "&f0d9bc", "meat": "*a63a2c", "bone": "+f3ead6", "marks": "-4a1a14"},
+        Usual(0.25, FLESH, 0.27),
+    ),
+    "chicken drumstick": Noun(
+        "drumstick, chicken leg, turkey leg, meat on bone; fried chicken, roast chicken leg, "
+        "turkey drumstick, grilled chicken, leg of ham",
+        {"meat": "*b5651f", "bone": "+f3ead6", "cuff": "&8f4a17"},
+        Usual(0.15, FLESH, 0.29),
+    ),
+    "waffle": Noun(
+        "belgian waffle",
+        {"body": "&c07a2c", "ridges": "*dd9e48", "syrup": "+7a3c12", "butter": "-f8e58a"},
+        Usual(0.15, 500.0, 0.32),
     ),
 }

@@ -2,9 +2,11 @@
 
 from core.guidance.builtin.nouns.noun import (
     CERAMIC,
+    COPPER,
     FABRIC,
     GLASS,
     PLASTIC,
+    STEEL,
     WAX,
     WOOD,
     Noun,
@@ -13,8 +15,7 @@ from core.guidance.builtin.nouns.noun import (
 
 SMALL_THINGS = {
     "plate": Noun(
-        "dish, dinner plate; saucer, platter, serving dish, side plate, "
-        "dessert plate, paper plate, tray",
+        "dish, dinner plate; saucer, platter, serving dish, side plate, dessert plate, paper plate",
         {"body": "*f0eee6", "rim": "+2f5fa8"},
         Usual(0.26, CERAMIC, 0.22),
     ),
@@ -36,7 +37,7 @@ SMALL_THINGS = {
         Usual(0.09, GLASS, 0.33),
     ),
     "easel": Noun(
-        "painter's easel, artist's easel, art easel, painting easel; drawing board",
+        "painter easel, artist easel, art easel, painting easel",
         {
             "legs": "*a5703a grain",
             "ledge": "&8f5d2e grain",
@@ -83,7 +84,7 @@ SMALL_THINGS = {
     ),
     "counter": Noun(
         "bar counter, kitchen counter, reception desk, shop counter, countertop, home bar, "
-        "counter top; reception counter, kitchen island, front desk, checkout counter, bar table",
+        "counter top; reception counter, kitchen island, front desk, checkout counter",
         {
             "body": "*6b3f20 grain",
             "top": "+d8d2c6 . stone",
@@ -95,7 +96,7 @@ SMALL_THINGS = {
     ),
     "coat rack": Noun(
         "coat stand, hat stand, coatrack, hatstand, coat hanger stand, hat rack, coat tree, "
-        "clothes rack, clothes stand; umbrella stand",
+        "clothes rack, clothes stand",
         {
             "pole": "*7a4524 grain",
             "legs": "*7a4524 grain",
@@ -134,5 +135,100 @@ SMALL_THINGS = {
             "seal": "+b01822",
         },
         Usual(0.22, 750.0, 0.023),
+    ),
+    "syringe": Noun(
+        "injection, medical syringe; vaccine, hypodermic needle, hypodermic",
+        {
+            "barrel": "*dfe9ee . plastic",
+            "liquid": "+39a8d8 . plastic",
+            "plunger": "&c9d3da . plastic",
+            "marks": "-23282e",
+            "hub": "-e07a2a . plastic",
+            "needle": "-b4bac0 . metal",
+        },
+        Usual(0.15, PLASTIC, 0.15),
+    ),
+    "magnet": Noun(
+        "horseshoe magnet, horse shoe magnet",
+        {"body": "*cc1f24 . paint", "poles": "+c3c8cd . metal", "bands": "-f2f2ef"},
+        Usual(0.1, STEEL, 0.093),
+    ),
+    "screw": Noun(
+        "wood screw, metal screw; bolt, machine screw, wall screw",
+        {
+            "head": "*bfc4c9 . metal",
+            "shaft": "*9aa0a6 . metal",
+            "thread": "&b0b6bc . metal",
+        },
+        Usual(0.05, STEEL, 0.071),
+    ),
+    "rake": Noun(
+        "garden rake, leaf rake; hoe, pitchfork, hay fork, gardening fork, garden fork",
+        {
+            "tines": "+3f7f4a . paint",
+            "bar": "+3f7f4a . paint",
+            "socket": "&2f5f38 . paint",
+            "handle": "*b98246 grain",
+            "grip": "-26282b . rubber",
+        },
+        Usual(1.5, WOOD, 0.069),
+    ),
+    "maracas": Noun(
+        "maraca, pair of maracas; rattle, rumba shaker",
+        {
+            "heads": "*d8262a . paint",
+            "bands": "+f6c52e . paint",
+            "tops": "-2f9a58 . paint",
+            "handles": "-c08a4a grain",
+            "knobs": "-c08a4a grain",
+        },
+        Usual(0.28, WOOD, 0.092),
+    ),
+    "megaphone": Noun(
+        "bullhorn, bull horn, loudhailer; loudspeaker horn, horn speaker, cheer megaphone",
+        {
+            "horn": "*f1f1ee . plastic",
+            "rim": "+d02a24 . plastic",
+            "body": "+d02a24 . plastic",
+            "cap": "-34373b . plastic",
+            "handle": "-2b2d31 . plastic",
+            "trigger": "-e9b52c . plastic",
+        },
+        Usual(0.35, PLASTIC, 0.087),
+    ),
+    "hammock": Noun(
+        "garden hammock, hammock stand; hanging bed",
+        {
+            "cloth": "*f2ead6 . fabric",
+            "stripes": "+2c86b8 . fabric",
+            "bars": "-b98246 grain",
+            "ropes": "-e0d2b0",
+            "posts": "&8a5a2e grain",
+            "base": "&8a5a2e grain",
+        },
+        Usual(3.2, WOOD, 0.045),
+    ),
+    "gong": Noun(
+        "temple gong, chinese gong; tam tam",
+        {
+            "disc": "*c98f35 . golden",
+            "rim": "*a8702a . golden",
+            "boss": "&e0b050 . golden",
+            "ropes": "-e8dcc0",
+            "frame": "+a3261f . paint",
+            "feet": "-2a1c16",
+        },
+        Usual(1.6, COPPER, 0.025),
+    ),
+    "pipe": Noun(
+        "water pipe, steel pipe, metal pipe, pipe fitting, pipeline; plumbing, drain pipe, "
+        "sewer pipe, gas pipe, plumbing pipe, pvc pipe, tube",
+        {
+            "pipe": "*5f7f94 . paint",
+            "flanges": "&4a6678 . paint",
+            "bolts": "-c3c8cd . metal",
+            "bands": "+d8a02a . paint",
+        },
+        Usual(0.5, STEEL, 0.13),
     ),
 }

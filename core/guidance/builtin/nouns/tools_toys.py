@@ -133,7 +133,7 @@ TOOLS_AND_TOYS = {
         Usual(0.32, 3500.0, 0.15),
     ),
     "fork": Noun(
-        "table fork; pitchfork, trident",
+        "table fork; trident",
         {"head": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
         Usual(0.2, STEEL, 0.071),
     ),
