@@ -151,5 +151,9 @@ REAL = frozenset(
     trainee trainees traitor traitors tramp trans trent truss trust trusted trusts tsar tuck tyrone
     valentin valentina valentino vidal violates violent viral vital wail wales wall wanda
     washed washes while whit whole widen wider widow widows wilde wolfe wolff wooded woody woolf
-    word words woven""".split()
+    word words woven
+    baker bakers beaver beefy blatter bleaker brake brakes breaker certain combo counted crew
+    crews curtail dishy drake draped draper enveloped flak going infection late latter litter
+    mali meant patter piped piper plated plotter plumping prattle raked raker rattled rattler
+    saucier screwy shaken shakier sharer shaver streak sunday teak tubed waffled weasel""".split()
 )

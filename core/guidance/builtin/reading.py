@@ -16,6 +16,7 @@ from core.guidance.builtin.part_names import always_has, as_part, own_name
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
     CHOICES,
+    COLOR_THINGS,
     DEPICTIONS,
     FILLER,
     GOES_WITH,
@@ -35,8 +36,9 @@ LONGEST = 3  # words of a phrase
 class Reading:
     """A prompt's words, sorted into slots."""
 
-    def __init__(self, prompt: str, known: Vocabulary) -> None:
+    def __init__(self, prompt: str, known: Vocabulary, names_a_thing: bool = True) -> None:
         self.known = known
+        self._names_a_thing = names_a_thing
         self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
         self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
         self.left_out: list[str] = []  # all that has no effect, in order
@@ -70,7 +72,7 @@ class Reading:
             phrase = " ".join(tokens[:count])
             entry = look_up(phrase, self.known)
             if entry is not None:
-                self._put(entry, at, at + count)
+                self._put(self._thing_of(entry, at + count), at, at + count)
                 return count
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
@@ -157,6 +159,19 @@ class Reading:
             self.found[slot].append(entry)
         self._after_color = slot == "color" and bool(self.found["noun"])
         self._without = False
+
+    def _thing_of(self, entry: Entry, end: int) -> Entry:
+        """``entry``, or the thing that its colour is where nothing else is named: "an orange"."""
+        thing, rest = COLOR_THINGS.get(entry.form, ""), self._tokens[end:]
+        if not self._names_a_thing or thing not in self.known.get("noun", ()):
+            return entry
+        named = self.found["noun"] or self._pending or self.refused or self._without
+        # "an orange on a plate", but "orange and blue", "in orange", "orange, a cat".
+        ends = rest and rest[0] in PHRASE_ENDS - {"and", *ARTICLES}
+        last = ends or all(token in FILLER for token in rest)
+        if named or not last or self._ended_by in ("and", "in", "with"):
+            return entry
+        return Entry("noun", thing, entry.form)
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a

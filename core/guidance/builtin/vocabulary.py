@@ -108,7 +108,7 @@ def parse(
     ``ignore_unknown``), two words for one slot, a part that the thing cannot lack or have, and a
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
-    reading = Reading(prompt, known)
+    reading = Reading(prompt, known, noun_needed)
     # Before the missing noun: an error with the nearest known words says more.
     if reading.refused and not ignore_unknown:
         raise unknown_error(reading.refused, reading.qualifiers, known)

@@ -52,6 +52,8 @@ MATERIALS = {
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim",
 }
+# Colours that are things where no thing follows: "an orange" is the fruit, "an orange cat" a cat.
+COLOR_THINGS = {"orange": "orange fruit"}
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
     "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
