@@ -52,6 +52,12 @@ NAMES = {word: noun.names for word, noun in NOUNS.items()}
         ("a dark green sofa", Words("sofa", color="dark green")),
         ("navy blue sofa, dark blue", Words("sofa", color="navy")),
         ("a round table", Words("table", "round")),
+        ("a ripe orange", Words("orange fruit")),
+        ("a blue orange", Words("orange fruit", color="blue")),
+        ("oranges", Words("orange fruit")),
+        ("an orange cat", Words("cat", color="orange")),
+        ("a cat, orange", Words("cat", color="orange")),
+        ("an orange tomato", Words("tomato", color="orange")),
     ],
 )
 def test_a_prompt_is_read_into_slots(prompt, words):
@@ -230,6 +236,14 @@ def test_the_words_are_those_that_were_drawn_in_their_order():
 )
 def test_a_slip_is_corrected(typed, meant):
     assert corrected(typed) == meant
+
+
+def test_orange_is_a_colour_where_it_names_no_fruit():
+    assert parse("an orange with a leaf").noun == "orange fruit"
+    assert parse("orange", noun_needed=False) == Words(color="orange")
+    for prompt in ("orange and blue", "something black and orange", "an orange widget"):
+        with pytest.raises(UserError):
+            parse(prompt)
 
 
 def test_what_was_corrected_is_in_the_notes():

@@ -108,7 +108,7 @@ REAL = frozenset(
     canyon cape caramel carat carb carbs card cars carte caste cell cells chai chanel char chart
     charts cheesy chess chet chic chico chill chills chilly chin chip chopped choral chuck chunk
     chunks claim claims clamp cleaner cleaners clearer clever click clicks clone clones close
-    closed closer closes closest clot coal coat coffee colin colton comb comin confer conte
+    closed closer closes closest clot coal coat coffee colin colton comin confer conte
     controlled cooke cooked cookery cooler cooper copied copies cora core corner corners corny cram
     crater craven creamy create creates creek crook crooks crouch crowd crowds crowe crusade dairy
     danger dangers darth defer denies denis deter dicey dion dogg dolly dolores done donor donors
@@ -147,7 +147,11 @@ REAL = frozenset(
     tenth thank thanks thine thing things think thinks thorne three tick ticks time timer timers
     toasted tone tones tool tools tore tote tours tout towel towels trailer trailers trained
     trainee trainees traitor traitors tramp trans trent truss trust trusted trusts tsar tuck tyrone
-    valentin valentina valentino vidal violates violent viral vital waffle wail wales wanda
+    valentin valentina valentino vidal violates violent viral vital wail wales wanda
     washed washes while whit whole widen wider widow widows wilde wolfe wolff wooded woody woolf
-    word words woven""".split()
+    word words woven
+    baker bakers beaver beefy blatter bleaker brake brakes breaker certain combo counted crew
+    crews curtail dishy drake draped draper enveloped flak going infection late latter litter
+    mali meant patter piped piper plated plotter plumping prattle raked raker rattled rattler
+    saucier screwy shaken shakier sharer shaver streak sunday teak tubed waffled weasel""".split()
 )

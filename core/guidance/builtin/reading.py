@@ -133,7 +133,7 @@ class Reading:
         return count
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
-        if self._alone and entry.form in ALONE and not self.found["noun"] and self._ends(end):
+        if self._alone and entry.form in ALONE and not self.found["noun"] and self._stands(end):
             entry = Entry("noun", ALONE[entry.form], entry.form)
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
@@ -165,9 +165,13 @@ class Reading:
         self._after_color = slot == "color" and bool(self.found["noun"])
         self._without = False
 
-    def _ends(self, at: int) -> bool:
-        """Whether a phrase ends before the token ``at``."""
-        return at in (*self._breaks, len(self._tokens)) or self._tokens[at] in PHRASE_ENDS
+    def _stands(self, end: int) -> bool:
+        """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
+        moss", but "orange and blue", "in orange"."""
+        if self._ended_by in ("and", "in", "with"):
+            return False
+        ends = PHRASE_ENDS - {"and"}
+        return end in (*self._breaks, len(self._tokens)) or self._tokens[end] in ends
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
