@@ -30,10 +30,10 @@ from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
-from core.prior.things.small_things import SMALL_THINGS
-from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.sites import SITES
+from core.prior.things.small_things import SMALL_THINGS
 from core.prior.things.street import STREET
+from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.treats import TREATS
