@@ -12,6 +12,7 @@ from core.prior.draw import Draw
 from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
 from core.prior.things.appliances import APPLIANCES
+from core.prior.things.arms import ARMS
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
@@ -19,6 +20,7 @@ from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
+from core.prior.things.fantasy import FANTASY
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
@@ -102,6 +104,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | MACHINES
     | SMALL_THINGS
     | TREATS
+    | ARMS
+    | FANTASY
 )
 
 

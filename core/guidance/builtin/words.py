@@ -47,7 +47,7 @@ MATERIALS = {
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, glazed, glazed ceramic; clay, terracotta",
     "leather": "",
-    "glass": "glassy, glass like; glossy, crystal",
+    "glass": "glassy, glass like; glossy, crystal glass, crystalline",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim",

@@ -4,6 +4,7 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 """
 
 from core.guidance.builtin.nouns.animals import ANIMALS
+from core.guidance.builtin.nouns.arms import ARMS
 from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
@@ -24,6 +25,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Furniture": FURNITURE,
     "Household": HOUSEHOLD | SMALL_THINGS,
     "Props": PROPS,
+    "Arms and Fantasy": ARMS,
     "Food": FOOD,
     "Plants": PLANTS,
     "Animals": ANIMALS,
