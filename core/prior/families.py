@@ -28,6 +28,7 @@ from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
+from core.prior.things.playground import PLAYGROUND
 from core.prior.things.props import PROPS
 from core.prior.things.sites import SITES
 from core.prior.things.street import STREET
@@ -94,6 +95,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | SITES
     | STREET
     | MACHINES
+    | PLAYGROUND
 )
 
 
