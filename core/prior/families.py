@@ -31,6 +31,7 @@ from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
+from core.prior.things.playground import PLAYGROUND
 from core.prior.things.props import PROPS
 from core.prior.things.sites import SITES
 from core.prior.things.small_things import SMALL_THINGS
@@ -106,6 +107,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | TREATS
     | ARMS
     | FANTASY
+    | PLAYGROUND
 )
 
 

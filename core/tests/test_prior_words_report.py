@@ -52,7 +52,7 @@ EVERYDAY = {
     "a disco ball": ("ball", ["disco"]),
     "a viking boat": ("longship", []),
     "a house boat": ("boat", ["house"]),
-    "a tree house": ("house", ["tree"]),
+    "a tree house": ("treehouse", []),
     "a greek vase": ("vase", ["greek"]),
     "a haunted house": ("house", ["haunted"]),
     "a polar bear": ("bear", []),

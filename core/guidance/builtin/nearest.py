@@ -3,7 +3,6 @@
 # For each known word those that it is nearest to in meaning, or in shape where nothing is near in
 # meaning: a safe is a cabinet.
 NEAREST = {
-    "chair": "wheelchair, swing",
     "cabinet": "safe, locker",
     "shelf": "rack",
     "chest": "treasure, coffin",
@@ -22,8 +21,8 @@ NEAREST = {
     "lamp": "streetlight, flashlight",
     "house": "building, hotel, shop, store, mosque",
     "church": "cathedral, monastery",
-    "tower": "obelisk, minaret, silo",
-    "cottage": "bungalow, treehouse",
+    "tower": "obelisk, minaret",
+    "cottage": "bungalow",
     "windmill": "turbine",
     "telescope": "binoculars, periscope",
     "baseball bat": "club",
@@ -33,8 +32,6 @@ NEAREST = {
     "cactus": "succulent",
     "mushroom": "fungus",
     "car": "limousine",
-    "bus": "caravan, camper",
-    "excavator": "forklift, crane",
     "airplane": "jet",
     "boat": "raft, ferry, gondola",
     "pirate ship": "warship",

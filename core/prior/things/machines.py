@@ -5,6 +5,8 @@ import math
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
+    Vector,
     around,
     both,
     box,
@@ -15,10 +17,13 @@ from core.prior.solids import (
     lathe,
     moved,
     prism,
+    ring,
     taper,
     tube,
     turned,
 )
+
+Point = tuple[float, float]
 
 
 def longship(draw: Draw) -> Parts:
@@ -126,8 +131,229 @@ def blimp(draw: Draw) -> Parts:
     }
 
 
+def _strip(a: Point, b: Point, half: float) -> list[Point]:
+    """The corners of a straight strip from a to b."""
+    u, v = b[0] - a[0], b[1] - a[1]
+    u, v = -v * half / math.hypot(u, v), u * half / math.hypot(u, v)
+    return [(a[0] + u, a[1] + v), (b[0] + u, b[1] + v), (b[0] - u, b[1] - v), (a[0] - u, a[1] - v)]
+
+
+def rover(draw: Draw) -> Parts:
+    """For Mars: a box under solar panels on six wheels, a mast with a camera, a dish."""
+    x, y, wheel = draw(0.42, 0.5), draw(0.66, 0.76), draw(0.23, 0.27)
+    z, mast, wing = 0.72, draw(0.62, 0.75), draw(0.3, 0.38)
+    side, deck = x + 0.26, z + 0.22
+    wheels = [tube((side - 0.12, v, wheel), (side + 0.12, v, wheel), wheel) for v in (-y, 0, y)]
+    rocker = [
+        _strip((-y, wheel), (-y * 0.45, z), 0.075),
+        _strip((y * 0.5, z - 0.2), (-y * 0.5, z), 0.075),
+        _strip((y, wheel), (y * 0.5, z - 0.2), 0.075),
+        _strip((0, wheel), (y * 0.5, z - 0.2), 0.075),
+    ]
+    head, eye = deck + mast, 0.085
+    return {
+        "body": box((0, 0, z), (x, y * 0.8, 0.2)),
+        "panels": join(
+            box((0, 0.12, deck), (x + 0.06, y * 0.85, 0.06)),
+            both(box((x + 0.19 + wing, 0.12, deck), (wing, y * 0.7, 0.06))),
+        ),
+        "wheels": both(join(*wheels)),
+        "arms": both(
+            join(
+                *(prism(strip, 0, 0.07, side - 0.16) for strip in rocker),
+                box((x, 0, z - 0.06), (side - x, 0.09, 0.09)),
+                box((x + 0.1, 0.12, deck - 0.02), (0.16, 0.12, 0.055)),
+            )
+        ),
+        "mast": join(
+            tube((0, -y * 0.62, z), (0, -y * 0.62, head), 0.09),
+            box((0, -y * 0.62, head), (0.26, 0.13, 0.14)),
+        ),
+        "eyes": both(tube((0.13, -y * 0.62 - 0.2, head), (0.13, -y * 0.62, head), eye)),
+    }
+
+
+def crane(draw: Draw) -> Parts:
+    """A tower crane: a mast of bars, a jib to the front with a hook, a counterweight behind."""
+    high, half, reach = draw(1.65, 1.85), 0.16, draw(1.75, 1.95)
+    tail, deep, peak = draw(0.8, 0.95), draw(0.24, 0.28), draw(0.42, 0.5)
+    thick, hang = 0.06, draw(0.5, 0.7)
+    floor, count = 0.14, 4
+    step = (high - floor) / count
+    rungs, braces = [], []
+    for k in range(count):
+        z = floor + step * k
+        a, b = (-half, half) if k % 2 else (half, -half)
+        braces.append(prism(_strip((a, z), (b, z + step), 0.05), 0, 0.05, half))
+        rungs.append(both(box((0, half, z + step), (half, 0.05, 0.05)), 1))
+    posts = both(box((half, half, high / 2), (0.07, 0.07, high / 2)), 0, 1)
+    low, top = high + 0.16, high + 0.16 + deep
+    bays = 5
+    pitch = (reach - 0.3) / bays
+    web = []
+    for k in range(bays):
+        near = -0.2 - pitch * k
+        web.append(_strip((near, low), (near - pitch / 2, top), 0.055))
+        web.append(_strip((near - pitch / 2, top), (near - pitch, low), 0.055))
+    tip = top + peak
+    hook = -reach * 0.78
+    parts: Parts = {
+        "mast": join(posts, *rungs, both(join(*braces))),
+        "jib": join(
+            box((0, (tail - reach) / 2, low), (0.12, (tail + reach) / 2, thick + 0.01)),
+            box((0, -(reach + 0.1) / 2, top), (0.075, (reach - 0.3) / 2, thick)),
+            *(prism(strip, 0, 0.075) for strip in web),
+            box((0, 0, high + 0.06), (0.25, 0.25, 0.1)),
+        ),
+        "ties": join(
+            prism([(-0.16, low), (0.16, low), (0.06, tip), (-0.06, tip)], 0, 0.08),
+            prism(_strip((0, tip - 0.05), (-reach * 0.62, top), 0.055), 0, 0.06),
+            prism(_strip((0, tip - 0.05), (tail - 0.1, low), 0.055), 0, 0.06),
+        ),
+        "cab": box((0, -0.36, low - 0.24), (0.17, 0.17, 0.2)),
+        "weights": join(
+            box((0, tail - 0.12, low - 0.14), (0.2, 0.2, 0.2)),
+            box((0, 0, 0.09), (0.46, 0.46, 0.09)),
+        ),
+        "hook": join(
+            box((0, hook, low - hang / 2), (0.06, 0.06, hang / 2)),
+            box((0, hook, low - hang), (0.09, 0.12, 0.11)),
+            cut(
+                ring((0, hook, low - hang - 0.22), 0.13, 0.06, 0),
+                box((0, hook + 0.2, low - hang - 0.12), (0.2, 0.16, 0.1)),
+            ),
+        ),
+    }
+    # So that both ends of the jib are equally far from the middle.
+    return {name: moved(part, (0, 0.5, 0)) for name, part in parts.items()}
+
+
+def forklift(draw: Draw) -> Parts:
+    """A short truck with a cage over its seat, a mast and two forks in front."""
+    x, y, high = draw(0.46, 0.54), draw(0.62, 0.7), draw(1.45, 1.6)
+    wheel, fork, tall = draw(0.26, 0.3), draw(0.62, 0.74), draw(1.7, 1.9)
+    hood, front = draw(0.78, 0.88), -y - 0.1
+    side = [(-y, 0.16), (y + 0.12, 0.16), (y + 0.2, 0.36), (y + 0.14, hood), (0.02, hood)]
+    side += [(0.02, 0.5), (-y, 0.5)]
+    post = 0.07
+    cage = [
+        prism(_strip((-y + 0.05, 0.4), (-y + 0.25, high), post), 0, post, x - 0.07),
+        box((x - 0.07, y - 0.02, (hood + high) / 2), (post, post, (high - hood) / 2 + 0.05)),
+    ]
+    roof = box((0, 0.12, high), (x, y - 0.04, 0.07))
+    z = draw(0.14, 0.3)
+    parts: Parts = {
+        "body": join(prism(side, 0, x), box((0, -y + 0.14, 0.62), (x - 0.06, 0.12, 0.16))),
+        "cage": join(both(join(*cage)), roof),
+        "mast": join(
+            both(box((x * 0.56, front, tall / 2 + 0.06), (0.085, 0.1, tall / 2))),
+            *(box((0, front, tall * k), (x * 0.56, 0.08, 0.07)) for k in (0.34, 0.66, 1.0)),
+        ),
+        "forks": join(
+            both(box((x * 0.52, front - 0.14 - fork / 2, z), (0.11, fork / 2 + 0.06, 0.06))),
+            both(box((x * 0.52, front - 0.14, z + 0.24), (0.11, 0.07, 0.28))),
+            box((0, front - 0.12, z + 0.4), (x * 0.8, 0.065, 0.08)),
+        ),
+        "wheels": join(
+            both(tube((x - 0.14, -y + 0.2, wheel), (x + 0.1, -y + 0.2, wheel), wheel)),
+            both(tube((x - 0.14, y - 0.1, wheel), (x + 0.1, y - 0.1, wheel), wheel)),
+        ),
+        "seat": join(
+            box((0, 0.16, hood + 0.05), (0.24, 0.24, 0.08), 0.03),
+            box((0, 0.38, hood + 0.24), (0.24, 0.08, 0.24), 0.03),
+        ),
+    }
+    # The forks reach far to the front.
+    return {name: moved(part, (0, 0.35, 0)) for name, part in parts.items()}
+
+
+def _about(solid: Solid, at: Vector, degrees: float) -> Solid:
+    """``solid`` turned about the line along x through ``at``."""
+    x, y, z = at
+    return moved(turned(moved(solid, (-x, -y, -z)), 0, degrees), at)
+
+
+def wheelchair(draw: Draw) -> Parts:
+    """Two large wheels and two small ones, a seat with a back, handles and footrests."""
+    x, r, small = draw(0.4, 0.46), draw(0.56, 0.64), draw(0.18, 0.21)
+    seat, back, arm = draw(0.78, 0.86), draw(0.62, 0.72), draw(0.3, 0.36)
+    y, tire, side = 0.24, 0.075, x + 0.16
+    front, top = -0.62, seat + back
+    spoke = box((side, y, r), (0.05, r, 0.05))
+    spokes = join(*(_about(spoke, (side, y, r), 45 * k) for k in range(4)))
+    return {
+        "wheels": both(
+            join(
+                ring((side, y, r), r - tire, tire + 0.01, 0),
+                tube((x - 0.12, front, small), (x + 0.06, front, small), small),
+            )
+        ),
+        "spokes": both(join(spokes, tube((x - 0.05, y, r), (side + 0.1, y, r), 0.12))),
+        "seat": join(
+            box((0, -0.08, seat), (x - 0.04, 0.42, 0.09), 0.03),
+            box((0, 0.34, seat + back / 2), (x - 0.04, 0.085, back / 2 + 0.04), 0.03),
+        ),
+        "frame": both(
+            join(
+                box((x - 0.04, 0.34, seat + back / 2 - 0.2), (0.065, 0.065, back / 2 + 0.36)),
+                box((x - 0.04, -0.1, seat - 0.12), (0.065, 0.5, 0.065)),
+                box((x - 0.04, -0.54, (seat + small) / 2), (0.065, 0.065, (seat - small) / 2)),
+                prism(_strip((-0.54, seat - 0.12), (-0.86, 0.2), 0.065), 0, 0.065, x - 0.1),
+                box((x - 0.04, -0.32, seat + arm / 2), (0.06, 0.06, arm / 2)),
+            )
+        ),
+        "armrests": both(
+            join(
+                box((x - 0.02, -0.06, seat + arm), (0.09, 0.4, 0.065), 0.02),
+                box((x - 0.04, 0.46, top), (0.07, 0.2, 0.07), 0.02),
+            )
+        ),
+        "footrests": both(box((x / 2 + 0.02, -0.92, 0.16), (x / 2 - 0.06, 0.2, 0.06))),
+    }
+
+
+def camper(draw: Draw) -> Parts:
+    """A motorhome: a tall body that reaches over its cab, windows, a door, a stripe."""
+    x, y, high = draw(0.54, 0.62), draw(1.3, 1.42), draw(1.25, 1.4)
+    low, wheel, nose = 0.26, draw(0.23, 0.26), draw(0.4, 0.5)
+    cab = -y + nose + 0.42
+    side = [(-y, low), (y, low), (y, high), (-y + nose - 0.1, high)]
+    side += [(-y + nose - 0.22, high - 0.1), (-y + nose - 0.22, high * 0.72)]
+    side += [(-y + nose + 0.06, high * 0.68), (-y + nose - 0.14, 0.62), (-y, 0.56)]
+    shield = [(-y + nose - 0.2, 0.63), (-y + nose + 0.1, 0.63), (-y + nose + 0.14, high * 0.68)]
+    shield.append((-y + nose + 0.01, high * 0.68))
+    mid = high * 0.66
+    return {
+        "body": prism(side, 0, x),
+        "windows": join(
+            prism(shield, 0, x - 0.08),
+            both(box((x, cab - 0.16, 0.74), (0.05, 0.19, 0.13))),
+            both(box((x, y * 0.72, mid), (0.05, 0.24, 0.15))),
+            both(box((x, y * 0.02, mid), (0.05, 0.2, 0.15))),
+            box((0, y, mid), (0.3, 0.05, 0.16)),
+        ),
+        "wheels": join(
+            *(
+                both(tube((x - 0.16, v, wheel), (x + 0.05, v, wheel), wheel))
+                for v in (-y * 0.62, y * 0.55)
+            )
+        ),
+        "stripe": join(
+            both(box((x, (cab + y) / 2 - 0.1, 0.5), (0.04, (y - cab) / 2 + 0.12, 0.09))),
+            box((0, y, 0.5), (x + 0.04, 0.04, 0.09)),
+        ),
+        "door": both(box((x + 0.01, y * 0.36, 0.66), (0.05, 0.16, 0.36))),
+        "lamps": both(box((x - 0.16, -y, 0.46), (0.11, 0.05, 0.07))),
+    }
+
+
 MACHINES = {
     "longship": longship,
     "biplane": biplane,
     "blimp": blimp,
+    "rover": rover,
+    "crane": crane,
+    "forklift": forklift,
+    "wheelchair": wheelchair,
+    "camper": camper,
 }

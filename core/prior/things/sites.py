@@ -179,6 +179,123 @@ def island(draw: Draw) -> Parts:
     }
 
 
+def _gabled(x: float, eave: float, ridge: float) -> list[Point]:
+    return [(-x, 0), (x, 0), (x, eave), (0, ridge), (-x, eave)]
+
+
+def greenhouse(draw: Draw) -> Parts:
+    """A house of glass in a frame, on a low wall, with plants at its door."""
+    x, y, eave = draw(0.72, 0.82), draw(0.94, 1.06), draw(0.85, 0.98)
+    ridge, bar, low = eave + draw(0.45, 0.56), 0.065, 0.2
+    pot = x * 0.72
+    inner = prism(_gabled(x - 0.1, eave - 0.04, ridge - 0.14), 1, 3)
+    slab = cut(prism(_gabled(x + 0.06, eave + 0.03, ridge + 0.08), 1, bar), inner)
+    hoops = join(*(moved(slab, (0, y * k, 0)) for k in (-1, -1 / 3, 1 / 3, 1)))
+    ends = join(
+        box((0, 0, eave), (x, bar, bar)),
+        both(box((x * 0.42, 0, eave * 0.6), (bar, bar, eave * 0.6))),
+    )
+    rails = [
+        both(box((x, 0, eave), (bar + 0.02, y, bar + 0.01))),
+        box((0, 0, ridge + 0.03), (0.09, y + 0.05, 0.09)),
+    ]
+    return {
+        "glass": prism(_gabled(x, eave, ridge), 1, y),
+        "frame": join(hoops, *rails, both(moved(ends, (0, y, 0)), 1)),
+        "base": box((0, 0, low / 2), (x + 0.1, y + 0.1, low / 2)),
+        "door": box((0, -y - 0.06, 0.42), (x * 0.42 - 0.04, 0.07, 0.42)),
+        "plants": both(ball((pot, -y - 0.28, 0.46), 0.24)),
+        "pots": both(lathe([(0.14, 0), (0.21, 0.32)], 0, (pot, -y - 0.28))),
+    }
+
+
+def treehouse(draw: Draw) -> Parts:
+    """A hut with a gabled roof on a platform in a tree, a ladder up to it."""
+    floor, x, y = draw(0.95, 1.1), draw(0.44, 0.5), draw(0.4, 0.46)
+    wall, gable, r = draw(0.5, 0.58), draw(0.36, 0.44), draw(0.5, 0.58)
+    top, front = floor + wall, -y - 0.32
+    roof = [(-x - 0.16, top - 0.08), (x + 0.16, top - 0.08), (0, top + gable)]
+    rungs = [box((0, front + 0.02, floor * k), (0.2, 0.07, 0.05)) for k in (0.15, 0.42, 0.69)]
+    back = 0.36
+    return {
+        "trunk": join(
+            lathe([(0.4, 0), (0.27, 0.34), (0.23, floor + 0.05)], 0, (0, 0.06)),
+            taper((0, back, floor), (0, back + 0.06, top + 0.4), 0.2, 0.14),
+            both(taper((0.1, back, floor), (0.62, back, top), 0.14, 0.11)),
+        ),
+        "leaves": join(
+            ball((0, back + 0.14, top + 0.66), r * 1.08),
+            both(ball((0.68, back, top + 0.26), r * 0.88)),
+            both(ball((0.34, back + 0.36, top + 0.24), r * 0.8)),
+        ),
+        "walls": box((0, -0.05, floor + wall / 2), (x, y, wall / 2)),
+        "roof": moved(prism(roof, 1, y + 0.14), (0, -0.05, 0)),
+        "floor": join(
+            box((0, 0, floor), (x + 0.28, y + 0.32, 0.08)),
+            both(box((0.2, front + 0.02, floor / 2), (0.06, 0.07, floor / 2))),
+            *rungs,
+        ),
+        "door": join(
+            box((0, -y - 0.05, floor + 0.25), (0.14, 0.06, 0.2)),
+            both(box((x, -0.05, floor + wall * 0.56), (0.05, 0.14, 0.12))),
+        ),
+    }
+
+
+def gazebo(draw: Draw) -> Parts:
+    """Six posts with rails between on a floor, open in front, a pointed roof."""
+    r, high, rise = draw(0.95, 1.08), draw(1.0, 1.15), draw(0.55, 0.7)
+    over, low, post, rail = draw(0.2, 0.28), 0.2, 0.095, draw(0.4, 0.48)
+    flat, eave = r * math.cos(math.pi / 6), low + high
+    tip = eave + rise
+    cap = [(0, eave), (flat + over, eave), (flat + over, eave + 0.1), (0.06, tip), (0, tip)]
+    bars = join(
+        box((flat, 0, low + rail), (0.085, r / 2, 0.075)),
+        box((flat, 0, low + rail * 0.4), (0.06, r / 2, 0.065)),
+    )
+    step = [(-0.34, 0), (-0.34, low * 0.5), (-0.16, low * 0.5), (-0.16, low), (0, low), (0, 0)]
+    front = flat + 0.14
+    return {
+        "base": join(
+            around(6, box((0, 0, low / 2), (front, 2, low / 2)), -90),
+            prism([(u - front + 0.02, v) for u, v in step], 0, r * 0.32),
+        ),
+        "posts": around(6, tube((r - 0.06, 0, low), (r - 0.06, 0, eave + 0.02), post), 0),
+        "rails": cut(
+            around(6, bars, -90), box((0, -1.5, low + 0.5), (r / 2 - post - 0.02, 1.2, 0.6))
+        ),
+        "roof": around(6, prism(cap, 1, 2), -90),
+        "beam": cut(
+            around(6, box((0, 0, eave - 0.06), (flat + 0.06, 2, 0.1)), -90),
+            around(6, box((0, 0, eave - 0.1), (flat - 0.12, 2, 0.12)), -90),
+        ),
+        "finial": join(
+            tube((0, 0, tip - 0.12), (0, 0, tip + 0.12), 0.09), ball((0, 0, tip + 0.18), 0.14)
+        ),
+    }
+
+
+def silo(draw: Draw) -> Parts:
+    """A tall round store of a farm: hoops, a domed roof, a ladder and a door in front."""
+    r, high, dome = draw(0.52, 0.6), draw(1.8, 2.05), draw(0.38, 0.48)
+    step = high / 5
+    hoops = [tube((0, 0, step * k - 0.06), (0, 0, step * k + 0.06), r + 0.05) for k in (1, 2, 3, 4)]
+    rungs = [
+        box((0, -r - 0.12, z), (0.2, 0.05, 0.05)) for z in (step * k / 2 for k in range(3, 11))
+    ]
+    return {
+        "body": tube((0, 0, 0), (0, 0, high), r),
+        "roof": join(
+            lathe([(r + 0.08, high - 0.06), *dome_of(r + 0.08, high + 0.02, high + dome)]),
+            tube((0, 0, high + dome - 0.1), (0, 0, high + dome + 0.12), 0.1),
+        ),
+        "bands": join(*hoops),
+        "ladder": join(both(box((0.17, -r - 0.1, high * 0.6), (0.055, 0.08, high * 0.4))), *rungs),
+        "door": box((0, -r, 0.17), (0.17, 0.1, 0.17)),
+        "base": tube((0, 0, 0), (0, 0, 0.12), r + 0.14, 0.02),
+    }
+
+
 SITES = {
     "igloo": igloo,
     "volcano": volcano,
@@ -186,4 +303,8 @@ SITES = {
     "temple": temple,
     "wall": wall,
     "island": island,
+    "greenhouse": greenhouse,
+    "treehouse": treehouse,
+    "gazebo": gazebo,
+    "silo": silo,
 }

@@ -11,6 +11,7 @@ from core.prior.solids import (
     cut,
     join,
     lathe,
+    moved,
     prism,
     tube,
     turned,
@@ -75,7 +76,7 @@ def phone_booth(draw: Draw) -> Parts:
             box((0, 0, top), (x + 0.08, x + 0.08, 0.07)),
             lathe(dome_of(x * 0.98, top + 0.03, top + draw(0.24, 0.3))),
         ),
-        "handle": box((x - 0.1, -x - 0.03, low + pitch * 1.1), (0.06, 0.08, 0.15)),
+        "handle": box((0, -x - 0.03, low + pitch * 1.1), (0.06, 0.08, 0.15)),
     }
 
 
@@ -171,10 +172,59 @@ def shipping_container(draw: Draw) -> Parts:
     }
 
 
+def parking_meter(draw: Draw) -> Parts:
+    """A post, a head with a round top and a window, a plate with a coin slot, a knob."""
+    x, post, tall = draw(0.34, 0.4), draw(1.15, 1.35), draw(0.42, 0.52)
+    y, top = 0.24, post + tall
+    dial = x - 0.1
+    window = cut(
+        tube((0, -y - 0.05, top), (0, -y + 0.1, top), dial), box((0, 0, top - 1.02), (1, 1, 1))
+    )
+    return {
+        "head": join(
+            box((0, 0, (post + top) / 2), (x, y, tall / 2)), tube((0, -y, top), (0, y, top), x)
+        ),
+        "window": window,
+        "needle": box((0, -y - 0.04, top + dial * 0.4), (0.055, 0.06, dial * 0.36)),
+        "plate": box((0, -y - 0.02, post + tall * 0.5), (x - 0.12, 0.06, tall * 0.32)),
+        "slot": box((0, -y - 0.06, post + tall * 0.5), (0.05, 0.06, tall * 0.2)),
+        "post": join(
+            tube((0, 0, 0), (0, 0, post + 0.05), 0.12),
+            lathe([(x * 0.6, post - 0.1), (x * 0.6, post + 0.05)], 0.02),
+            lathe([(0.32, 0), (0.32, 0.1), (0.14, 0.2)]),
+        ),
+    }
+
+
+def pallet(draw: Draw) -> Parts:
+    """Boards on cross boards, nine blocks, three skids below."""
+    x, y, thick = draw(1.1, 1.25), draw(0.85, 1.0), draw(0.065, 0.078)
+    block, wide = draw(0.13, 0.16), draw(0.15, 0.175)
+    foot = 2 * thick
+    mid = foot + block
+    cross = mid + block + thick
+    deck = cross + 2 * thick
+    boards = [box(((x - wide) * k / 2, 0, deck), (wide, y, thick)) for k in (-2, -1, 0, 1, 2)]
+    cubes = box((0, 0, mid), (0.17, 0.15, block + 0.02))
+    row = join(*(moved(cubes, ((x - 0.17) * k, 0, 0)) for k in (-1, 0, 1)))
+    bars = [
+        box((0, (y - 0.15) * k, z), (x, 0.15, thick + 0.01))
+        for k in (-1, 0, 1)
+        for z in (thick, cross)
+    ]
+    return {
+        "boards": join(*boards),
+        "blocks": join(*(moved(row, (0, (y - 0.15) * k, 0)) for k in (-1, 0, 1))),
+        "skids": join(*bars),
+    }
+
+
 STREET = {
     "market stall": market_stall,
     "phone booth": phone_booth,
     "vending machine": vending_machine,
     "dumpster": dumpster,
     "shipping container": shipping_container,
+    "parking meter": parking_meter,
+    "pallet": pallet,
 }

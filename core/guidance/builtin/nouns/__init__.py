@@ -17,6 +17,7 @@ from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
+from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 
@@ -30,7 +31,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Plants": PLANTS,
     "Animals": ANIMALS,
     "Vehicles": VEHICLES,
-    "Buildings": BUILDINGS,
+    "Buildings": BUILDINGS | STREET,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
     "Tools and Toys": TOOLS_AND_TOYS,

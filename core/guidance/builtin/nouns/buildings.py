@@ -246,4 +246,53 @@ BUILDINGS = {
         },
         Usual(6.1, STEEL, 0.008),
     ),
+    "greenhouse": Noun(
+        "glasshouse, hothouse, hot house, orangery; conservatory, winter garden, polytunnel",
+        {
+            "glass": "-bfe3e0 . glass",
+            "frame": "*f4f4ee . paint",
+            "base": "+a8604a bricks",
+            "door": "&7fb7a8 . paint",
+            "plants": "-3f9a3a",
+            "pots": "+b8623c",
+        },
+        Usual(5.0, STEEL, 0.02),
+    ),
+    "treehouse": Noun(
+        "tree house, tree hut, tree cabin; tree fort, elf house",
+        {
+            "trunk": "-6b4628 . wooden",
+            "leaves": "-4f9a35",
+            "walls": "*c08a4e grain",
+            "roof": "+a8432c",
+            "floor": "&8f5f34 grain",
+            "door": "-4a2f1c",
+        },
+        Usual(6.0, WOOD, 0.3),
+    ),
+    "gazebo": Noun(
+        "pavilion, garden pavilion, garden gazebo; bandstand, summerhouse, summer house, "
+        "pergola, rotunda, arbor",
+        {
+            "base": "-b9b2a4 . stone",
+            "posts": "*f4f1e8",
+            "rails": "*f4f1e8",
+            "roof": "+4f7f86",
+            "beam": "*f4f1e8",
+            "finial": "-d8a83c . golden",
+        },
+        Usual(4.0, WOOD, 0.3),
+    ),
+    "silo": Noun(
+        "grain silo, farm silo, corn silo, grain bin; granary, storage silo, grain elevator",
+        {
+            "body": "*d6d4cb",
+            "roof": "+b3352a . metal",
+            "bands": "&a3a7a8 . metal",
+            "ladder": "-6d7378 . metal",
+            "door": "-7a2a22",
+            "base": "-8f8b83 . stone",
+        },
+        Usual(18.0, STEEL, 0.02),
+    ),
 }

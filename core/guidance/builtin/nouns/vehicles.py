@@ -124,7 +124,7 @@ VEHICLES = {
         Usual(11.0, STEEL, 0.0042),
     ),
     "van": Noun(
-        "minivan, delivery van; camper van, campervan, minibus",
+        "minivan, delivery van; minibus",
         {"body": "*e8eaec . paint", "windows": _GLASS, "wheels": _TYRES, "lamps": _LAMPS},
         Usual(5.2, STEEL, 0.0082),
     ),
@@ -164,7 +164,7 @@ VEHICLES = {
         Usual(9.0, STEEL, 0.018),
     ),
     "jeep": Noun(
-        "; off road car, off roader, suv, army car",
+        "; off road car, off roader, suv, army car, land rover, range rover",
         {
             "body": "*5d6b3e . paint",
             "windows": _GLASS,
@@ -352,5 +352,56 @@ VEHICLES = {
             "engines": "-3a3d42 . metal",
         },
         Usual(60.0, FABRIC, 0.005),
+    ),
+    "rover": Noun(
+        "mars rover, moon rover, space rover, lunar rover, planetary rover, exploration rover, "
+        "martian rover; moon buggy, lunar vehicle, space robot",
+        {
+            "body": "*e3e2dc",
+            "panels": "+2c4a94",
+            "wheels": "-3a3c40 . metal",
+            "arms": "-8d9399 . metal",
+            "mast": "*e3e2dc",
+            "eyes": "-1b2230 . glass",
+        },
+        Usual(3.0, STEEL, 0.03),
+    ),
+    "forklift": Noun(
+        "fork lift, forklift truck, fork truck, fork lift truck, lift truck; pallet truck, "
+        "stacker, warehouse truck",
+        {
+            "body": "*f0b01a . paint",
+            "cage": "+35383c . metal",
+            "mast": "-4a4e53 . metal",
+            "forks": "-70767c . metal",
+            "wheels": _TYRES,
+            "seat": "-1f1f21 . leather",
+        },
+        Usual(3.4, STEEL, 0.15),
+    ),
+    "wheelchair": Noun(
+        "wheel chair",
+        {
+            "wheels": _TYRES,
+            "spokes": "-c3c8cc . metal",
+            "seat": "*23489c . fabric",
+            "frame": "+8d949b . metal",
+            "armrests": "-26282b . rubber",
+            "footrests": "-26282b . rubber",
+        },
+        Usual(1.1, STEEL, 0.015),
+    ),
+    "camper": Noun(
+        "camper van, campervan, motorhome, motor home, mobile home, rv, recreational vehicle, "
+        "camping van, motor caravan; caravan, camper trailer, travel trailer, winnebago",
+        {
+            "body": "*f3efe4 . paint",
+            "windows": _GLASS,
+            "wheels": _TYRES,
+            "stripe": "+e0762a . paint",
+            "door": "-c9ccc8 . paint",
+            "lamps": "-f7eec2",
+        },
+        Usual(6.5, STEEL, 0.012),
     ),
 }
