@@ -157,7 +157,7 @@ def megaphone(draw: Draw) -> Parts:
             box((0.32, 0, z / 2), (grip, 0.15, z / 2), 0.05),
             box((0.32, 0, 0.09), (grip + 0.08, 0.2, 0.09), 0.03),
         ),
-        "trigger": box((0.32 - grip - 0.05, 0, z - 0.5), (0.1, 0.09, 0.14), 0.02),
+        "trigger": box((0.32 - grip - 0.05, 0, z - 0.62), (0.1, 0.09, 0.14), 0.02),
     }
 
 
@@ -200,8 +200,9 @@ def hammock(draw: Draw) -> Parts:
 
 def gong(draw: Draw) -> Parts:
     """A disc of bronze that hangs in a frame."""
-    r, x, high = draw(0.72, 0.8), draw(1.02, 1.12), draw(2.1, 2.3)
-    boss, foot, over = draw(0.22, 0.28), draw(0.42, 0.52), draw(0.26, 0.34)
+    r, high = draw(0.7, 0.78), draw(2.45, 2.6)
+    boss, foot, over = draw(0.22, 0.28), draw(0.42, 0.52), draw(0.2, 0.26)
+    x = r + draw(0.36, 0.42)
     z = high - 0.3 - r
     beam = box((0, 0, high), (x + over, 0.13, 0.12), 0.02)
     tip = box((x + over, 0, high + 0.06), (0.1, 0.16, 0.18), 0.03)
@@ -213,7 +214,7 @@ def gong(draw: Draw) -> Parts:
         "frame": join(
             beam,
             both(join(tip, box((x, 0, high / 2), (0.12, 0.12, high / 2)))),
-            box((0, 0, 0.32), (x, 0.09, 0.1)),
+            box((0, 0, 0.2), (x, 0.09, 0.1)),
         ),
         "feet": both(box((x, 0, 0.1), (0.17, foot, 0.1), 0.03)),
     }
@@ -234,7 +235,7 @@ def pipe(draw: Draw) -> Parts:
         return both(moved(turned(solid, 1, 90), (0, 0, z)))
 
     nuts = around(6, tube((at, 0, -0.07), (at, 0, thick + 0.07), bolt), 30)
-    mouth = standing(0.3, 3, bore)
+    mouth = standing(r + 0.3, 3, bore)
     return {
         "pipe": join(
             side(cut(standing(-0.05, x, r), mouth)), standing(0, z, r), ball((0, 0, z), r + 0.02)

@@ -166,7 +166,7 @@ def rug(draw: Draw) -> Parts:
 def curtain(draw: Draw) -> Parts:
     """Two, drawn aside and tied, on a rod."""
     x, top, tie = draw(0.98, 1.1), draw(2.1, 2.3), draw(0.85, 1.0)
-    waist, low, fold = x * draw(0.76, 0.82), x * draw(0.34, 0.42), 0.13
+    waist, low, fold = x * draw(0.76, 0.82), x * draw(0.34, 0.42), 0.17
     folds = []
     for k in range(4):
         share = k / 3

@@ -150,7 +150,7 @@ def coconut(draw: Draw) -> Parts:
     return {
         "shell": join(ball((0, y, z), r), laid(shell)),
         "flesh": laid(meat),
-        "water": laid(tube((0, 0, 0.05 - c * 0.9), (0, 0, -0.08), c * 0.98)),
+        "water": laid(cut(ball((0, 0, 0.05), c + 0.02), box((0, 0, 0.92), (1, 1, 1)))),
         "eyes": tilted(join(*eyes), 30, (0, y, z)),
     }
 

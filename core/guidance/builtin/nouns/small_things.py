@@ -80,7 +80,7 @@ SMALL_THINGS = {
             "knobs": "&c9a03c . golden",
             "ties": "-e0b84a . golden",
         },
-        Usual(2.3, FABRIC, 0.029),
+        Usual(2.3, FABRIC, 0.025),
     ),
     "counter": Noun(
         "bar counter, kitchen counter, reception desk, shop counter, countertop, home bar, "
