@@ -22,8 +22,7 @@ from core.prior.solids import (
     tube,
     turned,
 )
-
-Point = tuple[float, float]
+from core.prior.things.transport import strip
 
 
 def longship(draw: Draw) -> Parts:
@@ -131,13 +130,6 @@ def blimp(draw: Draw) -> Parts:
     }
 
 
-def _strip(a: Point, b: Point, half: float) -> list[Point]:
-    """The corners of a straight strip from a to b."""
-    u, v = b[0] - a[0], b[1] - a[1]
-    u, v = -v * half / math.hypot(u, v), u * half / math.hypot(u, v)
-    return [(a[0] + u, a[1] + v), (b[0] + u, b[1] + v), (b[0] - u, b[1] - v), (a[0] - u, a[1] - v)]
-
-
 def rover(draw: Draw) -> Parts:
     """For Mars: a box under solar panels on six wheels, a mast with a camera, a dish."""
     x, y, wheel = draw(0.42, 0.5), draw(0.66, 0.76), draw(0.23, 0.27)
@@ -145,10 +137,10 @@ def rover(draw: Draw) -> Parts:
     side, deck = x + 0.26, z + 0.22
     wheels = [tube((side - 0.12, v, wheel), (side + 0.12, v, wheel), wheel) for v in (-y, 0, y)]
     rocker = [
-        _strip((-y, wheel), (-y * 0.45, z), 0.075),
-        _strip((y * 0.5, z - 0.2), (-y * 0.5, z), 0.075),
-        _strip((y, wheel), (y * 0.5, z - 0.2), 0.075),
-        _strip((0, wheel), (y * 0.5, z - 0.2), 0.075),
+        strip((-y, wheel), (-y * 0.45, z), 0.075),
+        strip((y * 0.5, z - 0.2), (-y * 0.5, z), 0.075),
+        strip((y, wheel), (y * 0.5, z - 0.2), 0.075),
+        strip((0, wheel), (y * 0.5, z - 0.2), 0.075),
     ]
     head, eye = deck + mast, 0.085
     return {
@@ -184,7 +176,7 @@ def crane(draw: Draw) -> Parts:
     for k in range(count):
         z = floor + step * k
         a, b = (-half, half) if k % 2 else (half, -half)
-        braces.append(prism(_strip((a, z), (b, z + step), 0.05), 0, 0.05, half))
+        braces.append(prism(strip((a, z), (b, z + step), 0.05), 0, 0.05, half))
         rungs.append(both(box((0, half, z + step), (half, 0.05, 0.05)), 1))
     posts = both(box((half, half, high / 2), (0.07, 0.07, high / 2)), 0, 1)
     low, top = high + 0.16, high + 0.16 + deep
@@ -193,8 +185,8 @@ def crane(draw: Draw) -> Parts:
     web = []
     for k in range(bays):
         near = -0.2 - pitch * k
-        web.append(_strip((near, low), (near - pitch / 2, top), 0.055))
-        web.append(_strip((near - pitch / 2, top), (near - pitch, low), 0.055))
+        web.append(strip((near, low), (near - pitch / 2, top), 0.055))
+        web.append(strip((near - pitch / 2, top), (near - pitch, low), 0.055))
     tip = top + peak
     hook = -reach * 0.78
     parts: Parts = {
@@ -207,8 +199,8 @@ def crane(draw: Draw) -> Parts:
         ),
         "ties": join(
             prism([(-0.16, low), (0.16, low), (0.06, tip), (-0.06, tip)], 0, 0.08),
-            prism(_strip((0, tip - 0.05), (-reach * 0.62, top), 0.055), 0, 0.06),
-            prism(_strip((0, tip - 0.05), (tail - 0.1, low), 0.055), 0, 0.06),
+            prism(strip((0, tip - 0.05), (-reach * 0.62, top), 0.055), 0, 0.06),
+            prism(strip((0, tip - 0.05), (tail - 0.1, low), 0.055), 0, 0.06),
         ),
         "cab": box((0, -0.36, low - 0.24), (0.17, 0.17, 0.2)),
         "weights": join(
@@ -237,7 +229,7 @@ def forklift(draw: Draw) -> Parts:
     side += [(0.02, 0.5), (-y, 0.5)]
     post = 0.07
     cage = [
-        prism(_strip((-y + 0.05, 0.4), (-y + 0.25, high), post), 0, post, x - 0.07),
+        prism(strip((-y + 0.05, 0.4), (-y + 0.25, high), post), 0, post, x - 0.07),
         box((x - 0.07, y - 0.02, (hood + high) / 2), (post, post, (high - hood) / 2 + 0.05)),
     ]
     roof = box((0, 0.12, high), (x, y - 0.04, 0.07))
@@ -298,7 +290,7 @@ def wheelchair(draw: Draw) -> Parts:
                 box((x - 0.04, 0.34, seat + back / 2 - 0.2), (0.065, 0.065, back / 2 + 0.36)),
                 box((x - 0.04, -0.1, seat - 0.12), (0.065, 0.5, 0.065)),
                 box((x - 0.04, -0.54, (seat + small) / 2), (0.065, 0.065, (seat - small) / 2)),
-                prism(_strip((-0.54, seat - 0.12), (-0.86, 0.2), 0.065), 0, 0.065, x - 0.1),
+                prism(strip((-0.54, seat - 0.12), (-0.86, 0.2), 0.065), 0, 0.065, x - 0.1),
                 box((x - 0.04, -0.32, seat + arm / 2), (0.06, 0.06, arm / 2)),
             )
         ),

@@ -20,15 +20,7 @@ from core.prior.solids import (
     tube,
     turned,
 )
-
-Point = tuple[float, float]
-
-
-def _strip(a: Point, b: Point, half: float) -> list[Point]:
-    """The corners of a straight strip from a to b."""
-    u, v = b[0] - a[0], b[1] - a[1]
-    u, v = -v * half / math.hypot(u, v), u * half / math.hypot(u, v)
-    return [(a[0] + u, a[1] + v), (b[0] + u, b[1] + v), (b[0] - u, b[1] - v), (a[0] - u, a[1] - v)]
+from core.prior.things.transport import strip
 
 
 def ferris_wheel(draw: Draw) -> Parts:
@@ -43,7 +35,7 @@ def ferris_wheel(draw: Draw) -> Parts:
     ]
     spoke = box((0, 0, 0), (r, 0.06, 0.06))
     spokes = join(*(turned(spoke, 1, 45 * k) for k in range(4)))
-    leg = prism(_strip((0.02, z), (foot, 0.05), 0.085), 1, 0.08, y)
+    leg = prism(strip((0.02, z), (foot, 0.05), 0.085), 1, 0.08, y)
     return {
         "rim": ring((0, 0, z), r, rim, 1),
         "spokes": moved(spokes, (0, 0, z)),
@@ -82,7 +74,7 @@ def swing(draw: Draw) -> Parts:
     """A beam on two pairs of legs, two seats that hang from it."""
     x, y, high = draw(1.1, 1.25), draw(0.6, 0.72), draw(1.65, 1.85)
     seat, wide, at = draw(0.4, 0.52), draw(0.22, 0.27), draw(0.46, 0.54)
-    leg = prism(_strip((0.0, high), (y, 0.08), 0.085), 0, 0.085, x)
+    leg = prism(strip((0.0, high), (y, 0.08), 0.085), 0, 0.085, x)
     ropes = [
         box((at + s * wide, 0, (high + seat) / 2), (0.055, 0.055, (high - seat) / 2))
         for s in (-1, 1)

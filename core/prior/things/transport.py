@@ -37,7 +37,7 @@ def _disc(x: float, y: float, z: float, radius: float, thick: float = 0.12) -> S
     return tube((x - thick, y, z), (x + thick, y, z), radius, 0.04)
 
 
-def _strip(a: Point, b: Point, half: float) -> list[Point]:
+def strip(a: Point, b: Point, half: float) -> list[Point]:
     """The corners of a straight strip from a to b."""
     u, v = b[0] - a[0], b[1] - a[1]
     u, v = -v * half / math.hypot(u, v), u * half / math.hypot(u, v)
@@ -108,7 +108,7 @@ def scooter(draw: Draw) -> Parts:
     """A motor scooter: a leg shield, a low floor, a saddle over a round tail."""
     y, r, seat, bar = draw(0.72, 0.82), draw(0.3, 0.35), draw(0.98, 1.1), draw(1.35, 1.55)
     x = draw(0.28, 0.34)
-    shield = _strip((-y + 0.2, r + 0.05), (-y + 0.48, bar - 0.15), 0.1)
+    shield = strip((-y + 0.2, r + 0.05), (-y + 0.48, bar - 0.15), 0.1)
     return {
         "body": join(
             egg((0, y - 0.12, seat - 0.4), (x, 0.55, 0.42)),
@@ -162,7 +162,7 @@ def _van(draw: Draw, top: float, y: float, panes: int) -> Parts:
     row = [box((x, v, z), (0.05, y * 0.19, (top - hood) * 0.3), 0.02) for v in spots]
     return {
         "body": prism(side, 0, x),
-        "windows": join(prism(_strip(at[0], at[1], 0.05), 0, x * 0.84), both(join(*row))),
+        "windows": join(prism(strip(at[0], at[1], 0.05), 0, x * 0.84), both(join(*row))),
         "wheels": _wheels(x * 0.95, (-y * 0.62, y * 0.6), wheel),
         "lamps": both(ball((x * 0.66, -y + 0.02, hood - 0.28), 0.11)),
     }
@@ -195,7 +195,7 @@ def fire_truck(draw: Draw) -> Parts:
     x, y, top, wheel = draw(0.5, 0.58), draw(1.25, 1.4), draw(0.98, 1.1), draw(0.25, 0.29)
     cab, high = draw(0.36, 0.44), draw(0.2, 0.34)
     a, b = (y - 0.1, top + 0.16), (-y + 0.1, top + 0.16 + high)
-    rails = both(prism(_strip(a, b, 0.08), 0, 0.07, 0.22))
+    rails = both(prism(strip(a, b, 0.08), 0, 0.07, 0.22))
     steps = [
         tuple(p + (q - p) * t for p, q in zip(a, b, strict=True)) for t in (0.1, 0.37, 0.64, 0.9)
     ]
@@ -299,9 +299,9 @@ def excavator(draw: Draw) -> Parts:
             box((x, cab[0] + 0.28, cab[1] + 0.14), (0.05, 0.24, 0.18), 0.02),
         ),
         "arm": join(
-            prism(_strip((0.1, high + 0.3), knee, 0.13), 0, 0.12, -x * 0.45),
+            prism(strip((0.1, high + 0.3), knee, 0.13), 0, 0.12, -x * 0.45),
             tube((-x * 0.45 - 0.14, *knee), (-x * 0.45 + 0.14, *knee), 0.17),
-            prism(_strip(knee, low, 0.11), 0, 0.11, -x * 0.45),
+            prism(strip(knee, low, 0.11), 0, 0.11, -x * 0.45),
         ),
         "bucket": prism([*scoop, (a - 0.08, b - 0.34)], 0, 0.26, -x * 0.45),
         "tracks": both(prism(side, 0, 0.17, x)),

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import STEEL, WOOD, Noun, Usual
 
 STREET = {
     "ferris wheel": Noun(
-        "big wheel, ferriswheel, giant wheel, observation wheel; london eye, fun fair ride",
+        "ferriswheel, observation wheel; london eye, fun fair ride",
         {
             "rim": "*f4f1ea . paint",
             "spokes": "&d3d8dc . metal",
