@@ -14,10 +14,12 @@ from core.prior.things.animals import ANIMALS
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
+from core.prior.things.characters import CHARACTERS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
+from core.prior.things.figures import FIGURES
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
@@ -28,6 +30,7 @@ from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
+from core.prior.things.relics import RELICS
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -88,6 +91,9 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CREATURES
     | LANDMARKS
     | GADGETS
+    | CHARACTERS
+    | FIGURES
+    | RELICS
 )
 
 
