@@ -16,11 +16,13 @@ from core.prior.things.arms import ARMS
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
+from core.prior.things.characters import CHARACTERS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
 from core.prior.things.fantasy import FANTASY
+from core.prior.things.figures import FIGURES
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
@@ -33,6 +35,7 @@ from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.playground import PLAYGROUND
 from core.prior.things.props import PROPS
+from core.prior.things.relics import RELICS
 from core.prior.things.sites import SITES
 from core.prior.things.small_things import SMALL_THINGS
 from core.prior.things.street import STREET
@@ -108,6 +111,9 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | ARMS
     | FANTASY
     | PLAYGROUND
+    | CHARACTERS
+    | FIGURES
+    | RELICS
 )
 
 

@@ -6,6 +6,7 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 from core.guidance.builtin.nouns.animals import ANIMALS
 from core.guidance.builtin.nouns.arms import ARMS
 from core.guidance.builtin.nouns.buildings import BUILDINGS
+from core.guidance.builtin.nouns.characters import CHARACTERS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.food import FOOD
@@ -30,6 +31,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Food": FOOD,
     "Plants": PLANTS,
     "Animals": ANIMALS,
+    "Characters": CHARACTERS,
     "Vehicles": VEHICLES,
     "Buildings": BUILDINGS | STREET,
     "Electronics": DEVICES,

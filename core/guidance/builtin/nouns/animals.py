@@ -165,7 +165,7 @@ ANIMALS = {
     "person": Noun(
         (
             "human, man, woman; boy, girl, child, kid, baby, guy, lady, character, figure, doll, "
-            "princess, prince, wizard, witch, elf, dwarf, pirate, ninja, zombie, astronaut"
+            "princess, prince, elf, pirate, ninja, zombie, astronaut"
         ),
         {
             "shirt": "*c23b34 . fabric",
