@@ -27,8 +27,10 @@ from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.nature import NATURE
+from core.prior.things.office import OFFICE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
+from core.prior.things.sport import SPORT
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -90,6 +92,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | LANDMARKS
     | GADGETS
     | APPLIANCES
+    | OFFICE
+    | SPORT
 )
 
 

@@ -1,10 +1,10 @@
 """Words that the built-in prior does not know, for its hints, as data."""
 
 # For each known word those that it is nearest to in meaning, or in shape where nothing is near in
-# meaning: a safe is a cabinet.
+# meaning: a locker is a cabinet.
 NEAREST = {
     "chair": "wheelchair, swing",
-    "cabinet": "safe, locker",
+    "cabinet": "locker",
     "shelf": "rack",
     "chest": "treasure, coffin",
     "laptop": "computer mouse",
@@ -74,10 +74,8 @@ NEAREST = {
     "bear": "panda, koala",
     "hammer": "mallet",
     "axe": "spear, scythe",
-    "guitar": "harp",
     "drum": "tambourine, bongo",
     "bell": "gong",
-    "dumbbell": "kettlebell",
     "apple": "orange fruit, tomato",
     "pumpkin": "squash, gourd",
     "carrot": "cucumber, radish",

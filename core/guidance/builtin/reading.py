@@ -23,6 +23,7 @@ from core.guidance.builtin.words import (
     LEGS,
     OPTIONS,
     PHRASE_ENDS,
+    THINGS_TOO,
     TONES,
     WITHOUT,
 )
@@ -211,6 +212,17 @@ class Reading:
         self.left_out += parts
         self.qualifiers += [*parts, *self._pending]
         self._pending, self._before, self._noun_end = [], [], end
+
+    def name_by_material(self) -> None:
+        """Where no thing is named: "an iron" is one, an iron sword is made of it."""
+        # "an iron gate", "an iron face": what is of iron is unknown, or only a part.
+        if self.refused or self.parts:
+            return
+        for entry in list(self.found["material"]):
+            thing = THINGS_TOO.get(entry.form, "")
+            if not self.found["noun"] and thing in self.known["noun"]:
+                self.found["material"].remove(entry)
+                self.found["noun"].append(Entry("noun", thing, thing))
 
     def words(self, slot: str) -> list[str]:
         """The slot's words, each once."""

@@ -109,6 +109,8 @@ def parse(
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
     reading = Reading(prompt, known)
+    if noun_needed:
+        reading.name_by_material()
     # Before the missing noun: an error with the nearest known words says more.
     if reading.refused and not ignore_unknown:
         raise unknown_error(reading.refused, reading.qualifiers, known)

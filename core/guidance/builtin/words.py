@@ -58,6 +58,8 @@ PATTERNS = {
     "checkered": "checked, chequered, checkerboard, chessboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
+# Material words that are a thing where the prompt names no other.
+THINGS_TOO = {"iron": "clothes iron"}
 # The names of the parts that a caption may state (``CHOICES`` and ``LEGS``).
 PART_WORDS = {
     "armrests": "armrest, arm, arm rest, arm rests",

@@ -15,6 +15,7 @@ from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.solids import SOLIDS
+from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 
@@ -30,6 +31,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
+    "Sport": SPORT,
     "Tools and Toys": TOOLS_AND_TOYS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
