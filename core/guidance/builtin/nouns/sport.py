@@ -44,7 +44,7 @@ SPORT = {
             "neck": "-2b2d31",
             "face": "+dfe2e5 . metal",
         },
-        Usual(1.15, STEEL, 0.0025),
+        Usual(1.15, STEEL, 0.0018),
     ),
     "hockey stick": Noun(
         "ice hockey stick; field hockey stick, lacrosse stick",
@@ -88,6 +88,6 @@ SPORT = {
             "cuff": "&a01916 . leather",
             "band": "+f4f1ea",
         },
-        Usual(0.3, FABRIC, 0.21),
+        Usual(0.3, FABRIC, 0.16),
     ),
 }
