@@ -32,12 +32,14 @@ from core.prior.things.household import HOUSEHOLD
 from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
+from core.prior.things.office import OFFICE
 from core.prior.things.plants import PLANTS
 from core.prior.things.playground import PLAYGROUND
 from core.prior.things.props import PROPS
 from core.prior.things.relics import RELICS
 from core.prior.things.sites import SITES
 from core.prior.things.small_things import SMALL_THINGS
+from core.prior.things.sport import SPORT
 from core.prior.things.street import STREET
 from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
@@ -114,6 +116,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CHARACTERS
     | FIGURES
     | RELICS
+    | OFFICE
+    | SPORT
 )
 
 

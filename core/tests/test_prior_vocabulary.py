@@ -186,6 +186,15 @@ def test_what_is_depicted_is_made_and_not_the_statue(prompt, words):
     assert not form or f"{form}: made as a {words.noun}." in read.notes
 
 
+def test_iron_is_a_thing_only_where_no_other_is_named():
+    assert parse("a blue iron") == Words("clothes iron", color="blue")
+    assert parse("an iron sword") == Words("sword", material="metal")
+    assert parse("a sword of iron").material == "metal"
+    assert parse("iron", noun_needed=False) == Words(material="metal")
+    with pytest.raises(UserError, match="does not name a thing"):
+        parse("an iron xyzzy", ignore_unknown=True)
+
+
 def test_the_order_of_words_does_not_matter():
     assert parse("wooden tall blue lamp") == parse("lamp, blue, tall, wooden")
 
@@ -274,10 +283,10 @@ def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
 
 
 def test_an_unknown_word_is_refused_with_the_nearest_known_one():
-    with pytest.raises(UserError, match=r"'safe' \(did you mean cabinet"):
-        parse("a vinyl safe")
+    with pytest.raises(UserError, match=r"'locker' \(did you mean cabinet"):
+        parse("a vinyl locker")
     with pytest.raises(UserError) as caught:
-        parse("a vinyl safe")
+        parse("a vinyl locker")
     assert "'vinyl' (did you mean plastic" in caught.value.text
     assert "--guidance FOLDER" in caught.value.fix
     assert caught.value.status == 2

@@ -3,7 +3,7 @@
 # For each known word those that it is nearest to in meaning, or in shape where nothing is near in
 # meaning: a safe is a cabinet.
 NEAREST = {
-    "cabinet": "safe, locker",
+    "cabinet": "locker",
     "shelf": "rack",
     "chest": "treasure, coffin",
     "laptop": "computer mouse",
@@ -66,9 +66,7 @@ NEAREST = {
     "alien": "monster",
     "bear": "panda, koala",
     "hammer": "mallet",
-    "guitar": "harp",
     "drum": "tambourine, bongo",
-    "dumbbell": "kettlebell",
     "pumpkin": "squash, gourd",
     "carrot": "cucumber, radish",
     "hat": "bonnet, beret",

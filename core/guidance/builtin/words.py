@@ -118,7 +118,7 @@ IGNORED_ADJECTIVES = frozenset(
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
-ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
+ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit", "iron": "clothes iron"}
 TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
 WITHOUT = ("without", "no", "lacking")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".

@@ -18,6 +18,7 @@ from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
+from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
@@ -36,6 +37,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Buildings": BUILDINGS | STREET,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
+    "Sport": SPORT,
     "Tools and Toys": TOOLS_AND_TOYS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}

@@ -74,7 +74,7 @@ CLOTHES = {
         Usual(0.28, FABRIC, 0.3),
     ),
     "glove": Noun(
-        "gloves, mitten, mittens; boxing glove, gauntlet",
+        "gloves, mitten, mittens; gauntlet",
         {"body": "*b5342c . fabric", "cuff": "+ece6da . fabric", "band": "-7a211c"},
         Usual(0.25, FABRIC, 0.21),
     ),

@@ -140,7 +140,7 @@ DEVICES = {
         Usual(0.42, STEEL, 0.08),
     ),
     "jukebox": Noun(
-        "juke box, juke boxes, jukeboxes",
+        "juke box",
         {
             "body": "*8a4526 grain",
             "lights": "+ffb52e",
@@ -149,7 +149,7 @@ DEVICES = {
             "bars": "-e8c35a . golden",
             "buttons": "-f4efe2",
         },
-        Usual(1.5, WOOD, 0.25),
+        Usual(1.5, WOOD, 0.22),
     ),
     "desktop computer": Noun(
         "computer, pc, personal computer, home computer, desktop pc, retro computer, "
@@ -162,7 +162,7 @@ DEVICES = {
             "slot": "-2c2b29",
             "button": "-58b368",
         },
-        Usual(0.5, PLASTIC, 0.14),
+        Usual(0.5, PLASTIC, 0.26),
     ),
     "coffee machine": Noun(
         "coffee maker, coffeemaker, coffee brewer, filter coffee machine, drip coffee maker; "
@@ -175,7 +175,7 @@ DEVICES = {
             "plate": "-b9bec4 . metal",
             "panel": "-d7dade . metal",
         },
-        Usual(0.35, PLASTIC, 0.12),
+        Usual(0.35, PLASTIC, 0.11),
     ),
     "vacuum cleaner": Noun(
         "vacuum, hoover, vacuum machine, upright vacuum; dust buster, carpet cleaner",
@@ -187,7 +187,7 @@ DEVICES = {
             "grip": "+2b2c31",
             "wheels": "-2b2c31 . rubber",
         },
-        Usual(1.1, PLASTIC, 0.1),
+        Usual(1.1, PLASTIC, 0.077),
     ),
     "lawn mower": Noun(
         "lawnmower, mower, grass mower, grass cutter; lawn tractor",
@@ -199,7 +199,7 @@ DEVICES = {
             "handle": "-3c3f45 . metal",
             "bag": "-4d5157 . fabric",
         },
-        Usual(1.5, STEEL, 0.012),
+        Usual(1.5, STEEL, 0.013),
     ),
     "power drill": Noun(
         "drill, electric drill, cordless drill, hand drill, drill machine, drilling machine; "
@@ -212,10 +212,10 @@ DEVICES = {
             "battery": "&2f3136",
             "trigger": "-c7281f",
         },
-        Usual(0.25, PLASTIC, 0.6),
+        Usual(0.25, 2500.0, 0.6),
     ),
     "sewing machine": Noun(
-        "sewing machines; embroidery machine, overlocker",
+        "; embroidery machine, overlocker",
         {
             "body": "*1f2b33 . paint",
             "base": "+8a5128 grain",
@@ -224,7 +224,7 @@ DEVICES = {
             "spool": "-d23a4e",
             "band": "-e3bb4c . golden",
         },
-        Usual(0.42, STEEL, 0.035),
+        Usual(0.42, STEEL, 0.23),
     ),
     "record player": Noun(
         "gramophone, phonograph, grammophone, victrola; turntable, vinyl player, record deck",
@@ -236,7 +236,7 @@ DEVICES = {
             "label": "-c3262b",
             "crank": "-b08a3a . golden",
         },
-        Usual(0.7, WOOD, 0.12),
+        Usual(0.7, WOOD, 0.37),
     ),
     "projector": Noun(
         "film projector, movie projector, cinema projector, cine projector; "
@@ -249,7 +249,7 @@ DEVICES = {
             "base": "&3f555b . paint",
             "door": "-c6cace . metal",
         },
-        Usual(0.6, STEEL, 0.03),
+        Usual(0.6, STEEL, 0.047),
     ),
     "clothes iron": Noun(
         "steam iron, flat iron, flatiron, clothing iron, electric iron, ironing iron, laundry iron",
@@ -260,7 +260,7 @@ DEVICES = {
             "dial": "-e4572e",
             "button": "-e4572e",
         },
-        Usual(0.28, PLASTIC, 0.3),
+        Usual(0.28, PLASTIC, 0.57),
     ),
     "cash register": Noun(
         "till, cashregister, cash machine, shop till; checkout register",
@@ -272,11 +272,35 @@ DEVICES = {
             "drawer": "&6e1f1b . paint",
             "knob": "-e0b24a . golden",
         },
-        Usual(0.45, STEEL, 0.06),
+        Usual(0.45, STEEL, 0.053),
     ),
     "calculator": Noun(
         "pocket calculator, desk calculator, electronic calculator; adding machine",
         {"body": "*34373d", "display": "-a9c3a0", "keys": "+e7e9ec", "accents": "-e8832a"},
-        Usual(0.15, PLASTIC, 0.5),
+        Usual(0.15, PLASTIC, 0.23),
+    ),
+    "hair dryer": Noun(
+        "hairdryer, hair drier, hairdrier, blow dryer, blowdryer; heat gun, hair straightener",
+        {
+            "body": "*e0527f",
+            "nozzle": "+2b2c31",
+            "grip": "*e0527f",
+            "grille": "-b9bec4 . metal",
+            "buttons": "-f4f1ea",
+            "ring": "-c9ced3 . metal",
+        },
+        Usual(0.27, PLASTIC, 0.27),
+    ),
+    "security camera": Noun(
+        "cctv camera, cctv, surveillance camera, spy camera; webcam, web cam, ip camera",
+        {
+            "body": "*e6e8ea",
+            "hood": "&c4c9ce",
+            "lens": "-232428",
+            "glass": "-3f6fa8 . glass",
+            "stand": "+8d939a . metal",
+            "light": "-e0241c",
+        },
+        Usual(0.25, PLASTIC, 0.18),
     ),
 }

@@ -127,6 +127,18 @@ HOUSEHOLD = {
         },
         Usual(0.9, STEEL, 0.018),
     ),
+    "safe": Noun(
+        "strongbox, strong box, money safe, bank safe; vault, bank vault, cash box",
+        {
+            "body": "*4a5a55 . paint",
+            "door": "&5d6f69 . paint",
+            "dial": "-d9dcdf . metal",
+            "handle": "+d8b24c . golden",
+            "hinges": "-9aa0a6 . metal",
+            "feet": "-2b2d31",
+        },
+        Usual(0.6, STEEL, 0.056),
+    ),
     "washing machine": Noun(
         "washer, laundry machine; dryer, tumble dryer",
         {

@@ -19,14 +19,49 @@ TOOLS_AND_TOYS = {
         Usual(0.5, STEEL),
     ),
     "dumbbell": Noun(
-        "; barbell",
+        "dumb bell",
         {"weights": "*242426", "bar": "+bdbfc4 . metal"},
         Usual(0.4, STEEL, 0.33),
+    ),
+    "stapler": Noun(
+        "stapling machine; staple gun, hole punch",
+        {
+            "body": "*c9302a",
+            "magazine": "-c2c7cc . metal",
+            "base": "+2a2c30",
+            "hinge": "&8f1f1b",
+            "plate": "-c2c7cc . metal",
+        },
+        Usual(0.16, STEEL, 0.14),
     ),
     "guitar": Noun(
         "",
         {"body": "*c4772e . paint", "neck": "+5c3519", "hole": "-1d1410", "bridge": "-3c2416"},
         Usual(1.0, WOOD, 0.11),
+    ),
+    "harp": Noun(
+        "concert harp, celtic harp; lyre, zither",
+        {
+            "body": "*a5622c grain",
+            "neck": "*a5622c grain",
+            "pillar": "+e0b04a . golden",
+            "strings": "-efe6d2",
+            "base": "&7d4820 grain",
+            "crown": "+e0b04a . golden",
+        },
+        Usual(1.8, WOOD, 0.21),
+    ),
+    "accordion": Noun(
+        "piano accordion, squeezebox, squeeze box; concertina, bandoneon, harmonium",
+        {
+            "body": "*b01f2a . paint",
+            "bellows": "-1f1f22",
+            "folds": "+e6dcc4",
+            "keys": "-f7f4ea",
+            "buttons": "-f2ead8",
+            "grille": "-dfb74e . golden",
+        },
+        Usual(0.5, WOOD, 0.3),
     ),
     "drum": Noun(
         "snare drum; drum kit, drum set",
