@@ -31,6 +31,8 @@ from core.prior.things.props import PROPS
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
+from core.prior.things.wild_animals import WILD_ANIMALS
+from core.prior.things.wild_creatures import WILD_CREATURES
 from core.prior.things.yard import YARD
 
 
@@ -88,6 +90,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CREATURES
     | LANDMARKS
     | GADGETS
+    | WILD_ANIMALS
+    | WILD_CREATURES
 )
 
 

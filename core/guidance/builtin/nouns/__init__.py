@@ -17,6 +17,7 @@ from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
+from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
@@ -25,7 +26,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Props": PROPS,
     "Food": FOOD,
     "Plants": PLANTS,
-    "Animals": ANIMALS,
+    "Animals": ANIMALS | WILD_ANIMALS,
     "Vehicles": VEHICLES,
     "Buildings": BUILDINGS,
     "Electronics": DEVICES,
