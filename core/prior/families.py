@@ -46,6 +46,8 @@ from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.treats import TREATS
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
+from core.prior.things.wild_animals import WILD_ANIMALS
+from core.prior.things.wild_creatures import WILD_CREATURES
 from core.prior.things.yard import YARD
 
 
@@ -118,6 +120,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | RELICS
     | OFFICE
     | SPORT
+    | WILD_ANIMALS
+    | WILD_CREATURES
 )
 
 

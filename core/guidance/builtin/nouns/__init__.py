@@ -22,6 +22,7 @@ from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
+from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
@@ -33,6 +34,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Plants": PLANTS,
     "Animals": ANIMALS,
     "Characters": CHARACTERS,
+    "Animals": ANIMALS | WILD_ANIMALS,
     "Vehicles": VEHICLES,
     "Buildings": BUILDINGS | STREET,
     "Electronics": DEVICES,
