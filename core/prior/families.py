@@ -30,6 +30,7 @@ from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.nature import NATURE
 from core.prior.things.plants import PLANTS
 from core.prior.things.props import PROPS
+from core.prior.things.sky import SKY
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -92,6 +93,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | GADGETS
     | ARMS
     | FANTASY
+    | SKY
 )
 
 
