@@ -38,6 +38,7 @@ from core.prior.things.playground import PLAYGROUND
 from core.prior.things.props import PROPS
 from core.prior.things.relics import RELICS
 from core.prior.things.sites import SITES
+from core.prior.things.sky import SKY
 from core.prior.things.small_things import SMALL_THINGS
 from core.prior.things.sport import SPORT
 from core.prior.things.street import STREET
@@ -122,6 +123,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | SPORT
     | WILD_ANIMALS
     | WILD_CREATURES
+    | SKY
 )
 
 

@@ -5,7 +5,7 @@
 NEAREST = {
     "cabinet": "locker",
     "shelf": "rack",
-    "chest": "treasure, coffin",
+    "chest": "treasure",
     "laptop": "computer mouse",
     "monitor": "display",
     "table": "altar",
@@ -117,7 +117,7 @@ REAL = frozenset(
     mono month months moore moron morons morse moses mouth mouths muse muses nail nails night
     nights odor offer offers olaf oliver oman option options oral ouch pacing packaged paddock paid
     paine painter painters pair palate palin pant pantry parsons pats paving paying pearl pearson
-    pendant pendants persona phoned phony piazza pickle pickles picky piers piling pinky pistil
+     pendants persona phoned phony piazza pickle pickles picky piers piling pinky pistil
     piston pistons place places plain plan plans play pointer pointers pointing pools port portion
     portions potty preach prevent prevents printed printing prose psalm psalms pure pursue quid
     rabbi rage rail rain ramen rang ranged ranger rangers rapper rappers rate rave read reads

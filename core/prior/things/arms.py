@@ -207,7 +207,7 @@ def catapult(draw: Draw) -> Parts:
     }
 
 
-def _flattened(solid: Solid, along_y: float) -> Solid:
+def flattened(solid: Solid, along_y: float) -> Solid:
     """``solid`` made thinner in y by the factor; a lower bound."""
     return lambda p: solid(p * p.new_tensor([1, 1 / along_y, 1])) * along_y
 
@@ -220,7 +220,7 @@ def chestplate(draw: Draw) -> Parts:
     half += [(0.36, high), (0.3, high - 0.22), (0.16, high - 0.34)]
     outline = prism([*half, *((-a, b) for a, b in reversed(half))], 1, 1)
     trunk, grown = (
-        _flattened(lathe([(waist + more, 0.3), (chest + more, 0.95), (chest + more, 2)]), deep)
+        flattened(lathe([(waist + more, 0.3), (chest + more, 0.95), (chest + more, 2)]), deep)
         for more in (0.0, 0.1)
     )
     low = high - 0.9
@@ -232,13 +232,13 @@ def chestplate(draw: Draw) -> Parts:
     return {
         "plate": join(
             lambda p: outline(p).maximum(trunk(p)),
-            _flattened(lathe([(hem, 0), (waist, 0.34)], 0.01), deep),
+            flattened(lathe([(hem, 0), (waist, 0.34)], 0.01), deep),
         ),
         "muscles": both(lambda p: pec(p).maximum(grown(p))),
         "pauldrons": both(moved(turned(dome, 1, 24), (chest - 0.04, 0, high - 0.26))),
-        "belt": _flattened(tube((0, 0, 0.24), (0, 0, 0.46), waist + 0.09, 0.02), deep),
+        "belt": flattened(tube((0, 0, 0.24), (0, 0, 0.46), waist + 0.09, 0.02), deep),
         "crest": prism(kite, 1, 0.2, -chest * deep),
-        "lining": _flattened(tube((0, 0, 0.6), (0, 0, high - 0.3), 0.29), 0.9),
+        "lining": flattened(tube((0, 0, 0.6), (0, 0, high - 0.3), 0.29), 0.9),
     }
 
 

@@ -2,7 +2,11 @@
 
 from core.guidance.builtin.nouns.noun import (
     COPPER,
+    FABRIC,
     GOLD,
+    PLANT,
+    PLASTIC,
+    SNOW,
     STEEL,
     STONE,
     WOOD,
@@ -149,5 +153,106 @@ ARMS = {
         "silver ingot, iron ingot, metal bar, metal ingot",
         {"bar": "*f0bf3e . golden", "stamp": "&d8a230 . golden"},
         Usual(0.2, GOLD, 0.53),
+    ),
+    "brazier": Noun(
+        "braziers, fire bowl, firebowl, fire basket; fire pot, fire cauldron, sacrificial fire",
+        {
+            "bowl": "*3a3c40 . metal",
+            "rim": "&4a4d52 . metal",
+            "legs": "&3a3c40 . metal",
+            "embers": "-c8341a",
+            "flame": "-ff8c1a",
+            "tongues": "-ffc23a",
+        },
+        Usual(1.1, STEEL, 0.02),
+    ),
+    "necklace": Noun(
+        "necklaces, jewelled necklace; amulet, pendant, talisman, locket, choker",
+        {
+            "chain": "*c9983a . golden",
+            "beads": "*e8b93c . golden",
+            "setting": "&e8b93c . golden",
+            "stone": "+b0182c . glass",
+            "bail": "&c9983a . golden",
+        },
+        Usual(0.25, GOLD, 0.02),
+    ),
+    "feather": Noun(
+        "feathers, bird feather; quill, quill pen, plume, eagle feather",
+        {"vane": "*eceae2", "tip": "+4a3a30", "shaft": "-d8c49c"},
+        Usual(0.25, PLANT, 0.02),
+    ),
+    "sack": Noun(
+        "sacks, burlap sack, cloth sack; flour sack, money bag, moneybag, burlap bag, "
+        "bag of money, bag of gold, coin bag, sack of flour, sack of potatoes, grain sack, "
+        "sandbag, pouch, coin pouch, loot bag",
+        {
+            "body": "*b99563 . fabric",
+            "mouth": "&b99563 . fabric",
+            "rope": "-6b4a28",
+            "patch": "+8a6238 . fabric",
+        },
+        Usual(0.8, FABRIC, 0.5),
+    ),
+    "coffin": Noun(
+        "coffins, casket, wooden coffin; sarcophagus, vampire coffin",
+        {
+            "body": "*5a3a20 grain",
+            "lid": "*6b4424 grain",
+            "panel": "&7a4f2a grain",
+            "cross": "+d8a83c . golden",
+            "handles": "+c79a3e . golden",
+            "edge": "&5a3a20 grain",
+        },
+        Usual(2.1, WOOD, 0.04),
+    ),
+    "anchor": Noun(
+        "anchors, ship anchor, boat anchor; ship's anchor, grapnel",
+        {
+            "shank": "*3f474f . metal",
+            "arms": "*3f474f . metal",
+            "flukes": "&4c555e . metal",
+            "stock": "&4c555e . metal",
+            "ring": "+6a737c . metal",
+        },
+        Usual(1.2, STEEL, 0.1),
+    ),
+    "hay bale": Noun(
+        "hay bales, haybale, haybales, bale of hay, straw bale, bale of straw, hay; straw, "
+        "haystack, hay stack, bale",
+        {"straw": "*d8b04a thatch", "twine": "-8a4a2e", "stalks": "&e6c468"},
+        Usual(1.0, PLANT, 0.08),
+    ),
+    "beehive": Noun(
+        "bee hive, beehives, bee hives, skep, hive; wasp nest, apiary, honey hive",
+        {
+            "coils": "*d8a03a",
+            "bands": "&e8b850",
+            "knob": "&d8a03a",
+            "rim": "&a86f24",
+            "entrance": "-2a1a0e",
+            "board": "+7a4f2a grain",
+        },
+        Usual(0.55, PLANT, 0.1),
+    ),
+    "cloud": Noun(
+        "clouds, fluffy cloud, white cloud; rain cloud, raincloud, storm cloud, thundercloud",
+        {"middle": "*f4f6f8", "puffs": "*eef1f5", "ends": "*e6ebf1"},
+        Usual(2.0, SNOW, 0.01),
+    ),
+    "sun": Noun(
+        "suns, sunshine, sun symbol; sunburst, sun rays, summer sun",
+        {"disc": "*ffc91f", "rays": "*f79a1a", "glints": "*ffb52a"},
+        Usual(1.0, PLASTIC, 0.2),
+    ),
+    "leaf": Noun(
+        "leaves, maple leaf, maple leaves; autumn leaf, autumn leaves, fall leaf, oak leaf",
+        {"blade": "*cf4a1e", "veins": "&f0a03c", "stalk": "-8a4a22"},
+        Usual(0.15, PLANT, 0.02),
+    ),
+    "snowflake": Noun(
+        "snowflakes, snow flake, snow flakes, ice crystal; snow crystal",
+        {"arms": "*bfe4f7 . glass", "branches": "*d6effb . glass", "middle": "&9fd4f0 . glass"},
+        Usual(0.3, PLASTIC, 0.3),
     ),
 }
