@@ -57,7 +57,7 @@ def table(draw: Draw) -> Parts:
     if disc:
         x = y = (x + y) / 2
     slab = tube((0, 0, top), (0, 0, top + 2 * plate), x, 0.03)
-    if draw.legs(4, 4, 4, 4, 4, 1) == 1:
+    if draw.legs(4) == 1:
         legs = join(
             tube((0, 0, 0), (0, 0, top), thick * 1.2), tube((0, 0, 0), (0, 0, 0.15), x * 0.6, 0.03)
         )
