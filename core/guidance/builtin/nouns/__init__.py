@@ -32,7 +32,6 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Arms and Fantasy": ARMS,
     "Food": FOOD,
     "Plants": PLANTS,
-    "Animals": ANIMALS,
     "Characters": CHARACTERS,
     "Animals": ANIMALS | WILD_ANIMALS,
     "Vehicles": VEHICLES,
