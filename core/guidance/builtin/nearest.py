@@ -103,33 +103,33 @@ NEAREST = {
 }
 # Words of everyday English that are one slip away from a known word: no misspellings.
 REAL = frozenset(
-    """able abroad aces alden align allen alone along amor amores amour andy ants applies armory arose
-    around arrest arrests artisan artisans asher badger badgers bain baird banged banker bankers
-    banned banter barlow barred barren barron basing basis bass batch batches bathe battle bead
-    beale beard beat beatles bella belle bender berger biker bikers bile billion billions bladder
-    blank blasted blended bloc blunder blush bluster boar boast boasts boko bonded boom boost boosts
-    booth booths booty borrow bots bottled bowel bowie bracket brackets brad branded bras bred bride
-    brides bridget bridle bridles bring brings brock brook brooks brow browne brownies brows bruh
-    buckley bucky buick bulge bulk bullies bully burgess burn burner burrows burst bursts busch
-    cable cain calif calm candies cane cannot canon canton canyon cape caramel carat carb carbs card
-    cars carte caste cell cells chai chanel char chart charts cheesy chess chet chic chico chill
-    chills chilly chin chip chive chives choke choked chopped choral chuck chunk chunks claim claims
-    clamp cleaner cleaners clearer clever click clicks clone clones close closed closer closes
-    closest clot cloudy coal coat coffee colin colton comb comin confer conte controlled cooke
-    cooked cookery cooler cooper copied copies cora core corner corners corny cram crater craven
-    creamy create creates creek crook crooks crouch crowd crowds crowe crusade dairy danger dangers
-    darth defer denies denis deter dicey dion dogg dolly dolores done donor donors dont dover drawer
-    dressed drove dustin dwell dyer each earle ebook ebooks eddy edge edges elon extinguished fail
-    fails fair fallon father fathers fenced fishy fitch flakes flattered float floats flock floor
-    flow flowed flute flutes focal food forte forth forty freeze freezes fringe fringes gaelic
-    gallon gallons gary gated giggles girly glance glaze glock gloss glover golf gould grades grady
-    grain grange graphs grasses grassy grate graves gravy greek greene grizzlies ground grounded
-    grounds groves grown hades hair hale hall handled handler handlers harper hart hatched hawke
-    health hear hears hearty heat heath heats heck helix hell herts hicks hips holmes homer homie
-    hone hopper horne horned horner hose host hosts housed hubby humane iggy inch inches irony
-    jacked jean juice juiced juices jumped lace lack lacks laid lame lancer lancers lancs lander
-    lane lanes leafy leave ledge leigh lender lenders leon licking lien lilly live lives lobe lobes
-    locke locked locking loft lopes loud love loves lower lowers lump lumps macau macs maggie
+    """able abroad aces alden align allen alone along amor amores amour andy ants applies armory
+    arose around arrest arrests artisan artisans asher badger badgers bain baird banged banker
+    bankers banned banter barlow barred barren barron basing basis bass batch batches bathe battle
+    bead beale beard beat beatles bella belle bender berger biker bikers bile billion billions
+    bladder blank blasted blended bloc blunder blush bluster boar boast boasts boko bonded boom
+    boost boosts booth booths booty borrow bots bottled bowel bowie bracket brackets brad branded
+    bras bred bride brides bridget bridle bridles bring brings brock brook brooks brow browne
+    brownies brows bruh buckley bucky buick bulge bulk bullies bully burgess burn burner burrows
+    burst bursts busch cable cain calif calm candies cane cannot canon canton canyon cape caramel
+    carat carb carbs card cars carte caste cell cells chai chanel char chart charts cheesy chess
+    chet chic chico chill chills chilly chin chip chive chives choke choked chopped choral chuck
+    chunk chunks claim claims clamp cleaner cleaners clearer clever click clicks clone clones close
+    closed closer closes closest clot cloudy coal coat coffee colin colton comb comin confer conte
+    controlled cooke cooked cookery cooler cooper copied copies cora core corner corners corny cram
+    crater craven creamy create creates creek crook crooks crouch crowd crowds crowe crusade dairy
+    danger dangers darth defer denies denis deter dicey dion dogg dolly dolores done donor donors
+    dont dover drawer dressed drove dustin dwell dyer each earle ebook ebooks eddy edge edges elon
+    extinguished fail fails fair fallon father fathers fenced fishy fitch flakes flattered float
+    floats flock floor flow flowed flute flutes focal food forte forth forty freeze freezes fringe
+    fringes gaelic gallon gallons gary gated giggles girly glance glaze glock gloss glover golf
+    gould grades grady grain grange graphs grasses grassy grate graves gravy greek greene grizzlies
+    ground grounded grounds groves grown hades hair hale hall handled handler handlers harper hart
+    hatched hawke health hear hears hearty heat heath heats heck helix hell herts hicks hips holmes
+    homer homie hone hopper horne horned horner hose host hosts housed hubby humane iggy inch inches
+    irony jacked jean juice juiced juices jumped lace lack lacks laid lame lancer lancers lancs
+    lander lane lanes leafy leave ledge leigh lender lenders leon licking lien lilly live lives lobe
+    lobes locke locked locking loft lopes loud love loves lower lowers lump lumps macau macs maggie
     magnified magnifies maker makers makin march marches marian marie marion marked market markets
     marlon marrow martial martin martina martins math maze meal meals medial mellon melo mental meta
     metallica microscopy mikey milky milla mille milly mince mixes money mono month months moore
