@@ -96,7 +96,7 @@ FILLER = frozenset(
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair set bunch slice piece wearing holding old new classic modern traditional elegant lovely
+    pair set bunch pile heap slice piece wearing holding old new classic modern traditional elegant lovely
     pretty figurine statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.

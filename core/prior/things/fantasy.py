@@ -244,9 +244,9 @@ def hay_bale(draw: Draw) -> Parts:
         for k in range(count)
     ]
     # Loose straws on top, fixed.
-    over = [(-0.72, 0.2, 24), (0.06, -0.15, -38), (0.7, 0.1, 14)]
+    over = [(-0.74, -0.5, 34), (0.0, -0.5, -28), (0.74, 0.4, 22)]
     ends = [
-        moved(turned(capsule((0, -0.42, 0), (0, 0.42, 0), 0.085), 2, lean), (a * x, b * y, 2 * z))
+        moved(turned(capsule((0, -0.62, 0), (0, 0.62, 0), 0.09), 2, lean), (a * x, b * y, 2 * z))
         for a, b, lean in over
     ]
     return {
