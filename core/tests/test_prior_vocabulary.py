@@ -248,7 +248,7 @@ def test_a_slip_is_corrected(typed, meant):
 
 
 def test_orange_is_a_colour_where_it_names_no_fruit():
-    assert parse("an orange with a leaf").noun == "orange fruit"
+    assert parse("an orange with pips").noun == "orange fruit"
     assert parse("orange", noun_needed=False) == Words(color="orange")
     for prompt in ("orange and blue", "something black and orange", "an orange widget"):
         with pytest.raises(UserError):
@@ -268,7 +268,7 @@ def test_a_corrected_word_begins_a_phrase_like_any_other():
     assert parse("a snowman witout a hat").part == "no hat"
 
 
-@pytest.mark.parametrize("word", ["coffee", "month", "three", "towel", "goat", "chess", "shark"])
+@pytest.mark.parametrize("word", ["coffee", "month", "three", "towel", "chess", "shark"])
 def test_a_word_of_another_thing_is_no_slip(word):
     assert corrected(word) == ""
 
@@ -277,8 +277,8 @@ def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
     words = parse("a worn leather armchair")
     assert (words.noun, words.material) == ("armchair", "leather")
     assert words.notes == ("The built-in model does not know 'worn': left out.",)
-    with pytest.raises(UserError, match="'zebra'") as caught:
-        parse("a worn zebra")
+    with pytest.raises(UserError, match="'okapi'") as caught:
+        parse("a worn okapi")
     assert "worn" not in caught.value.text
 
 

@@ -8,64 +8,42 @@ NEAREST = {
     "chest": "treasure",
     "laptop": "computer mouse",
     "monitor": "display",
-    "table": "altar",
-    "sofa": "futon, divan, chaise",
-    "bench": "pew",
-    "vase": "pot, amphora",
+    "sofa": "chaise",
+    "vase": "pot",
     "teapot": "coffeepot, samovar",
     "goblet": "tumbler, grail",
-    "mug": "tankard, stein",
-    "bottle": "perfume, thermos",
+    "bottle": "perfume",
     "cylinder": "battery",
     "candle": "match, lighter",
     "lamp": "streetlight, flashlight",
-    "house": "building, hotel, shop, store, mosque",
-    "church": "cathedral, monastery",
+    "house": "building, shop, store",
     "tower": "minaret",
     "cottage": "bungalow",
     "windmill": "turbine",
     "telescope": "binoculars, periscope",
     "baseball bat": "club",
     "castle": "dungeon, kingdom",
-    "arch": "portal, tunnel",
-    "flower": "orchid, bouquet",
-    "cactus": "succulent",
-    "mushroom": "fungus",
-    "car": "limousine",
-    "airplane": "jet",
-    "boat": "raft, ferry, gondola",
-    "pirate ship": "warship",
-    "train": "subway",
-    "rocket": "missile, star wars, star trek",
+    "arch": "tunnel",
+    "rocket": "star wars, star trek",
     "ball": "earth, beach, bubble",
-    "robot": "android, cyborg, droid",
-    "bust": "head, face, mannequin",
+    "bust": "head, face",
     "cone": "tornado",
-    "torus": "bracelet",
     "horse": "seahorse, sea horse",
-    "deer": "llama, alpaca",
     "lion": "leopard, cheetah, panther",
-    "duck": "swan, goose",
-    "chicken": "turkey, peacock",
+    "duck": "swan",
+    "chicken": "peacock",
     "bird": "ostrich, bat",
-    "fish": "trout",
     "dolphin": "seal, walrus",
-    "rabbit": "hare",
-    "mouse": "hedgehog, guinea pig",
+    "mouse": "hedgehog",
     "turtle": "lizard",
     "frog": "salamander",
-    "snake": "worm, eel",
     "snail": "slug",
-    "crab": "scorpion, shrimp",
+    "crab": "scorpion",
     "spider": "ant, beetle, insect",
-    "bee": "ladybug, mosquito",
+    "bee": "ladybug",
     "butterfly": "dragonfly",
-    "alien": "monster",
-    "hammer": "mallet",
-    "drum": "tambourine, bongo",
-    "pumpkin": "squash, gourd",
-    "carrot": "cucumber, radish",
-    "hat": "bonnet, beret",
+    "carrot": "cucumber",
+    "hat": "bonnet",
     "trophy": "prize, award",
     "yellow": "mustard",
     "grey": "charcoal, slate",
@@ -73,7 +51,6 @@ NEAREST = {
     "light blue": "azure, aqua",
     "lime": "chartreuse",
     "purple": "mauve",
-    "pink": "salmon",
     "green": "mint",
     "glass": "transparent, translucent",
     "plastic": "vinyl, nylon, acrylic",
@@ -87,65 +64,64 @@ NEAREST = {
 # Words of everyday English that are one slip away from a known word: no misspellings.
 REAL = frozenset(
     """able abroad aces alden align allen alone along amor amores amour andy ants applies armory
-    arose around arrest arrests artisan artisans asher badger badgers bain baird baker bakers
-    banged banker bankers banned banter barlow barred barren barron basing basis bass batch
-    batches bathe battle bead beale beard beat beatles beaver beefy bella belle bender berger
-    biker bikers bile billion billions bladder blank blasted blatter bleaker blended bloc
-    blunder blush bluster boar boast boasts boko bonded boom boost boosts booth booths booty
-    borrow bots bottled bowel bowie bracket brackets brad brake brakes branded bras breaker
-    bred bride brides bridget bridle bridles bring brings brock brook brooks brow browne
-    brownies brows bruh buckley bucky buick bulge bulk bullies bully burgess burn burner
-    burrows burst bursts busch cable cain calif calm candies cane cannot canon canton canyon
-    cape caramel carat carb carbs card cars carte caste cell cells certain chai chanel char
-    chart charts cheesy chess chet chic chico chill chills chilly chin chip chive chives choke
-    choked chopped choral chuck chunk chunks claim claims clamp cleaner cleaners clearer
-    clever click clicks clone clones close closed closer closes closest clot cloudy coal coat
-    coffee colin colton combo comin confer conte controlled cooke cooked cookery cooler cooper
-    copied copies cora core corner corners corny counted cram crater craven creamy create
-    creates creek crew crews crook crooks crouch crowd crowds crowe crusade curtail dairy
-    danger dangers darth defer denies denis deter dicey dion dishy dogg dolly dolores done
-    donor donors dont dover drake draped draper drawer dressed drove dustin dwell dyer each
-    earle ebook ebooks eddy edge edges elon enveloped extinguished fail fails fair fallon
-    father fathers fenced fishy fitch flak flakes flattered float floats flock floor flow
-    flowed flute flutes focal food forte forth forty freeze freezes fringe fringes gaelic
-    gallon gallons gary gated giggles girly glance glaze glock gloss glover going golf gould
-    grades grady grain grange graphs grasses grassy grate graves gravy greek greene grizzlies
-    ground grounded grounds groves grown hades hair hale hall handled handler handlers harper
-    hart hatched hawke health hear hears hearty heat heath heats heck helix hell herts hicks
-    hips holmes homer homie hone hopper horne horned horner hose host hosts housed hubby
-    humane iggy inch inches infection irony jacked jean juice juiced juices jumped lace lack
-    lacks laid lame lancer lancers lancs lander lane lanes late latter leafy leave ledge leigh
-    lender lenders leon licking lien lilly litter live lives lobe lobes locke locked locking
-    loft lopes loud love loves lower lowers lump lumps macau macs maggie magnified magnifies
-    maker makers makin mali march marches marian marie marion marked market markets marlon
-    marrow martial martin martina martins math maze meal meals meant medial mellon melo mental
-    meta metallica microscopy mikey milky milla mille milly mince mixes money mono month
-    months moore moron morons morse moses mouth mouths muse muses nail nails night nights odor
-    offer offers olaf oliver oman option options oral ouch pacing packaged paddock paid paine
-    painter painters pair palate palin pant pantry parsons pats patter paving paying pearl
-    pearson pendants persona phoned phony piazza pickle pickles picky piers piling pinky piped
-    piper pistil piston pistons place places plain plan plans plated play plotter plumping
-    pointer pointers pointing pools port portion portions potty prattle preach prevent
-    prevents printed printing prose psalm psalms pure pursue quid rabbi rage rail rain raked
-    raker ramen rang ranged ranger rangers rapper rappers rate rattled rattler rave read reads
-    resent rested retrieve retrieved revolved revolves rick ridge ridges ringo road roads
-    robber robbers robbins robyn rocked rockies rocky rookies room rooms root rosen rosie ross
-    roster rosters rounder rubbed rubin rush rushed rushes sail sake sauce sauces saucier
-    scandal scandals scanner scanners scar scarlett scorn scotty scream screams screwy sears
-    self sell sells selves sender settle settles shack shaded shake shaken shakes shakier
+    arose around arrest arrests artisan artisans asher badger badgers bain baird bakers banged
+    banker bankers banned banter barlow barred barren barron basing basis bass batch batches
+    bathe battle bead beale beard beat beatles beaver beefy bella belle bender berger biker
+    bikers bile billion billions bladder blank blasted blatter bleaker blended bloc blunder
+    blush bluster boast boasts boko bonded boom boost boosts booth booths booty borrow bots
+    bottled bowel bowie bracket brackets brad brake brakes branded bras breaker bred bride
+    brides bridget bridle bridles bring brings brock brook brooks brow browne brownies brows
+    bruh buckley bucky buick bulge bulk bullies bully burgess burn burner burrows burst bursts
+    busch cable cain calif calm candies cannot canon canton canyon cape caramel carat carb
+    carbs card cars carte caste cell cells certain chai chanel char chart charts cheesy chess
+    chet chic chico chill chills chilly chin chip chive chives choke choked chopped choral
+    chuck chunk chunks claim claims clamp cleaner cleaners clearer clever click clicks clone
+    clones close closed closer closes closest clot cloudy coal coffee colin colton combo comin
+    confer conte controlled cooke cooked cookery cooler cooper copied copies cora core corner
+    corners corny counted cram crater craven creamy create creates creek crew crews crooks
+    crouch crowd crowds crowe crusade curtail dairy danger dangers darth defer denies denis
+    deter dicey dion dishy dogg dolly dolores done donor donors dont dover draped draper
+    drawer dressed drove dustin dwell dyer each earle ebook ebooks eddy edge edges elon
+    enveloped extinguished fail fails fair fallon father fathers fenced fishy fitch flak
+    flakes flattered float floats flock floor flow flowed flutes focal food forte forth forty
+    freeze freezes fringe fringes gaelic gallon gallons gary gated giggles girly glance glaze
+    gloss glover going golf gould grades grady grain grange graphs grasses grassy grate graves
+    gravy greek greene grizzlies ground grounded grounds groves grown hades hair hale hall
+    handled handler handlers harper hart hatched hawke health hear hears hearty heat heath
+    heats heck helix hell herts hicks hips holmes homer homie hone hopper horne horned horner
+    hose host hosts housed hubby humane iggy inch inches infection irony jacked jean juice
+    juiced juices jumped lace lack lacks laid lame lancer lancers lancs lander lane lanes late
+    latter leafy leave ledge leigh lender lenders leon licking lien lilly litter live lives
+    lobe lobes locke locked locking loft lopes loud love loves lower lowers lump lumps macau
+    macs maggie magnified magnifies maker makers makin mali march marches marian marie marion
+    marked market markets marlon marrow martial martin martina martins math maze meal meals
+    meant medial mellon melo mental meta metallica microscopy mikey milky milla mille milly
+    mince mixes money mono month months moore moron morons morse moses mouth mouths muse muses
+    nail nails night nights odor offer offers olaf oliver oman option options oral ouch pacing
+    packaged paddock paid paine painter painters pair palate palin pant pantry parsons pats
+    patter paving paying pearl pearson pendants persona phoned phony piazza pickle pickles
+    picky piers piling pinky piped piper pistil piston pistons place places plain plan plans
+    plated play plotter plumping pointer pointers pointing pools port portion portions potty
+    prattle preach prevent prevents printed printing prose psalm psalms pure pursue quid rabbi
+    rage rail rain raked raker ramen rang ranged ranger rangers rapper rappers rate rattled
+    rattler rave read reads resent rested retrieve retrieved revolved revolves rick ridge
+    ridges ringo road roads robbers robbins robyn rocked rockies rocky rookies room rooms root
+    rosen rosie ross roster rosters rounder rubbed rubin rush rushed rushes sail sake sauce
+    sauces saucier scandal scandals scanners scar scarlett scorn scotty scream screams screwy
+    sears self sell sells selves sender settle settles shaded shake shaken shakes shakier
     shank shapes shard shards share sharer shares sharp shaver shear shelly shes shine shines
     shone shooter shooters shoots shopper shoppers shore shorty shot shots shouts shove shoved
-    shrink side silky sing sings sitar skilled skit slack slander slid slider slime sludge
-    smack snack snacks snare snowden sofia soon sort sorts soup spar spares spark sparks spawn
-    speaks spectacle spicer spike spine spinner sport sprinter squad squads stable stack
-    stacks stage stake stakes stale stalls stamp stare stark starr start starts starz steal
-    steals steam steele steroid steroids stink stinks stoned stoner stopped strain strains
-    streak stride strides strife strike strikes strip strips strive strives stroll struck
-    stuns sunday swallow swallows swears sweeter swell tail tale tally tara tarot tarzan
-    tastes teak tenth thank thanks thine thing things think thinks thorne three tick ticks
-    time timer timers toasted tone tones tool tools tore tote tours tout towel towels trailer
-    trailers trained trainee trainees traitor traitors tramp trans trent truss trust trusted
-    trusts tsar tubed tuck tyrone valentin valentina valentino vidal violates violent viral
-    vital waffled wail wales wanda washed washes weasel while whit whole widen wider widow
-    widows wilde wolfe wolff wooded woody woolf word words woven""".split()
+    shrink side silky sing sings sitar skilled skit slack slander slid slime sludge smack
+    snack snacks snare snowden sofia soon sort sorts soup spar spares spark sparks spawn
+    speaks spectacle spicer spike spine spinner sport sprinter squad squads stack stacks stage
+    stake stakes stale stalls stamp stare stark starr start starts starz steal steals steam
+    steele steroid steroids stink stinks stoned stoner stopped strain strains streak stride
+    strides strife strike strikes strip strips strive strives stroll struck stuns sunday
+    swallows swears sweeter swell tail tale tally tara tarot tarzan tastes teak tenth thank
+    thanks thine thing things think thinks thorne three ticks time timer timers toasted tone
+    tones tool tools tore tote tours tout towel towels trailer trailers trained trainee
+    trainees traitor traitors tramp trans trent truss trust trusted trusts tsar tubed tuck
+    tyrone valentin valentina valentino vidal violates violent viral vital waffled wail wales
+    wanda washed washes weasel while whit whole widen wider widow widows wilde wolfe wolff
+    wooded woody woolf word words woven""".split()
 )

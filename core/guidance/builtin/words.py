@@ -96,8 +96,8 @@ FILLER = frozenset(
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair set bunch pile heap slice piece wearing holding old new classic modern traditional elegant lovely
-    pretty figurine statuette carving replica""".split()
+    pair set bunch pile heap slice piece wearing holding old new classic modern traditional elegant
+    lovely pretty figurine statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = frozenset(
@@ -111,7 +111,7 @@ IGNORED_ADJECTIVES = frozenset(
     cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining dirty clean dusty
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
-    carved handmade hand crafted painted decorated tiny huge giant miniature empty full racing
+    carved handmade crafted painted decorated tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling""".split()
 )

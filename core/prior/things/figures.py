@@ -265,7 +265,9 @@ def mermaid(draw: Draw) -> Parts:
     )
     return {
         "tail": lathe(tail, 0.02),
-        "fins": join(both(fluke), lathe([(waist + 0.1, belt - 0.07), (waist + 0.1, belt + 0.07)], 0.03)),
+        "fins": join(
+            both(fluke), lathe([(waist + 0.1, belt - 0.07), (waist + 0.1, belt + 0.07)], 0.03)
+        ),
         "skin": join(
             lathe(smooth_curve([(waist, belt - 0.05), (waist, belt + 0.2), (0.29, top - 0.2),
                                 (0.12, top)]), 0.02),

@@ -4,17 +4,17 @@ from core.guidance.builtin.nouns.noun import FABRIC, FLESH, SNOW, STEEL, Noun, U
 
 ANIMALS = {
     "pig": Noun(
-        "piggy; piglet, piggy bank",
+        "piggy; piglet, piggy bank, boar, wild boar, hog, warthog",
         {"body": "*eda3a6", "snout": "+d97f86", "eyes": "-151212"},
         Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
-        "; goldfish, clownfish",
+        "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish",
         {"body": "*ef7d1a", "fins": "+f5b03c", "eyes": "-111114"},
         Usual(0.3, FLESH, 0.31),
     ),
     "rabbit": Noun(
-        "bunny, bunnies",
+        "bunny, bunnies; hare",
         {"body": "*a58a70", "tail": "+f0ece4", "eyes": "-161212", "nose": "-d98a8f"},
         Usual(0.35, FLESH, 0.6),
     ),
@@ -24,12 +24,12 @@ ANIMALS = {
         Usual(0.4, FLESH),
     ),
     "duck": Noun(
-        "rubber duck, bath duck",
+        "rubber duck, bath duck; duckling, mallard, goose",
         {"body": "*f7cf1f", "wings": "&f2bd14", "bill": "-ee7a14", "eyes": "-131313"},
         Usual(0.4, FLESH, 0.15),
     ),
     "teddy bear": Noun(
-        "teddy",
+        "teddy; stuffed bear, plush bear, plushie, stuffed animal, plush toy",
         {"body": "*96612f . fabric", "muzzle": "+d9b382 . fabric", "eyes": "-140f0c"},
         Usual(0.4, FABRIC, 0.3),
     ),
@@ -39,12 +39,16 @@ ANIMALS = {
         Usual(1.6, SNOW),
     ),
     "cat": Noun(
-        "kitty, house cat; kitten, tabby cat, tomcat",
+        "kitty, house cat; kitten, tabby cat, tomcat, lynx, bobcat, cougar, sphynx",
         {"body": "*8a7a68", "muzzle": "+e8e0d4", "eyes": "-111111", "nose": "-d98a8f"},
         Usual(0.45, FLESH, 0.56),
     ),
     "dog": Noun(
-        "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, dalmatian, poodle",
+        "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, dalmatian, "
+        "poodle, bulldog, shiba inu, shiba, pug, german shepherd, chihuahua, terrier, "
+        "rottweiler, doberman, pitbull, great dane, greyhound, sheepdog, collie, border "
+        "collie, saint bernard, spaniel, cocker spaniel, dingo, jack russell, akita, "
+        "pomeranian, maltese",
         {
             "body": "*b98a55",
             "ears": "&7a5632",
@@ -55,7 +59,7 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.76),
     ),
     "wolf": Noun(
-        "grey wolf, gray wolf; coyote, husky",
+        "grey wolf, gray wolf; coyote, husky, werewolf, hyena, jackal, wolfdog",
         {
             "body": "*77787a",
             "muzzle": "+d0cfca",
@@ -66,7 +70,7 @@ ANIMALS = {
         Usual(1.3, FLESH, 0.38),
     ),
     "fox": Noun(
-        "red fox; fox cub",
+        "red fox; fox cub, kitsune",
         {
             "body": "*cf6a24",
             "tail tip": "+f0ece4",
@@ -77,12 +81,12 @@ ANIMALS = {
         Usual(0.9, FLESH, 0.3),
     ),
     "bear": Noun(
-        "brown bear; grizzly, grizzly bear, polar bear, black bear",
+        "brown bear; grizzly, grizzly bear, polar bear, black bear, bear cub",
         {"body": "*6b4526", "muzzle": "+b08a5e", "eyes": "-111111", "nose": "-1a1818"},
         Usual(2.0, FLESH, 0.3),
     ),
     "lion": Noun(
-        "; lion king",
+        "; lion king, lioness, lion cub",
         {
             "body": "*d0a052",
             "mane": "+7d4a1e",
@@ -93,7 +97,7 @@ ANIMALS = {
         Usual(2.2, FLESH, 0.32),
     ),
     "cow": Noun(
-        "; bull, ox, calf, cattle, dairy cow",
+        "; bull, ox, calf, cattle, dairy cow, buffalo, bison, yak, longhorn, bullock",
         {
             "body": "*ece8e0",
             "muzzle": "+e0a8a0",
@@ -105,7 +109,7 @@ ANIMALS = {
         Usual(2.3, FLESH, 0.54),
     ),
     "sheep": Noun(
-        "; lamb, ewe",
+        "; lamb, ewe, alpaca, llama",
         {"wool": "*ece7da", "head": "+3a3431", "legs": "+3a3431", "eyes": "-f0f0f0"},
         Usual(1.2, FLESH, 0.28),
     ),
@@ -120,12 +124,12 @@ ANIMALS = {
         Usual(4.8, FLESH, 0.37),
     ),
     "horse": Noun(
-        "; pony, stallion, mare, foal, donkey, mule",
+        "; pony, stallion, mare, foal, donkey, mule, warhorse, racehorse, colt, clydesdale",
         {"body": "*8a5a34", "mane": "+2e211a", "hooves": "-3a322c", "eyes": "-111111"},
         Usual(2.4, FLESH, 0.6),
     ),
     "unicorn": Noun(
-        "; pegasus, baby unicorn",
+        "; pegasus, baby unicorn, alicorn",
         {
             "body": "*f2eef2",
             "mane": "+e58fc4",
@@ -147,7 +151,7 @@ ANIMALS = {
         Usual(0.6, FLESH, 0.67),
     ),
     "dragon": Noun(
-        "; wyvern, baby dragon, fire dragon",
+        "; wyvern, baby dragon, fire dragon, drake, baby drake, hydra, dragonling, pterodactyl",
         {
             "body": "*3f8a3c",
             "belly": "+d9c878",
@@ -158,14 +162,23 @@ ANIMALS = {
         Usual(6.0, FLESH, 0.23),
     ),
     "dinosaur": Noun(
-        "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla",
+        "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla, "
+        "allosaurus, tyrannosaurus rex, spinosaurus, iguanodon, theropod",
         {"body": "*6a8a3a", "belly": "+cfc48a", "teeth": "-f0ead8", "eyes": "-16140f"},
         Usual(12.0, FLESH, 0.11),
     ),
     "person": Noun(
         (
-            "human, man, woman; boy, girl, child, kid, baby, guy, lady, character, figure, doll, "
-            "princess, prince, elf, pirate, ninja, zombie, astronaut"
+            "human, man, woman; boy, girl, child, kid, baby, guy, lady, character, figure, "
+            "doll, princess, prince, elf, pirate, ninja, zombie, astronaut, human being, "
+            "businessman, doctor, nurse, policeman, police officer, firefighter, teacher, "
+            "fairy, chef, farmer, cowboy, viking, samurai, gladiator, monk, vampire, mummy, "
+            "superhero, athlete, dancer, ballerina, robber, thief, detective, worker, "
+            "construction worker, sailor, student, mannequin, clown, mannikin, villager, "
+            "peasant, archer, rogue, assassin, bard, cleric, priest, nun, geisha, grandma, "
+            "grandpa, toddler, hero, heroine, npc, character model, waiter, mime, jester, "
+            "angel statue, scientist, baker, spaceman, cosmonaut, diver, scuba diver, "
+            "superman, batman, spiderman"
         ),
         {
             "shirt": "*c23b34 . fabric",
@@ -178,7 +191,8 @@ ANIMALS = {
         Usual(1.75, FLESH, 0.38),
     ),
     "knight": Noun(
-        "; paladin, crusader, suit of armor, suit of armour, warrior, soldier",
+        "; paladin, crusader, suit of armor, suit of armour, warrior, soldier, templar, "
+        "guard, royal guard, spartan, centurion, hoplite, sentinel",
         {
             "armour": "*a8adb4 . metal",
             "visor": "-141416",
@@ -189,7 +203,7 @@ ANIMALS = {
         Usual(1.9, STEEL, 0.03),
     ),
     "monkey": Noun(
-        "; ape, chimp, chimpanzee, gorilla",
+        "; ape, chimp, chimpanzee, gorilla, orangutan, baboon, gibbon, king kong, lemur",
         {"body": "*6b452a", "face": "+dcb58c", "eyes": "-111111"},
         Usual(0.9, FLESH, 0.32),
     ),
@@ -197,7 +211,10 @@ ANIMALS = {
         (
             "songbird, birdie; sparrow, crow, raven, eagle, hawk, falcon, parrot, parakeet, "
             "macaw, pigeon, dove, seagull, robin, bluebird, blackbird, canary, finch, "
-            "woodpecker, hummingbird, magpie, vulture"
+            "woodpecker, hummingbird, magpie, vulture, cockatoo, kingfisher, cardinal, blue "
+            "jay, cuckoo, swallow, starling, toucan, puffin, pelican, songbird nest, phoenix,"
+            " nightingale, budgie, budgerigar, lovebird, albatross, condor, osprey, bird of "
+            "prey"
         ),
         {
             "body": "*4f83bd",
@@ -234,7 +251,7 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.19),
     ),
     "chicken": Noun(
-        "; hen, rooster, cockerel, chick",
+        "; hen, rooster, cockerel, chick, turkey, quail, pheasant, partridge",
         {
             "body": "*f0e8d8",
             "wings": "&dccbab",
@@ -247,12 +264,13 @@ ANIMALS = {
         Usual(0.45, FLESH, 0.2),
     ),
     "whale": Noun(
-        "; orca, killer whale, blue whale, humpback, humpback whale, sperm whale, beluga, narwhal",
+        "; orca, killer whale, blue whale, humpback, humpback whale, sperm whale, beluga,"
+        " narwhal, blue whales, humpback whales",
         {"body": "*3f6488", "belly": "+dfe6ea", "fins": "&33547a", "eyes": "-111111"},
         Usual(12.0, FLESH, 0.24),
     ),
     "shark": Noun(
-        "; great white shark, hammerhead, hammerhead shark",
+        "; great white shark, hammerhead, hammerhead shark, megalodon, shark fish",
         {
             "body": "*5f7180",
             "belly": "+e8ebea",
@@ -268,12 +286,13 @@ ANIMALS = {
         Usual(2.4, FLESH, 0.26),
     ),
     "octopus": Noun(
-        "octopi; squid, kraken, cuttlefish",
+        "octopi; squid, kraken, cuttlefish, cthulhu",
         {"body": "*c2513f", "suckers": "+f0c4a8", "eyes": "-f4f2ec", "pupils": "-111111"},
         Usual(1.0, FLESH, 0.072),
     ),
     "snake": Noun(
-        "serpent; cobra, rattlesnake, viper, python, anaconda",
+        "serpent; cobra, rattlesnake, viper, python, anaconda, boa, boa constrictor, "
+        "adder, eel, worm, earthworm",
         {"body": "*5c8a34", "belly": "+d8cf8a", "eyes": "-e8b41c", "tongue": "-c2222c"},
         Usual(0.5, FLESH, 0.26),
     ),
@@ -289,17 +308,18 @@ ANIMALS = {
         Usual(0.1, FLESH, 0.43),
     ),
     "butterfly": Noun(
-        "butterflies; moth, monarch butterfly",
+        "butterflies; moth, monarch butterfly, butterfly wings",
         {"wings": "*ee7d1a", "edges": "+1f1a17", "body": "-2b221c", "eyes": "-6b4a2c"},
         Usual(0.1, FLESH, 0.011),
     ),
     "spider": Noun(
-        "; tarantula, black widow",
+        "; tarantula, black widow, tick",
         {"body": "*3b2f2a", "legs": "&4f3e34", "eyes": "-c22a22", "fangs": "-1a1412"},
         Usual(0.1, FLESH, 0.33),
     ),
     "bee": Noun(
-        "; honeybee, honey bee, bumblebee, bumble bee, wasp, hornet",
+        "; honeybee, honey bee, bumblebee, bumble bee, wasp, hornet, fly, housefly, "
+        "mosquito, firefly",
         {
             "body": "*f2b81c",
             "stripes": "+221c18",
@@ -310,7 +330,7 @@ ANIMALS = {
         Usual(0.02, FLESH, 0.24),
     ),
     "crab": Noun(
-        "; king crab, hermit crab, lobster, crayfish",
+        "; king crab, hermit crab, lobster, crayfish, lobsters, prawn, shrimp",
         {
             "body": "*d2432a",
             "claws": "&d2432a",
@@ -326,7 +346,7 @@ ANIMALS = {
         Usual(0.08, FLESH, 0.77),
     ),
     "deer": Noun(
-        "; reindeer, stag, buck, doe, fawn, moose, elk, antelope, gazelle",
+        "; reindeer, stag, buck, doe, fawn, moose, elk, antelope, gazelle, bambi, impala, caribou",
         {
             "body": "*a5703e",
             "antlers": "-d8c4a0",
@@ -339,7 +359,7 @@ ANIMALS = {
         Usual(2.0, FLESH, 0.4),
     ),
     "mouse": Noun(
-        "mice; rat, hamster, gerbil",
+        "mice; rat, hamster, gerbil, guinea pig, chinchilla, ferret, shrew, mole, rodent",
         {
             "body": "*8f8a86",
             "ears": "+e3a9a4",
@@ -351,12 +371,12 @@ ANIMALS = {
         Usual(0.15, FLESH, 0.15),
     ),
     "ghost": Noun(
-        "; phantom, poltergeist",
+        "; phantom, poltergeist, spectre, specter, wraith",
         {"body": "*eef0f4", "eyes": "-15151a", "mouth": "-15151a"},
         Usual(1.5, FABRIC, 0.017),
     ),
     "alien": Noun(
-        "; martian, extraterrestrial",
+        "; martian, extraterrestrial, alien creature, little green man, extra terrestrial",
         {
             "skin": "*7fb24a",
             "suit": "+8d95a3",

@@ -4,7 +4,9 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 
 BUILDINGS = {
     "house": Noun(
-        "home; barn, shed, villa, mansion, farmhouse, garage, school",
+        "home; barn, shed, villa, mansion, farmhouse, garage, school, dollhouse, "
+        "townhouse, doghouse, birdhouse, hospital, police station, fire station, kennel, "
+        "outhouse, stable",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",
@@ -15,7 +17,8 @@ BUILDINGS = {
         Usual(8.0, STONE, 0.15),
     ),
     "cottage": Noun(
-        "; hut, cabin",
+        "; hut, cabin, shack, fairy house, mushroom house, gingerbread house, hobbit "
+        "house, tavern, inn, saloon, chalet, bothy",
         {
             "walls": "*f0e6d0",
             "roof": "+8a5f2f thatch",
@@ -26,7 +29,8 @@ BUILDINGS = {
         Usual(7.0, STONE, 0.15),
     ),
     "tower": Noun(
-        "castle tower, watchtower; skyscraper, turret",
+        "castle tower, watchtower; skyscraper, turret, office building, apartment "
+        "building, apartment block, hotel",
         {"walls": "*a29c90 bricks stone", "door": "+5d3a1f", "windows": "-33302c"},
         Usual(20.0, STONE, 0.3),
     ),
@@ -42,12 +46,12 @@ BUILDINGS = {
         Usual(25.0, STONE, 0.3),
     ),
     "church": Noun(
-        "; chapel",
+        "; chapel, cathedral, mosque, abbey, monastery, basilica",
         {"walls": "*efe9dc", "roof": "+545a66", "door": "-6b3f22", "windows": "-5f8fc4 . glass"},
         Usual(25.0, STONE, 0.1),
     ),
     "arch": Noun(
-        "archway; gate",
+        "archway; gate, gateway, portal, torii, arc de triomphe",
         {"body": "*cbb894 bricks stone", "cornice": "&e0d2b4 . stone"},
         Usual(4.0, STONE),
     ),
@@ -75,7 +79,7 @@ BUILDINGS = {
         Usual(16.0, STONE, 0.2),
     ),
     "castle": Noun(
-        "medieval castle; fortress, fort, citadel, stronghold, palace",
+        "medieval castle; fortress, fort, citadel, stronghold, palace, sandcastle, gatehouse",
         {
             "walls": "*b3ab9c bricks stone",
             "roof": "+3f5f93",
@@ -95,7 +99,7 @@ BUILDINGS = {
         Usual(3.0, STONE, 0.5),
     ),
     "pyramid": Noun(
-        "egyptian pyramid; step pyramid, mayan temple, aztec temple, ziggurat",
+        "egyptian pyramid; step pyramid, mayan temple, aztec temple, ziggurat, pyramid of giza",
         {
             "body": "*dcb978 bricks stone",
             "top": "&ecd296 . stone",

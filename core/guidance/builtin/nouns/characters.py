@@ -148,7 +148,8 @@ CHARACTERS: dict[str, Noun] = {
         Usual(8.0, STEEL, 0.1),
     ),
     "yeti": Noun(
-        "abominable snowman; bigfoot, sasquatch, big foot, snow monster, furry monster, wampa",
+        "abominable snowman; bigfoot, sasquatch, big foot, snow monster, furry monster, wampa, "
+        "monster",
         {
             "fur": "*e8eef4 . fabric",
             "face": "+6f8fb2",

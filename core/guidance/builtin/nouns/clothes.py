@@ -13,7 +13,7 @@ from core.guidance.builtin.nouns.noun import (
 
 CLOTHES = {
     "watch": Noun(
-        "wristwatch, wrist watch; smartwatch",
+        "wristwatch, wrist watch; smartwatch, rolex, stopwatch",
         {
             "strap": "*5a3520",
             "case": "+d8b04a . golden",
@@ -23,7 +23,8 @@ CLOTHES = {
         Usual(0.08, STEEL, 0.21),
     ),
     "sneaker": Noun(
-        "shoe, trainer, running shoe, sneakers, shoes, gym shoe; sandal, loafer",
+        "shoe, trainer, running shoe, sneakers, shoes, gym shoe; sandal, loafer, "
+        "trainers, slipper, slippers, flip flop, clog, moccasin",
         {
             "body": "*c9302a . fabric",
             "sole": "+f0eee8 . rubber",
@@ -64,7 +65,7 @@ CLOTHES = {
         Usual(0.33, PLASTIC, 0.087),
     ),
     "baseball cap": Noun(
-        "cap, ball cap; visor",
+        "cap, ball cap; visor, trucker hat, snapback, beanie, beret",
         {
             "cap": "*2a56a8 . fabric",
             "brim": "+c9302a . fabric",
@@ -74,12 +75,12 @@ CLOTHES = {
         Usual(0.28, FABRIC, 0.3),
     ),
     "glove": Noun(
-        "gloves, mitten, mittens; gauntlet",
+        "gloves, mitten, mittens; gauntlet, oven mitt",
         {"body": "*b5342c . fabric", "cuff": "+ece6da . fabric", "band": "-7a211c"},
         Usual(0.25, FABRIC, 0.21),
     ),
     "backpack": Noun(
-        "rucksack, school bag, schoolbag, knapsack, back pack",
+        "rucksack, school bag, schoolbag, knapsack, back pack; schoolbag bag, satchel",
         {
             "body": "*2f6f9e . fabric",
             "pocket": "&265a82 . fabric",
@@ -91,7 +92,7 @@ CLOTHES = {
         Usual(0.5, FABRIC, 0.12),
     ),
     "handbag": Noun(
-        "purse, hand bag, bag; briefcase, tote bag",
+        "purse, hand bag, bag; briefcase, tote bag, clutch, wallet",
         {
             "body": "*a8452e",
             "flap": "&8c3725",
@@ -101,7 +102,7 @@ CLOTHES = {
         Usual(0.32, LEATHER, 0.2),
     ),
     "suitcase": Noun(
-        "travel case, luggage, trolley case",
+        "travel case, luggage, trolley case; carry on, travel bag, travel trunk",
         {
             "body": "*8a5630",
             "bands": "+4a2c18",
@@ -112,7 +113,9 @@ CLOTHES = {
         Usual(0.7, LEATHER, 0.052),
     ),
     "shirt": Noun(
-        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, jacket, hoodie, blouse",
+        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, jacket, hoodie, "
+        "blouse, tank top, cardigan, coat, raincoat, vest, blazer, sweatshirt, kimono, "
+        "parka",
         {
             "body": "*3f7fc0 . fabric",
             "cuffs": "&336ba5 . fabric",
@@ -122,7 +125,8 @@ CLOTHES = {
         Usual(0.75, FABRIC, 0.019),
     ),
     "trousers": Noun(
-        "pants, jeans, pair of trousers, pair of pants; shorts, leggings",
+        "pants, jeans, pair of trousers, pair of pants; shorts, leggings, chinos, "
+        "sweatpants, overalls, dungarees",
         {
             "body": "*35588c . fabric",
             "belt": "+5a3a20",
@@ -133,7 +137,7 @@ CLOTHES = {
         Usual(1.0, FABRIC, 0.017),
     ),
     "dress": Noun(
-        "gown, frock; skirt",
+        "gown, frock; skirt, ballgown, sundress",
         {
             "skirt": "*c23a78 . fabric",
             "body": "*c23a78 . fabric",
@@ -144,7 +148,8 @@ CLOTHES = {
         Usual(1.2, FABRIC, 0.0087),
     ),
     "wizard hat": Noun(
-        "witch hat, wizard's hat, witch's hat, magic hat; party hat",
+        "witch hat, wizard's hat, witch's hat, magic hat; party hat, sorcerer hat, mage "
+        "hat, halloween hat, dunce cap",
         {
             "body": "*3a2f86 . fabric",
             "ribbon": "+1f1a4a",
@@ -154,7 +159,8 @@ CLOTHES = {
         Usual(0.45, FABRIC, 0.053),
     ),
     "cowboy hat": Noun(
-        "stetson; sombrero, fedora, straw hat, sun hat",
+        "stetson; sombrero, fedora, straw hat, sun hat, panama hat, sheriff hat, bucket "
+        "hat, sunhat",
         {"body": "*9a6a3c . fabric", "band": "+4a2a16", "buckle": "-d5d8dc . metal"},
         Usual(0.4, FABRIC, 0.2),
     ),
@@ -164,7 +170,7 @@ CLOTHES = {
         Usual(0.12, FABRIC, 0.6),
     ),
     "medal": Noun(
-        "gold medal, medallion; badge",
+        "gold medal, medallion; badge, rosette",
         {
             "medal": "*e8b93c . golden",
             "ribbon": "+2450a0 . fabric",
@@ -175,7 +181,7 @@ CLOTHES = {
         Usual(0.14, GOLD, 0.043),
     ),
     "sunglasses": Noun(
-        "glasses, spectacles, eyeglasses, shades; goggles",
+        "glasses, spectacles, eyeglasses, shades; goggles, aviators",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
         Usual(0.16, PLASTIC, 0.16),
     ),

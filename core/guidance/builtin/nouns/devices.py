@@ -4,17 +4,18 @@ from core.guidance.builtin.nouns.noun import GLASS, PLASTIC, STEEL, WOOD, Noun, 
 
 DEVICES = {
     "laptop": Noun(
-        "notebook computer, laptop computer",
+        "notebook computer, laptop computer; macbook, chromebook, notebook pc",
         {"body": "*a3a8ae . metal", "screen": "-2b5f9e", "keys": "+26282c", "touchpad": "-7f858c"},
         Usual(0.35, PLASTIC, 0.25),
     ),
     "phone": Noun(
-        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone",
+        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e"
+        " reader, handheld",
         {"body": "*2a2c31", "screen": "-3f86c8", "camera": "-131416", "buttons": "+8b9096"},
         Usual(0.15, 2200.0, 0.45),
     ),
     "monitor": Noun(
-        "computer monitor, computer screen, screen",
+        "computer monitor, computer screen, screen; computer display",
         {"body": "*26282c", "screen": "-3a78b8", "stand": "&3a3d42", "button": "-49d06a"},
         Usual(0.55, PLASTIC, 0.3),
     ),
@@ -24,7 +25,7 @@ DEVICES = {
         Usual(0.44, PLASTIC, 0.17),
     ),
     "camera": Noun(
-        "photo camera, film camera; vintage camera",
+        "photo camera, film camera; vintage camera, polaroid, camcorder",
         {
             "body": "*b4b7bb . metal",
             "grip": "+2a2624",
@@ -36,7 +37,7 @@ DEVICES = {
         Usual(0.14, PLASTIC, 0.8),
     ),
     "speaker": Noun(
-        "loudspeaker, speakers; subwoofer",
+        "loudspeaker, speakers; subwoofer, amplifier, guitar amp, amp",
         {"body": "*4a2f1d grain", "cones": "-2b2c2f", "rims": "+9a9fa5 . metal"},
         Usual(0.5, WOOD, 0.5),
     ),
@@ -52,7 +53,7 @@ DEVICES = {
         Usual(0.2, STEEL, 0.087),
     ),
     "radio": Noun(
-        "transistor radio, portable radio; boombox",
+        "transistor radio, portable radio; boombox, walkie talkie, stereo",
         {
             "body": "*b23a2a",
             "speaker": "+e6dcc3",
@@ -64,7 +65,7 @@ DEVICES = {
         Usual(0.3, PLASTIC, 0.4),
     ),
     "game controller": Noun(
-        "gamepad, game pad, controller; joystick",
+        "gamepad, game pad, controller; joystick, playstation, xbox",
         {
             "body": "*e4e6e9",
             "pad": "-2b2d31",
@@ -80,17 +81,17 @@ DEVICES = {
         Usual(0.11, GLASS, 0.08),
     ),
     "telephone": Noun(
-        "rotary phone, old phone, rotary telephone, vintage phone; landline",
+        "rotary phone, old phone, rotary telephone, vintage phone; landline, desk phone",
         {"body": "*b52a24", "dial": "+efe8d8", "hub": "-2a2a2c", "receiver": "&9c231e"},
         Usual(0.25, PLASTIC, 0.5),
     ),
     "headphones": Noun(
-        "headphone, headset, earphones",
+        "headphone, headset, earphones; earbuds, earmuffs, ear muffs",
         {"band": "+2c2e33", "cups": "*d2382c", "cushions": "-1d1e20"},
         Usual(0.2, PLASTIC, 0.3),
     ),
     "drone": Noun(
-        "quadcopter, quadrocopter",
+        "quadcopter, quadrocopter; quad copter, uav",
         {
             "body": "*e6e8ea",
             "arms": "*c9cdd2",
@@ -101,7 +102,7 @@ DEVICES = {
         Usual(0.4, PLASTIC, 0.15),
     ),
     "printer": Noun(
-        "inkjet printer; laser printer, copier, fax machine",
+        "inkjet printer; laser printer, copier, fax machine, photocopier, scanner",
         {
             "body": "*d4d7da",
             "paper": "-fbfbf8",
@@ -124,7 +125,7 @@ DEVICES = {
         Usual(1.8, WOOD, 0.2),
     ),
     "television": Noun(
-        "tv, tv set, television set; flatscreen, retro tv",
+        "tv, tv set, television set; flatscreen, retro tv, crt",
         {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
         Usual(1.1, PLASTIC, 0.041),
     ),

@@ -4,12 +4,12 @@ from core.guidance.builtin.nouns.noun import FLESH, GLASS, PLANT, SNOW, STEEL, N
 
 FOOD = {
     "hamburger": Noun(
-        "burger, cheeseburger",
+        "burger, cheeseburger; big mac, slider",
         {"bun": "*cf8a3c", "lettuce": "+5fae34", "patty": "-5a3019", "cheese": "-f5b52a"},
         Usual(0.12, 500.0),
     ),
     "ice cream": Noun(
-        "icecream, ice cream cone; gelato",
+        "icecream, ice cream cone; gelato, gelato cone, soft serve, snow cone",
         {"scoop": "*f6c6cc", "cone": "+c98a45 waffle", "cherry": "-b8121f"},
         Usual(0.18, 600.0, 0.63),
     ),
@@ -29,12 +29,12 @@ FOOD = {
         Usual(0.2, 1000.0, 0.5),
     ),
     "cupcake": Noun(
-        "cup cake; muffin",
+        "cup cake; muffin, fairy cake",
         {"icing": "*f3a9c4", "cup": "+8a5a3a", "cherry": "-b8121f"},
         Usual(0.08, 400.0),
     ),
     "pumpkin": Noun(
-        "",
+        "; jack o lantern, gourd, squash",
         {"body": "*e27414", "stalk": "+5c6b2c"},
         Usual(0.35, PLANT, 0.6),
     ),
@@ -49,7 +49,7 @@ FOOD = {
         Usual(0.12, PLANT, 0.75),
     ),
     "strawberry": Noun(
-        "strawberries; raspberry, berry",
+        "strawberries; raspberry, berry, blackberry",
         {"body": "*d3182a", "leaves": "+4a9636", "seeds": "-f0d27a"},
         Usual(0.05, PLANT),
     ),
@@ -59,12 +59,12 @@ FOOD = {
         Usual(0.08, PLANT, 0.31),
     ),
     "lemon": Noun(
-        "; lime fruit, citrus",
+        "; lime fruit, citrus, citron",
         {"body": "*f4d92b", "leaf": "+4a9636"},
         Usual(0.1, PLANT),
     ),
     "watermelon": Noun(
-        "water melon; melon, watermelon slice",
+        "water melon; melon, watermelon slice, cantaloupe, honeydew",
         {"rind": "+2f7d36", "flesh": "*e2343f", "seeds": "-1f1512"},
         Usual(0.3, PLANT),
     ),
@@ -94,42 +94,42 @@ FOOD = {
         Usual(0.22, PLANT, 0.57),
     ),
     "pepper": Noun(
-        "bell pepper, paprika, capsicum; chili, chilli",
+        "bell pepper, paprika, capsicum; chili, chilli, jalapeno",
         {"body": "*cf1f1a", "stalk": "+4f8a32"},
         Usual(0.12, PLANT, 0.4),
     ),
     "onion": Noun(
-        "; garlic, shallot",
+        "; garlic, shallot, garlic bulb, turnip, radish, beet, beetroot",
         {"body": "*c98a45", "roots": "-e3d3b0"},
         Usual(0.09, PLANT),
     ),
     "peach": Noun(
-        "; nectarine, apricot, plum",
+        "; nectarine, apricot, plum, mango",
         {"body": "*f2a065", "stalk": "-5c3a1e", "leaf": "+4d9a35"},
         Usual(0.08, PLANT, 0.75),
     ),
     "bread": Noun(
-        "loaf, loaf of bread, bread loaf; toast, baguette",
+        "loaf, loaf of bread, bread loaf; toast, baguette, sourdough, bun, bread roll, brioche",
         {"crust": "*b8742e", "crumb": "+f1dcae"},
         Usual(0.28, 300.0, 0.39),
     ),
     "croissant": Noun(
-        "; pastry",
+        "; pastry, danish",
         {"crust": "*d1913f", "folds": "&a8662a"},
         Usual(0.16, 300.0),
     ),
     "pizza": Noun(
-        "; pizza slice",
+        "; pizza slice, pizza pie",
         {"crust": "+c98a42", "cheese": "*f4c64f", "salami": "-b5301f", "olives": "-26231c"},
         Usual(0.3, 700.0, 0.6),
     ),
     "hot dog": Noun(
-        "hotdog; sausage",
+        "hotdog; sausage, frankfurter, corn dog, bratwurst",
         {"bun": "*d79a4c", "sausage": "+b0452a", "mustard": "-f4c820"},
         Usual(0.18, 600.0, 0.55),
     ),
     "sandwich": Noun(
-        "club sandwich; toastie",
+        "club sandwich; toastie, blt, grilled cheese, panini",
         {
             "bread": "*dba765",
             "lettuce": "+5fae34",
@@ -140,17 +140,17 @@ FOOD = {
         Usual(0.14, 500.0),
     ),
     "cake": Noun(
-        "birthday cake; torte, wedding cake",
+        "birthday cake; torte, wedding cake, cheesecake",
         {"icing": "*f6b7c8", "body": "+8a5430", "topping": "-c2182b", "plate": "-ece9e2"},
         Usual(0.28, 450.0),
     ),
     "cookie": Noun(
-        "chocolate chip cookie; biscuit",
+        "chocolate chip cookie; biscuit, oreo, macaron, cracker",
         {"body": "*cc9248", "chips": "+43230f"},
         Usual(0.08, 500.0),
     ),
     "cheese": Noun(
-        "swiss cheese, cheese wedge",
+        "swiss cheese, cheese wedge; cheddar, parmesan, brie",
         {"body": "*f6c63a", "rind": "+d98e22"},
         Usual(0.15, FLESH),
     ),
@@ -170,12 +170,12 @@ FOOD = {
         Usual(0.22, 600.0, 0.45),
     ),
     "lollipop": Noun(
-        "lolly, lollypop; candy",
+        "lolly, lollypop; candy, candy pop, chupa chup",
         {"candy": "*e23a5e", "swirl": "+f8f2ee", "stick": "-f1ece2"},
         Usual(0.18, 1200.0, 0.2),
     ),
     "popsicle": Noun(
-        "ice lolly, ice pop, ice cream bar",
+        "ice lolly, ice pop, ice cream bar; popsicle stick, creamsicle",
         {"ice": "*e8364a", "top": "+f6b02f", "stick": "-d9b382 grain"},
         Usual(0.18, SNOW, 0.54),
     ),
@@ -190,12 +190,14 @@ FOOD = {
         Usual(0.28, 700.0),
     ),
     "can": Noun(
-        "soda can, tin can, beverage can; beer can, soup can",
+        "soda can, tin can, beverage can; beer can, soup can, energy drink, can of soda, "
+        "can of beans, can of soup, soda, cola, coke, pepsi",
         {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
         Usual(0.12, STEEL, 0.071),
     ),
     "jar": Noun(
-        "jam jar; honey jar, cookie jar, mason jar",
+        "jam jar; honey jar, cookie jar, mason jar, jar of honey, jar of jam, peanut "
+        "butter, honey pot",
         {"body": "*b8324a . glass", "lid": "+d9b04a . metal", "label": "-f2ead6"},
         Usual(0.14, GLASS, 0.16),
     ),
@@ -210,7 +212,7 @@ FOOD = {
         Usual(0.06, FLESH),
     ),
     "milk carton": Noun(
-        "carton of milk; milk, juice carton, juice box",
+        "carton of milk; milk, juice carton, juice box, carton, carton of juice, orange juice",
         {"carton": "*f2f3f4", "top": "+2f6fc2", "cap": "-d8352a"},
         Usual(0.24, FLESH, 0.32),
     ),

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, STONE, WOOD
 
 FURNITURE = {
     "table": Noun(
-        "",
+        "; altar",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
         Usual(1.4, WOOD, 0.24),
     ),
@@ -19,12 +19,12 @@ FURNITURE = {
         Usual(0.9, WOOD, 0.14),
     ),
     "armchair": Noun(
-        "; recliner",
+        "; recliner, easy chair, club chair, wing chair, wingback chair",
         {"cushion": "&9e523d", "back": "*8a4230", "arms": "*8a4230"},
         Usual(1.0, FABRIC, 0.4),
     ),
     "sofa": Noun(
-        "couch, settee; loveseat",
+        "couch, settee; loveseat, sectional, futon, divan",
         {
             "cushion": "&7a8fa3 . fabric",
             "back": "*5f7891 . fabric",
@@ -40,7 +40,7 @@ FURNITURE = {
         Usual(0.6, WOOD, 0.21),
     ),
     "bench": Noun(
-        "park bench",
+        "park bench; pew, church pew",
         {"seat": "*8f5c30 grain", "legs": "+3a3d40", "back": "*8f5c30 grain"},
         Usual(1.5, WOOD, 0.33),
     ),
@@ -55,17 +55,18 @@ FURNITURE = {
         Usual(2.1, FABRIC, 0.3),
     ),
     "bookshelf": Noun(
-        "bookcase, bookshelves, book shelf",
+        "bookcase, bookshelves, book shelf; book case, library shelf",
         {"frame": "*8a5a30 grain", "books": "+b03a30 spines"},
         Usual(1.9, WOOD, 0.12),
     ),
     "lamp": Noun(
-        "table lamp; lampshade",
+        "table lamp; lampshade, night light",
         {"shade": "*eddbad", "pole": "-ffc757 . golden", "foot": "+403329"},
         Usual(0.5, STEEL, 0.02),
     ),
     "desk": Noun(
-        "writing desk, office desk, computer desk; workbench, school desk",
+        "writing desk, office desk, computer desk; workbench, school desk, vanity, vanity"
+        " table, drafting table",
         {
             "top": "*a06a38 grain",
             "body": "*8f5c30 grain",
@@ -107,7 +108,7 @@ FURNITURE = {
         Usual(1.8, WOOD, 0.21),
     ),
     "wardrobe": Noun(
-        "closet, armoire, clothes cupboard",
+        "closet, armoire, clothes cupboard; linen cupboard, armoir",
         {
             "body": "*84532b grain",
             "doors": "*9a6636 grain",
@@ -117,7 +118,7 @@ FURNITURE = {
         Usual(2.0, WOOD, 0.074),
     ),
     "dresser": Noun(
-        "chest of drawers, drawers; bureau",
+        "chest of drawers, drawers; bureau, tallboy",
         {
             "body": "*8a572c grain",
             "drawers": "*a06c3a grain",
@@ -153,7 +154,8 @@ FURNITURE = {
         Usual(1.1, WOOD, 0.26),
     ),
     "cabinet": Noun(
-        "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet",
+        "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv "
+        "stand, buffet",
         {
             "body": "*7f5029 grain",
             "doors": "*a06c3a grain",
@@ -168,7 +170,7 @@ FURNITURE = {
         Usual(1.6, WOOD, 0.17),
     ),
     "floor lamp": Noun(
-        "standing lamp, standard lamp",
+        "standing lamp, standard lamp; streetlamp, street light, lamp post, lamppost",
         {"shade": "*f0dfb4", "pole": "-3c3a38 . metal", "foot": "+2f2b28"},
         Usual(1.6, STEEL, 0.01),
     ),
@@ -184,7 +186,7 @@ FURNITURE = {
         Usual(1.5, STONE),
     ),
     "piano": Noun(
-        "grand piano, upright piano; harpsichord",
+        "grand piano, upright piano; harpsichord, pianoforte, synthesizer",
         {
             "body": "*1d1b1c . paint",
             "keys": "-f6f2e8",
@@ -205,7 +207,7 @@ FURNITURE = {
         Usual(0.6, FABRIC, 0.5),
     ),
     "crib": Noun(
-        "cot, baby bed; cradle, playpen",
+        "cot, baby bed; cradle, playpen, bassinet",
         {"frame": "*efe9dc", "mattress": "-dfe6ea", "pillow": "+f6f3ec", "blanket": "+8fb7d8"},
         Usual(1.3, WOOD, 0.15),
     ),
@@ -226,7 +228,7 @@ FURNITURE = {
         Usual(0.9, FABRIC, 0.1),
     ),
     "shelf": Noun(
-        "wall shelf, shelves; spice rack",
+        "wall shelf, shelves; spice rack, shelving unit, shelving",
         {
             "board": "*9a6534 grain",
             "brackets": "&6f4626 grain",

@@ -17,17 +17,19 @@ from core.guidance.builtin.nouns.noun import (
 
 HOUSEHOLD = {
     "mug": Noun(
-        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug",
+        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, tea cup and "
+        "saucer, beer mug, stein, tankard",
         {"body": "*e0dbd1", "handle": "&e0dbd1"},
         Usual(0.1, CERAMIC, 0.98),
     ),
     "vase": Noun(
-        "; urn",
+        "; urn, amphora, clay pot, pottery, ewer, pitcher, jug",
         {"body": "*b8613d band"},
         Usual(0.3, CERAMIC, 0.12),
     ),
     "bottle": Noun(
-        "",
+        "; thermos, soap dispenser, bottle of wine, bottle of beer, bottle of water, "
+        "bottle of milk, decanter",
         {"body": "*1f6638 . glass", "cap": "+332b26"},
         Usual(0.3, GLASS, 0.12),
     ),
@@ -37,7 +39,7 @@ HOUSEHOLD = {
         Usual(0.25, CERAMIC, 0.2),
     ),
     "bowl": Noun(
-        "",
+        "; fishbowl",
         {"body": "*d8d2c4", "foot": "&b9a98c"},
         Usual(0.16, CERAMIC, 0.5),
     ),
@@ -47,7 +49,9 @@ HOUSEHOLD = {
         Usual(0.45, STEEL, 0.13),
     ),
     "goblet": Noun(
-        "chalice; wine glass, wineglass, glass of wine, glass of water, glass of milk",
+        "chalice; wine glass, wineglass, glass of wine, glass of water, glass of milk, "
+        "wine cup, holy grail, champagne flute, champagne glass, cocktail, martini, "
+        "martini glass, cocktail glass, drinking glass",
         {"cup": "*e0b84a . golden", "stem": "&c9a03c . golden"},
         Usual(0.18, STEEL, 0.15),
     ),
@@ -57,12 +61,12 @@ HOUSEHOLD = {
         Usual(0.3, STEEL, 0.045),
     ),
     "candle": Noun(
-        "; candlestick",
+        "; candlestick, candle holder",
         {"wax": "*f0e6cc", "flame": "-ff9a1e", "holder": "+c79a3e . golden"},
         Usual(0.2, WAX),
     ),
     "crown": Noun(
-        "; tiara",
+        "; tiara, coronet, diadem",
         {"band": "*ffc757 . golden", "pearls": "+f4efe6", "gems": "-c21d2b"},
         Usual(0.2, GOLD, 0.12),
     ),
@@ -72,17 +76,17 @@ HOUSEHOLD = {
         Usual(0.3, FABRIC, 0.15),
     ),
     "bell": Noun(
-        "church bell",
+        "church bell; handbell, cowbell",
         {"body": "*e0ab48 . golden", "loop": "&b98530 . golden", "clapper": "-5a5a5e . metal"},
         Usual(0.4, COPPER, 0.4),
     ),
     "bust": Noun(
-        "head bust, statue head; statue, sculpture",
+        "head bust, statue head; statue, sculpture, mannequin head",
         {"body": "*dcd6ca . stone", "hair": "&c2b9a8 . stone", "base": "-6e6961 . stone"},
         Usual(0.5, STONE),
     ),
     "trophy": Noun(
-        "trophies",
+        "trophies; trophy cup, world cup, prize cup, gold cup",
         {"cup": "*ffc94f . golden", "handles": "&ffc94f . golden", "base": "-2a211c"},
         Usual(0.4, STEEL, 0.039),
     ),
@@ -92,7 +96,7 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door, wooden door",
+        "front door, wooden door; wooden gate, castle gate, portcullis",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",
@@ -102,12 +106,12 @@ HOUSEHOLD = {
         Usual(2.0, WOOD, 0.072),
     ),
     "window": Noun(
-        "house window; sash window",
+        "house window; sash window, window frame, skylight",
         {"frame": "*ece8de", "glass": "-9cc4dd . glass", "sill": "&d8d2c4", "shutters": "+3f7a52"},
         Usual(1.2, WOOD, 0.3),
     ),
     "refrigerator": Noun(
-        "fridge, icebox; freezer",
+        "fridge, icebox; freezer, ice box, minifridge",
         {
             "body": "*dfe3e6 . paint",
             "doors": "*e8ebee . paint",
@@ -140,7 +144,7 @@ HOUSEHOLD = {
         Usual(0.6, STEEL, 0.056),
     ),
     "washing machine": Noun(
-        "washer, laundry machine; dryer, tumble dryer",
+        "washer, laundry machine; dryer, tumble dryer, dishwasher",
         {
             "body": "*eceef0 . paint",
             "door": "+9aa1a8 . metal",
@@ -151,7 +155,7 @@ HOUSEHOLD = {
         Usual(0.85, STEEL, 0.019),
     ),
     "toilet": Noun(
-        "loo, lavatory, toilet bowl; commode",
+        "loo, lavatory, toilet bowl; commode, bidet, urinal, toilet seat",
         {
             "body": "*eff0ee",
             "seat": "&e2e3e0",
@@ -198,12 +202,15 @@ HOUSEHOLD = {
         Usual(1.1, PLASTIC, 0.16),
     ),
     "picture frame": Noun(
-        "photo frame, framed picture, painting; portrait",
+        "photo frame, framed picture, painting; portrait, poster, "
+        "whiteboard, blackboard, chalkboard, mona lisa",
         {"frame": "*c9982f . golden", "picture": "-8fc3e6", "hills": "-4f8a45", "sun": "-f5cf3c"},
         Usual(0.6, WOOD, 0.16),
     ),
     "trash can": Noun(
-        "garbage can, trashcan, dustbin, trash bin, garbage bin, waste bin; recycling bin",
+        "garbage can, trashcan, dustbin, trash bin, garbage bin, waste bin; recycling "
+        "bin, rubbish bin, litter bin, wheelie bin, trash bag bin, garbage pail, bin, "
+        "recycle bin",
         {"body": "*7e868c . metal", "lid": "&929aa0 . metal", "handles": "+5c6268 . metal"},
         Usual(0.9, STEEL, 0.0044),
     ),
@@ -252,7 +259,8 @@ HOUSEHOLD = {
         Usual(0.4, PLASTIC, 0.35),
     ),
     "chandelier": Noun(
-        "crystal chandelier; candelabra, candelabrum, ceiling lamp, hanging lamp",
+        "crystal chandelier; candelabra, candelabrum, ceiling lamp, hanging lamp, ceiling"
+        " light, pendant lamp, pendant light",
         {
             "stem": "*d0a040 . golden",
             "arms": "*d0a040 . golden",

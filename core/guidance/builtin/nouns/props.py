@@ -19,7 +19,7 @@ from core.guidance.builtin.nouns.noun import (
 _GRIP = "-4a2c1a"
 PROPS = {
     "chest": Noun(
-        "treasure chest; trunk, coffer",
+        "treasure chest; trunk, coffer, loot box, blanket box",
         {
             "body": "*7a4a24 grain",
             "lid": "*7a4a24 grain",
@@ -29,7 +29,8 @@ PROPS = {
         Usual(0.8, WOOD, 0.3),
     ),
     "sword": Noun(
-        "longsword, broadsword; katana, sabre, saber, rapier, claymore, cutlass, scimitar",
+        "longsword, broadsword; katana, sabre, saber, rapier, claymore, cutlass, "
+        "scimitar, excalibur, greatsword, machete",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+c79a3e . golden",
@@ -39,7 +40,7 @@ PROPS = {
         Usual(1.1, STEEL, 0.014),
     ),
     "dagger": Noun(
-        "; dirk",
+        "; dirk, throwing knife, kunai, bayonet, kris, letter opener",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+8a7a4a . metal",
@@ -54,17 +55,17 @@ PROPS = {
         Usual(0.9, WOOD, 0.19),
     ),
     "barrel": Noun(
-        "wooden barrel, wine barrel, cask, keg",
+        "wooden barrel, wine barrel, cask, keg; oil drum",
         {"body": "*8a5a2e grain", "hoops": "+55585c . metal"},
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "wooden crate, shipping crate; packing case",
+        "wooden crate, shipping crate; packing case, cardboard box, ammo box, cardboard",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),
     "lantern": Noun(
-        "oil lantern, oil lamp",
+        "oil lantern, oil lamp; hurricane lamp, gas lamp",
         {
             "frame": "*3a3c40 . metal",
             "glass": "-ffd98a . glass",
@@ -74,7 +75,8 @@ PROPS = {
         Usual(0.35, STEEL, 0.035),
     ),
     "potion": Noun(
-        "potion bottle, magic potion, flask of potion; elixir, vial",
+        "potion bottle, magic potion, flask of potion; elixir, vial, poison bottle, mana "
+        "bottle, alchemy bottle, poison",
         {"flask": "*8a3fc0 . glass", "cork": "-b98a52", "rim": "&a070d0 . glass"},
         Usual(0.2, GLASS, 0.095),
     ),
@@ -92,17 +94,19 @@ PROPS = {
         "human skull; cranium", {"bone": "*e6dcc4", "eyes": "-1a1512"}, Usual(0.22, CERAMIC, 0.14)
     ),
     "tombstone": Noun(
-        "gravestone, headstone, grave stone",
+        "gravestone, headstone, grave stone; grave, grave marker",
         {"slab": "*8f9290 . stone", "base": "&7a7d7b . stone", "cross": "&a5a8a6 . stone"},
         Usual(1.0, STONE, 0.48),
     ),
     "gem": Noun(
-        "gemstone, jewel; diamond, emerald stone, sapphire, crystal gem",
+        "gemstone, jewel; diamond, emerald stone, sapphire, crystal gem, ruby, sapphire "
+        "stone, topaz, opal, precious stone",
         {"stone": "*2f8ad8 . glass"},
         Usual(0.05, STONE),
     ),
     "staff": Noun(
-        "wizard staff, magic staff; wand, magic wand, sceptre, scepter",
+        "wizard staff, magic staff; wand, magic wand, sceptre, scepter, magic stick, "
+        "walking stick, cane, walking cane, shepherd's crook, crook",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
         Usual(1.8, WOOD, 0.043),
     ),
@@ -112,17 +116,18 @@ PROPS = {
         Usual(0.6, WOOD, 0.38),
     ),
     "book": Noun(
-        "books, spellbook, old book; bible, tome, notebook, diary",
+        "books, spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, "
+        "novel, textbook, necronomicon, notepad, sketchbook, encyclopedia",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
         Usual(0.26, WOOD, 0.47),
     ),
     "scroll": Noun(
-        "parchment scroll; parchment, map scroll, map, treasure map",
+        "parchment scroll; parchment, map scroll, map, treasure map, papyrus",
         {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f"},
         Usual(0.35, WOOD, 0.16),
     ),
     "cauldron": Noun(
-        "witch cauldron, kettle pot",
+        "witch cauldron, kettle pot; crucible, cooking pot, stew pot",
         {
             "pot": "*2e3033 . metal",
             "brew": "+5ac23a",
@@ -132,12 +137,12 @@ PROPS = {
         Usual(0.6, STEEL, 0.25),
     ),
     "cannon": Noun(
-        "; howitzer",
+        "; howitzer, mortar, artillery, artillery gun",
         {"barrel": "*3a3c40 . metal", "carriage": "+7a4a24 grain", "wheels": "-5a3a20 grain"},
         Usual(2.2, STEEL, 0.5),
     ),
     "bomb": Noun(
-        "; grenade",
+        "; grenade, sea mine, naval mine, bob omb",
         {"body": "*232427", "cap": "&3a3c40 . metal", "fuse": "-c9b48a", "spark": "-ff9a1e"},
         Usual(0.2, STEEL, 0.5),
     ),
@@ -157,12 +162,12 @@ PROPS = {
         Usual(2.2, STONE, 0.5),
     ),
     "tent": Noun(
-        "camping tent; marquee, teepee, tipi",
+        "camping tent; marquee, teepee, tipi, big top, wigwam, yurt",
         {"canvas": "*d87f2a . fabric", "door": "-5a3a20", "poles": "+6e7276 . metal"},
         Usual(2.2, FABRIC, 0.013),
     ),
     "campfire": Noun(
-        "camp fire, fire pit, bonfire",
+        "camp fire, fire pit, bonfire; bonfire wood, camp site fire, fireside",
         {
             "flame": "-ff8c1a",
             "logs": "*6b4424 grain",
@@ -172,7 +177,7 @@ PROPS = {
         Usual(1.0, STONE, 0.6),
     ),
     "signpost": Noun(
-        "sign post, wooden sign, road sign; sign",
+        "sign post, wooden sign, road sign; sign, billboard",
         {"boards": "*a5743e grain", "post": "&7a4a24 grain", "base": "-8a8a82 . stone"},
         Usual(2.0, WOOD, 0.11),
     ),
@@ -182,12 +187,12 @@ PROPS = {
         Usual(2.4, WOOD, 0.056),
     ),
     "fence": Noun(
-        "picket fence, wooden fence; paling",
+        "picket fence, wooden fence; paling, railing, barricade, balustrade, barrier",
         {"pickets": "*f0eee6", "rails": "&e0ded4"},
         Usual(1.8, WOOD, 0.3),
     ),
     "mailbox": Noun(
-        "letterbox, letter box, post box",
+        "letterbox, letter box, post box; mail box",
         {
             "box": "*3f6ea8 . paint",
             "door": "&3f6ea8 . paint",
@@ -202,7 +207,7 @@ PROPS = {
         Usual(0.3, WOOD, 0.14),
     ),
     "basket": Noun(
-        "wicker basket, picnic basket; hamper",
+        "wicker basket, picnic basket; hamper, wickerwork",
         {"body": "*b98a4a scales", "handle": "&a5743e", "rim": "&a5743e"},
         Usual(0.4, PLANT, 0.1),
     ),
@@ -222,12 +227,12 @@ PROPS = {
         Usual(0.048, WOOD),
     ),
     "arrow": Noun(
-        "; crossbow bolt, dart",
+        "; crossbow bolt, dart, arrowhead",
         {"head": "*8f979e . metal", "shaft": "+b98a52 grain", "feathers": "+e8e4da"},
         Usual(0.75, WOOD, 0.02),
     ),
     "flag": Noun(
-        "banner; pennant",
+        "banner; pennant, jolly roger",
         {
             "cloth": "*c9211e . fabric",
             "pole": "-b0b4b8 . metal",
@@ -261,12 +266,13 @@ PROPS = {
         Usual(0.8, STEEL, 0.12),
     ),
     "traffic cone": Noun(
-        "road cone, safety cone, construction cone",
+        "road cone, safety cone, construction cone; pylon",
         {"body": "*f0640f", "stripes": "+f4f2ec", "base": "-242527 . rubber"},
         Usual(0.7, PLASTIC, 0.05),
     ),
     "pistol": Noun(
-        "handgun, hand gun; gun, revolver, firearm, toy gun, water gun, ray gun, blaster",
+        "handgun, hand gun; gun, revolver, firearm, toy gun, water gun, ray gun, blaster,"
+        " glock, desert eagle, six shooter, flintlock, raygun, phaser, uzi",
         {
             "barrel": "*4a4d52 . metal",
             "frame": "&33363a . metal",

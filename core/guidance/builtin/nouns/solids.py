@@ -4,7 +4,8 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun,
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; globe, football, soccer ball, basketball, beach ball, planet",
+        "sphere, orb; globe, football, soccer ball, basketball, beach ball, planet, "
+        "volleyball, baseball, snowball",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),
@@ -14,12 +15,13 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "donut, doughnut; ring, bagel",
+        "donut, doughnut; ring, bagel, tyre, tire, inner tube, bracelet, wreath, "
+        "lifebuoy, life preserver, steering wheel",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),
     ),
     "cylinder": Noun(
-        "; column, pillar",
+        "; column, pillar, pipe section",
         {"body": "*597a99"},
         Usual(0.4, WOOD),
     ),
@@ -29,12 +31,13 @@ SOLIDS = {
         Usual(0.5, PLASTIC, 0.061),
     ),
     "heart": Noun(
-        "love heart; valentine",
+        "love heart; valentine, heart symbol, heart shape",
         {"body": "*d81f2e"},
         Usual(0.2, PLASTIC, 0.3),
     ),
     "star": Noun(
-        "five pointed star; sheriff star, sheriff badge, starfish, star fish, sea star",
+        "five pointed star; sheriff star, sheriff badge, starfish, star fish, sea star, "
+        "star shape, shuriken",
         {"body": "*f4bf26"},
         Usual(0.2, PLASTIC, 0.3),
     ),

@@ -4,12 +4,12 @@ from core.guidance.builtin.nouns.noun import COPPER, PLASTIC, STEEL, WOOD, Noun,
 
 TOOLS_AND_TOYS = {
     "hammer": Noun(
-        "",
+        "; mallet, sledgehammer, mjolnir, gavel",
         {"head": "*8e949b . metal", "handle": "+b07a40 grain"},
         Usual(0.33, 2500.0, 0.38),
     ),
     "axe": Noun(
-        "ax; hatchet",
+        "ax; hatchet, battleaxe, tomahawk",
         {"head": "*9aa1a8 . metal", "handle": "+a26c38 grain"},
         Usual(0.8, 1500.0, 0.17),
     ),
@@ -19,7 +19,7 @@ TOOLS_AND_TOYS = {
         Usual(0.5, STEEL),
     ),
     "dumbbell": Noun(
-        "dumb bell",
+        "dumb bell; gym weight",
         {"weights": "*242426", "bar": "+bdbfc4 . metal"},
         Usual(0.4, STEEL, 0.33),
     ),
@@ -64,7 +64,7 @@ TOOLS_AND_TOYS = {
         Usual(0.5, WOOD, 0.3),
     ),
     "drum": Noun(
-        "snare drum; drum kit, drum set",
+        "snare drum; drum kit, drum set, bongo, bongos, taiko, timpani, conga, djembe, tambourine",
         {
             "shell": "*b71f24 . paint",
             "hoops": "+e0b84a . golden",
@@ -74,7 +74,7 @@ TOOLS_AND_TOYS = {
         Usual(0.4, WOOD, 0.2),
     ),
     "robot": Noun(
-        "toy robot",
+        "toy robot; droid, android, cyborg, automaton, robot toy, bot, terminator",
         {
             "body": "*8f9aa5 . metal",
             "head": "*8f9aa5 . metal",
@@ -100,12 +100,12 @@ TOOLS_AND_TOYS = {
         Usual(1.1, 1500.0, 0.048),
     ),
     "pickaxe": Noun(
-        "pick axe, pick; mattock",
+        "pick axe, pick; mattock, ice axe",
         {"head": "*868c93 . metal", "handle": "+9a6534 grain", "grip": "-4a2f1a"},
         Usual(0.9, 1800.0, 0.1),
     ),
     "saw": Noun(
-        "handsaw, hand saw; hacksaw",
+        "handsaw, hand saw; hacksaw, jigsaw",
         {"blade": "*b9bec4 . metal", "handle": "+a3622e grain", "rivets": "-d8b04a . golden"},
         Usual(0.55, 2500.0, 0.062),
     ),
@@ -120,7 +120,7 @@ TOOLS_AND_TOYS = {
         Usual(0.25, WOOD, 0.27),
     ),
     "pencil": Noun(
-        "; crayon, colored pencil, coloured pencil, pen, marker",
+        "; crayon, colored pencil, coloured pencil, pen, marker, highlighter, chalk, felt tip",
         {
             "body": "*f2b61c",
             "wood": "-e3bd88",
@@ -131,12 +131,12 @@ TOOLS_AND_TOYS = {
         Usual(0.19, WOOD, 0.062),
     ),
     "scissors": Noun(
-        "pair of scissors; shears",
+        "pair of scissors; shears, secateurs",
         {"blades": "+b9bec4 . metal", "handles": "*d2322a", "screw": "-70757b . metal"},
         Usual(0.2, 3500.0, 0.15),
     ),
     "broom": Noun(
-        "broomstick, besom; mop",
+        "broomstick, besom; mop, sweeping brush, dustpan, squeegee",
         {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
         Usual(1.4, 300.0, 0.03),
     ),
@@ -163,7 +163,7 @@ TOOLS_AND_TOYS = {
         Usual(0.5, STEEL, 0.073),
     ),
     "knife": Noun(
-        "kitchen knife, chef's knife; cleaver, butter knife",
+        "kitchen knife, chef's knife; cleaver, butter knife, scalpel, razor blade",
         {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
         Usual(0.32, 3500.0, 0.15),
     ),
@@ -206,7 +206,7 @@ TOOLS_AND_TOYS = {
         Usual(0.6, WOOD, 0.093),
     ),
     "trumpet": Noun(
-        "; bugle, cornet, trombone, french horn, tuba",
+        "; bugle, cornet, trombone, french horn, tuba, brass horn, flugelhorn",
         {
             "body": "*e8b93c . golden",
             "valves": "&c8962a . golden",
@@ -249,7 +249,7 @@ TOOLS_AND_TOYS = {
         Usual(0.55, WOOD, 0.11),
     ),
     "saxophone": Noun(
-        "sax; clarinet, oboe",
+        "sax; clarinet, oboe, bassoon, flute",
         {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
         Usual(0.7, COPPER, 0.023),
     ),
@@ -354,7 +354,7 @@ TOOLS_AND_TOYS = {
         Usual(0.095, WOOD),
     ),
     "chainsaw": Noun(
-        "chain saw, power saw",
+        "chain saw, power saw; circular saw",
         {
             "body": "*e8601a",
             "bar": "-c3c8cd . metal",
@@ -376,7 +376,7 @@ TOOLS_AND_TOYS = {
         Usual(0.25, 2500.0, 0.3),
     ),
     "telescope": Noun(
-        "refractor telescope, spyglass",
+        "refractor telescope, spyglass; spy glass",
         {
             "tube": "*e6e8ea . paint",
             "bands": "+2d3136 . metal",
@@ -401,12 +401,13 @@ TOOLS_AND_TOYS = {
         Usual(0.4, STEEL, 0.15),
     ),
     "baseball bat": Noun(
-        "; cricket bat",
+        "; cricket bat, wooden club, caveman club",
         {"body": "*d0a05a grain", "grip": "+2a2624 . leather", "knob": "&c08f4a grain"},
         Usual(0.85, WOOD, 0.19),
     ),
     "tennis racket": Noun(
-        "tennis racquet, racket, racquet; badminton racket, squash racket",
+        "tennis racquet, racket, racquet; badminton racket, squash racket, ping pong "
+        "paddle, table tennis paddle, table tennis bat",
         {"frame": "*d2281f . paint", "strings": "-f0eee2", "grip": "+26272a . leather"},
         Usual(0.69, PLASTIC, 0.058),
     ),

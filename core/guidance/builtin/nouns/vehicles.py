@@ -6,7 +6,8 @@ _GLASS, _TYRES, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2"
 
 VEHICLES = {
     "car": Noun(
-        "automobile; sports car, race car",
+        "automobile; sports car, race car, sedan, coupe, hatchback, limousine, limo, "
+        "convertible, racecar, sportscar, supercar, go kart, kart, station wagon",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -16,7 +17,7 @@ VEHICLES = {
         Usual(4.2, STEEL, 0.015),
     ),
     "bus": Noun(
-        "coach; school bus",
+        "coach; school bus, double decker",
         {
             "body": "*f0b41a . paint",
             "windows": "-2a3842 . glass",
@@ -26,7 +27,7 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.0052),
     ),
     "truck": Noun(
-        "lorry, lorries",
+        "lorry, lorries; semi",
         {
             "cargo": "+e4e6e8",
             "cab": "*2a62b0 . paint",
@@ -37,7 +38,7 @@ VEHICLES = {
         Usual(7.0, STEEL, 0.016),
     ),
     "airplane": Noun(
-        "plane, aeroplane, aircraft",
+        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet",
         {
             "body": "*e8eaed . paint",
             "wings": "&c7ccd2 . paint",
@@ -47,12 +48,14 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.0062),
     ),
     "boat": Noun(
-        "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat",
+        "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat, "
+        "speedboat, motorboat, lifeboat, tugboat, ferry, steamboat, battleship, warship, "
+        "catamaran, dinghy, raft, ocean liner, titanic, aircraft carrier",
         {"hull": "*a3552a", "sails": "+f3efe4", "mast": "-7c4f2b"},
         Usual(8.0, WOOD, 0.3),
     ),
     "train": Noun(
-        "locomotive, steam engine, steam train",
+        "locomotive, steam engine, steam train; railway engine, train engine, subway",
         {
             "boiler": "*1f5d3a . paint",
             "cab": "+b3271f",
@@ -63,12 +66,13 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.051),
     ),
     "rocket": Noun(
-        "rocket ship, space rocket",
+        "rocket ship, space rocket; missile, firework, rocketship, torpedo",
         {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
         Usual(20.0, STEEL, 0.0029),
     ),
     "bicycle": Noun(
-        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle",
+        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle, "
+        "ebike, penny farthing",
         {
             "frame": "*c9211e . paint",
             "wheels": _TYRES,
@@ -79,7 +83,8 @@ VEHICLES = {
         Usual(1.75, STEEL, 0.015),
     ),
     "motorcycle": Noun(
-        "motorbike, motor bike, motor cycle; chopper, dirt bike",
+        "motorbike, motor bike, motor cycle; chopper, dirt bike, harley, harley davidson,"
+        " sport bike, superbike, quad bike, quadbike",
         {
             "body": "*b3201c . paint",
             "wheels": _TYRES,
@@ -91,7 +96,7 @@ VEHICLES = {
         Usual(2.1, STEEL, 0.06),
     ),
     "scooter": Noun(
-        "motor scooter, vespa; moped",
+        "motor scooter, vespa; moped, lambretta",
         {
             "body": "*6fb5a8 . paint",
             "wheels": _TYRES,
@@ -124,7 +129,7 @@ VEHICLES = {
         Usual(11.0, STEEL, 0.0042),
     ),
     "van": Noun(
-        "minivan, delivery van; minibus",
+        "minivan, delivery van; minibus, ice cream truck",
         {"body": "*e8eaec . paint", "windows": _GLASS, "wheels": _TYRES, "lamps": _LAMPS},
         Usual(5.2, STEEL, 0.0082),
     ),
@@ -164,7 +169,8 @@ VEHICLES = {
         Usual(9.0, STEEL, 0.018),
     ),
     "jeep": Noun(
-        "; off road car, off roader, suv, army car, land rover, range rover",
+        "; off road car, off roader, suv, army car, land rover, range rover, humvee, "
+        "hummer, off road vehicle, dune buggy, buggy",
         {
             "body": "*5d6b3e . paint",
             "windows": _GLASS,
@@ -188,7 +194,7 @@ VEHICLES = {
         Usual(4.0, STEEL, 0.039),
     ),
     "excavator": Noun(
-        "digger; backhoe, bulldozer, power shovel",
+        "digger; backhoe, bulldozer, power shovel, steam shovel, front loader, bulldozer truck",
         {
             "body": "*f0ae18 . paint",
             "windows": _GLASS,
@@ -216,7 +222,7 @@ VEHICLES = {
         Usual(25.0, FABRIC, 0.00069),
     ),
     "ufo": Noun(
-        "flying saucer; alien ship, alien spaceship",
+        "flying saucer; alien ship, alien spaceship, mothership",
         {
             "body": "*a5adb5 . metal",
             "dome": "+6fd0c8 . glass",
@@ -226,7 +232,9 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.0064),
     ),
     "spaceship": Noun(
-        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet fighter",
+        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet "
+        "fighter, x wing, spacefighter, alien fighter, space fighter, tie fighter, "
+        "fighter plane, stealth bomber",
         {
             "hull": "*d5d9de . paint",
             "wings": "*d5d9de . paint",
@@ -238,12 +246,13 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.02),
     ),
     "canoe": Noun(
-        "; kayak, dugout",
+        "; kayak, dugout, gondola, paddle boat",
         {"hull": "*a5562a", "seats": "&c89a5c grain", "paddle": "+d8b078 grain"},
         Usual(5.0, WOOD, 0.012),
     ),
     "pirate ship": Noun(
-        "pirate boat; galleon, sailing ship, caravel, tall ship",
+        "pirate boat; galleon, sailing ship, caravel, tall ship, sail ship, frigate, "
+        "schooner, tallship",
         {
             "hull": "*70421f grain",
             "sails": "+efe6d2",
@@ -254,7 +263,8 @@ VEHICLES = {
         Usual(30.0, WOOD, 0.1),
     ),
     "wagon": Noun(
-        "cart, covered wagon, horse cart; carriage, hand cart, handcart",
+        "cart, covered wagon, horse cart; carriage, hand cart, handcart, shopping "
+        "trolley, minecart, stagecoach, chariot, pram, stroller, pushchair, buggy pram",
         {
             "body": "*94602f grain",
             "wheels": "&6b4220 grain",
@@ -279,7 +289,7 @@ VEHICLES = {
         Usual(0.8, WOOD, 0.29),
     ),
     "sled": Noun(
-        "sledge, toboggan, sleigh; luge",
+        "sledge, toboggan, sleigh; luge, bobsled",
         {"seat": "*a8713a grain", "runners": "+8c5628 grain"},
         Usual(1.1, WOOD, 0.19),
     ),
@@ -306,7 +316,8 @@ VEHICLES = {
         Usual(37.0, STEEL, 0.0028),
     ),
     "satellite": Noun(
-        "space satellite, communications satellite; space probe, space station",
+        "space satellite, communications satellite; space probe, space station, sputnik, "
+        "space telescope, hubble",
         {
             "body": "*d8a83c . golden",
             "panels": "+24408c",
