@@ -77,6 +77,9 @@ class Reading:
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
+            if count > 1 and phrase in IGNORED_ADJECTIVES:
+                self.left_out.append(phrase)
+                return count
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
                 return self._leave_out(phrase, count)

@@ -209,10 +209,12 @@ def yeti(draw: Draw) -> Parts:
     z, y = top + head * 0.36, -0.18
     hand = (wide + reach, -0.24, leg - 0.08)
     elbow = (wide + reach * 0.9, -0.12, leg + 0.42)
-    tufts = [
-        taper((wide * 0.72, 0, leg + 0.16), (wide * 0.82, 0, leg - 0.14), 0.2, 0.06),
-        taper((wide * 0.9, 0, leg + 0.5), (wide * 1.04, 0, leg + 0.2), 0.2, 0.06),
-    ]
+    tiers = []
+    for k, v in enumerate((leg - 0.12, leg + 0.2, leg + 0.52)):
+        wider = wide * (1.04 - 0.06 * k)
+        notch = prism([(-0.15, v - 0.1), (0.15, v - 0.1), (0, v + 0.2)], 0, 0.35, wider)
+        layer = lathe([(wider, v), (wide * 0.62, v + 0.5)], 0.04)
+        tiers.append(cut(layer, around(8, notch, 22.5 * k)))
     arm = join(
         taper((wide * 0.72, 0, top - 0.22), elbow, 0.29, 0.23),
         lathe([(0.28, leg + 0.02), (0.2, leg + 0.46)], 0.03, (hand[0], -0.18)),
@@ -224,10 +226,9 @@ def yeti(draw: Draw) -> Parts:
         "fur": join(
             egg((0, 0, (leg + top) / 2), (wide, deep, (top - leg) * 0.62)),
             egg((0, y, z), (head, head * 0.92, head)),
-            cone((0, y + 0.04, z + head * 0.72), 0.24, 0.4),
-            both(join(arm, thigh, cone((head * 0.62, y + 0.04, z + head * 0.5), 0.17, 0.3))),
-            around(7, tufts[0], 90),
-            around(7, tufts[1], 90 + 180 / 7),
+            egg((0, y + 0.06, z + head * 0.6), (head * 0.7, head * 0.74, head * 0.72)),
+            both(join(arm, thigh)),
+            *tiers,
             capsule((-0.22, face - 0.08, z + 0.2), (0.22, face - 0.08, z + 0.2), 0.1),
         ),
         "face": join(
@@ -237,7 +238,7 @@ def yeti(draw: Draw) -> Parts:
         ),
         "eyes": eyes(0.16, face - 0.1, z + 0.1, 0.09),
         "mouth": egg((0, face - 0.06, z - 0.18), (0.22, 0.12, 0.1)),
-        "teeth": both(cone((0.13, face - 0.14, z - 0.25), 0.08, 0.18)),
+        "teeth": both(cone((0.13, face - 0.13, z - 0.24), 0.08, 0.15)),
     }
 
 

@@ -14,7 +14,7 @@ from core.guidance.builtin.nouns.noun import (
 
 CHARACTERS: dict[str, Noun] = {
     "goblin": Noun(
-        "; orc, orcs, ork, hobgoblin, gremlin, troll, ogre, kobold, bugbear, gollum",
+        "; orc, ork, hobgoblin, gremlin, troll, ogre, kobold, bugbear, gollum",
         {
             "skin": "*6a9a3c",
             "tunic": "+6e4a2a . leather",
@@ -38,7 +38,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.8, STONE, 0.35),
     ),
     "gnome": Noun(
-        "garden gnome, lawn gnome, gnomes; dwarf, dwarves, tomte, leprechaun, house gnome",
+        "garden gnome, lawn gnome; dwarf, dwarves, tomte, leprechaun, christmas elf",
         {
             "coat": "*2f5fa8",
             "hat": "+c62f2a",
@@ -50,13 +50,13 @@ CHARACTERS: dict[str, Noun] = {
         Usual(0.4, PLASTIC, 0.5),
     ),
     "skeleton": Noun(
-        "human skeleton, skeletons; undead, lich, skeleton warrior",
+        "human skeleton; undead, lich, skeleton warrior",
         {"bone": "*e8dfc8", "chest": "-221c1a", "eyes": "-1a1512"},
         Usual(1.7, FLESH, 0.1),
     ),
     "wizard": Noun(
         (
-            "mage, wizards; sorcerer, warlock, witch, sorceress, magician, enchanter, druid, "
+            "mage; sorcerer, warlock, witch, sorceress, magician, enchanter, druid, "
             "merlin, gandalf, dumbledore"
         ),
         {
@@ -70,7 +70,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.0, FLESH, 0.3),
     ),
     "angel": Noun(
-        "angels, guardian angel; cherub, archangel, seraph",
+        "guardian angel; cherub, archangel, seraph",
         {
             "robe": "*dfe6f2 . fabric",
             "wings": "+f6f4ee",
@@ -82,7 +82,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.8, FLESH, 0.3),
     ),
     "demon": Noun(
-        "devil, demons; imp, satan, lucifer, fiend, gargoyle",
+        "devil; imp, satan, lucifer, fiend, gargoyle",
         {
             "skin": "*b3261e",
             "horns": "-2e2422",
@@ -96,7 +96,7 @@ CHARACTERS: dict[str, Noun] = {
     "santa claus": Noun(
         (
             "santa, father christmas, saint nicholas, st nicholas, st nick, saint nick, "
-            "kris kringle, santa clause; christmas elf"
+            "kris kringle, santa clause"
         ),
         {
             "coat": "*c4201f . fabric",
@@ -109,7 +109,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.8, FLESH, 0.4),
     ),
     "scarecrow": Noun(
-        "scarecrows; straw man",
+        "; straw man",
         {
             "shirt": "*b0452c . fabric",
             "sack": "+d8b680 . fabric",
@@ -121,7 +121,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.9, FABRIC, 0.3),
     ),
     "nutcracker": Noun(
-        "nutcrackers, nutcracker soldier; toy soldier, wooden soldier, tin soldier",
+        "nutcracker soldier; toy soldier, wooden soldier, tin soldier",
         {
             "coat": "*b91f24 . plastic",
             "hat": "-1f1c1e . plastic",
@@ -134,7 +134,7 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "mech": Noun(
         (
-            "battle mech, mecha, mechs, battle robot, war robot, combat robot; gundam, "
+            "battle mech, mecha, battle robot, war robot, combat robot; gundam, "
             "giant robot, transformer, battlemech, war machine, fighting robot, exosuit"
         ),
         {
@@ -148,8 +148,12 @@ CHARACTERS: dict[str, Noun] = {
         Usual(8.0, STEEL, 0.1),
     ),
     "yeti": Noun(
+<<<<<<< HEAD
         "abominable snowman; bigfoot, sasquatch, big foot, snow monster, furry monster, wampa, "
         "monster",
+=======
+        "abominable snowman; bigfoot, sasquatch, snow monster, furry monster",
+>>>>>>> n-b1
         {
             "fur": "*e8eef4 . fabric",
             "face": "+6f8fb2",
@@ -160,7 +164,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.6, FLESH, 0.35),
     ),
     "mermaid": Noun(
-        "mermaids; merman, siren, little mermaid, sea nymph",
+        "; merman, siren, little mermaid, sea nymph",
         {
             "tail": "*1fa08e",
             "fins": "&5cc8a8",
@@ -172,7 +176,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.8, FLESH, 0.3),
     ),
     "totem pole": Noun(
-        "totem, totem poles; tiki, tiki statue, tiki totem",
+        "totem; tiki, tiki statue, tiki totem",
         {
             "wood": "*96602f grain",
             "wings": "+2a8a86",
@@ -196,7 +200,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(4.0, STONE, 0.9),
     ),
     "obelisk": Noun(
-        "obelisks, egyptian obelisk, cleopatra's needle; monolith, washington monument, monument",
+        "egyptian obelisk, cleopatra needle; monolith, washington monument, monument",
         {
             "body": "*c9ad82 mottle stone",
             "tip": "+e0b040 . golden",
@@ -207,7 +211,7 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "mask": Noun(
         (
-            "tribal mask, african mask, masks, wooden mask, tiki mask, voodoo mask, face mask; "
+            "tribal mask, african mask, wooden mask, tiki mask, voodoo mask; face mask, "
             "theatre mask, theater mask, carnival mask, venetian mask, ritual mask"
         ),
         {
@@ -221,12 +225,12 @@ CHARACTERS: dict[str, Noun] = {
         Usual(0.5, WOOD, 0.4),
     ),
     "bone": Noun(
-        "dog bone, bones; dog treat, femur, dog biscuit",
+        "dog bone; dog treat, femur, dog biscuit",
         {"body": "*ece4d0"},
         Usual(0.18, CERAMIC, 0.6),
     ),
     "eyeball": Noun(
-        "eye, human eye, eye ball, eyeballs",
+        "eye, human eye, eye ball",
         {
             "white": "*f3efe9 . plastic",
             "iris": "+3a82c4 . plastic",
@@ -237,17 +241,17 @@ CHARACTERS: dict[str, Noun] = {
         Usual(0.034, FLESH),
     ),
     "tooth": Noun(
-        "molar, teeth, human tooth; wisdom tooth, fang",
+        "molar, teeth, human tooth; wisdom tooth",
         {"crown": "*f6f2e8 . ceramic", "roots": "&e6d4a8"},
         Usual(0.022, CERAMIC, 0.9),
     ),
     "hand": Noun(
-        "human hand, open hand; palm of hand, hand sculpture, waving hand",
+        "human hand, open hand; palm of hand, waving hand",
         {"skin": "*e6b08a", "cuff": "+2f5a9c . fabric", "nails": "-f3cdbb"},
         Usual(0.24, FLESH, 0.7),
     ),
     "brain": Noun(
-        "human brain, brains; cerebrum",
+        "human brain; cerebrum",
         {
             "folds": "*e6a0a4",
             "grooves": "-a8505c",
