@@ -40,18 +40,9 @@ def totem(draw: Draw) -> Parts:
         lathe([(r, high + each - 0.12), (r * 0.5, high + each + 0.1)], 0.04),
     )
     lift = high + each * 0.3
-<<<<<<< HEAD
-    wing = [(0.1, lift - 0.22), (0.1, lift + 0.2), (span * 0.6, lift + 0.36), (span, lift + 0.3),
-            (span - 0.02, lift - 0.02), (span * 0.76, lift + 0.02), (span * 0.7, lift - 0.2),
-            (span * 0.5, lift - 0.12)]  # fmt: skip
-    ear = prism([(r * 0.5, middle + each - 0.3), (r + 0.16, middle + each - 0.2),
-                 (r + 0.1, middle + each + 0.02), (r * 0.6, middle + each - 0.06)],
-                1, 0.12)  # fmt: skip
-=======
     wing = [(0.1, lift - 0.3), (0.1, lift + 0.2), (span * 0.6, lift + 0.4), (span, lift + 0.36),
             (span * 0.98, lift - 0.06), (span * 0.78, lift + 0.06), (span * 0.74, lift - 0.22),
             (span * 0.54, lift - 0.1), (span * 0.5, lift - 0.34)]  # fmt: skip
->>>>>>> n-b1
     beak = prism([(-r + 0.06, high + 0.36), (-r + 0.06, high + 0.1), (-r - 0.34, high + 0.06),
                   (-r - 0.3, high + 0.2)], 0, 0.13)  # fmt: skip
     snout = box((0, -r - 0.06, middle + 0.24), (0.16, 0.18, 0.1), 0.04)

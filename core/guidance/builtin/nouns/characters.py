@@ -148,12 +148,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(8.0, STEEL, 0.1),
     ),
     "yeti": Noun(
-<<<<<<< HEAD
-        "abominable snowman; bigfoot, sasquatch, big foot, snow monster, furry monster, wampa, "
-        "monster",
-=======
-        "abominable snowman; bigfoot, sasquatch, snow monster, furry monster",
->>>>>>> n-b1
+        "abominable snowman; bigfoot, sasquatch, snow monster, furry monster, monster",
         {
             "fur": "*e8eef4 . fabric",
             "face": "+6f8fb2",
