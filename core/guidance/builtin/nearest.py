@@ -125,5 +125,6 @@ REAL = frozenset(
     trailer trailers trained trainee trainees traitor traitors tramp trans transformed trent
     truss trust trusted trusts tsar tubed tuck twitch tyrone valentin valentina valentino
     vidal violates violent viral vital waffled wail wales wanda washed washes weasel while
-    whit whole widen wider widow widows wilde wolfe wolff wooded woody woolf word words woven""".split()
+    whit whole widen wider widow widows wilde wolfe wolff wooded woody woolf word words woven
+    """.split()
 )

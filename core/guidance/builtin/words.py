@@ -111,10 +111,10 @@ IGNORED_ADJECTIVES = frozenset(
     cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining dirty clean dusty
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
-    carved handmade crafted painted decorated tiny huge giant miniature empty full racing
+    carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling""".split()
-)
+) | {"hand carved", "hand crafted", "hand made", "hand painted"}
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
