@@ -107,7 +107,7 @@ def test_four_of_five_things_that_people_ask_for_are_known():
         ("a red beach chair", Words("chair", color="red")),
         ("a beach chair, red", Words("chair", color="red")),
         ("a striped beach ball without a handle", None),  # the refusal of parts stays
-        ("an old zebra striped chair", Words("chair", pattern="striped")),
+        ("an old ostrich striped chair", Words("chair", pattern="striped")),
         ("a desk lamp with a red shade", Words("lamp", second="red", target="shade")),
     ],
 )
@@ -122,18 +122,18 @@ def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
 @pytest.mark.parametrize(
     "prompt",
     [
-        "a zebra with a chair",  # another phrase
-        "a zebra, chair",
-        "a zebra and a chair",
-        "a chair zebra",  # the head is the unknown one
-        "a chair and a zebra",
-        "zebra of a chair",
-        "zebra for chair",
-        "a zebra wearing a hat",
+        "an ostrich with a chair",  # another phrase
+        "an ostrich, chair",
+        "an ostrich and a chair",
+        "a chair ostrich",  # the head is the unknown one
+        "a chair and an ostrich",
+        "ostrich of a chair",
+        "ostrich for chair",
+        "an ostrich wearing a hat",
     ],
 )
 def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
-    with pytest.raises(UnknownWordsError, match="'zebra'"):
+    with pytest.raises(UnknownWordsError, match="'ostrich'"):
         parse(prompt)
 
 
@@ -241,10 +241,9 @@ def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
         ("pot", ["vase"]),
         ("spear", ["axe"]),
         ("spears", ["axe"]),
-        ("crocodile", ["turtle"]),
-        ("zebra", ["horse"]),
+        ("ostrich", ["bird"]),
         ("igloo", ["cottage"]),
-        ("swan", ["duck"]),
+        ("shrimp", ["crab"]),
         ("streetlight", ["lamp"]),
         ("mauve", ["purple"]),
         ("towel", []),  # not trowel
