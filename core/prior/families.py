@@ -29,6 +29,7 @@ from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
+from core.prior.things.insects import INSECTS
 from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.machines import MACHINES
 from core.prior.things.nature import NATURE
@@ -124,6 +125,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | WILD_ANIMALS
     | WILD_CREATURES
     | SKY
+    | INSECTS
 )
 
 

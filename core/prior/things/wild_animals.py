@@ -214,7 +214,7 @@ def camel(draw: Draw) -> Parts:
     }
 
 
-def _bulk(draw: Draw, wide: float, long: float, leg: float) -> tuple[float, float, float, Solid]:
+def bulk(draw: Draw, wide: float, long: float, leg: float) -> tuple[float, float, float, Solid]:
     """Half the width and the length of a heavy beast, its middle's height, trunk and legs."""
     wide, long = wide * draw(0.92, 1.08), long * draw(0.92, 1.08)
     z = leg * draw(0.9, 1.1) + wide * 0.9
@@ -223,7 +223,7 @@ def _bulk(draw: Draw, wide: float, long: float, leg: float) -> tuple[float, floa
     return wide, long, z, join(egg((0, 0, z), (wide, long, wide * 0.95)), legs)
 
 
-def _nails(wide: float, long: float) -> Solid:
+def nails(wide: float, long: float) -> Solid:
     """Three toes at the front of each foot."""
     a, c, r = wide * 0.56, long * 0.6, wide * 0.34
     toes = [
@@ -234,7 +234,7 @@ def _nails(wide: float, long: float) -> Solid:
 
 def rhino(draw: Draw) -> Parts:
     """A great horn on the nose and a small one behind it; a low head."""
-    wide, long, z, bulk = _bulk(draw, 0.56, 0.86, 0.36)
+    wide, long, z, trunk = bulk(draw, 0.56, 0.86, 0.36)
     y, h = -long - 0.24, z + draw(0.0, 0.1)
     snout = (0, y - 0.5, h - 0.2)
     neck = taper((0, -long * 0.6, z + 0.05), (0, y, h), 0.46, 0.32)
@@ -247,10 +247,10 @@ def rhino(draw: Draw) -> Parts:
     tail = taper((0, long * 0.92, z + 0.2), (0, long + 0.14, z - 0.25), 0.1, 0.1)
     fold = [_fold(wide, long, z, at) for at in (-0.42, 0.42)]
     return {
-        "body": join(bulk, neck, taper((0, y, h), snout, 0.33, 0.24), both(ear), tail),
+        "body": join(trunk, neck, taper((0, y, h), snout, 0.33, 0.24), both(ear), tail),
         "horns": join(*horns),
         "plates": join(*fold),
-        "hooves": _nails(wide, long),
+        "hooves": nails(wide, long),
         "eyes": both(ball((0.28, y - 0.18, h + 0.1), 0.085)),
     }
 
@@ -263,7 +263,7 @@ def _fold(wide: float, long: float, z: float, at: float) -> Solid:
 
 def hippo(draw: Draw) -> Parts:
     """A barrel on short legs; a vast muzzle with nostrils and two teeth, tiny ears."""
-    wide, long, z, bulk = _bulk(draw, 0.62, 0.84, 0.22)
+    wide, long, z, trunk = bulk(draw, 0.62, 0.84, 0.22)
     y, h, jaw = -long - 0.12, z + draw(0.08, 0.18), draw(0.42, 0.48)
     neck = taper((0, -long * 0.5, z), (0, y, h), 0.52, 0.4)
     front = y - 0.5
@@ -278,11 +278,11 @@ def hippo(draw: Draw) -> Parts:
         egg((0, front + 0.06, h - 0.36), (jaw * 0.86, 0.34, 0.16)),
     ]
     return {
-        "body": join(bulk, neck, both(join(ear, brow)), tail),
+        "body": join(trunk, neck, both(join(ear, brow)), tail),
         "muzzle": join(*lips),
         "nostrils": both(ball((jaw * 0.4, front - 0.2, h + 0.12), 0.085)),
         "teeth": both(tooth),
-        "hooves": _nails(wide, long),
+        "hooves": nails(wide, long),
         "eyes": both(ball((0.27, y - 0.26, h + 0.35), 0.085)),
     }
 
@@ -349,6 +349,34 @@ def squirrel(draw: Draw) -> Parts:
     }
 
 
+def raccoon(draw: Draw) -> Parts:
+    """A dark mask, a ringed bushy tail, pointed ears."""
+    b = Beast(draw, 0.38, 0.6, 0.24, 0.38, (0.12, 0.36))
+    h, y, z = b.head, b.y, b.z
+    start = (0, b.long * 0.8, b.belly + 0.1)
+    tip = (0, b.long + 0.7, b.belly + draw(0.4, 0.62))
+    front, brow = y - h * 0.62, z + h * 0.16
+    mask = moved(turned(egg((0, 0, 0), (h * 0.5, h * 0.46, 0.17)), 1, 18), (h * 0.42, front, brow))
+    face = [
+        taper((0, y - h * 0.5, z - 0.1), (0, y - h - 0.1, z - 0.14), 0.21, 0.14),
+        both(egg((h * 0.62, y - h * 0.42, z - h * 0.36), (0.2, 0.19, 0.16))),
+        both(egg((h * 0.46, y - h * 0.56, z + h * 0.62), (0.16, 0.12, 0.09))),
+    ]
+    ear = taper((h * 0.62, y + 0.05, z + h * 0.62), (h * 0.86, y + 0.04, z + h + 0.14), 0.17, 0.07)
+    return {
+        "body": join(b.trunk(0.26), taper(start, tip, 0.16, 0.2), both(ear)),
+        "mask": both(mask),
+        "muzzle": join(*face),
+        "stripes": join(
+            *(_cuff(start, tip, at, 0.08, 0.165 + 0.04 * at) for at in (0.32, 0.66)),
+            ball((0, tip[1] + 0.07, tip[2] + 0.03), 0.2),
+            b.feet(0.14),
+        ),
+        "eyes": both(ball((h * 0.44, y - h * 0.98, brow + 0.02), 0.08)),
+        "nose": ball((0, y - h - 0.24, z - 0.1), 0.1),
+    }
+
+
 WILD_ANIMALS = {
     "tiger": fitted(tiger),
     "panda": fitted(panda),
@@ -360,4 +388,5 @@ WILD_ANIMALS = {
     "kangaroo": fitted(kangaroo),
     "koala": fitted(koala),
     "squirrel": fitted(squirrel),
+    "raccoon": fitted(raccoon),
 }

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FLESH, Noun, Usual
 
 WILD_ANIMALS = {
     "tiger": Noun(
-        "tigers, bengal tiger, siberian tiger; tiger cub, tigress, sabertooth, saber tooth tiger",
+        "bengal tiger, siberian tiger; tiger cub, tigress, sabertooth, saber tooth tiger",
         {
             "body": "*e0822a",
             "stripes": "+241a16",
@@ -15,7 +15,7 @@ WILD_ANIMALS = {
         Usual(2.4, FLESH, 0.3),
     ),
     "panda": Noun(
-        "pandas, panda bear, giant panda; panda cub, baby panda",
+        "panda bear, giant panda; panda cub, baby panda",
         {
             "body": "*f1efe8",
             "limbs": "+25252a",
@@ -27,7 +27,7 @@ WILD_ANIMALS = {
         Usual(1.3, FLESH, 0.4),
     ),
     "zebra": Noun(
-        "zebras; zebra foal",
+        "; zebra foal",
         {
             "body": "*f0ede6",
             "stripes": "+211f1f",
@@ -39,7 +39,7 @@ WILD_ANIMALS = {
         Usual(2.3, FLESH, 0.5),
     ),
     "goat": Noun(
-        "goats, billy goat; nanny goat, mountain goat, ibex, ram, goat kid, baby goat",
+        "billy goat; nanny goat, mountain goat, ibex, ram, goat kid, baby goat",
         {
             "body": "*e6dfd0",
             "horns": "-8a7252",
@@ -51,7 +51,7 @@ WILD_ANIMALS = {
         Usual(1.3, FLESH, 0.4),
     ),
     "camel": Noun(
-        "camels; bactrian camel, dromedary",
+        "; bactrian camel, dromedary",
         {
             "body": "*c9995c",
             "humps": "&8f6232",
@@ -62,7 +62,7 @@ WILD_ANIMALS = {
         Usual(2.8, FLESH, 0.4),
     ),
     "rhino": Noun(
-        "rhinos, rhinoceros, rhinoceroses; white rhino, black rhino, baby rhino",
+        "rhinoceros; white rhino, black rhino, baby rhino",
         {
             "body": "*8b8d90",
             "horns": "-e4dcc8",
@@ -73,7 +73,7 @@ WILD_ANIMALS = {
         Usual(3.6, FLESH, 0.4),
     ),
     "hippo": Noun(
-        "hippos, hippopotamus, hippopotami, hippopotamuses; pygmy hippo, baby hippo",
+        "hippopotamus, hippopotami; pygmy hippo, baby hippo",
         {
             "body": "*85768a",
             "muzzle": "&b092a2",
@@ -85,12 +85,12 @@ WILD_ANIMALS = {
         Usual(3.5, FLESH, 0.4),
     ),
     "kangaroo": Noun(
-        "kangaroos; wallaby, wallabies, joey, baby kangaroo",
+        "; wallaby, wallabies, joey, baby kangaroo",
         {"body": "*b5763f", "belly": "+ecd6b0", "eyes": "-111111", "nose": "-2a1c18"},
         Usual(1.7, FLESH, 0.3),
     ),
     "koala": Noun(
-        "koalas, koala bear; baby koala",
+        "koala bear; baby koala",
         {
             "body": "*8f959d",
             "ears": "+f0ebe6",
@@ -101,7 +101,7 @@ WILD_ANIMALS = {
         Usual(0.75, FLESH, 0.3),
     ),
     "squirrel": Noun(
-        "squirrels; red squirrel, grey squirrel, gray squirrel, chipmunk",
+        "; red squirrel, grey squirrel, gray squirrel, chipmunk",
         {
             "body": "*b8602a",
             "tail": "&96481c",
@@ -113,7 +113,7 @@ WILD_ANIMALS = {
         Usual(0.3, FLESH, 0.2),
     ),
     "crocodile": Noun(
-        "crocodiles, croc, alligator, alligators, gator; caiman, baby crocodile",
+        "alligator, gator; caiman, baby crocodile",
         {
             "body": "*5c7d34",
             "belly": "+d8cf94",
@@ -124,18 +124,18 @@ WILD_ANIMALS = {
         Usual(4.0, FLESH, 0.25),
     ),
     "jellyfish": Noun(
-        "jellyfishes, jelly fish, jellies; medusa, man of war, moon jelly",
+        "jelly fish; moon jelly",
         {
             "body": "*d98ac8",
             "rim": "&b763b0",
             "tentacles": "&c77fd0",
             "arms": "+f3d3ea",
-            "dots": "+f6dcef",
+            "patches": "+f6dcef",
         },
         Usual(0.6, FLESH, 0.1),
     ),
     "flamingo": Noun(
-        "flamingos, flamingoes; heron, herons, stork, storks, crane bird, egret, ibis, spoonbill",
+        "flamingoes; heron, stork, crane bird, egret, ibis, spoonbill",
         {
             "body": "*f08aa0",
             "wings": "&e0607f",
@@ -145,5 +145,156 @@ WILD_ANIMALS = {
             "eyes": "-16141a",
         },
         Usual(1.3, FLESH, 0.1),
+    ),
+    "hedgehog": Noun(
+        "; porcupine, echidna, baby hedgehog",
+        {
+            "spikes": "*6e4b30",
+            "body": "+e6c9a0",
+            "feet": "+c99a72",
+            "eyes": "-111111",
+            "nose": "-1c1614",
+        },
+        Usual(0.25, FLESH, 0.4),
+    ),
+    "seal": Noun(
+        "; sea lion, walrus, walruses, seal pup, baby seal, harbor seal, harp seal, manatee",
+        {
+            "body": "*6f7a86",
+            "belly": "+cfd4d6",
+            "fins": "&566270",
+            "muzzle": "+e6e6e2",
+            "eyes": "-111111",
+            "nose": "-1c1a1c",
+        },
+        Usual(1.7, FLESH, 0.3),
+    ),
+    "lizard": Noun(
+        "; gecko, geckos, iguana, chameleon, salamander, newt, skink, komodo dragon, "
+        "monitor lizard, bearded dragon",
+        {
+            "body": "*58a83a",
+            "belly": "+e9e08e",
+            "crest": "+e8862a",
+            "feet": "&3f8a36",
+            "eyes": "-f2c230",
+            "pupils": "-111111",
+        },
+        Usual(0.3, FLESH, 0.2),
+    ),
+    "scorpion": Noun(
+        "; emperor scorpion",
+        {
+            "body": "*a5521f",
+            "claws": "&bc6526",
+            "legs": "&8a431a",
+            "tail": "&a5521f",
+            "tip": "-2c1c16",
+            "eyes": "-111111",
+        },
+        Usual(0.12, FLESH, 0.2),
+    ),
+    "ant": Noun(
+        "; fire ant, queen ant, termite",
+        {
+            "body": "*a8482a",
+            "legs": "&6e2c1a",
+            "antennae": "&6e2c1a",
+            "jaws": "-2a1612",
+            "eyes": "-111111",
+        },
+        Usual(0.01, FLESH, 0.2),
+    ),
+    "ladybug": Noun(
+        "lady bug, ladybird, lady bird, ladybird beetle; beetle, bug, scarab",
+        {
+            "shell": "*d3231e",
+            "patches": "+1a1618",
+            "head": "+1f1b1d",
+            "legs": "-1f1b1d",
+            "eyes": "-f4f2ec",
+        },
+        Usual(0.008, FLESH, 0.4),
+    ),
+    "dragonfly": Noun(
+        "dragon fly, dragonflies; damselfly, damselflies",
+        {
+            "body": "*2a8f8c",
+            "stripes": "+1c3f56",
+            "wings": "+c8e6f0",
+            "legs": "-22303a",
+            "eyes": "-c2402e",
+        },
+        Usual(0.08, FLESH, 0.05),
+    ),
+    "stingray": Noun(
+        "sting ray; manta ray, manta, eagle ray, ray fish",
+        {
+            "body": "*a08a5c",
+            "belly": "+f0ebdd",
+            "patches": "+3f8fd0",
+            "horn": "-f0e6c8",
+            "eyes": "-111111",
+        },
+        Usual(1.5, FLESH, 0.15),
+    ),
+    "peacock": Noun(
+        "peafowl; peahen",
+        {
+            "body": "*1f54b0",
+            "tail": "+2a8a4a",
+            "patches": "+d9a83c",
+            "pupils": "+1c3f9a",
+            "bill": "-cdb48a",
+            "eyes": "-111111",
+        },
+        Usual(1.5, FLESH, 0.02),
+    ),
+    "swan": Noun(
+        "; goose, geese, cygnet, gosling, canada goose",
+        {
+            "body": "*f4f3ef",
+            "wings": "&e2e4e6",
+            "face": "-1c1a1c",
+            "bill": "-ee7f1c",
+            "eyes": "-111111",
+        },
+        Usual(1.4, FLESH, 0.05),
+    ),
+    "triceratops": Noun(
+        "; styracosaurus, protoceratops, baby triceratops",
+        {
+            "body": "*6d8f6a",
+            "frill": "+d08a4a",
+            "horns": "-efe6cc",
+            "bill": "-d2b87c",
+            "hooves": "-e4d8ba",
+            "eyes": "-111111",
+        },
+        Usual(8.5, FLESH, 0.2),
+    ),
+    "stegosaurus": Noun(
+        "stegosaur; kentrosaurus, baby stegosaurus",
+        {
+            "body": "*5f8f8a",
+            "belly": "+dccf9c",
+            "plates": "+d9792c",
+            "spikes": "-efe6cc",
+            "hooves": "-e4d8ba",
+            "eyes": "-111111",
+        },
+        Usual(8.0, FLESH, 0.2),
+    ),
+    "raccoon": Noun(
+        "racoon, trash panda; coati, baby raccoon",
+        {
+            "body": "*83858a",
+            "mask": "+232327",
+            "muzzle": "+f0eeea",
+            "stripes": "+2b2b30",
+            "eyes": "-f4f2ec",
+            "nose": "-151517",
+        },
+        Usual(0.8, FLESH, 0.2),
     ),
 }
