@@ -180,6 +180,11 @@ def test_what_is_depicted_is_made_and_not_the_statue(prompt, words):
     assert not form or f"{form}: made as a {words.noun}." in read.notes
 
 
+def test_what_is_made_by_hand_is_no_hand():
+    assert parse("a hand-painted wooden mug") == Words("mug", material="wooden")
+    assert parse("a hand made of stone") == Words("hand", material="stone")
+
+
 def test_the_order_of_words_does_not_matter():
     assert parse("wooden tall blue lamp") == parse("lamp, blue, tall, wooden")
 
