@@ -195,6 +195,11 @@ def test_iron_is_a_thing_only_where_no_other_is_named():
         parse("an iron xyzzy", ignore_unknown=True)
 
 
+def test_what_is_made_by_hand_is_no_hand():
+    assert parse("a hand-painted wooden mug") == Words("mug", material="wooden")
+    assert parse("a hand made of stone") == Words("hand", material="stone")
+
+
 def test_the_order_of_words_does_not_matter():
     assert parse("wooden tall blue lamp") == parse("lamp, blue, tall, wooden")
 

@@ -114,7 +114,7 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling""".split()
-) | {"hand carved", "hand crafted", "hand made", "hand painted"}
+) | {"hand carved", "hand crafted", "hand painted"}
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
