@@ -1,6 +1,72 @@
 """How every loop here is compiled."""
 
-from numba import njit
+import os
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import IO, Any
 
-# Kept on disk; other threads run meanwhile; division by zero gives infinity, as in torch.
-compiled = njit(cache=True, nogil=True, error_model="numpy")
+from numba import njit
+from numba.core.caching import FunctionCache
+
+WAIT_SECONDS = 60.0  # for another process's compiler; then this one compiles too
+
+
+class Cache(FunctionCache):
+    """Of the processes that start together, one compiles a loop; the others take what it kept.
+
+    From a load that finds nothing to the save the loop's lock is held; the system releases it if
+    this process dies.
+    """
+
+    _held: IO | None = None
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        found = super().load_overload(sig, target_context)
+        if found is None and self._lock():
+            found = super().load_overload(sig, target_context)
+            if found is not None:
+                self._release()
+        return found
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        try:
+            super().save_overload(sig, data)
+        finally:
+            self._release()
+
+    def _lock(self) -> bool:
+        """Whether another process may have compiled it meanwhile."""
+        if os.name == "nt" or self._held:
+            return False
+        import fcntl
+
+        with suppress(OSError):  # the folder is no place for locks
+            self._impl.locator.ensure_cache_path()
+            file = Path(self.cache_path, f"{self._impl.filename_base}.lock").open("ab")
+            end = time.monotonic() + WAIT_SECONDS
+            while True:
+                try:
+                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    self._held = file
+                    return True
+                except BlockingIOError:
+                    if time.monotonic() > end:
+                        file.close()
+                        return True
+                time.sleep(0.02)
+        return False
+
+    def _release(self) -> None:
+        if self._held:
+            self._held.close()
+            self._held = None
+
+
+def compiled(function: Callable) -> Any:
+    """The loop, compiled at its first call and kept on disk."""
+    # Other threads run meanwhile; division by zero gives infinity, as in torch.
+    loop = njit(nogil=True, error_model="numpy")(function)
+    loop._cache = Cache(function)
+    return loop

@@ -1,7 +1,10 @@
 """The compiled loops against the torch formulas that they are twins of."""
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
+import numba
 import pytest
 import torch
 from torch import Tensor
@@ -9,6 +12,7 @@ from torch import Tensor
 from core import kernels
 from core.camera import Cameras
 from core.hash_grid import HashGrid
+from core.kernels.compiled import compiled
 from core.ops import normalize
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
@@ -142,3 +146,24 @@ def test_hash_grids_agree(both: Callable, features: int) -> None:
 
     for ours, theirs in zip(*both(sampled), strict=True):
         assert torch.allclose(ours, theirs, rtol=1e-4, atol=1e-4 * float(theirs.abs().max()))
+
+
+def test_of_processes_that_start_together_one_compiles(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The files are between them, and the lock is that of an open file: one process may be both."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+
+    def loop(x: float) -> float:
+        return x + 1
+
+    one, other, types = compiled(loop), compiled(loop), (numba.float64,)
+    assert one._cache.load_overload(types, one.targetctx) is None  # now it would compile
+    with ThreadPoolExecutor(1) as pool:
+        waiting = pool.submit(other._cache.load_overload, types, other.targetctx)
+        with pytest.raises(TimeoutError):
+            waiting.result(0.2)
+        plain = numba.njit(loop)
+        plain.compile(types)
+        one._cache.save_overload(types, plain.overloads[types])
+        assert waiting.result(30) is not None
