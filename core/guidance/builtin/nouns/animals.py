@@ -24,7 +24,7 @@ ANIMALS = {
         Usual(0.4, FLESH),
     ),
     "duck": Noun(
-        "rubber duck, bath duck; duckling, mallard, goose",
+        "rubber duck, bath duck; duckling, mallard",
         {"body": "*f7cf1f", "wings": "&f2bd14", "bill": "-ee7a14", "eyes": "-131313"},
         Usual(0.4, FLESH, 0.15),
     ),
