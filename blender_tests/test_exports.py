@@ -302,7 +302,7 @@ def thin_bowl(obj) -> None:
     bm.free()
 
 
-@pytest.mark.parametrize("faces", [600, 2000, 4000])
+@pytest.mark.parametrize("faces", [600, 2000])
 def test_quads_keep_a_thin_wall(obj, faces):
     """QuadriFlow's alone are a tenth of the size away."""
     thin_bowl(obj)

@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from numba import njit
 from numba.core.caching import FunctionCache
@@ -20,7 +20,7 @@ class Cache(FunctionCache):
     this process dies.
     """
 
-    _held: IO | None = None
+    _held: int | None = None  # the open file that is locked
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         found = super().load_overload(sig, target_context)
@@ -38,29 +38,26 @@ class Cache(FunctionCache):
 
     def _lock(self) -> bool:
         """Whether another process may have compiled it meanwhile."""
-        if os.name == "nt" or self._held:
+        if os.name == "nt" or self._held is not None:
             return False
         import fcntl
 
-        with suppress(OSError):  # the folder is no place for locks
+        with suppress(OSError):  # the folder may be no place for locks
             self._impl.locator.ensure_cache_path()
-            file = Path(self.cache_path, f"{self._impl.filename_base}.lock").open("ab")
+            path = Path(self.cache_path, f"{self._impl.filename_base}.lock")
+            self._held = os.open(path, os.O_WRONLY | os.O_CREAT, 0o666)
             end = time.monotonic() + WAIT_SECONDS
-            while True:
-                try:
-                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                    self._held = file
-                    return True
-                except BlockingIOError:
-                    if time.monotonic() > end:
-                        file.close()
-                        return True
+            while time.monotonic() < end:
+                with suppress(BlockingIOError):
+                    fcntl.flock(self._held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    break
                 time.sleep(0.02)
+            return True
         return False
 
     def _release(self) -> None:
-        if self._held:
-            self._held.close()
+        if self._held is not None:
+            os.close(self._held)
             self._held = None
 
 
@@ -68,5 +65,5 @@ def compiled(function: Callable) -> Any:
     """The loop, compiled at its first call and kept on disk."""
     # Other threads run meanwhile; division by zero gives infinity, as in torch.
     loop = njit(nogil=True, error_model="numpy")(function)
-    loop._cache = Cache(function)
+    loop._cache = Cache(function)  # pyright: ignore[reportAttributeAccessIssue]
     return loop

@@ -5,6 +5,7 @@ import re
 import shlex
 import stat
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,7 @@ from core.tests.bad_files import make
 from core.tests.permissions import permissions_count
 
 TABLE = Path(__file__).with_name("bad_inputs.txt")
+parser = cache(run.parser)  # to declare all commands takes longer than most lines
 
 
 def rows(table: Path) -> list[tuple[int, str, str]]:
@@ -62,6 +64,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*_: object, **__: object) -> None:
         raise AssertionError("the input was taken")
 
+    monkeypatch.setattr(run, "parser", parser)
     monkeypatch.setattr("core.generate.generate", never)
     monkeypatch.setattr("fantasia3d_addon.environment.ensure", never)
     monkeypatch.setattr("torch.backends.mps.is_available", lambda: False)
