@@ -62,7 +62,7 @@ ASSETS = {
     "crown": Asset("a golden crown", noun="crown", paper="a golden crown with jewels"),
     "chair": Asset("a red wooden chair", noun="chair", color="red"),
     "ice-cream": Asset("an ice cream", noun="ice cream", paper="an ice cream sundae"),
-    "cat": Asset("an orange striped cat", noun="cat", color="orange", paper="a tiger"),
+    "tiger": Asset("a tiger", noun="tiger"),
     "guided-bus": Asset("a red bus", ("--guide-strength=0.5",), "bus", "bus", "red"),
     "guided-teddy": Asset(
         "a brown teddy bear", ("--guide-strength=0.5",), "person", "teddy bear", "brown"
@@ -206,14 +206,14 @@ FIGURES = (
         "cornell",
         "A scene in the Cornell box",
         "Fig. 11: crown, tiger and ice cream in the Cornell box, rendered in Cycles.",
-        "The built-in prior knows no tiger; an orange striped cat takes its place.",
+        "The same three, by the built-in prior.",
         (
             Row(
-                "crown, cat, ice cream",
+                "crown, tiger, ice cream",
                 "crown",
-                (("Cycles", "cornell {crown} {cat} {ice-cream} --render {file}"),),
+                (("Cycles", "cornell {crown} {tiger} {ice-cream} --render {file}"),),
                 (),
-                ("cat", "ice-cream"),
+                ("tiger", "ice-cream"),
             ),
         ),
     ),
