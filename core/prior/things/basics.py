@@ -57,13 +57,13 @@ def table(draw: Draw) -> Parts:
     if disc:
         x = y = (x + y) / 2
     slab = tube((0, 0, top), (0, 0, top + 2 * plate), x, 0.03)
-    if draw.legs(4) == 1:
+    if draw.legs(4, 4, 4, 4, 4, 1) == 1:
         legs = join(
             tube((0, 0, 0), (0, 0, top), thick * 1.2), tube((0, 0, 0), (0, 0, 0.15), x * 0.6, 0.03)
         )
     else:
         reach = 0.76 if disc else 1.0  # a disc has no corners
-        legs = _legs(x * reach, y * reach, top + plate, thick, round_legs=disc)
+        legs = _legs(x * reach, y * reach, top + plate, thick, draw.chance(0.4))
     return {"top": slab if disc else box((0, 0, top + plate), (x, y, plate), 0.03), "legs": legs}
 
 

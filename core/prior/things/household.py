@@ -101,16 +101,12 @@ def bookshelf(draw: Draw) -> Parts:
         box((0, -0.2, 0.09 + gap * (k + 0.5)), (x - 2 * wall, y, gap / 2 - 0.08), 0.01)
         for k in range(shelves)
     )
-    # Two rows of books on each board, the taller one left and right by turns.
-    inner, share, low = x - 2 * wall, draw(0.5, 0.6), draw(0.6, 0.7)
     books = []
     for k in range(shelves):
-        side, floor = 1 - 2 * (k % 2), 0.17 + gap * k
-        for sign, width, tall in ((-1, share, 0.86), (1, 0.92 - share, low)):
-            half, up = width * inner, tall * (gap - 0.16) / 2
-            books.append(
-                box((side * sign * (inner - half), -0.06, floor + up), (half, y - 0.13, up))
-            )
+        left, width = draw(-0.9, -0.6) * (x - 0.2), draw(0.55, 0.8) * (x - 0.2)
+        tall = (gap - 0.16) * draw(0.6, 0.85) / 2
+        floor = 0.17 + gap * k
+        books.append(box((left + width, -0.04, floor + tall), (width, y - 0.15, tall), 0.02))
     return {
         "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *inside),
         "books": join(*books),
