@@ -210,14 +210,14 @@ def test_encoding_carries_the_gradient(guidance):
 
 
 def test_unknown_words_are_refused_in_both_prompts(guidance):
-    with pytest.raises(UserError, match="'gnome'"):
-        guidance.prompted("a gnome", "")
+    with pytest.raises(UserError, match="'wombat'"):
+        guidance.prompted("a wombat", "")
     with pytest.raises(UserError, match="'blurry'"):
         guidance.prompted("a chair", "blurry")
 
 
 def test_what_was_not_taken_to_the_letter_is_a_warning():
-    job = job_of(parse(["generate", "a gnome chiar", "--ignore-unknown-words"]))
+    job = job_of(parse(["generate", "a wombat chiar", "--ignore-unknown-words"]))
     assert Job.from_json(job.to_json()).ignore_unknown_words
     with pytest.raises(UserError, match="ignore_unknown_words is 1"):
         Job(prompt="a chair", ignore_unknown_words=1)
@@ -225,7 +225,7 @@ def test_what_was_not_taken_to_the_letter_is_a_warning():
     assert inputs.guidance.words.noun == "chair"
     assert inputs.warnings == (
         "'chiar' is read as 'chair'.",
-        "The built-in model does not know 'gnome': left out.",
+        "The built-in model does not know 'wombat': left out.",
     )
 
 

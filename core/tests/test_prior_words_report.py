@@ -67,7 +67,7 @@ EVERYDAY = {
     "a treasure chest": ("chest", []),
     "a dragon": ("dragon", []),
     "a mushroom soup": ("", []),
-    "a flamingo": ("", []),
+    "an ostrich": ("", []),
     "a computer mouse": ("", []),
     "a small sea horse": ("", []),
     "a starfish": ("star", []),

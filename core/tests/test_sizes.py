@@ -30,7 +30,7 @@ def test_every_noun_has_one_group_and_every_material_its_density():
         ("a rusty sports car", 4.2),
         ("a tall stone house without a chimney", 8.0),
         ("two nouns: a chair and a car", UNKNOWN.size_m),
-        ("a steampunk accordion", UNKNOWN.size_m),
+        ("a steampunk barometer", UNKNOWN.size_m),
     ],
 )
 def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):

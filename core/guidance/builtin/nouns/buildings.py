@@ -138,7 +138,7 @@ BUILDINGS = {
             "smoke": "-b9b4ae",
             "rocks": "&4a3c35 . stone",
         },
-        Usual(2000.0, STONE),
+        Usual(40, STONE),
     ),
     "staircase": Noun(
         "stairs, stair, stairway, flight of stairs, flight of steps, staircases, steps; "

@@ -38,7 +38,7 @@ STREET = {
             "weights": "-8b8982 . stone",
             "hook": "-3a3d41 . metal",
         },
-        Usual(45.0, STEEL, 0.002),
+        Usual(40, STEEL, 0.002),
     ),
     "seesaw": Noun(
         "see saw, teeter totter, teeterboard, teeter board",

@@ -362,7 +362,7 @@ VEHICLES = {
             "windows": "-8fd0ee . glass",
             "engines": "-3a3d42 . metal",
         },
-        Usual(60.0, FABRIC, 0.005),
+        Usual(40, FABRIC, 0.005),
     ),
     "rover": Noun(
         "mars rover, moon rover, space rover, lunar rover, planetary rover, exploration rover, "

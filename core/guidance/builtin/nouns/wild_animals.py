@@ -203,7 +203,7 @@ WILD_ANIMALS = {
             "jaws": "-2a1612",
             "eyes": "-111111",
         },
-        Usual(0.01, FLESH, 0.2),
+        Usual(0.02, FLESH, 0.2),
     ),
     "ladybug": Noun(
         "lady bug, ladybird, lady bird, ladybird beetle; beetle, bug, scarab",
@@ -214,7 +214,7 @@ WILD_ANIMALS = {
             "legs": "-1f1b1d",
             "eyes": "-f4f2ec",
         },
-        Usual(0.008, FLESH, 0.4),
+        Usual(0.02, FLESH, 0.4),
     ),
     "dragonfly": Noun(
         "dragon fly, dragonflies; damselfly, damselflies",
