@@ -20,6 +20,7 @@ def test_variety_is_one_for_the_nouns_own_objects_and_none_for_copies():
     assert variety(list(own), own) == pytest.approx(1)
     assert variety([own[0]] * 3, own) == 0
     assert variety([own[0]], own) == 1
+    assert variety(list(own), (own[0], own[0])) == 1  # as of balls, which are all the same
     close, far = (variety([own[0], _moved(own[0], by)], own) for by in (0.02, 0.2))
     assert 0 < close < far
 

@@ -123,7 +123,7 @@ def test_jitter_stays_within_the_word():
     for color in COLORS:
         for seed in range(20):
             drawn = coat("ball", Caption(color), _draw(seed)).color[0]
-            assert list(COLORS)[int((values - drawn).norm(dim=1).argmin())] == color
+            assert list(COLORS)[int((values - drawn).norm(dim=1).argmin())] == color, color
 
 
 def test_patterns_repaint_only_their_own_parts():

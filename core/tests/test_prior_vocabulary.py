@@ -255,7 +255,7 @@ def test_a_slip_is_corrected(typed, meant):
 def test_orange_is_a_colour_where_it_names_no_fruit():
     assert parse("an orange with pips").noun == "orange fruit"
     assert parse("orange", noun_needed=False) == Words(color="orange")
-    for prompt in ("orange and blue", "something black and orange", "an orange widget"):
+    for prompt in ("orange and blue", "black and orange", "painted in orange", "an orange widget"):
         with pytest.raises(UserError):
             parse(prompt)
 
@@ -273,7 +273,9 @@ def test_a_corrected_word_begins_a_phrase_like_any_other():
     assert parse("a snowman witout a hat").part == "no hat"
 
 
-@pytest.mark.parametrize("word", ["coffee", "month", "three", "towel", "chess", "shark"])
+@pytest.mark.parametrize(
+    "word", ["coffee", "month", "three", "towel", "chess", "shark", "roll", "park"]
+)
 def test_a_word_of_another_thing_is_no_slip(word):
     assert corrected(word) == ""
 

@@ -13,7 +13,8 @@ from core.guidance.builtin import offered
 from core.guidance.builtin.groups import word_groups
 from core.guidance.builtin.lexicon import LEXICON, MEANT, NARROWER, SLOTS, nearest_words
 from core.guidance.builtin.nearest import NEAREST
-from core.guidance.builtin.offered import offered_words, read_metadata
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.offered import WEIGHTS, offered_words, read_metadata
 from core.guidance.builtin.vocabulary import (
     UnknownWordsError,
     Words,
@@ -76,6 +77,7 @@ EVERYDAY = {
     "rocks": ("boulder", []),
     "a table of stone": ("table", []),
     "a stone thing": ("", []),
+    "a pile of gold coins": ("coin", []),
 }
 
 
@@ -319,6 +321,11 @@ def test_the_words_are_read_without_torch_within_two_seconds():
     assert (report["thing"], exit_code) == ("office chair", 0)
     assert not {"torch", "numpy", "safetensors", "core.prior"} & set(modules)
     assert seconds < 2
+
+
+@pytest.mark.parametrize("path", sorted(WEIGHTS.glob("*.safetensors")), ids=lambda p: p.stem)
+def test_every_shipped_network_has_a_row_for_every_noun(path):
+    assert read_metadata(path)["config"]["words"][0] == len(NOUNS)
 
 
 def test_the_offered_words_are_those_of_the_weights():

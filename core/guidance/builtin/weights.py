@@ -38,18 +38,15 @@ def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, st
 
 
 def save_weights(
-    path: Path,
-    config: UNetConfig | SolidNetConfig,
-    tensors: dict[str, Tensor],
-    words: Vocabulary | None = None,
+    path: Path, config: UNetConfig | SolidNetConfig, tensors: dict[str, Tensor]
 ) -> None:
-    """In half precision; ``words`` are those by slot that are good enough."""
+    """In half precision, as a training's averaged weights are kept."""
     half = {name: tensor.half() for name, tensor in tensors.items()}
-    write_tensors(path, half, _metadata(config, words))
+    write_tensors(path, half, {"config": json.dumps(asdict(config))})
 
 
 def ship_weights(path: Path, net: UNet, words: Vocabulary) -> None:
-    """The shipped form of a U-Net: a layer's rows in bytes.
+    """The shipped form of a U-Net: a layer's rows in bytes; ``words`` by slot may be asked for.
 
     What is as in the file that this replaces, up to the rounding of a checkpoint, keeps its bytes:
     what a held training left alone stays to the bit.
@@ -61,12 +58,9 @@ def ship_weights(path: Path, net: UNet, words: Vocabulary) -> None:
         new = in_bytes(name, tensor, len(tensor)) if layer else {name: tensor.half()}
         kept = {part: old[part] for part in new if part in old}
         tensors |= kept if kept.keys() == new.keys() and _same(name, kept, tensor) else new
-    write_tensors(path, tensors, _metadata(net.config, words))
-
-
-def _metadata(config: UNetConfig | SolidNetConfig, words: Vocabulary | None) -> dict[str, str]:
-    offered = {slot: list(known) for slot, known in (words or {}).items()}
-    return {"config": json.dumps(asdict(config)), "words": json.dumps(offered)}
+    offered = {slot: list(known) for slot, known in words.items()}
+    metadata = {"config": json.dumps(asdict(net.config)), "words": json.dumps(offered)}
+    write_tensors(path, tensors, metadata)
 
 
 def _same(name: str, old: dict[str, Tensor], new: Tensor) -> bool:

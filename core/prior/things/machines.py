@@ -5,8 +5,6 @@ import math
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
-    Vector,
     around,
     both,
     box,
@@ -19,6 +17,7 @@ from core.prior.solids import (
     prism,
     ring,
     taper,
+    tilted,
     tube,
     turned,
 )
@@ -259,20 +258,14 @@ def forklift(draw: Draw) -> Parts:
     return {name: moved(part, (0, 0.35, 0)) for name, part in parts.items()}
 
 
-def _about(solid: Solid, at: Vector, degrees: float) -> Solid:
-    """``solid`` turned about the line along x through ``at``."""
-    x, y, z = at
-    return moved(turned(moved(solid, (-x, -y, -z)), 0, degrees), at)
-
-
 def wheelchair(draw: Draw) -> Parts:
     """Two large wheels and two small ones, a seat with a back, handles and footrests."""
     x, r, small = draw(0.4, 0.46), draw(0.56, 0.64), draw(0.18, 0.21)
     seat, back, arm = draw(0.78, 0.86), draw(0.62, 0.72), draw(0.3, 0.36)
     y, tire, side = 0.24, 0.075, x + 0.16
     front, top = -0.62, seat + back
-    spoke = box((side, y, r), (0.05, r, 0.05))
-    spokes = join(*(_about(spoke, (side, y, r), 45 * k) for k in range(4)))
+    spoke = box((0, 0, 0), (0.05, r, 0.05))
+    spokes = join(*(tilted(spoke, 45 * k, (side, y, r)) for k in range(4)))
     return {
         "wheels": both(
             join(

@@ -15,13 +15,14 @@ from core.prior.solids import (
     moved,
     prism,
     taper,
+    tilted,
     turned,
 )
 
 
 def _facing(solid: Solid, z: float) -> Solid:
     """``solid``, made flat on the ground, its top turned to the front, its middle at height z."""
-    return moved(turned(solid, 0, 90), (0, 0, z))
+    return tilted(solid, 90, (0, 0, z))
 
 
 def cloud(draw: Draw) -> Parts:
