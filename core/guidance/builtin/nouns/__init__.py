@@ -3,6 +3,7 @@
 The solids that they are made of are in ``core/prior/things``, for training alone.
 """
 
+from core.guidance.builtin.nouns.aircraft import AIRCRAFT
 from core.guidance.builtin.nouns.animals import ANIMALS
 from core.guidance.builtin.nouns.arms import ARMS
 from core.guidance.builtin.nouns.buildings import BUILDINGS
@@ -12,6 +13,7 @@ from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
+from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.plants import PLANTS
@@ -36,12 +38,12 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Characters": CHARACTERS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS,
-    "Vehicles": VEHICLES,
+    "Vehicles": VEHICLES | AIRCRAFT,
     "Buildings": BUILDINGS | STREET,
     "Electronics": DEVICES,
     "Clothes": CLOTHES,
     "Sport": SPORT,
-    "Tools and Toys": TOOLS_AND_TOYS,
+    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

@@ -1,6 +1,6 @@
 """Tools, instruments, toys and games."""
 
-from core.guidance.builtin.nouns.noun import COPPER, PLASTIC, STEEL, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import PLASTIC, STEEL, WOOD, Noun, Usual
 
 TOOLS_AND_TOYS = {
     "hammer": Noun(
@@ -33,45 +33,6 @@ TOOLS_AND_TOYS = {
             "plate": "-c2c7cc . metal",
         },
         Usual(0.16, STEEL, 0.14),
-    ),
-    "guitar": Noun(
-        "",
-        {"body": "*c4772e . paint", "neck": "+5c3519", "hole": "-1d1410", "bridge": "-3c2416"},
-        Usual(1.0, WOOD, 0.11),
-    ),
-    "harp": Noun(
-        "concert harp, celtic harp; lyre, zither",
-        {
-            "body": "*a5622c grain",
-            "neck": "*a5622c grain",
-            "pillar": "+e0b04a . golden",
-            "strings": "-efe6d2",
-            "base": "&7d4820 grain",
-            "crown": "+e0b04a . golden",
-        },
-        Usual(1.8, WOOD, 0.21),
-    ),
-    "accordion": Noun(
-        "piano accordion, squeezebox, squeeze box; concertina, bandoneon, harmonium",
-        {
-            "body": "*b01f2a . paint",
-            "bellows": "-1f1f22",
-            "folds": "+e6dcc4",
-            "keys": "-f7f4ea",
-            "buttons": "-f2ead8",
-            "grille": "-dfb74e . golden",
-        },
-        Usual(0.5, WOOD, 0.3),
-    ),
-    "drum": Noun(
-        "snare drum; drum kit, drum set, bongo, bongos, taiko, timpani, conga, djembe, tambourine",
-        {
-            "shell": "*b71f24 . paint",
-            "hoops": "+e0b84a . golden",
-            "skin": "-f2ece0",
-            "sticks": "-b98a52",
-        },
-        Usual(0.4, WOOD, 0.2),
     ),
     "robot": Noun(
         "toy robot; droid, android, cyborg, automaton, robot toy, bot, terminator",
@@ -192,66 +153,6 @@ TOOLS_AND_TOYS = {
         "",
         {"body": "*c99758 grain", "handles": "+9a5f2e grain", "collars": "-6b4020"},
         Usual(0.45, WOOD),
-    ),
-    "violin": Noun(
-        "fiddle; cello, viola, double bass",
-        {
-            "body": "*b0531e grain",
-            "neck": "-241a16",
-            "holes": "-1d1410",
-            "bridge": "-e0c08a",
-            "pegs": "-241a16",
-            "chinrest": "+33231b",
-        },
-        Usual(0.6, WOOD, 0.093),
-    ),
-    "trumpet": Noun(
-        "; bugle, cornet, trombone, french horn, tuba, brass horn, flugelhorn",
-        {
-            "body": "*e8b93c . golden",
-            "valves": "&c8962a . golden",
-            "buttons": "-f2efe6",
-            "mouthpiece": "+c3c8cd . metal",
-        },
-        Usual(0.5, COPPER, 0.066),
-    ),
-    "xylophone": Noun(
-        "glockenspiel; marimba",
-        {
-            "frame": "*9a5f2e grain",
-            "bars": "+d8322a . paint",
-            "slats": "-2f7fc8 . paint",
-            "mallet": "-c99758",
-            "tip": "-f2c32a",
-        },
-        Usual(0.5, WOOD, 0.5),
-    ),
-    "banjo": Noun(
-        "; mandolin, lute",
-        {
-            "body": "*9a5f2e grain",
-            "skin": "-f2ece0",
-            "neck": "+4a2c18 grain",
-            "bridge": "-d3b27a",
-            "pegs": "-d8d5cc",
-        },
-        Usual(0.95, WOOD, 0.3),
-    ),
-    "ukulele": Noun(
-        "uke",
-        {
-            "body": "*c98a45 grain",
-            "neck": "+5c3519 grain",
-            "hole": "-1d1410",
-            "bridge": "-3c2416",
-            "pegs": "-e6e2d8",
-        },
-        Usual(0.55, WOOD, 0.11),
-    ),
-    "saxophone": Noun(
-        "sax; clarinet, oboe, bassoon, flute",
-        {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
-        Usual(0.7, COPPER, 0.023),
     ),
     "rocking horse": Noun(
         "wooden horse, toy horse; hobby horse",

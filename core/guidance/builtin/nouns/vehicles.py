@@ -1,8 +1,8 @@
 """Vehicles on land, on water and in the air."""
 
-from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import STEEL, WOOD, Noun, Usual
 
-_GLASS, _TYRES, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2"
+GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2"
 
 VEHICLES = {
     "car": Noun(
@@ -37,16 +37,6 @@ VEHICLES = {
         },
         Usual(7.0, STEEL, 0.016),
     ),
-    "airplane": Noun(
-        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet",
-        {
-            "body": "*e8eaed . paint",
-            "wings": "&c7ccd2 . paint",
-            "windows": "-25303a . glass",
-            "engines": "-3d6fb3",
-        },
-        Usual(12.0, STEEL, 0.0062),
-    ),
     "boat": Noun(
         "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat, "
         "speedboat, motorboat, lifeboat, tugboat, ferry, steamboat, battleship, warship, "
@@ -65,17 +55,12 @@ VEHICLES = {
         },
         Usual(12.0, STEEL, 0.051),
     ),
-    "rocket": Noun(
-        "rocket ship, space rocket; missile, firework, rocketship, torpedo",
-        {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
-        Usual(20.0, STEEL, 0.0029),
-    ),
     "bicycle": Noun(
         "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle, "
         "ebike, penny farthing",
         {
             "frame": "*c9211e . paint",
-            "wheels": _TYRES,
+            "wheels": TYRES_LOOK,
             "seat": "+2c211b . leather",
             "handlebar": "-9aa1a8 . metal",
             "pedals": "-55585c . metal",
@@ -87,7 +72,7 @@ VEHICLES = {
         " sport bike, superbike, quad bike, quadbike",
         {
             "body": "*b3201c . paint",
-            "wheels": _TYRES,
+            "wheels": TYRES_LOOK,
             "engine": "-8a9096 . metal",
             "seat": "+1f1b19 . leather",
             "handlebar": "-a9aeb4 . metal",
@@ -99,7 +84,7 @@ VEHICLES = {
         "motor scooter, vespa; moped, lambretta",
         {
             "body": "*6fb5a8 . paint",
-            "wheels": _TYRES,
+            "wheels": TYRES_LOOK,
             "seat": "+5a3420 . leather",
             "handlebar": "-a9aeb4 . metal",
             "lamp": "-f7eec2",
@@ -117,28 +102,17 @@ VEHICLES = {
         },
         Usual(8.0, STEEL, 0.1),
     ),
-    "helicopter": Noun(
-        "chopper helicopter, heli",
-        {
-            "body": "*c9241e . paint",
-            "windows": _GLASS,
-            "rotor": "+3a3d40",
-            "skids": "-55595e . metal",
-            "tail rotor": "-3a3d40",
-        },
-        Usual(11.0, STEEL, 0.0042),
-    ),
     "van": Noun(
         "minivan, delivery van; minibus, ice cream truck",
-        {"body": "*e8eaec . paint", "windows": _GLASS, "wheels": _TYRES, "lamps": _LAMPS},
+        {"body": "*e8eaec . paint", "windows": GLASS_LOOK, "wheels": TYRES_LOOK, "lamps": _LAMPS},
         Usual(5.2, STEEL, 0.0082),
     ),
     "ambulance": Noun(
         "ambulance car; emergency vehicle",
         {
             "body": "*f2f2ef . paint",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "lamps": "-f7eec2",
             "cross": "+cf1f1f",
             "light": "-2a5fd0",
@@ -149,8 +123,8 @@ VEHICLES = {
         "cab, taxicab, taxi cab",
         {
             "body": "*f2bd12 . paint",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "lamps": "-f7eec2",
             "sign": "+f4f2ea",
         },
@@ -161,8 +135,8 @@ VEHICLES = {
         {
             "body": "*c4161a . paint",
             "ladder": "+c9cdd2 . metal",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "lockers": "-b9bec4 . metal",
             "light": "-2a5fd0",
         },
@@ -173,8 +147,8 @@ VEHICLES = {
         "hummer, off road vehicle, dune buggy, buggy",
         {
             "body": "*5d6b3e . paint",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "lamps": "-f7eec2",
             "seats": "-3a3026",
             "roof": "+3f4a2c",
@@ -186,8 +160,8 @@ VEHICLES = {
         {
             "body": "*2f8f3a . paint",
             "cab": "&2f8f3a . paint",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "rims": "+f0c21a",
             "exhaust": "-3a3a3c . metal",
         },
@@ -197,7 +171,7 @@ VEHICLES = {
         "digger; backhoe, bulldozer, power shovel, steam shovel, front loader, bulldozer truck",
         {
             "body": "*f0ae18 . paint",
-            "windows": _GLASS,
+            "windows": GLASS_LOOK,
             "arm": "&f0ae18 . paint",
             "bucket": "+4a4c50 . metal",
             "tracks": "-29292a",
@@ -215,35 +189,6 @@ VEHICLES = {
             "screw": "-c79a3e . golden",
         },
         Usual(30.0, STEEL, 0.012),
-    ),
-    "hot air balloon": Noun(
-        "hot-air balloon, air balloon; montgolfier",
-        {"balloon": "*d6322a hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
-        Usual(25.0, FABRIC, 0.00069),
-    ),
-    "ufo": Noun(
-        "flying saucer; alien ship, alien spaceship, mothership",
-        {
-            "body": "*a5adb5 . metal",
-            "dome": "+6fd0c8 . glass",
-            "lights": "-f5d63a",
-            "legs": "-70777e . metal",
-        },
-        Usual(12.0, STEEL, 0.0064),
-    ),
-    "spaceship": Noun(
-        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet "
-        "fighter, x wing, spacefighter, alien fighter, space fighter, tie fighter, "
-        "fighter plane, stealth bomber",
-        {
-            "hull": "*d5d9de . paint",
-            "wings": "*d5d9de . paint",
-            "cockpit": "-22303c . glass",
-            "guns": "+b3231f",
-            "engines": "-55595f . metal",
-            "flames": "-4fc3f0",
-        },
-        Usual(12.0, STEEL, 0.02),
     ),
     "canoe": Noun(
         "; kayak, dugout, gondola, paddle boat",
@@ -277,7 +222,7 @@ VEHICLES = {
         "wheel barrow, barrow",
         {
             "tray": "*3f7f46 . paint",
-            "wheel": _TYRES,
+            "wheel": TYRES_LOOK,
             "frame": "+8a9096 . metal",
             "handles": "-1f1f20 . rubber",
         },
@@ -297,35 +242,12 @@ VEHICLES = {
         "tramcar, streetcar, trolley; railcar, subway car, metro train",
         {
             "body": "*c9261f . paint",
-            "windows": _GLASS,
+            "windows": GLASS_LOOK,
             "stripe": "+f2ead2",
             "wheels": "-2a2a2c . metal",
             "roof": "-8b9095",
         },
         Usual(15.0, STEEL, 0.0086),
-    ),
-    "space shuttle": Noun(
-        "shuttle, orbiter; space plane",
-        {
-            "body": "*eceef0",
-            "wings": "&e2e4e7",
-            "nose": "+2b2b2e",
-            "windows": "-1e262d . glass",
-            "engines": "-6d7278 . metal",
-        },
-        Usual(37.0, STEEL, 0.0028),
-    ),
-    "satellite": Noun(
-        "space satellite, communications satellite; space probe, space station, sputnik, "
-        "space telescope, hubble",
-        {
-            "body": "*d8a83c . golden",
-            "panels": "+24408c",
-            "arms": "-a0a5ab . metal",
-            "dish": "-e4e6e8",
-            "aerial": "-b0b5ba . metal",
-        },
-        Usual(6.0, PLASTIC, 0.2),
     ),
     "longship": Noun(
         "viking ship, viking longship, viking boat, long ship, longboat, drakkar; dragon boat",
@@ -338,31 +260,6 @@ VEHICLES = {
             "shields": "+d9a53a",
         },
         Usual(20.0, WOOD, 0.1),
-    ),
-    "biplane": Noun(
-        "bi plane, double decker plane; propeller plane, prop plane, propeller airplane, "
-        "propeller aircraft, stunt plane, crop duster, old plane, warplane, seaplane, glider",
-        {
-            "body": "*c4201c . paint",
-            "wings": "+f0c22a . paint",
-            "struts": "-6b4526",
-            "engine": "-5a5f65 . metal",
-            "propeller": "-8a5a30",
-            "wheels": _TYRES,
-        },
-        Usual(8.0, STEEL, 0.01),
-    ),
-    "blimp": Noun(
-        "airship, air ship, zeppelin, dirigible",
-        {
-            "balloon": "*d9dde2 . paint",
-            "band": "+c4281f . paint",
-            "fins": "+c4281f . paint",
-            "cabin": "-4a5058 . paint",
-            "windows": "-8fd0ee . glass",
-            "engines": "-3a3d42 . metal",
-        },
-        Usual(40, FABRIC, 0.005),
     ),
     "rover": Noun(
         "mars rover, moon rover, space rover, lunar rover, planetary rover, exploration rover, "
@@ -385,7 +282,7 @@ VEHICLES = {
             "cage": "+35383c . metal",
             "mast": "-4a4e53 . metal",
             "forks": "-70767c . metal",
-            "wheels": _TYRES,
+            "wheels": TYRES_LOOK,
             "seat": "-1f1f21 . leather",
         },
         Usual(3.4, STEEL, 0.15),
@@ -393,7 +290,7 @@ VEHICLES = {
     "wheelchair": Noun(
         "wheel chair",
         {
-            "wheels": _TYRES,
+            "wheels": TYRES_LOOK,
             "spokes": "-c3c8cc . metal",
             "seat": "*23489c . fabric",
             "frame": "+8d949b . metal",
@@ -407,8 +304,8 @@ VEHICLES = {
         "camping van, motor caravan; caravan, camper trailer, travel trailer, winnebago",
         {
             "body": "*f3efe4 . paint",
-            "windows": _GLASS,
-            "wheels": _TYRES,
+            "windows": GLASS_LOOK,
+            "wheels": TYRES_LOOK,
             "stripe": "+e0762a . paint",
             "door": "-c9ccc8 . paint",
             "lamps": "-f7eec2",

@@ -1,0 +1,110 @@
+"""What flies."""
+
+from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, Noun, Usual
+from core.guidance.builtin.nouns.vehicles import GLASS_LOOK, TYRES_LOOK
+
+AIRCRAFT = {
+    "airplane": Noun(
+        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet",
+        {
+            "body": "*e8eaed . paint",
+            "wings": "&c7ccd2 . paint",
+            "windows": "-25303a . glass",
+            "engines": "-3d6fb3",
+        },
+        Usual(12.0, STEEL, 0.0062),
+    ),
+    "rocket": Noun(
+        "rocket ship, space rocket; missile, firework, rocketship, torpedo",
+        {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
+        Usual(20.0, STEEL, 0.0029),
+    ),
+    "helicopter": Noun(
+        "chopper helicopter, heli",
+        {
+            "body": "*c9241e . paint",
+            "windows": GLASS_LOOK,
+            "rotor": "+3a3d40",
+            "skids": "-55595e . metal",
+            "tail rotor": "-3a3d40",
+        },
+        Usual(11.0, STEEL, 0.0042),
+    ),
+    "hot air balloon": Noun(
+        "hot-air balloon, air balloon; montgolfier",
+        {"balloon": "*d6322a hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
+        Usual(25.0, FABRIC, 0.00069),
+    ),
+    "ufo": Noun(
+        "flying saucer; alien ship, alien spaceship, mothership",
+        {
+            "body": "*a5adb5 . metal",
+            "dome": "+6fd0c8 . glass",
+            "lights": "-f5d63a",
+            "legs": "-70777e . metal",
+        },
+        Usual(12.0, STEEL, 0.0064),
+    ),
+    "spaceship": Noun(
+        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet "
+        "fighter, x wing, spacefighter, alien fighter, space fighter, tie fighter, "
+        "fighter plane, stealth bomber",
+        {
+            "hull": "*d5d9de . paint",
+            "wings": "*d5d9de . paint",
+            "cockpit": "-22303c . glass",
+            "guns": "+b3231f",
+            "engines": "-55595f . metal",
+            "flames": "-4fc3f0",
+        },
+        Usual(12.0, STEEL, 0.02),
+    ),
+    "space shuttle": Noun(
+        "shuttle, orbiter; space plane",
+        {
+            "body": "*eceef0",
+            "wings": "&e2e4e7",
+            "nose": "+2b2b2e",
+            "windows": "-1e262d . glass",
+            "engines": "-6d7278 . metal",
+        },
+        Usual(37.0, STEEL, 0.0028),
+    ),
+    "satellite": Noun(
+        "space satellite, communications satellite; space probe, space station, sputnik, "
+        "space telescope, hubble",
+        {
+            "body": "*d8a83c . golden",
+            "panels": "+24408c",
+            "arms": "-a0a5ab . metal",
+            "dish": "-e4e6e8",
+            "aerial": "-b0b5ba . metal",
+        },
+        Usual(6.0, PLASTIC, 0.2),
+    ),
+    "biplane": Noun(
+        "bi plane, double decker plane; propeller plane, prop plane, propeller airplane, "
+        "propeller aircraft, stunt plane, crop duster, old plane, warplane, seaplane, glider",
+        {
+            "body": "*c4201c . paint",
+            "wings": "+f0c22a . paint",
+            "struts": "-6b4526",
+            "engine": "-5a5f65 . metal",
+            "propeller": "-8a5a30",
+            "wheels": TYRES_LOOK,
+        },
+        Usual(8.0, STEEL, 0.01),
+    ),
+    "blimp": Noun(
+        "airship, air ship, zeppelin, dirigible",
+        {
+            "balloon": "*d9dde2 . paint",
+            "band": "+c4281f . paint",
+            "fins": "+c4281f . paint",
+            "cabin": "-4a5058 . paint",
+            "windows": "-8fd0ee . glass",
+            "engines": "-3a3d42 . metal",
+        },
+        Usual(40, FABRIC, 0.005),
+    ),
+}
