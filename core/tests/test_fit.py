@@ -1,11 +1,12 @@
 """The fit to perfect pictures: the oracle, the scores, and a short form of ``bench fit``."""
 
 from dataclasses import replace
+from unittest import mock
 
 import pytest
 import torch
 
-from core.benchmarks import ball
+from core.benchmarks import ball, fit_scores
 from core.benchmarks.bench_fit import fitted, line, misses, solid, summary
 from core.benchmarks.fit_scores import Truth, curvature_error, scores
 from core.benchmarks.oracle import Oracle
@@ -22,6 +23,7 @@ from core.guidance.guidance import Views
 from core.prior.families import normalised
 from core.prior.solids import box
 from core.prior.tracer import render
+from core.stages import geometry
 from core.stages.start_shape import sdf_net
 
 SHORT = replace(
@@ -44,20 +46,30 @@ def block():
 
 @pytest.fixture(scope="module")
 def truth(block):
-    return Truth.of(block)
+    with mock.patch.object(fit_scores, "TRUTH_RESOLUTION", 48):  # a block's pieces and holes
+        return Truth.of(block)
 
 
-def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, truth) -> None:
+@pytest.fixture(scope="module")
+def meshes(block):
+    """What is refined with SHORT, by no sharpening and by some."""
+    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=3, views=12))
+    with mock.patch.object(geometry, "sharpened", wraps=geometry.sharpened) as spy:
+        sharp = fitted(block, crisp)
+    _, _, verts, faces, _ = spy.call_args.args
+    return (verts.detach(), faces), sharp
+
+
+def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, truth, meshes) -> None:
     """By refining alone, from an ellipsoid."""
-    soft, sharp = (scores(*fitted(block, config), truth) for config in (SHORT, SHARP))
+    soft, sharp = (scores(*mesh, truth) for mesh in (meshes[0], fitted(block, SHARP)))
     assert {"flat", "crease"} <= set(misses(soft))
     assert misses(sharp) == []
     assert sharp["chamfer"] < 0.7 * soft["chamfer"]
 
 
-def test_the_sharpening_reaches_it_too(block, truth) -> None:
-    crisp = replace(SHORT, sharpen=replace(SHORT.sharpen, rounds=3, views=12))
-    assert misses(scores(*fitted(block, crisp), truth)) == []
+def test_the_sharpening_reaches_it_too(truth, meshes) -> None:
+    assert misses(scores(*meshes[1], truth)) == []
 
 
 def test_the_truth_itself_misses_nothing(block, truth) -> None:
@@ -69,7 +81,7 @@ def test_the_truth_itself_misses_nothing(block, truth) -> None:
 
 
 def test_a_part_that_is_gone_is_missing(block, truth) -> None:
-    grid = tet_grid(48)
+    grid = tet_grid(32)
     sdf = torch.maximum(block.sdf(grid.tet_verts), grid.tet_verts[:, 0])  # half of it
     found = scores(*marching_tets(grid.tet_verts, sdf, grid), truth)
     assert 0.3 < found["missing"] < 0.55
