@@ -69,12 +69,13 @@ def bend_to(solid: Distance, target: Distance, stiffness: float) -> Bend:
     wanted = target(points)
     near = (wanted < NEAR) | (read_lattice(distance, points, EXTENT)[:, 0] < NEAR)
     points, wanted = points[near], wanted[near]
-    weights = basis(points, CONTROLS)  # the points stay, so that they are found once
+    # The nodes stay, so that their weights are found once, and for each axis alone.
+    weights = splines(torch.linspace(-EXTENT, EXTENT, NODES + 1), CONTROLS)
     controls.requires_grad_(True)
     optimizer = Adam([controls], RATE)
     for step in range(STEPS):
         tau = BLUR[0] * (BLUR[1] / BLUR[0]) ** (step / STEPS)
-        moved = points + weights @ controls.view(-1, 3)
+        moved = points + _at_nodes(controls, weights)[near]
         found = read_lattice(distance, moved, EXTENT)[:, 0]
         unlike = ((-wanted / tau).sigmoid() - (-found / tau).sigmoid()).square().mean()
         optimizer.zero_grad()
@@ -83,16 +84,31 @@ def bend_to(solid: Distance, target: Distance, stiffness: float) -> Bend:
     return Bend(controls.detach())
 
 
+def _at_nodes(
+    controls: Float[Tensor, "k k k 3"], weights: Float[Tensor, "s k"]
+) -> Float[Tensor, "_ 3"]:
+    """The displacements of all nodes of a lattice, by the weights along an axis."""
+    moves = controls.permute(3, 0, 1, 2)
+    for _ in range(3):  # each time the first axis of those left, to the end
+        moves = torch.tensordot(moves, weights, ([1], [1]))
+    return moves.flatten(1).T
+
+
 def basis(points: Float[Tensor, "n 3"], count: int) -> Float[Tensor, "n _"]:
-    """The weight of each of ``count``³ control points at each point, by cubic B-splines.
+    """The weight of each of ``count``³ control points at each point."""
+    x, y, z = splines(points, count).unbind(1)
+    return (x[:, :, None, None] * y[:, None, :, None] * z[:, None, None]).flatten(1)
+
+
+def splines(places: Float[Tensor, "*n"], count: int) -> Float[Tensor, "*n _"]:
+    """The weight of each of ``count`` control points along an axis, by cubic B-splines.
 
     The second and the last but one lie at the ends of the lattice's cube; beyond it, all fade out.
     """
-    at = (points / EXTENT + 1) * ((count - 3) / 2) + 1
+    at = (places / EXTENT + 1) * ((count - 3) / 2) + 1
     away = (at[..., None] - torch.arange(count)).abs()
     near, far = 2 / 3 - away.square() + away**3 / 2, (2 - away) ** 3 / 6
-    x, y, z = torch.where(away < 1, near, torch.where(away < 2, far, 0)).unbind(1)
-    return (x[:, :, None, None] * y[:, None, :, None] * z[:, None, None]).flatten(1)
+    return torch.where(away < 1, near, torch.where(away < 2, far, 0))
 
 
 def bending(controls: Float[Tensor, "k k k 3"]) -> Float[Tensor, ""]:
