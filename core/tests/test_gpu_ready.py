@@ -13,13 +13,8 @@ from core.appearance import shaded
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
 from core.appearance.shaded import SurfacePoints, material_at
-from core.benchmarks.bench_rehearsal import (
-    PHASES,
-    Rehearsal,
-    bench_rehearsal,
-    configurations,
-    random_guidance,
-)
+from core.benchmarks import bench_rehearsal
+from core.benchmarks.bench_rehearsal import PHASES, Rehearsal, configurations, random_guidance
 from core.camera import Cameras
 from core.command_line import main
 from core.device import sent
@@ -226,8 +221,13 @@ def test_one_view_that_does_not_fit_ends_the_run(tmp_path):
 
 
 @pytest.mark.parametrize(("architecture", "views"), [("sd15", 2), ("sdxl", 2), ("mvdream", 4)])
-def test_the_rehearsal_times_each_part_and_foretells_the_schedule(architecture, views, capsys):
-    lines = bench_rehearsal(Rehearsal(architecture, "tiny", views, views, device="cpu"))
+def test_the_rehearsal_times_each_part_and_foretells_the_schedule(
+    architecture, views, capsys, monkeypatch
+):
+    monkeypatch.setattr(bench_rehearsal, "STEPS", 1)
+    lines = bench_rehearsal.bench_rehearsal(
+        Rehearsal(architecture, "tiny", views, views, device="cpu")
+    )
     names = [line["name"] for line in lines]
     for phase in PHASES:
         parts = [n.split(": ")[1].split(",")[0] for n in names if n.startswith(f"{phase}: ")]
