@@ -121,7 +121,7 @@ def test_same_twice() -> None:
 
 
 def test_too_many_find_no_room(monkeypatch) -> None:
-    monkeypatch.setattr(packing, "PASSES", 3)
+    monkeypatch.setattr(packing, "PASSES", 1)
     assert pack(*blobs(9), 0.2) is None
 
 
