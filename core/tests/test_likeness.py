@@ -1,10 +1,13 @@
 """The measures that see what retrieval does not: rounded edges, missing parts, melted legs."""
 
+from collections.abc import Iterator
 from dataclasses import replace
+from unittest import mock
 
 import pytest
 import torch
 
+from core.benchmarks import likeness as measures
 from core.benchmarks.likeness import Surface, likeness
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
@@ -21,6 +24,18 @@ def fresh(noun: str) -> Shape:
 def meshed(shape: Shape) -> Surface:
     sdf = torch.cat([shape.sdf(part) for part in GRID.tet_verts.split(1 << 16)])
     return Surface.of_mesh(*marching_tets(GRID.tet_verts, sdf, GRID))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def fewer() -> Iterator[None]:
+    """Three held-out objects of a noun, and half of the points."""
+    with (
+        mock.patch.object(measures, "REFERENCES", 3),
+        mock.patch.object(measures, "POINTS", 4000),
+    ):
+        measures.objects.cache_clear()
+        yield
+        measures.objects.cache_clear()
 
 
 @pytest.fixture(scope="module")
