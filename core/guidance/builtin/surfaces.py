@@ -1,5 +1,7 @@
 """What a prompt's words and the thing's nature say of the substance of each part."""
 
+from functools import cache
+
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
@@ -54,6 +56,7 @@ def _by_nature(noun: str, part: Painted) -> str:
     return "paint" if known == "brick" and noun not in BUILDINGS else known
 
 
+@cache
 def _factor(known: Color, wanted: Color) -> Color:
     """Of ``known`` (sRGB) to become ``wanted``, linear."""
     before, after = srgb_to_linear(torch.tensor([known, wanted]))
