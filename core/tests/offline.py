@@ -21,6 +21,16 @@ def record(event, args):
             print(event, repr(args), file=file)
 sys.addaudithook(record)
 """
+# Two attempts, whose errors it prints.
+ONLINE = """
+import socket
+for reach in (lambda: socket.create_connection(("192.0.2.1", 80), 1),
+              lambda: socket.getaddrinfo("example.invalid", 80)):
+    try:
+        reach()
+    except OSError as error:
+        print(type(error).__name__)
+"""
 
 
 @functools.cache
@@ -45,6 +55,31 @@ def recorder(folder: Path) -> Path:
     code = RECORD.format(file=str(folder / "attempts"))
     (folder / "sitecustomize.py").write_text(code, encoding="utf-8")
     return folder
+
+
+# As ``unshare`` does, in this process; its user stays who it is.
+LEAVE = """
+import ctypes, os
+user, group = os.geteuid(), os.getegid()
+if ctypes.CDLL(None, use_errno=True).unshare({flags}):
+    raise OSError(ctypes.get_errno(), "no namespace of its own")
+if {flags} & 0x10000000:
+    for name, text in (("setgroups", "deny"), ("uid_map", f"{{user}} {{user}} 1"),
+                       ("gid_map", f"{{group}} {{group}} 1")):
+        with open("/proc/self/" + name, "w") as file:
+            file.write(text)
+"""
+
+
+def alone_here(place: Path) -> str:
+    """Python that cuts the process off that runs it, and has its attempts recorded from there on.
+
+    ``place``: of ``recorder``; what it starts is recorded too.
+    """
+    flags = {(): 0, ("unshare", "-n"): 0x40000000}.get(cut_off(), 0x50000000)
+    path = f"import os\nos.environ['PYTHONPATH'] = {str(place)!r}\n"
+    leave = LEAVE.format(flags=flags) if flags else ""
+    return path + leave + (place / "sitecustomize.py").read_text(encoding="utf-8")
 
 
 def attempts(folder: Path) -> list[str]:

@@ -26,7 +26,7 @@ from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
 from core.tests import tiny_runs
 from core.tests.forked import ONE_THREAD, Session
-from core.tests.offline import attempts, cut_off, recorder
+from core.tests.offline import ONLINE, alone_here, attempts, cut_off, recorder
 
 ROOT = Path(__file__).parents[2]
 SHORT = {
@@ -34,17 +34,19 @@ SHORT = {
     "geometry.grow.rounds": 1,
     "geometry.grow.steps": 2,
     "geometry.grow.views": 2,
+    "geometry.grow.denoise_steps": 2,
     "geometry.fine.steps": 2,
     "geometry.refine.rounds": 2,
     "geometry.refine.steps": 2,
     "geometry.refine.views": 2,
+    "geometry.refine.denoise_steps": 2,
     "geometry.sharpen.rounds": 1,
     "geometry.sharpen.views": 2,
     "geometry.sharpen.passes": 1,
     "geometry.sharpen.steps": 2,
     "geometry.sharpen.size": 32,
-    "geometry.resolution": "16,20",
-    "geometry.fit_steps": 30,
+    "geometry.resolution": "12,14",
+    "geometry.fit_steps": 20,
     "geometry.views": 2,
     "geometry.views_at_once": 2,
     "appearance.early.steps": 8,
@@ -52,6 +54,7 @@ SHORT = {
     "appearance.refine.rounds": 1,
     "appearance.refine.steps": 4,
     "appearance.refine.views": 2,
+    "appearance.refine.denoise_steps": 2,
     "appearance.refine.size": 32,
     "appearance.learning_rate": 0.05,
     "appearance.early.size": 32,
@@ -59,26 +62,13 @@ SHORT = {
     "appearance.views": 2,
 }
 OPTIONS = [f"--set={key}={value}" for key, value in SHORT.items()]
-OPTIONS += ["--texture-size=64", "--max-faces=450"]
-
-LOOSE = """
-import runpy
-from core.tests.tiny_runs import loosely_packed
-loosely_packed().start()
-runpy.run_module("core", run_name="__main__", alter_sys=True)
-"""
+OPTIONS += ["--texture-size=64", "--max-faces=150"]
 
 
-def core(*argv: object, recorded: Path | None = None) -> "subprocess.Popen[str]":
-    """A process of its own; ``recorded`` is a recorder of what it tries to reach.
-
-    It then runs without a network, and packs as loosely as the forks do.
-    """
-    places = [str(recorded)] if recorded else []
-    environ = os.environ | {"PYTHONPATH": os.pathsep.join([*places, str(ROOT)])} | ONE_THREAD
-    cut = cut_off() if recorded else ()
-    module = ["-c", LOOSE] if recorded else ["-m", "core"]
-    command = [*cut, sys.executable, *module, *map(str, argv)]
+def core(*argv: object) -> "subprocess.Popen[str]":
+    """A process of its own."""
+    environ = os.environ | {"PYTHONPATH": str(ROOT)} | ONE_THREAD
+    command = [sys.executable, "-m", "core", *map(str, argv)]
     return subprocess.Popen(
         command, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
@@ -113,7 +103,8 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     run = tmp_path_factory.mktemp("ein Lauf ü") / "rot"
     record = recorder(run.parent / "recorder")
     line = ("generate", "a red torus", "--out", run, *OPTIONS)
-    status, said = finished(core(*line, recorded=record))
+    session = Session.start(line, run.parent / "said.txt", before=alone_here(record))
+    status, said = session.finished()
     assert status == 0, said
     assert said.splitlines()[-1] == str(run / "asset")
     return run
@@ -127,7 +118,7 @@ def test_the_asset_is_whole_and_closed(whole):
     assert mesh["manifold"]
     assert mesh["oriented"]
     assert mesh["volume"] > 0
-    assert mesh["faces"] <= 450
+    assert mesh["faces"] <= 150
     assert mesh["bounds"][0][2] == pytest.approx(0, abs=1e-6)
     assert report["size_m"] == pytest.approx(usual_of("a red torus")[0], abs=1e-5)
     mass = mesh["volume"] * usual_of("a red torus")[1]
@@ -142,6 +133,16 @@ def test_the_asset_is_whole_and_closed(whole):
 def test_a_run_reaches_for_no_network(whole):
     """Nor had it one, where that is permitted (test_offline.py)."""
     assert attempts(whole.parent / "recorder") == []
+
+
+@pytest.mark.skipif(not cut_off(), reason="no network namespace may be made here")
+def test_an_attempt_of_such_a_run_would_fail_and_be_recorded(fork, tmp_path):
+    record = recorder(tmp_path / "recorder")
+    status, said = fork("words", "a chair", before=alone_here(record) + ONLINE).finished()
+    assert status == 0, said
+    assert said.split()[:2] == ["OSError", "gaierror"]
+    tried = {line.split()[0] for line in attempts(record)}
+    assert tried == {"socket.connect", "socket.getaddrinfo"}
 
 
 def test_red_becomes_redder_even_in_a_few_steps(whole):
@@ -289,7 +290,8 @@ def test_texture_keeps_the_users_mesh_and_its_place(fork, tmp_path):
     kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     mesh.write_text("\n".join(kept) + "\n")
     run = tmp_path / "run"
-    status, said = fork("texture", mesh, "a blue ball", "--out", run, *OPTIONS).finished()
+    words = [*OPTIONS, "--max-faces=450"]  # it has 432
+    status, said = fork("texture", mesh, "a blue ball", "--out", run, *words).finished()
     assert status == 0, said
     asset = read_asset(run)
     torch.testing.assert_close(asset.mesh.verts, verts, atol=1e-4, rtol=0)

@@ -10,18 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from core.tests.offline import attempts, cut_off, recorder
+from core.tests.offline import ONLINE, attempts, cut_off, recorder
 
 ROOT = Path(__file__).parents[2]
-ONLINE = """
-import socket
-for reach in (lambda: socket.create_connection(("192.0.2.1", 80), 1),
-              lambda: socket.getaddrinfo("example.invalid", 80)):
-    try:
-        reach()
-    except OSError as error:
-        print(type(error).__name__)
-"""
 # The core's modules in one process, and the add-on in Blender, where there is one.
 ALL = """
 import importlib.util, os, pkgutil, sys
