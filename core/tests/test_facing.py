@@ -23,9 +23,11 @@ from core.reproduce.guides import seat
 from core.stages.facing import front_turn, turned_vectors
 from core.tests import tiny_runs
 
+pytestmark = pytest.mark.usefixtures("once")  # more than one test asks of the same pictures
+
 
 @pytest.fixture(scope="module")
-def prior():
+def prior(once):
     return make_guidance("builtin", "cpu")
 
 
@@ -103,8 +105,7 @@ def test_the_asset_stands_as_the_user_s_guide_does(tmp_path) -> None:
     write_plain_obj(path, guide.verts, guide.faces)
     run = tmp_path / "run"
     argv = ["generate", "a wooden chair", "--guide", str(path), "--guide-strength=1"]
-    with tiny_runs.once():
-        assert main([*argv, "--out", str(run), *tiny_runs.OPTIONS]) == 0
+    assert main([*argv, "--out", str(run), *tiny_runs.OPTIONS]) == 0
     texts = [event.get("text", "") for event in read_events(run)]
     assert any("270°" in text for text in texts)
     seen = torch.from_numpy(np.load(run / "preview" / "shape.npz")["verts"])
