@@ -42,7 +42,7 @@ OF_WORDS = ("rank", "color")  # measures that compare with the built-in prior's 
 RETRIES = 1
 # The shortest of everything, to see the whole path through: what comes out is no likeness.
 QUICK = (
-    "geometry.resolution=14,16", "geometry.fit_steps=30", "geometry.views=2",
+    "geometry.resolution=12,14", "geometry.fit_steps=20", "geometry.views=2",
     "geometry.views_at_once=2", "geometry.coarse.steps=2", "geometry.grow.rounds=1",
     "geometry.grow.steps=2", "geometry.grow.views=2", "geometry.refine.rounds=1",
     "geometry.refine.steps=2", "geometry.refine.views=2", "geometry.sharpen.rounds=0",
@@ -50,6 +50,8 @@ QUICK = (
     "appearance.late.steps=1", "appearance.early.size=32", "appearance.late.size=32",
     "appearance.refine.rounds=1", "appearance.refine.steps=2", "appearance.refine.views=2",
     "appearance.refine.size=32", "texture.size=64", "texture.max_faces=200",
+    "geometry.grow.denoise_steps=1", "geometry.refine.denoise_steps=1",
+    "appearance.refine.denoise_steps=1",
 )  # fmt: skip
 
 JobOf = Callable[[list[str]], Job]  # of the words of a ``generate`` command
