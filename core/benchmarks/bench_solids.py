@@ -1,8 +1,8 @@
 """``run.py bench solids``: the shapes of plain drafts, drawn and put together, before any budget.
 
 It tells in seconds a noun what ``bench prior`` tells in minutes: likeness to the noun's own objects
-(``likeness``), and variety: how far the shapes are from one another, over how far the noun's own
-objects are.
+(``likeness``), whether these are the nearest of all nouns' (``core.prior.retrieval``), and variety:
+how far the shapes are from one another, over how far the noun's own objects are.
 """
 
 import itertools
@@ -21,7 +21,9 @@ from core.benchmarks.likeness import Points, Surface, likeness, objects
 from core.config import DRAFT
 from core.geometry.assembly import assembled
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
+from core.guidance.builtin.offered import offered_words
 from core.io.job import write_text
+from core.prior.retrieval import Cloud, mesh_cloud, ranking, reference_clouds
 
 CREASE = (0.85, 1.15)  # over the family's own: edges are neither rounded nor ragged
 MORE_MISSING = 0.03  # than a noun's objects lack of one another
@@ -32,10 +34,12 @@ VARIETY = 0.6  # of the family's own
 def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
     """Score ``seeds`` shapes of each noun (all, if empty), print a table; JSON to ``out``."""
     torch.set_num_threads(1)
+    nouns = known_nouns(nouns)
+    references = reference_clouds(offered_words()["noun"])
     guidance, scores = load_builtin("cpu"), {}
-    for noun in known_nouns(nouns):
-        scores[noun] = solid_scores(guidance, noun, seeds)
-        print(f"{noun:<18}" + "".join(f" {k} {v:<6.3g}" for k, v in scores[noun].items()))
+    for noun in nouns:
+        scores[noun] = solid_scores(guidance, noun, seeds, references)
+        print(line(noun, scores[noun]), flush=True)
     rows = [{"part": "solids"} | line for line in summary(scores)]
     print("\n".join(table_line(line) for line in rows), flush=True)
     if out:
@@ -43,8 +47,11 @@ def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
         write_text(out, json.dumps(facts, indent=1) + "\n")
 
 
-def solid_scores(guidance: BuiltinGuidance, noun: str, seeds: int) -> dict[str, float]:
-    """The likeness in the mean over the seeds, the variety, and the CPU time of making one."""
+def solid_scores(
+    guidance: BuiltinGuidance, noun: str, seeds: int, references: dict[str, list[Cloud]]
+) -> dict[str, Any]:
+    """The likeness in the mean over the seeds, the fraction of them whose nearest references are
+    the noun's, which others were nearer, the variety, and the CPU time of making one."""
     prompted, drawn = guidance.prompted(noun, ""), []
     start = time.process_time()
     for seed in range(seeds):
@@ -57,7 +64,24 @@ def solid_scores(guidance: BuiltinGuidance, noun: str, seeds: int) -> dict[str, 
     surfaces = [Surface.of_mesh(*mesh) for mesh in drawn]
     each = [likeness(surface, noun) for surface in surfaces]
     mean = {name: float(np.mean([one[name] for one in each])) for name in each[0]}
-    return mean | {"variety": variety(surfaces, objects(noun)), "cpu_s": cpu_s}
+    generator = torch.Generator().manual_seed(0)
+    ranks = [[name for name, _ in ranking(mesh_cloud(*m, generator), references)] for m in drawn]
+    behind = [names[: names.index(noun)] for names in ranks]
+    return mean | {
+        "first": sum(not nearer for nearer in behind) / seeds,
+        "first_five": sum(len(nearer) < 5 for nearer in behind) / seeds,
+        "nearer": sorted({name for nearer in behind for name in nearer[:5]}),
+        "variety": variety(surfaces, objects(noun)),
+        "cpu_s": cpu_s,
+    }
+
+
+def line(noun: str, score: dict[str, Any]) -> str:
+    """A score as text."""
+    numbers = "".join(f" {k} {v:<6.3g}" for k, v in score.items() if k != "nearer")
+    return (
+        f"{noun:<18}{numbers}{' nearer: ' if score['nearer'] else ''}{', '.join(score['nearer'])}"
+    )
 
 
 def variety(drawn: "list[Surface]", own: "tuple[Surface, ...]") -> float:
@@ -78,7 +102,7 @@ def _apart(one: Points, other: Points) -> float:
     return float(np.mean(ways))
 
 
-def summary(scores: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
+def summary(scores: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
     """Of all nouns: how many have what an artist sees."""
 
     def share(holds: Any) -> float:
@@ -88,6 +112,8 @@ def summary(scores: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
         return float(np.mean([one[name] for one in scores.values()]))
 
     return [
+        row("shape, top 1", mean("first"), "of shapes", 0.97, True),
+        row("shape, top 5", mean("first_five"), "of shapes"),
         row("crease", mean("crease"), "of the family's"),
         row("edges", share(lambda s: CREASE[0] <= s["crease"] <= CREASE[1]), "of nouns", 0.9, True),
         row(

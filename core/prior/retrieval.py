@@ -15,6 +15,8 @@ from core.prior.families import build, surface_points
 
 POINTS = 384
 TURNS = 24
+SCREEN_POINTS = 96  # of each cloud, to tell which nouns are far
+NEAR = 24  # nouns that all points are compared with
 REFERENCES = 4  # held-out shapes of each noun
 SEED = 2_000_000  # beyond those of the data and of ``evaluate``
 
@@ -67,7 +69,18 @@ def chamfer(a: Float[Tensor, "*t n 3"], b: Float[Tensor, "m 3"]) -> Float[Tensor
 
 
 def ranking(cloud: Cloud, references: dict[str, list[Cloud]]) -> list[tuple[str, float]]:
-    """The nouns with their least distances, nearest first."""
+    """The nouns with their least distances, nearest first.
+
+    A quarter of the points, a sixteenth of the work, tells which ``NEAR`` nouns are the nearest;
+    these are ordered by all points, and the others behind them by what has been told.
+    """
+    few = {noun: [one[:SCREEN_POINTS] for one in clouds] for noun, clouds in references.items()}
+    told = _by_distance(cloud[:SCREEN_POINTS], few)
+    near = {noun: references[noun] for noun, _ in told[:NEAR]}
+    return _by_distance(cloud, near) + told[NEAR:]
+
+
+def _by_distance(cloud: Cloud, references: dict[str, list[Cloud]]) -> list[tuple[str, float]]:
     turned = turns(cloud)
     found = {
         noun: min(chamfer(turned, reference).min().item() for reference in clouds)

@@ -9,6 +9,7 @@ from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, va
 from core.benchmarks.likeness import Surface, objects
 from core.errors import UserError
 from core.guidance.builtin.guidance import load_builtin
+from core.prior.retrieval import reference_clouds
 
 
 def _moved(surface: Surface, by: float) -> Surface:
@@ -26,19 +27,29 @@ def test_variety_is_one_for_the_nouns_own_objects_and_none_for_copies():
 
 
 def test_a_drawn_mug_is_like_a_mug():
-    scores = solid_scores(load_builtin("cpu"), "mug", seeds=1)
+    guidance, references = load_builtin("cpu"), reference_clouds(["bed", "mug", "tower"])
+    scores = solid_scores(guidance, "mug", 1, references)
+    assert (scores["first"], scores["first_five"], scores["nearer"]) == (1, 1, [])
     assert 0.8 < scores["crease"] < 1.3
     assert scores["missing"] <= scores["usual_missing"] + 0.03
     assert scores["pieces"] >= 0.85
     assert scores["cpu_s"] > 0
+    wrong = {"bed": references["mug"], "tower": references["tower"], "mug": references["bed"]}
+    told = solid_scores(guidance, "mug", 1, wrong)
+    assert (told["first"], told["first_five"]) == (0, 1)
+    assert "bed" in told["nearer"]
 
 
 def test_the_summary_counts_nouns():
     good = {"crease": 0.9, "missing": 0.01, "usual_missing": 0.0, "pieces": 1.0, "variety": 0.9}
-    good["cpu_s"] = 1.0
-    bad = good | {"crease": 1.5, "missing": 0.2, "pieces": 0.5, "variety": 0.1}
+    good |= {"cpu_s": 1.0, "first": 1.0, "first_five": 1.0}
+    bad = (
+        good
+        | {"first": 0.0, "first_five": 0.0}
+        | {"crease": 1.5, "missing": 0.2, "pieces": 0.5, "variety": 0.1}
+    )
     found = {line["name"]: line["value"] for line in summary({"a": good, "b": good, "c": bad})}
-    for name in ("edges", "nothing missing", "pieces", "various"):
+    for name in ("shape, top 1", "shape, top 5", "edges", "nothing missing", "pieces", "various"):
         assert found[name] == pytest.approx(2 / 3)
 
 

@@ -64,7 +64,7 @@ def test_a_family_is_normalised_and_its_distance_is_a_lower_bound():
 
 def _is_normalised_and_a_lower_bound(noun: str) -> None:
     shape = build(noun, "", _draw(), jitter=0)
-    surface = surface_points(shape.sdf, 2.4)
+    surface = surface_points(shape.sdf, 2.4, 36)
     low, high = surface.amin(0), surface.amax(0)
     assert ((low + high) / 2).abs().max() < 0.02
     assert surface.norm(dim=1).max().item() == pytest.approx(0.9, abs=0.02)

@@ -49,6 +49,20 @@ def test_a_mesh_of_a_fresh_object_is_nearest_to_its_own_noun(noun):
     assert ranks[0][1] < 0.75 * ranks[1][1]
 
 
+def test_few_points_tell_which_nouns_all_points_are_compared_with(monkeypatch):
+    clouds = (
+        torch.randn(40, 1, 384, 3, generator=_generator())
+        * torch.linspace(1, 3, 40)[:, None, None, None]
+    )
+    references = {str(n): list(one) for n, one in enumerate(clouds)}
+    cloud = torch.randn(384, 3, generator=_generator(1))
+    found = ranking(cloud, references)
+    monkeypatch.setattr("core.prior.retrieval.NEAR", 40)
+    whole = ranking(cloud, references)
+    assert found[:15] == whole[:15]  # each of the 24, by the same distance
+    assert len(dict(found)) == 40
+
+
 def test_lab_has_its_known_values():
     """White, mid grey and sRGB red after Lindbloom's calculator (D65)."""
     srgb = torch.tensor([[1.0, 1.0, 1.0], [0.5, 0.5, 0.5], [1.0, 0.0, 0.0]])
