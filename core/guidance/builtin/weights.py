@@ -8,13 +8,12 @@ import json
 from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import torch
 from jaxtyping import Float
 from safetensors.torch import load_file, save_file
 from torch import Tensor, nn
-from torch.overrides import TorchFunctionMode
 
 from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
@@ -23,8 +22,6 @@ from core.guidance.builtin.solid_net import SolidNetConfig
 from core.io.atomic import atomic_file
 
 Net = TypeVar("Net", bound=nn.Module)
-# How torch's layers start their weights.
-DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
 STEP = ".step"
 BULK = 1 << 14  # numbers of a layer, from which on it is kept in bytes
 
@@ -77,16 +74,19 @@ def in_bytes(name: str, tensor: Tensor, groups: int) -> dict[str, Tensor]:
 
 
 def whole(tensors: dict[str, Tensor]) -> dict[str, Float[Tensor, "..."]]:
-    """The tensors of a file in single precision; what is yes or no stays so."""
+    """The tensors of a file in single precision; what is yes or no stays so.
+
+    They are copies: a file that is mapped into memory could not be replaced on Windows.
+    """
     found = {
-        name: tensor if tensor.dtype == torch.bool else tensor.float()
+        name: tensor.clone() if tensor.dtype == torch.bool else tensor.to(torch.float, copy=True)
         for name, tensor in tensors.items()
         if not name.endswith(STEP)
     }
     for name in found:
         if name + STEP in tensors:
             step = tensors[name + STEP].float()[:, None]
-            found[name] = (found[name].view(len(step), -1) * step).view(found[name].shape)
+            found[name].view(len(step), -1).mul_(step)
     return found
 
 
@@ -106,20 +106,12 @@ def load_weights(path: Path) -> UNet:
 
 def filled(make: Callable[[], Net], tensors: dict[str, Tensor]) -> Net:
     """The network that ``make`` builds, with these weights, ready for use."""
-    with _Undrawn():
+    with torch.device("meta"):  # drawing weights and copying others over them takes longer
         net = make()
-    net.load_state_dict(tensors)
+    net.load_state_dict(tensors, assign=True)
+    # As the network was made. Not in torch's stubs.
+    net.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
     return net.eval().requires_grad_(False)
-
-
-class _Undrawn(TorchFunctionMode):
-    """Within, a new network's weights stay unset: drawing them takes longer than reading them."""
-
-    def __torch_function__(
-        self, func: Callable, types: Any, args: tuple = (), kwargs: dict[str, Any] | None = None
-    ) -> Any:
-        kwargs = kwargs or {}
-        return kwargs["tensor"] if func in DRAWN else func(*args, **kwargs)
 
 
 def load_words(path: Path) -> dict[str, list[str]]:
