@@ -8,12 +8,13 @@ import json
 from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import torch
 from jaxtyping import Float
 from safetensors.torch import load_file, save_file
 from torch import Tensor, nn
+from torch.overrides import TorchFunctionMode
 
 from core.guidance.builtin.lexicon import Vocabulary
 from core.guidance.builtin.network import UNet, UNetConfig
@@ -22,6 +23,8 @@ from core.guidance.builtin.solid_net import SolidNetConfig
 from core.io.atomic import atomic_file
 
 Net = TypeVar("Net", bound=nn.Module)
+# How torch's layers start their weights.
+DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
 STEP = ".step"
 BULK = 1 << 14  # numbers of a layer, from which on it is kept in bytes
 
@@ -106,12 +109,22 @@ def load_weights(path: Path) -> UNet:
 
 def filled(make: Callable[[], Net], tensors: dict[str, Tensor]) -> Net:
     """The network that ``make`` builds, with these weights, ready for use."""
-    with torch.device("meta"):  # drawing weights and copying others over them takes longer
+    with torch.device("meta"), _Undrawn():  # no memory is written that is not kept
         net = make()
     net.load_state_dict(tensors, assign=True)
     # As the network was made. Not in torch's stubs.
     net.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
     return net.eval().requires_grad_(False)
+
+
+class _Undrawn(TorchFunctionMode):
+    """Within, a new network's weights stay unset; without memory, drawing them loads a compiler."""
+
+    def __torch_function__(
+        self, func: Callable, types: Any, args: tuple = (), kwargs: dict[str, Any] | None = None
+    ) -> Any:
+        kwargs = kwargs or {}
+        return kwargs["tensor"] if func in DRAWN else func(*args, **kwargs)
 
 
 def load_words(path: Path) -> dict[str, list[str]]:
