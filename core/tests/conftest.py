@@ -1,5 +1,6 @@
 """What more than one file of tests starts from."""
 
+import contextlib
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -31,6 +32,17 @@ def once() -> Iterator[None]:
     from core.tests import tiny_runs
 
     with tiny_runs.once():
+        yield
+
+
+@pytest.fixture(scope="module")
+def coarse(once: None) -> Iterator[None]:
+    """``once``, for tests that do not look at how fine the drawn solid is."""
+    from core.tests import tiny_runs
+
+    with contextlib.ExitStack() as stack:
+        for patch in tiny_runs.coarsely_drawn():
+            stack.enter_context(patch)
         yield
 
 

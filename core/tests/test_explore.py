@@ -15,7 +15,7 @@ from core.tests.tiny_runs import OPTIONS, made
 
 PROMPT = "a red torus"
 
-pytestmark = pytest.mark.usefixtures("once")
+pytestmark = pytest.mark.usefixtures("coarse")
 
 
 def run(*argv: object) -> None:
@@ -27,7 +27,7 @@ def last(folder: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def shapes(tmp_path_factory: pytest.TempPathFactory, once: None) -> Path:
+def shapes(tmp_path_factory: pytest.TempPathFactory, coarse: None) -> Path:
     """Two candidates, of the seeds 3 and 4."""
     folder = tmp_path_factory.mktemp("explore") / "tori"
     run("explore", PROMPT, "--count=2", "--seed=3", "--out", folder, *OPTIONS)

@@ -100,7 +100,7 @@ def test_what_may_move_is_no_neighbour_of_the_border():
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory, once) -> Path:
+def whole(tmp_path_factory, coarse) -> Path:
     """The run folder of a red torus; only read."""
     run = tmp_path_factory.mktemp("torus") / "whole"
     assert main(["generate", "a red torus", f"--out={run}", *OPTIONS]) == 0

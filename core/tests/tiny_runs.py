@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterator
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 from unittest import mock
@@ -17,7 +18,10 @@ from torch import Tensor
 
 import core.generate as method
 from core.appearance.environment import Environment
+from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin import guidance as builtin
+from core.guidance.builtin import solid
+from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.solid import Solid
 from core.io import progress
@@ -28,7 +32,7 @@ from core.texture import packing, unwrap
 FILM = "preview/film"
 TINY = {
     "geometry.resolution": "10,12",
-    "geometry.fit_steps": 20,
+    "geometry.fit_steps": 6,
     "geometry.views": 1,
     "geometry.views_at_once": 1,
     "geometry.coarse.steps": 3,
@@ -55,6 +59,7 @@ TINY = {
 OPTIONS = [f"--set={key}={value}" for key, value in TINY.items()]
 OPTIONS += ["--texture-size=64", "--max-faces=100"]
 STAGES = ("start", "fit", "geometry", "unwrap", "appearance", "bake", "asset")
+DRAWN = 24  # cells along an edge, of 64 and 80
 PASSES = 1  # for a larger scale in the packing, which would be a third of so short a run
 
 
@@ -92,6 +97,15 @@ def loaded_once() -> list[Any]:
     ]
 
 
+def coarsely_drawn() -> list[Any]:
+    """How fine a solid is drawn, and where its parts' colours meet, is not looked at."""
+    grid = cache(lambda: tet_grid(DRAWN))
+    return [
+        mock.patch.object(solid, "_grid", grid),
+        mock.patch.object(builtin, "SolidAreas", partial(SolidAreas, cells=DRAWN)),
+    ]
+
+
 def _made_once() -> list[Any]:
     """The packing too, and by fewer passes; and what a network says of the same pictures."""
     return [
@@ -113,7 +127,7 @@ def once() -> Iterator[None]:
 
 def lighten() -> None:
     """Do what has no part in a fault once, and let every event and checkpoint be written."""
-    for patch in _made_once():
+    for patch in (*_made_once(), *coarsely_drawn()):
         patch.start()
     progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
     training.CHECKPOINT_SECONDS = 0.0

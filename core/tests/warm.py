@@ -2,9 +2,9 @@
 
 from core.generate import prepare
 from core.io.job import Job
-from core.tests.tiny_runs import loaded_once, loosely_packed
+from core.tests.tiny_runs import coarsely_drawn, loaded_once, loosely_packed
 
-for patch in (*loaded_once(), loosely_packed()):
+for patch in (*loaded_once(), *coarsely_drawn(), loosely_packed()):
     patch.start()
 job = Job(prompt="a red torus")
 prepare(job).guidance.of_object(job.seed).areas()
