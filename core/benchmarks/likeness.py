@@ -77,9 +77,15 @@ class Surface:
         Of several points: the ninth in ten, so that one face of a mesh that stands askew is no
         edge.
         """
-        near = KDTree(self.points).query_ball_point(self.points, REACH)
-        pairs = zip(near, self.normals, strict=True)
-        found = [np.quantile(self.normals[at] @ normal, 0.1) for at, normal in pairs]
+        pairs = KDTree(self.points).query_pairs(REACH, output_type="ndarray")
+        each = np.arange(len(self.points))  # a point is near itself
+        one, other = np.concatenate([pairs, pairs[:, ::-1], np.stack([each, each], 1)]).T
+        cosine = np.einsum("nk,nk->n", self.normals[one], self.normals[other])
+        cosine, count = cosine[np.lexsort((cosine, one))], np.bincount(one)
+        # The first tenth of each point's, between the two that are next to it.
+        at = 0.1 * (count - 1)
+        first = np.cumsum(count) - count + at.astype(int)
+        found = cosine[first] + at % 1 * (cosine[first + (at % 1 > 0)] - cosine[first])
         return np.degrees(np.arccos(np.clip(found, -1, 1)))
 
     @property

@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.benchmarks import bench_solids as bench
 from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, variety
 from core.benchmarks.likeness import Surface, objects
 from core.errors import UserError
+from core.geometry.assembly import assembled
 from core.guidance.builtin.guidance import load_builtin
 from core.prior.retrieval import reference_clouds
 
@@ -26,7 +28,15 @@ def test_variety_is_one_for_the_nouns_own_objects_and_none_for_copies():
     assert 0 < close < far
 
 
-def test_a_drawn_mug_is_like_a_mug():
+@pytest.mark.usefixtures("once")  # one mug
+def test_a_drawn_mug_is_like_a_mug(monkeypatch):
+    drawn = []
+
+    def kept(*given):
+        drawn.append(assembled(*given))
+        return drawn[-1]
+
+    monkeypatch.setattr(bench, "assembled", kept)
     guidance, references = load_builtin("cpu"), reference_clouds(["bed", "mug", "tower"])
     scores = solid_scores(guidance, "mug", 1, references)
     assert (scores["first"], scores["first_five"], scores["nearer"]) == (1, 1, [])
@@ -34,7 +44,11 @@ def test_a_drawn_mug_is_like_a_mug():
     assert scores["missing"] <= scores["usual_missing"] + 0.03
     assert scores["pieces"] >= 0.85
     assert scores["cpu_s"] > 0
+    # Once more with references that are told apart wrongly; the shape and its likeness are kept.
     wrong = {"bed": references["mug"], "tower": references["tower"], "mug": references["bed"]}
+    (made,) = drawn
+    monkeypatch.setattr(bench, "assembled", lambda *_: made)
+    monkeypatch.setattr(bench, "likeness", lambda *_: {})
     told = solid_scores(guidance, "mug", 1, wrong)
     assert (told["first"], told["first_five"]) == (0, 1)
     assert "bed" in told["nearer"]
