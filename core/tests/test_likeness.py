@@ -45,18 +45,14 @@ def car() -> Shape:
 
 
 def test_the_bend_is_the_ninth_in_ten_of_the_angles_to_the_normals_within_reach():
-    """Of two planes of points that meet in an edge."""
-    along, up = np.meshgrid(np.arange(-0.3, 0.3, 0.013), np.arange(0, 0.1, 0.013))
-    flat = np.stack([along.ravel(), up.ravel(), 0 * up.ravel()], 1)
-    points = np.concatenate([flat, flat[:, [0, 2, 1]] + [0, 0.001, 0.001]])
-    normals = np.repeat([[0.0, 0.0, 1.0], [0.0, 0.8, 0.6]], len(flat), 0)
+    dice = np.random.default_rng(0)
+    points, normals = 0.3 * dice.random((600, 3)), dice.normal(size=(600, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     found = Surface(points, normals, np.zeros(1, int)).bends
     for point, normal, bend in zip(points, normals, found, strict=True):
-        near = np.linalg.norm(points - point, axis=1) < measures.REACH
-        cosine = np.clip(np.quantile(normals[near] @ normal, 0.1), -1, 1)
+        near = np.linalg.norm(points - point, axis=1) < measures.REACH  # itself too
+        cosine = np.quantile(normals[near] @ normal, 0.1)
         assert np.degrees(np.arccos(cosine)) == pytest.approx(bend, abs=1e-5)
-    assert found.max() == pytest.approx(np.degrees(np.arccos(0.6)))
-    assert (found < 1e-4).any()
 
 
 def test_another_object_of_the_noun_is_like_it(car):
