@@ -1,5 +1,6 @@
 """The fit to perfect pictures: the oracle, the scores, and a short form of ``bench fit``."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from unittest import mock
 
@@ -44,10 +45,19 @@ def block():
     return normalised({"body": box((0, 0, 0), (0.6, 0.5, 0.4))})
 
 
+@pytest.fixture(scope="module", autouse=True)
+def fewer() -> Iterator[None]:
+    """Half of the points, and a block's pieces and holes on a coarser lattice."""
+    with (
+        mock.patch.object(fit_scores, "MESH_POINTS", 30_000),
+        mock.patch.object(fit_scores, "TRUTH_RESOLUTION", 48),
+    ):
+        yield
+
+
 @pytest.fixture(scope="module")
 def truth(block):
-    with mock.patch.object(fit_scores, "TRUTH_RESOLUTION", 48):  # a block's pieces and holes
-        return Truth.of(block)
+    return Truth.of(block)
 
 
 @pytest.fixture(scope="module")

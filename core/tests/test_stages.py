@@ -33,6 +33,7 @@ from core.stages.shape_scene import ShapeScene
 from core.stages.start_shape import sdf_net
 from core.stages.state import Training
 from core.stages.training import Setup, decayed
+from core.tests.tiny_runs import loosely_packed
 from core.texture.unwrap import unwrap
 
 SHORT = replace(
@@ -196,7 +197,7 @@ def test_the_fitting_gradient_does_not_depend_on_how_many_views_are_rendered_at_
 def test_refining_fits_the_pictures_that_the_guidance_means(tmp_path):
     """A sphere of 0.6 under a guidance that knows one of 0.8, by refining alone."""
     none = replace(SHORT.coarse, steps=0)
-    refine = RefineConfig(rounds=3, steps=25, views=6, batch=4, size=32, t=(0.7, 0.5))
+    refine = RefineConfig(rounds=2, steps=25, views=6, batch=3, size=32, t=(0.7, 0.5))
     config = replace(
         SHORT,
         coarse=none,
@@ -367,7 +368,8 @@ def color_setup(config, run):
 @functools.cache
 def unwrapped_sphere():
     verts, faces = sphere(8)
-    return UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
+    with loosely_packed():
+        return UvMesh.of(Mesh(verts, faces, *unwrap(verts, faces, 64)))
 
 
 def test_appearance_learns_the_color_and_ends_with_a_checkpoint(tmp_path):
