@@ -1,13 +1,11 @@
 """The areas of one colour: points near a border go into their own area, along the surface."""
 
-from functools import partial
 
 import pytest
 import torch
 
 from core.geometry import pieces
 from core.geometry.tet_grid import EXTENT
-from core.guidance.builtin import guidance
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.patterns import MARGINS
@@ -112,7 +110,7 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
     assert ((MARGINS[name](moved) > 0) == (margin[near] > 0)).float().mean() > 0.99
 
 
-@pytest.mark.usefixtures("once")  # the weights
+@pytest.mark.usefixtures("coarse")  # the weights
 @pytest.mark.parametrize(
     ("prompt", "plain"),
     [
@@ -122,9 +120,7 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
     ],
 )
 def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
-    # On coarser lattices: an eighth of the time.
-    monkeypatch.setattr(guidance, "SolidAreas", partial(SolidAreas, cells=40))
-    monkeypatch.setattr(pieces, "SEARCH", 40)
+    monkeypatch.setattr(pieces, "SEARCH", 40)  # an eighth of the time
     prompted = load_builtin("cpu").prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()

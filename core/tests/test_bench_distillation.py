@@ -28,7 +28,7 @@ def test_every_method_gets_the_same_number_of_network_calls():
         assert config.geometry.fine.steps == config.appearance.late.steps == 0
 
 
-@pytest.mark.usefixtures("once")  # the three appearances are of one solid under one light
+@pytest.mark.usefixtures("coarse")  # the three appearances are of one solid under one light
 def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatch, capsys):
     """With a guidance that predicts nothing: the file's work, not the network's."""
     asked = []

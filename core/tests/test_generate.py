@@ -46,7 +46,7 @@ SHORT = {
     "geometry.sharpen.steps": 2,
     "geometry.sharpen.size": 32,
     "geometry.resolution": "12,14",
-    "geometry.fit_steps": 20,
+    "geometry.fit_steps": 6,
     "geometry.views": 2,
     "geometry.views_at_once": 2,
     "appearance.early.steps": 8,
