@@ -51,6 +51,7 @@ from core.stages.training import Phase, Setup, gradient_of
 
 TOKENS = 77
 STEPS = 3  # of each phase that are timed, after one that is not
+FIT_STEPS = 40  # of the shape
 FACES = 20_000  # of the mesh that the appearance is learned on
 PHASES = ("coarse", "fine", "appearance")
 # The shipped configuration of each architecture.
@@ -167,7 +168,7 @@ def phases_of(
     """A coarse, a fine and an appearance phase, each with its training."""
     generator = torch.Generator().manual_seed(0)
     net = sdf_net(config.geometry, generator)
-    fit(net, ellipsoid((0.6, 0.6, 0.6)), 40, generator)
+    fit(net, ellipsoid((0.6, 0.6, 0.6)), FIT_STEPS, generator)
     shape = Setup(Training("geometry", net.to(device), generator, run), guidance, config.geometry)
     coarse, fine = (tet_grid(n, device=device) for n in config.geometry.resolution)
     phases = {phase.name: (shape, phase) for phase in geometry_phases(shape, coarse, fine)}

@@ -224,7 +224,8 @@ def test_one_view_that_does_not_fit_ends_the_run(tmp_path):
 def test_the_rehearsal_times_each_part_and_foretells_the_schedule(
     architecture, views, capsys, monkeypatch
 ):
-    monkeypatch.setattr(bench_rehearsal, "STEPS", 1)
+    for name, less in (("STEPS", 1), ("FIT_STEPS", 10), ("FACES", 2000)):
+        monkeypatch.setattr(bench_rehearsal, name, less)
     lines = bench_rehearsal.bench_rehearsal(
         Rehearsal(architecture, "tiny", views, views, device="cpu")
     )
