@@ -9,8 +9,8 @@ from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 from core.prior.solids import box, cut, join, lathe, moved, ring, tube
 
-GRID = tet_grid(48)
-CELL = 2 * EXTENT / 48
+GRID = tet_grid(40)
+CELL = 2 * EXTENT / 40
 AXIS = (0.13, -0.07)
 VASE = lathe([(0.3, -0.7), (0.55, -0.1), (0.25, 0.4), (0.4, 0.7)], center=AXIS)
 
