@@ -18,7 +18,7 @@ from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.crisp import crisp
+from core.geometry.crisp import crisp, smoothed
 from core.geometry.faces import bending, unit
 from core.geometry.fitting import frames_of, primitive_of
 from core.geometry.flush import flush
@@ -47,7 +47,7 @@ WORDY = 0.001  # errors in the mean, for each number of an outline
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
-STRAIGHT = 0.83  # times the bending of what is drawn, at most: planes that gain less are ragged
+STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
 STRUT = 0.03  # radius, training units
 
@@ -262,12 +262,13 @@ def turned_about(piece: Piece, axis: int) -> Primitive | None:
 
 
 def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
-    """That of its primitive; or its own, on its planes."""
+    """That of its primitive; or its own, on its planes or without its ripples."""
     if piece.primitive is not None:
         return piece.primitive.mesh(piece.cell)
     verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
     of = torch.zeros(len(verts), dtype=torch.long)
-    made = crisp(verts, faces, verts, of, (flat,), piece.error)
-    before, after = (bending(v.double().numpy(), f.numpy()) for v, f in ((verts, faces), made))
+    made = crisp(verts, faces, verts, of, (flat,), piece.error, smooth=True)
+    smooth = torch.from_numpy(smoothed(verts.double().numpy(), faces.numpy())).to(verts), faces
+    before, after = (bending(v.double().numpy(), f.numpy()) for v, f in (smooth, made))
     # On what is finer than its errors the planes are wrong, and leave it ragged.
-    return made if after < STRAIGHT * before and is_solid(*made) else (verts, faces)
+    return made if after < STRAIGHT * before and is_solid(*made) else smooth

@@ -137,9 +137,11 @@ def filtered(
     # The vertices rest while the normals change, so W_c is computed once.
     near = areas[around.other] * _gauss(apart, REACH * apart.mean())
     for _ in range(rounds):
-        unlike = np.linalg.norm(normals[around.one] - normals[around.other], axis=1)
+        # |n - m|² = 2 - 2 n · m
+        cosine = np.einsum("pk,pk->p", normals[around.one], normals[around.other])
         # The last term is the face itself (j = i): at distance 0 from itself both weights are 1.
-        mean = around.mean(near * _gauss(unlike, sigma), normals) + areas[:, None] * normals
+        mean = around.mean(near * np.exp((cosine - 1) / sigma**2), normals)
+        mean += areas[:, None] * normals
         normals = mean / np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-20)
     return normals
 

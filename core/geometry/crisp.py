@@ -15,13 +15,14 @@ from jaxtyping import Bool, Float, Int
 from scipy.sparse import csr_array
 from torch import Tensor
 
-from core.geometry.bilateral import Around, filtered
+from core.geometry.bilateral import Around, filtered, flattened
 from core.geometry.collapse import without_turned
 from core.geometry.faces import areas_and_normals, neighbours
 from core.geometry.planar import Patch, Planes, planes_of
 
 VOTES, REACH = 3, 3  # rounds, and faces that each asks
 SIGMA, ROUNDS = 0.5, 4  # of the normals that tell a plane: ripples out, edges kept
+RIPPLES = 2, 0.35  # rounds, and the difference of normals that is one
 FARTHEST, FARTHEST_AT_FREE = 1.6, 0.8  # cells that a vertex moves; at a face without a plane
 MISSED = 0.25  # cells off one of its planes: they do not meet there
 ALIKE = 0.25  # singular value below which planes are too alike to tell where they meet
@@ -40,16 +41,18 @@ def crisp(
     part: Int[Tensor, " v"],
     flatness: Sequence[float],
     cell: float,
+    smooth: bool = False,
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """The mesh with its vertices on the planes that their faces were meant to lie in.
 
-    What lies in none stays as it is.
+    What lies in none stays as it is, or loses its ripples.
 
     Args:
         unbent: the same mesh before its faces were flattened: it tells what bends.
         part: of each vertex; no plane goes on into another part.
         flatness: of each part, the flat fraction of its surface.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
+        smooth: whether ripples go where they may.
     """
     v, f = (x.detach().cpu().double().numpy() / cell for x in (verts, unbent)), faces.cpu().numpy()
     here, before = v
@@ -60,6 +63,7 @@ def crisp(
         at = Meeting.of(here, patch, planes)
         share = blend(patch, planes, len(here))
         places, held = here + share[:, None] * (at.spread(here, f) - here), at.member
+        places = places + at.along(smoothed(places, f) - places) if smooth else places
     _, wanted = areas_and_normals(before, f)
     flat = planes.label >= 0
     wanted[flat] = planes.table[planes.label[flat], :3]
@@ -67,6 +71,13 @@ def crisp(
     used, left = np.unique(left, return_inverse=True)
     made = places[used] * cell, left.reshape(-1, 3)
     return torch.from_numpy(made[0]).to(verts), torch.from_numpy(made[1]).to(faces)
+
+
+def smoothed(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
+) -> Float[np.ndarray, "v 3"]:
+    """The vertices without the ripples of what is drawn; folds stay."""
+    return flattened(torch.from_numpy(verts), torch.from_numpy(faces), *RIPPLES).numpy()
 
 
 def patch_of(
@@ -168,6 +179,10 @@ class Meeting:
             rate[still] = 0
             places = self.nearest(places + rate[:, None] * (mean @ places - places))
         return places
+
+    def along(self, moves: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:
+        """What of the vertices' moves leaves them on their planes."""
+        return moves - np.einsum("vij,vj->vi", self.across, moves)
 
     def nearest(self, places: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:
         """The places moved onto the planes."""

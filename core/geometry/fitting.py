@@ -23,6 +23,9 @@ TURNED_GAIN, ROUNDED_GAIN, EVEN_LOSS = 0.7, 0.75, 1.15
 EVEN = 0.15  # of a length, by which two that are meant to be one differ at most
 ASKEW = 0.98  # cosine between an axis of the points and the nearest coordinate axis
 STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wide a capsule is
+# A tip is rounded off, not cut: errors, at most, of the radius where it ends, of its rounding's,
+# and of its height.
+TIP = 1.7, 2.5, 3.5
 TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
@@ -52,7 +55,27 @@ def primitive_of(points: Points, error: float) -> Primitive | None:
         soft = _fitted(_with_rims(best), points, error, rims=True)
         best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
     best = _evened(best, off)
+    tip = pointed(best, error)
+    best = tip if tip and tip.fits(points, error) else best
     return best if best.fits(points, error) else None
+
+
+def pointed(one: Primitive, error: float) -> Primitive | None:
+    """A frustum with the tip that a network rounds off, where little of it is missing; or None."""
+    if one.form != "frustum":
+        return None
+    half, below, above, _ = one.lengths
+    wide, end = max(below, above), min(below, above)
+    missing = 2 * half * end / max(wide - end, 1e-9)
+    sine = (wide - end) / np.hypot(wide - end, 2 * half)
+    # A ball in the tip, as large as to end where the frustum does.
+    rounding = missing * sine / max(1 - sine, 1e-9)
+    if (np.array([end, rounding, missing]) > np.array(TIP) * error).any():
+        return None
+    way = one.frame[:, 2] * (1 if below > above else -1)
+    radii = (wide, 0.0) if below > above else (0.0, wide)
+    lengths = np.array([half + missing / 2, *radii, 0.0])
+    return one._replace(center=one.center + missing / 2 * way, lengths=lengths)
 
 
 def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:

@@ -173,7 +173,7 @@ def test_planes_that_straighten_little_or_open_a_piece_are_not_taken(monkeypatch
     }[fault]
     piece = piece._replace(verts=piece.verts + noise)
     for answer, taken in ((bad, False), (good, True)):
-        monkeypatch.setattr(assembly, "crisp", lambda *_, a=answer: a)
+        monkeypatch.setattr(assembly, "crisp", lambda *_, a=answer, smooth: a)
         verts, _ = assembly.exact_surface(CUBES, piece)
         assert (verts is answer[0]) == taken
 

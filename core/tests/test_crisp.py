@@ -78,15 +78,36 @@ def test_what_is_round_stays_round(flatness):
     assert radius.std() < 1.1 * was.std() + 1e-6
 
 
+CAN = tube((0.0, 0.0, -0.6), (0.0, 0.0, 0.6), 0.5)
+
+
+def top_and_side(verts: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+    """Heights of the can's lid inside its rim; distances of its side from the axis."""
+    radius = verts[:, :2].norm(dim=1)
+    lid = ((verts[:, 2] - 0.6).abs() < 0.3 * CELL) & (radius < 0.4)
+    return verts[lid, 2], radius[verts[:, 2].abs() < 0.4]
+
+
 def test_a_mostly_round_thing_keeps_its_flat_ends():
-    can = tube((0.0, 0.0, -0.6), (0.0, 0.0, 0.6), 0.5)
-    before, _, (verts, _) = made(can, flatness=(0.3,), height=0.15)
-    top = verts[(verts[:, 2] - 0.6).abs() < 0.3 * CELL]
-    inner = top[top[:, :2].norm(dim=1) < 0.4]
-    assert len(inner) > 100 and inner[:, 2].std() < 1e-6
-    side = verts[verts[:, 2].abs() < 0.4][:, :2].norm(dim=1)
-    was = before[before[:, 2].abs() < 0.4][:, :2].norm(dim=1)
-    assert side.std() < 1.1 * was.std()
+    before, _, (verts, _) = made(CAN, flatness=(0.3,), height=0.15)
+    top, side = top_and_side(verts)
+    assert len(top) > 100 and top.std() < 1e-6
+    assert side.std() < 1.1 * top_and_side(before)[1].std()
+
+
+def test_what_bends_loses_its_ripples_if_wished_and_what_is_flat_stays_flat():
+    before, faces = rippled(CAN, 0.0)
+    noise = 0.08 * CELL * torch.randn(before.shape, generator=torch.Generator().manual_seed(0))
+    of = torch.zeros(len(before), dtype=torch.long)
+    stay, smooth = (
+        crisp(before + noise, faces, before + noise, of, (0.3,), CELL, smooth=smooth)[0]
+        for smooth in (False, True)
+    )
+    for verts in (stay, smooth):
+        top, _ = top_and_side(verts)
+        assert ((top - top.median()).abs() < 1e-6).float().mean() > 0.95
+    assert top_and_side(smooth)[1].std() < 0.6 * top_and_side(stay)[1].std()
+    assert smooth[:, :2].norm(dim=1).max() < 0.5 + CELL  # and goes nowhere else
 
 
 def test_no_plane_goes_on_into_another_part():

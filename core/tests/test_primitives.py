@@ -5,7 +5,7 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.fitting import _covered, _evened, _fitted, primitive_of
+from core.geometry.fitting import _covered, _evened, _fitted, pointed, primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
 from core.geometry.primitives import Primitive
@@ -58,6 +58,25 @@ def test_a_primitive_is_found_from_points_of_it(one):
 def test_edges_that_are_hardly_blurred_are_sharp():
     points = points_on(solid("box", (0.2, 0.3, 0.1, 0.02)), noise=0.002)
     assert primitive_of(points, ERROR).lengths[3] == 0
+
+
+def test_a_cone_gets_the_tip_that_was_rounded_off():
+    rounded = solid("frustum", (0.5, 0.4, 0.03, 0.0), TILTED)
+    found = primitive_of(points_on(rounded, noise=0.001), ERROR)
+    assert found.lengths[1:3].min() == 0
+    # Where the sides meet: by similar triangles 0.03 / (0.4 - 0.03) of the height farther.
+    tip = CENTER + rounded.frame[:, 2] * (0.5 + 0.03 / 0.37)
+    apex = found.center + found.frame[:, 2] * found.lengths[0] * (
+        1 if found.lengths[2] == 0 else -1
+    )
+    assert np.linalg.norm(apex - tip) < 0.02
+
+
+@pytest.mark.parametrize("lengths", [(0.5, 0.4, 0.09), (0.4, 0.06, 0.03), (0.1, 0.3, 0.25)])
+def test_what_is_cut_short_stays_so(lengths):
+    cut = solid("frustum", (*lengths, 0.0))
+    assert pointed(cut, ERROR) is None
+    assert primitive_of(points_on(cut), ERROR).lengths[1:3].min() > 0.02
 
 
 def test_lengths_that_are_not_meant_to_be_one_stay_two():
