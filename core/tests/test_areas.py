@@ -1,6 +1,5 @@
 """The areas of one colour: points near a border go into their own area, along the surface."""
 
-
 import pytest
 import torch
 
