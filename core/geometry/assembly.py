@@ -18,7 +18,8 @@ from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.crisp import crisp, smoothed
+from core.geometry.bilateral import flattened
+from core.geometry.crisp import RIPPLES, crisp
 from core.geometry.faces import bending, unit
 from core.geometry.fitting import frames_of, primitive_of
 from core.geometry.flush import flush
@@ -268,7 +269,7 @@ def exact_surface(parts: KnownParts, piece: Piece) -> Mesh:
     verts, faces, flat = piece.verts, piece.faces, parts.forms.flat[piece.place.part]
     of = torch.zeros(len(verts), dtype=torch.long)
     made = crisp(verts, faces, verts, of, (flat,), piece.error, smooth=True)
-    smooth = torch.from_numpy(smoothed(verts.double().numpy(), faces.numpy())).to(verts), faces
+    smooth = flattened(verts, faces, *RIPPLES), faces
     before, after = (bending(v.double().numpy(), f.numpy()) for v, f in (smooth, made))
     # On what is finer than its errors the planes are wrong, and leave it ragged.
     return made if after < STRAIGHT * before and is_solid(*made) else smooth

@@ -45,14 +45,14 @@ def crisp(
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """The mesh with its vertices on the planes that their faces were meant to lie in.
 
-    What lies in none stays as it is, or loses its ripples.
+    What lies in none stays as it is; or, beside planes, loses its ripples.
 
     Args:
         unbent: the same mesh before its faces were flattened: it tells what bends.
         part: of each vertex; no plane goes on into another part.
         flatness: of each part, the flat fraction of its surface.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
-        smooth: whether ripples go where they may.
+        smooth: whether it loses them.
     """
     v, f = (x.detach().cpu().double().numpy() / cell for x in (verts, unbent)), faces.cpu().numpy()
     here, before = v
@@ -63,7 +63,9 @@ def crisp(
         at = Meeting.of(here, patch, planes)
         share = blend(patch, planes, len(here))
         places, held = here + share[:, None] * (at.spread(here, f) - here), at.member
-        places = places + at.along(smoothed(places, f) - places) if smooth else places
+        if smooth:
+            even = flattened(torch.from_numpy(places), faces, *RIPPLES).numpy()
+            places = places + at.along(even - places)
     _, wanted = areas_and_normals(before, f)
     flat = planes.label >= 0
     wanted[flat] = planes.table[planes.label[flat], :3]
@@ -71,13 +73,6 @@ def crisp(
     used, left = np.unique(left, return_inverse=True)
     made = places[used] * cell, left.reshape(-1, 3)
     return torch.from_numpy(made[0]).to(verts), torch.from_numpy(made[1]).to(faces)
-
-
-def smoothed(
-    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
-) -> Float[np.ndarray, "v 3"]:
-    """The vertices without the ripples of what is drawn; folds stay."""
-    return flattened(torch.from_numpy(verts), torch.from_numpy(faces), *RIPPLES).numpy()
 
 
 def patch_of(

@@ -55,13 +55,13 @@ def primitive_of(points: Points, error: float) -> Primitive | None:
         soft = _fitted(_with_rims(best), points, error, rims=True)
         best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
     best = _evened(best, off)
-    tip = pointed(best, error)
-    best = tip if tip and tip.fits(points, error) else best
-    return best if best.fits(points, error) else None
+    both = (pointed(best, error), best)
+    return next((one for one in both if one and one.fits(points, error)), None)
 
 
 def pointed(one: Primitive, error: float) -> Primitive | None:
-    """A frustum with the tip that a network rounds off, where little of it is missing; or None."""
+    """A frustum with the tip that a network rounds off, where little of it is missing, and no
+    rims; or None."""
     if one.form != "frustum":
         return None
     half, below, above, _ = one.lengths
@@ -72,10 +72,9 @@ def pointed(one: Primitive, error: float) -> Primitive | None:
     rounding = missing * sine / max(1 - sine, 1e-9)
     if (np.array([end, rounding, missing]) > np.array(TIP) * error).any():
         return None
-    way = one.frame[:, 2] * (1 if below > above else -1)
-    radii = (wide, 0.0) if below > above else (0.0, wide)
-    lengths = np.array([half + missing / 2, *radii, 0.0])
-    return one._replace(center=one.center + missing / 2 * way, lengths=lengths)
+    radii, up = ((wide, 0.0), 1) if below > above else ((0.0, wide), -1)
+    center = one.center + up * missing / 2 * one.frame[:, 2]
+    return one._replace(center=center, lengths=np.array([half + missing / 2, *radii, 0.0]))
 
 
 def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
