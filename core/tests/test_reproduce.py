@@ -9,6 +9,8 @@ from pathlib import Path
 from unittest import mock
 
 import pytest
+import torch
+import trimesh
 from PIL import Image
 
 from core.benchmarks import fit_scores
@@ -98,6 +100,18 @@ def test_a_guide_is_at_no_distance_from_itself_and_a_larger_box_by_what_it_lacks
     assert guide_distance(dataclasses.replace(mesh, verts=3 * mesh.verts + 5), mesh) < 0.35
     ball, cube = GUIDES["person"](), GUIDES["bus"]()
     assert guide_distance(ball, cube) > 5
+
+
+def test_the_distance_of_a_cube_and_half_of_it_has_a_closed_form():
+    box = trimesh.creation.box()
+    cube = dataclasses.replace(
+        GUIDES["seat"](), verts=torch.tensor(box.vertices).float(), faces=torch.tensor(box.faces)
+    )
+    slab = dataclasses.replace(cube, verts=cube.verts * torch.tensor([1, 1, 0.5]))
+    # Both have one middle. The cube's points are 1/8 away in the mean, the slab's 7/96.
+    expected = 50 * (1 / 8 + 7 / 96)
+    assert guide_distance(cube, slab) == pytest.approx(expected, abs=0.4)  # points lie apart
+    assert guide_distance(slab, cube) == pytest.approx(expected, abs=0.4)
 
 
 def test_an_unknown_guide_is_refused(tmp_path):
