@@ -65,6 +65,7 @@ def private(tmp_path, monkeypatch):
         '  File "/home/annabel/My Film/hero.py", line 3, in film\n'
         "ZeroDivisionError: the unicorn in /mnt/My Film/hero.obj is flat\n"
     )
+    monkeypatch.chdir(home)  # the project's own folder may have runs in its out
     return tmp_path / "report.json"
 
 
