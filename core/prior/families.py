@@ -52,6 +52,8 @@ from core.prior.things.wild_animals import WILD_ANIMALS
 from core.prior.things.wild_creatures import WILD_CREATURES
 from core.prior.things.yard import YARD
 
+TAPS = ((1, -1, -1), (-1, -1, 1), (-1, 1, -1), (1, 1, 1))  # the corners of a tetrahedron
+
 
 @dataclass(frozen=True)
 class Shape:
@@ -173,7 +175,8 @@ def surface_points(
     near = (near[:, None] + corners).reshape(-1, 3)
     near = near[sdf(near).abs() < step / 2]
     for _ in range(3):
-        near = near - sdf(near)[:, None] * gradient(sdf, near)
+        value, slope = value_and_gradient(sdf, near)
+        near = near - value[:, None] * slope
     return near[sdf(near).abs() < 0.01]
 
 
@@ -181,6 +184,21 @@ def gradient(
     sdf: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"], step: float = 2e-3
 ) -> Float[Tensor, "n 3"]:
     """The SDF's unit gradient by four taps at the corners of a tetrahedron (Quilez)."""
-    taps = points.new_tensor([[1, -1, -1], [-1, -1, 1], [-1, 1, -1], [1, 1, 1]])
-    values = sdf((points[None] + step * taps[:, None]).reshape(-1, 3)).view(4, -1)
-    return torch.nn.functional.normalize(values.T @ taps, dim=1)
+    return _slope(sdf(_tapped(points, step)))
+
+
+def value_and_gradient(
+    sdf: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"], step: float = 2e-3
+) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
+    """The SDF and its :func:`gradient`, asked together: a call costs as much as 10,000 points."""
+    values = sdf(torch.cat([points, _tapped(points, step)]))
+    return values[: len(points)], _slope(values[len(points) :])
+
+
+def _tapped(points: Float[Tensor, "n 3"], step: float) -> Float[Tensor, "m 3"]:
+    taps = points.new_tensor(TAPS)
+    return (points[None] + step * taps[:, None]).reshape(-1, 3)
+
+
+def _slope(values: Float[Tensor, " m"]) -> Float[Tensor, "n 3"]:
+    return torch.nn.functional.normalize(values.view(4, -1).T @ values.new_tensor(TAPS), dim=1)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from unittest import mock
 
 import pytest
 import torch
@@ -13,9 +14,11 @@ from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.words import OPTIONS
+from core.prior import families
 from core.prior.draw import Draw
 from core.prior.families import FAMILIES, Shape, build, surface_points
 from core.prior.solids import (
+    Solid,
     around,
     ball,
     blend,
@@ -63,18 +66,40 @@ def test_a_family_is_normalised_and_its_distance_is_a_lower_bound():
 
 
 def _is_normalised_and_a_lower_bound(noun: str) -> None:
-    shape = build(noun, "", _draw(), jitter=0)
-    surface = surface_points(shape.sdf, 2.4, 36)
+    asked = []
+
+    def seen(sdf: Solid) -> torch.Tensor:
+        found = surface_points(sdf)
+        asked.append((sdf, found))
+        return found
+
+    with mock.patch.object(families, "surface_points", seen):
+        shape = build(noun, "", _draw(), jitter=0)
+    (own, found), *_ = asked  # in the family's own frame
+    assert _ends_within(own, found)
+    surface = (found - torch.tensor(shape.center)) * torch.tensor(shape.scale)
     low, high = surface.amin(0), surface.amax(0)
     assert ((low + high) / 2).abs().max() < 0.02
     assert surface.norm(dim=1).max().item() == pytest.approx(0.9, abs=0.02)
     points = _points(400)
-    distance = shape.sdf(points)
+    on, distance = shape.sdf(torch.cat([surface, points])).tensor_split([len(surface)])
+    assert on.abs().max() < 0.02
     to_surface = torch.from_numpy(KDTree(surface.numpy()).query(points.numpy())[0])
     assert (distance.abs() <= to_surface + 0.02).all()
     # Not far below it either, where tracing would take many steps.
     outside = distance > 0.2
     assert (distance[outside] / to_surface[outside]).median() > 0.5
+
+
+def _ends_within(own: Solid, found: torch.Tensor) -> bool:
+    """Whether a family's solid is within the lattice on which its surface was found."""
+    beyond = []
+    for axis, end in ((0, -1.6), (0, 1.6), (1, -1.6), (1, 1.6), (2, -1.6), (2, 3.2)):
+        near = found[(found[:, axis] - end).abs() < 0.12]  # a cell
+        near[:, axis] = end * 1.01
+        beyond.append(near)
+    points = torch.cat(beyond)
+    return not len(points) or bool((own(points) > 0.01).all())
 
 
 def test_a_distance_never_changes_faster_than_the_way():
