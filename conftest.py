@@ -11,6 +11,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import jaxtyping
 import pytest
@@ -61,16 +62,44 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The files that take longest, by their CPU seconds: the processes end together if they come first.
 LONGEST = (
-    "test_generate.py", "test_faults.py", "test_reproduce.py", "test_exports.py",
+    "test_generate.py", "test_stable_diffusion.py", "test_reproduce.py", "test_exports.py",
     "test_stages.py", "test_asset_matches_cycles.py", "test_prior_families.py",
     "test_prior_solid.py", "test_guide.py", "test_bend.py", "test_fit.py",
-    "test_stable_diffusion.py", "test_edit_region.py", "test_facing.py", "test_assembly.py",
+    "test_edit_region.py", "test_facing.py", "test_assembly.py",
     "test_remesh.py", "test_unwrap.py", "test_prior_guidance.py", "test_packing.py",
-    "test_detail.py", "test_gpu_ready.py", "test_shading_matches_cycles.py",
+    "test_shading_matches_cycles.py",
     "test_bench_solids.py", "test_launcher.py", "test_environment_setup.py",
     "test_prior_restorer.py", "test_offline.py", "test_bad_inputs.py", "test_explore.py",
     "test_region.py",
 )  # fmt: skip
+
+
+# What such files have in common is loaded by the one process that carries them all out: the server
+# of forks takes 5 CPU seconds, diffusers 4.
+TOGETHER = (
+    ("test_generate.py", "test_faults.py"),
+    (
+        "test_stable_diffusion.py", "test_gpu_ready.py", "test_detail.py", "test_lora.py",
+        "test_room.py", "test_checkpoint.py", "test_single_file.py", "test_multi_view.py",
+        "test_sdxl.py", "test_workload.py", "test_benchmarks.py",
+    ),
+)  # fmt: skip
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """As ``--dist loadfile`` has it, but for the files that go together."""
+    if config.getvalue("dist") != "loadfile":
+        return None
+    from xdist.scheduler import LoadFileScheduling
+
+    class Scheduling(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            file = super()._split_scope(nodeid)
+            name = file.rpartition("/")[2]
+            return next((names[0] for names in TOGETHER if name in names), file)
+
+    return Scheduling(config, log)
 
 
 @pytest.hookimpl(wrapper=True)

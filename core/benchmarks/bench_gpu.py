@@ -6,7 +6,7 @@ from torch import Tensor
 from core.benchmarks import ball, row, wall_ms
 from core.camera import Cameras
 from core.guidance.guidance import coarse_latent
-from core.guidance.stable_diffusion.networks import UNet2DConditionModel
+from core.guidance.stable_diffusion import libraries
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 
@@ -21,7 +21,11 @@ TOKENS = 77
 
 
 def iteration_ms(
-    unet: UNet2DConditionModel, device: torch.device, faces: int, views: int, size: int
+    unet: "libraries.UNet2DConditionModel",
+    device: torch.device,
+    faces: int,
+    views: int,
+    size: int,
 ) -> tuple[float, float]:
     """Of one coarse step: the renderer alone, forward and backward, and with the noise prediction.
 
@@ -57,7 +61,7 @@ def rows() -> list[dict]:
     if not torch.cuda.is_available():
         return []
     device = torch.device("cuda")
-    unet = UNet2DConditionModel(**SD15).to(device, torch.float16).eval()
+    unet = libraries.UNet2DConditionModel(**SD15).to(device, torch.float16).eval()
     lines = []
     for faces in (20_000, 80_000):
         render, step = iteration_ms(unet, device, faces, views=24, size=512)

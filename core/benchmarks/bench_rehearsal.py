@@ -26,6 +26,7 @@ from core.geometry.mesh import Mesh
 from core.geometry.sdf_net import FOURIER
 from core.geometry.tet_grid import tet_grid
 from core.guidance.guidance import Views
+from core.guidance.stable_diffusion import libraries
 from core.guidance.stable_diffusion.checkpoint import read_json
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
 from core.guidance.stable_diffusion.conditions import takes_pooled
@@ -33,12 +34,7 @@ from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion, Sta
 from core.guidance.stable_diffusion.multi_view import MultiViewUNet
 from core.guidance.stable_diffusion.multi_view_names import TOGETHER
 from core.guidance.stable_diffusion.multi_view_names import unet_config as of_multi_view
-from core.guidance.stable_diffusion.networks import (
-    AutoencoderKL,
-    DDPMScheduler,
-    Networks,
-    UNet2DConditionModel,
-)
+from core.guidance.stable_diffusion.networks import Networks
 from core.guidance.stable_diffusion.texts import Encoder
 from core.io.job import Job
 from core.io.progress import Step
@@ -111,16 +107,19 @@ def random_guidance(rehearsal: Rehearsal, device: torch.device) -> PromptedStabl
     """The architecture with random weights, in the precision that a checkpoint would have."""
     dtype = torch.float16 if device.type == "cuda" else torch.float32
     unet_config, vae_config = configurations(rehearsal)
+    unet_kind, vae_kind = libraries.UNet2DConditionModel, libraries.AutoencoderKL
     with torch.device(device):
-        unet: Any = UNet2DConditionModel.from_config(unet_config)
+        unet: Any = unet_kind.from_config(unet_config)
         if rehearsal.architecture == "mvdream":
             unet = MultiViewUNet(unet)
-        vae: Any = AutoencoderKL.from_config(vae_config)
+        vae: Any = vae_kind.from_config(vae_config)
     vae.decoder = None
     torch.nn.Module.to(unet, device, dtype)
     # SDXL's encoder overflows in 16 bit.
     torch.nn.Module.to(vae, device, torch.float32 if rehearsal.architecture == "sdxl" else dtype)
-    schedule = DDPMScheduler(beta_start=8.5e-4, beta_end=0.012, beta_schedule="scaled_linear")
+    schedule = libraries.DDPMScheduler(
+        beta_start=8.5e-4, beta_end=0.012, beta_schedule="scaled_linear"
+    )
     networks = Networks(unet, vae, schedule, (Encoder(None, None),))
     model = StableDiffusion(networks, chunk=rehearsal.chunk)
     # The sides of the object, the negative prompt, no words; a row more holds SDXL's pooled text.

@@ -5,7 +5,6 @@ from typing import Any
 
 import pytest
 import torch
-from diffusers import UNet2DConditionModel
 
 from core import benchmarks
 from core.benchmarks import (
@@ -19,6 +18,7 @@ from core.benchmarks import (
     table_line,
 )
 from core.errors import UserError
+from core.guidance.stable_diffusion import libraries
 
 
 @pytest.mark.parametrize("faces", [1_000, 20_000])
@@ -73,7 +73,7 @@ def test_a_step_beside_a_network_runs_on_any_device(monkeypatch: pytest.MonkeyPa
         return call
 
     torch.manual_seed(0)
-    unet = UNet2DConditionModel(
+    unet = libraries.UNet2DConditionModel(
         sample_size=8,
         block_out_channels=(8, 8),
         layers_per_block=1,

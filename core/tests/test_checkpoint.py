@@ -6,7 +6,6 @@ import shutil
 import huggingface_hub
 import pytest
 import torch
-from diffusers import StableDiffusionPipeline as Pipeline
 from safetensors.torch import load_file, save_file
 
 from core.errors import MissingError, UserError
@@ -249,7 +248,9 @@ def test_the_weights_in_the_wanted_precision_are_chosen(tmp_path, files, half, v
 
 
 def test_a_16_bit_variant_loads(broken):
-    pipeline = Pipeline.from_pretrained(broken, local_files_only=True)
+    from diffusers import StableDiffusionPipeline  # it takes seconds
+
+    pipeline = StableDiffusionPipeline.from_pretrained(broken, local_files_only=True)
     pipeline.set_progress_bar_config(disable=True)
     folder = broken.with_name("half")
     pipeline.to(torch.float16).save_pretrained(folder, variant="fp16")

@@ -15,13 +15,13 @@ from core.errors import UserError
 from core.generate import prepare
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
-from core.guidance.stable_diffusion import networks, single_file
+from core.guidance.stable_diffusion import libraries, networks, single_file
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS
 from core.guidance.stable_diffusion.guidance import StableDiffusion
 from core.guidance.stable_diffusion.header import kind_of, read_header
 from core.guidance.stable_diffusion.keys import UNET, unet_key
 from core.guidance.stable_diffusion.multi_view import MultiViewUNet, camera_numbers
-from core.guidance.stable_diffusion.networks import UNet2DConditionModel, unet_config
+from core.guidance.stable_diffusion.networks import unet_config
 from core.guidance.stable_diffusion.source import Additions, Checkpoint
 from core.io.job import Job
 from core.settings import with_settings
@@ -49,7 +49,7 @@ CONFIG = {
 def weights():
     """Random ones, by the names that the published files have."""
     with torch.device("meta"):
-        model = MultiViewUNet(UNet2DConditionModel.from_config(unet_config(CONFIG)))
+        model = MultiViewUNet(libraries.UNet2DConditionModel.from_config(unet_config(CONFIG)))
     g, out = torch.Generator().manual_seed(0), {}
     for name, value in model.state_dict().items():
         plain = name.removeprefix("unet.")

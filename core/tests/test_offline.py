@@ -25,6 +25,8 @@ for module in pkgutil.walk_packages(core.__path__, "core."):
     extra = module.name == "core.batch.cluster" and not importlib.util.find_spec("ray")
     if ".tests" not in module.name and not module.name.endswith("__main__") and not extra:
         __import__(module.name)
+from core.guidance.stable_diffusion import libraries
+libraries.UNet2DConditionModel, libraries.AutoencoderKL, libraries.CLIPTextModel
 if importlib.util.find_spec("bpy"):
     import bpy, fantasia3d_addon
     fantasia3d_addon.register()

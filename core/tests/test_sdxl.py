@@ -2,7 +2,6 @@
 
 import pytest
 import torch
-from diffusers import StableDiffusionXLPipeline
 
 from core.camera import Cameras
 from core.config import GuidanceConfig
@@ -13,6 +12,8 @@ from core.guidance.stable_diffusion.guidance import StableDiffusion
 
 @pytest.fixture(scope="module")
 def pipeline(checkpoints):
+    from diffusers import StableDiffusionXLPipeline  # it takes seconds
+
     return StableDiffusionXLPipeline.from_pretrained(
         checkpoints["xl"], local_files_only=True, add_watermarker=False
     )

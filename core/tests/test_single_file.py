@@ -5,12 +5,6 @@ import struct
 
 import pytest
 import torch
-from diffusers.loaders.single_file_utils import (
-    convert_ldm_clip_checkpoint,
-    convert_ldm_unet_checkpoint,
-    convert_ldm_vae_checkpoint,
-    convert_open_clip_checkpoint,
-)
 from safetensors.torch import load_file, save_file
 
 from core.camera import Cameras
@@ -18,7 +12,7 @@ from core.config import GuidanceConfig
 from core.errors import MissingError, UserError
 from core.guidance.guidance import Views
 from core.guidance.sds import predict_eps
-from core.guidance.stable_diffusion import networks, single_file
+from core.guidance.stable_diffusion import libraries, networks, single_file
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS, END, merges, vocabulary
 from core.guidance.stable_diffusion.guidance import StableDiffusion
@@ -81,6 +75,8 @@ def test_one_file_predicts_as_the_folder_does_to_the_bit(kind, files, checkpoint
 @pytest.mark.parametrize("kind", ["1.x", "2.x", "xl"])
 def test_the_tests_file_is_in_the_layout_that_diffusers_itself_reads(kind, files, checkpoints):
     """Both maps of this project could share a mistake; diffusers' cannot."""
+    from diffusers.loaders import single_file_utils as layouts  # it takes seconds
+
     file, folder = load_file(files[kind]), checkpoints[kind]
 
     def weights(part):
@@ -89,16 +85,16 @@ def test_the_tests_file_is_in_the_layout_that_diffusers_itself_reads(kind, files
     def config(part):
         return json.loads((folder / part / "config.json").read_text())
 
-    found = convert_ldm_unet_checkpoint(dict(file), config("unet"))
+    found = layouts.convert_ldm_unet_checkpoint(dict(file), config("unet"))
     expected = weights("unet")
     assert found.keys() == expected.keys()
     assert all(torch.equal(found[name], expected[name]) for name in expected)
-    found, expected = convert_ldm_vae_checkpoint(dict(file), config("vae")), weights("vae")
+    found, expected = layouts.convert_ldm_vae_checkpoint(dict(file), config("vae")), weights("vae")
     encoder = {n for n in expected if not n.startswith(("decoder", "post_quant"))}
     assert encoder == found.keys()
     assert all(torch.equal(found[name].flatten(), expected[name].flatten()) for name in encoder)
     if kind == "1.x":
-        text = convert_ldm_clip_checkpoint(file)
+        text = layouts.convert_ldm_clip_checkpoint(file)
         expected = weights("text_encoder")
     else:
         part = "text_encoder_2" if kind == "xl" else "text_encoder"
@@ -108,7 +104,7 @@ def test_the_tests_file_is_in_the_layout_that_diffusers_itself_reads(kind, files
         model = type("M", (), {"config": type("C", (), {"hidden_size": width})})
         if kind == "xl":  # whose square projection diffusers expects
             file = {k: v for k, v in file.items() if not k.endswith("text_projection")}
-        text, expected = convert_open_clip_checkpoint(model, file, prefix), weights(part)
+        text, expected = layouts.convert_open_clip_checkpoint(model, file, prefix), weights(part)
     for name, value in expected.items():
         if name != "text_projection.weight":
             plain = name.removeprefix("text_model.")
@@ -150,7 +146,7 @@ def test_the_shipped_vocabulary_gives_clips_own_tokens():
     words = vocabulary(pairs)
     assert len(words) == 49408
     assert words[END] == 49407
-    made = networks.CLIPTokenizer(vocab=words, merges=pairs, model_max_length=77)
+    made = libraries.CLIPTokenizer(vocab=words, merges=pairs, model_max_length=77)
     assert made("a photo of a cat").input_ids == [49406, 320, 1125, 539, 320, 2368, 49407]
     assert made("a diagram").input_ids == [49406, 320, 22697, 49407]
 

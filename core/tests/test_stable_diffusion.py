@@ -4,7 +4,6 @@ from functools import cache
 
 import pytest
 import torch
-from diffusers import StableDiffusionPipeline as Pipeline
 
 from core.camera import Cameras
 from core.command_line import job_of, parse
@@ -64,7 +63,9 @@ def difference(a, b):
 @pytest.mark.parametrize("kind", ["1.x", "2.x"])
 def test_the_noise_is_what_diffusers_own_parts_predict(kind, checkpoints):
     """A second opinion: the pipeline's tokenizer, text encoder, U-Net and scheduler by hand."""
-    pipeline = Pipeline.from_pretrained(checkpoints[kind], local_files_only=True)
+    from diffusers import StableDiffusionPipeline  # it takes seconds
+
+    pipeline = StableDiffusionPipeline.from_pretrained(checkpoints[kind], local_files_only=True)
     pipeline.set_progress_bar_config(disable=True)
     prompts = ["a red chair, side view", "the x"]
     tokens = pipeline.tokenizer(prompts, padding="max_length", max_length=77, return_tensors="pt")
@@ -83,7 +84,9 @@ def test_the_noise_is_what_diffusers_own_parts_predict(kind, checkpoints):
 
 
 def test_the_latent_is_the_scaled_mean_of_the_encoder(checkpoints):
-    pipeline = Pipeline.from_pretrained(checkpoints["1.x"], local_files_only=True)
+    from diffusers import StableDiffusionPipeline  # it takes seconds
+
+    pipeline = StableDiffusionPipeline.from_pretrained(checkpoints["1.x"], local_files_only=True)
     guidance = StableDiffusion.load(str(checkpoints["1.x"]), "cpu")
     n, o = picture(1)
     shown = (n + o) / 2 + (1 - o) * 0.5

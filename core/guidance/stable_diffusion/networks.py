@@ -1,4 +1,4 @@
-"""A checkpoint's networks in memory: the only file that imports diffusers and transformers."""
+"""A checkpoint's networks in memory."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -8,17 +8,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import torch
-from diffusers import AutoencoderKL, DDPMScheduler, UNet2DConditionModel
 from safetensors import SafetensorError, safe_open
 from torch import Tensor
-from transformers import (
-    CLIPTextConfig,
-    CLIPTextModel,
-    CLIPTextModelWithProjection,
-    CLIPTokenizer,
-)
 
 from core.errors import UserError
+from core.guidance.stable_diffusion import libraries
 from core.guidance.stable_diffusion.checkpoint import read_json, weight_variant
 from core.guidance.stable_diffusion.clip_files import CONFIGURATIONS, END, merges, vocabulary
 from core.guidance.stable_diffusion.keys import UNET, VAE, Place, clip_place, unet_key, vae_key
@@ -38,7 +32,7 @@ class Networks(NamedTuple):
 
     unet: Any  # UNet2DConditionModel or MultiViewUNet: diffusers types its attributes too widely
     vae: Any  # AutoencoderKL without its decoder: pictures are never decoded
-    scheduler: DDPMScheduler
+    scheduler: "libraries.DDPMScheduler"
     encoders: tuple[Encoder, ...]  # SDXL has two
 
 
@@ -53,13 +47,13 @@ def load_networks(checkpoint: Checkpoint, dtype: torch.dtype) -> Networks:
     unet = (
         _multi_view(checkpoint, dtype)
         if is_multi_view
-        else load(UNet2DConditionModel, checkpoint, "unet", dtype)
+        else load(libraries.UNet2DConditionModel, checkpoint, "unet", dtype)
     )
-    vae = load(AutoencoderKL, checkpoint, "vae", vae_dtype(checkpoint, dtype))
+    vae = load(libraries.AutoencoderKL, checkpoint, "vae", vae_dtype(checkpoint, dtype))
     vae.decoder = None
-    encoders = [_encoder(load, checkpoint, "text_encoder", CLIPTextModel)]
+    encoders = [_encoder(load, checkpoint, "text_encoder", libraries.CLIPTextModel)]
     if checkpoint.family == "sdxl":
-        second = _encoder(load, checkpoint, "text_encoder_2", CLIPTextModelWithProjection)
+        second = _encoder(load, checkpoint, "text_encoder_2", libraries.CLIPTextModelWithProjection)
         encoders.append(second)
     if checkpoint.file and checkpoint.prediction is None:
         kind = measured_prediction(unet, Texts(tuple(encoders)), noise_schedule(checkpoint))
@@ -71,7 +65,7 @@ def load_networks(checkpoint: Checkpoint, dtype: torch.dtype) -> Networks:
 
 
 @torch.no_grad()
-def measured_prediction(unet: Any, texts: Texts, schedule: DDPMScheduler) -> str:
+def measured_prediction(unet: Any, texts: Texts, schedule: "libraries.DDPMScheduler") -> str:
     """What ``unet`` predicts, by a trial at the last step, where z_t is nearly all noise.
 
     A network that predicts the noise gives z_t back there. One that predicts
@@ -86,27 +80,28 @@ def measured_prediction(unet: Any, texts: Texts, schedule: DDPMScheduler) -> str
     return "epsilon" if like > 0.5 else "v_prediction"
 
 
-def noise_schedule(checkpoint: Checkpoint) -> DDPMScheduler:
+def noise_schedule(checkpoint: Checkpoint) -> "libraries.DDPMScheduler":
     """Whatever the checkpoint samples with: only its schedule and prediction type are read."""
-    changes: dict[str, Any] = {}
+    kind, changes = libraries.DDPMScheduler, dict[str, Any]()
     if checkpoint.prediction:
         changes["prediction_type"] = checkpoint.prediction
     if checkpoint.zero_snr:
         changes["rescale_betas_zero_snr"] = True
     with readable(checkpoint.folder / "scheduler"):
-        return DDPMScheduler.from_pretrained(
+        return kind.from_pretrained(
             checkpoint.folder / "scheduler", local_files_only=True, **changes
         )
 
 
 def empty_networks(checkpoint: Checkpoint) -> tuple[Any, Any]:
     """The U-Net and the encoder on the meta device: shapes without numbers."""
+    unet_kind, vae_kind = libraries.UNet2DConditionModel, libraries.AutoencoderKL
     with readable(checkpoint.folder), torch.device("meta"):
         config = read_json(checkpoint.folder / "unet" / "config.json")
         if checkpoint.family == "mvdream":
             config = unet_config(config)
-        unet = UNet2DConditionModel.from_config(config)
-        vae = AutoencoderKL.from_config(read_json(checkpoint.folder / "vae/config.json"))
+        unet = unet_kind.from_config(config)
+        vae = vae_kind.from_config(read_json(checkpoint.folder / "vae/config.json"))
     vae.decoder = None
     return unet, vae
 
@@ -153,13 +148,13 @@ def _encoder(load: Callable[..., Any], checkpoint: Checkpoint, part: str, kind: 
     else:
         with readable(checkpoint.folder / name):
             folder = checkpoint.folder / name
-            tokenizer = CLIPTokenizer.from_pretrained(folder, local_files_only=True)
+            tokenizer = libraries.CLIPTokenizer.from_pretrained(folder, local_files_only=True)
     return Encoder(model, tokenizer)
 
 
-def _shipped_tokenizer(pad: str) -> CLIPTokenizer:
+def _shipped_tokenizer(pad: str) -> "libraries.CLIPTokenizer":
     pairs = merges(CONFIGURATIONS / "tokenizer" / "merges.txt")
-    return CLIPTokenizer(
+    return libraries.CLIPTokenizer(
         vocab=vocabulary(pairs), merges=pairs, pad_token=pad, model_max_length=_CLIP_LENGTH
     )
 
@@ -193,7 +188,7 @@ def _from_file(kind: Any, checkpoint: Checkpoint, part: str, dtype: torch.dtype)
     with readable(path), torch.device("meta"):
         # The file's weights take the place of these, which were never in memory.
         if part.startswith("text"):
-            model = kind(CLIPTextConfig.from_dict(read_json(path)))
+            model = kind(libraries.CLIPTextConfig.from_dict(read_json(path)))
         else:
             model = kind.from_config(read_json(path))
     if part == "vae":
