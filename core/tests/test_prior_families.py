@@ -69,21 +69,22 @@ def _is_normalised_and_a_lower_bound(noun: str) -> None:
     asked = []
 
     def seen(sdf: Solid) -> torch.Tensor:
-        found = surface_points(sdf)
-        asked.append((sdf, found))
-        return found
+        asked.append(surface_points(sdf))
+        return asked[-1]
 
     with mock.patch.object(families, "surface_points", seen):
         shape = build(noun, "", _draw(), jitter=0)
-    (own, found), *_ = asked  # in the family's own frame
-    assert _ends_within(own, found)
+    found = asked[0]  # in the family's own frame
     surface = (found - torch.tensor(shape.center)) * torch.tensor(shape.scale)
     low, high = surface.amin(0), surface.amax(0)
     assert ((low + high) / 2).abs().max() < 0.02
     assert surface.norm(dim=1).max().item() == pytest.approx(0.9, abs=0.02)
     points = _points(400)
-    on, distance = shape.sdf(torch.cat([surface, points])).tensor_split([len(surface)])
+    ends = _beyond(surface)
+    sizes = [len(surface), len(ends), len(points)]
+    on, out, distance = shape.sdf(torch.cat([surface, ends, points])).split(sizes)
     assert on.abs().max() < 0.02
+    assert out.min() > 0.002, "it goes on where the lattice ends that its surface was found on"
     to_surface = torch.from_numpy(KDTree(surface.numpy()).query(points.numpy())[0])
     assert (distance.abs() <= to_surface + 0.02).all()
     # Not far below it either, where tracing would take many steps.
@@ -91,15 +92,16 @@ def _is_normalised_and_a_lower_bound(noun: str) -> None:
     assert (distance[outside] / to_surface[outside]).median() > 0.5
 
 
-def _ends_within(own: Solid, found: torch.Tensor) -> bool:
-    """Whether a family's solid is within the lattice on which its surface was found."""
-    beyond = []
-    for axis, end in ((0, -1.6), (0, 1.6), (1, -1.6), (1, 1.6), (2, -1.6), (2, 3.2)):
-        near = found[(found[:, axis] - end).abs() < 0.12]  # a cell
-        near[:, axis] = end * 1.01
-        beyond.append(near)
-    points = torch.cat(beyond)
-    return not len(points) or bool((own(points) > 0.01).all())
+def _beyond(surface: torch.Tensor) -> torch.Tensor:
+    """Places just beyond the surface's ends, each across from a point near one."""
+    found = []
+    for axis in range(3):
+        for side in (-1.0, 1.0):
+            end = (side * surface[:, axis]).amax()
+            near = surface[side * surface[:, axis] > end - 0.1]
+            near[:, axis] = side * (end + 0.05)
+            found.append(near)
+    return torch.cat(found)
 
 
 def test_a_distance_never_changes_faster_than_the_way():
