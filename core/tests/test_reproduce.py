@@ -153,14 +153,9 @@ PLACE = "figures/genus/genus-1-wanted-*"
 def made(tmp_path_factory):
     """One row made for real by the shortest settings; what was said."""
     out, said = tmp_path_factory.mktemp("reproduce"), io.StringIO()
-    ways = [making.carry_out, main]  # a picture by a process of its own, and one in this one
-
-    def carry_out(words):
-        return ways.pop(0)(words)
-
-    with contextlib.redirect_stdout(said), mock.patch.object(making, "carry_out", carry_out):
+    # Pictures in this process, which has the method loaded; one of its own is tested below.
+    with contextlib.redirect_stdout(said), mock.patch.object(making, "carry_out", main):
         assert again(out) == 0
-    assert not ways
     return out, said.getvalue()
 
 
@@ -187,6 +182,12 @@ def test_a_row_is_made_and_the_page_shows_it(made):
         assert len(picture.getcolors(1 << 16)) > 50
 
 
+def test_a_command_is_carried_out_by_a_process_of_its_own_whose_error_is_told():
+    making.carry_out(["words", "a red chair"])
+    with pytest.raises(UserError, match="does not know 'flurb'"):
+        making.carry_out(["words", "a flurb"])
+
+
 def test_what_is_there_is_not_made_again(made):
     out, _ = made
     before = times(out, "runs/*/asset/*") | times(out, "figures/*/*/*")
@@ -197,7 +198,6 @@ def test_what_is_there_is_not_made_again(made):
 
 def test_a_row_is_continued_at_its_missing_picture(made, monkeypatch):
     out, _ = made
-    # In this process: ``made`` started one for a picture.
     monkeypatch.setattr(making, "carry_out", main)
     (place,) = out.glob(PLACE)
     kept = times(place, "0.png")
