@@ -1,4 +1,4 @@
-"""Making an asset needs nothing of the built-in prior's training, nor torch's compiler."""
+"""Making an asset needs nothing of the built-in prior's training, nor torch's compiler or trimesh."""
 
 import ast
 import json
@@ -58,7 +58,7 @@ def test_the_scan_sees_an_import_wherever_it_hides(line):
     assert not imports_of_the_training("from core.guidance.builtin import words")
 
 
-def test_a_generate_imports_nothing_of_the_training_nor_torchs_compiler():
+def test_a_generate_imports_nothing_of_the_training_nor_torchs_compiler_nor_trimesh():
     done = subprocess.run(
         [sys.executable, "-c", PREPARE], cwd=ROOT, capture_output=True, text=True, check=True
     )
@@ -66,3 +66,4 @@ def test_a_generate_imports_nothing_of_the_training_nor_torchs_compiler():
     assert "core.guidance.builtin.network" in modules
     assert [name for name in modules if name.startswith("core.prior")] == []
     assert "torch._dynamo" not in modules  # 2 CPU-seconds
+    assert "trimesh" not in modules  # 0.4: it reads the meshes of users
