@@ -1,4 +1,4 @@
-"""Making an asset needs nothing of the built-in prior's training, nor torch's compiler or trimesh."""
+"""Making an asset needs neither the built-in prior's training nor torch's compiler nor trimesh."""
 
 import ast
 import json
