@@ -2,7 +2,7 @@
 
 It tells in seconds a noun what ``bench prior`` tells in minutes: likeness to the noun's own objects
 (``likeness``), whether these are the nearest of all nouns' (``core.prior.retrieval``), and variety:
-how far the shapes are from one another, over how far the noun's own objects are.
+how far eight drawn solids are from one another, over how far the noun's own objects are.
 """
 
 import itertools
@@ -29,6 +29,7 @@ CREASE = (0.85, 1.15)  # over the family's own: edges are neither rounded nor ra
 MORE_MISSING = 0.03  # than a noun's objects lack of one another
 PIECES = 0.85  # fraction of the slices with a number of pieces that the noun has there
 VARIETY = 0.6  # of the family's own
+VARIED = 8  # objects, drawn and own, that it is of: two may be alike by chance
 
 
 def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
@@ -52,10 +53,11 @@ def solid_scores(
 ) -> dict[str, Any]:
     """The likeness in the mean over the seeds, the fraction of them whose nearest references are
     the noun's, which others were nearer, the variety, and the CPU time of making one."""
-    prompted, drawn = guidance.prompted(noun, ""), []
+    prompted, ones, drawn = guidance.prompted(noun, ""), [], []
     start = time.process_time()
     for seed in range(seeds):
-        parts = prompted.of_object(seed).parts()
+        ones.append(prompted.of_object(seed))
+        parts = ones[-1].parts()
         assert parts is not None  # each of them has
         made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
         assert made is not None  # of some size
@@ -64,6 +66,7 @@ def solid_scores(
     surfaces = [Surface.of_mesh(*mesh) for mesh in drawn]
     each = [likeness(surface, noun) for surface in surfaces]
     mean = {name: float(np.mean([one[name] for one in each])) for name in each[0]}
+    ones += [prompted.of_object(seed) for seed in range(seeds, VARIED)]
     generator = torch.Generator().manual_seed(0)
     ranks = [[name for name, _ in ranking(mesh_cloud(*m, generator), references)] for m in drawn]
     behind = [names[: names.index(noun)] for names in ranks]
@@ -71,7 +74,9 @@ def solid_scores(
         "first": sum(not nearer for nearer in behind) / seeds,
         "first_five": sum(len(nearer) < 5 for nearer in behind) / seeds,
         "nearer": sorted({name for nearer in behind for name in nearer[:5]}),
-        "variety": variety(surfaces, objects(noun)),
+        "variety": variety(
+            [Surface.of_mesh(*one.solid.mesh) for one in ones if one.solid], objects(noun, VARIED)
+        ),
         "cpu_s": cpu_s,
     }
 
@@ -86,9 +91,9 @@ def line(noun: str, score: dict[str, Any]) -> str:
 
 def variety(drawn: "list[Surface]", own: "tuple[Surface, ...]") -> float:
     """Mean distance of the drawn from one another over that of the noun's own objects; 1 where
-    there is one drawn only, or all of its own are the same (balls)."""
+    all of its own are the same (balls)."""
     spread = _spread(list(own))
-    return _spread(list(drawn)) / spread if len(drawn) > 1 and spread else 1.0
+    return _spread(list(drawn)) / spread if spread else 1.0
 
 
 def _spread(surfaces: list[Surface]) -> float:

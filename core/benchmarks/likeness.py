@@ -125,10 +125,10 @@ def likeness(mesh: Surface, noun: str) -> dict[str, float]:
 
 
 @cache
-def objects(noun: str) -> tuple[Surface, ...]:
-    """Held-out objects of the noun, those of the retrieval."""
+def objects(noun: str, count: int = REFERENCES) -> tuple[Surface, ...]:
+    """Held-out objects of the noun; the first are those of the retrieval."""
     draw = Draw(torch.Generator().manual_seed(SEED))
-    shapes = [build(noun, "", draw, jitter=0.0) for _ in range(REFERENCES)]
+    shapes = [build(noun, "", draw, jitter=0.0) for _ in range(count)]
     return tuple(Surface.of_solid(shape) for shape in shapes)
 
 

@@ -22,7 +22,6 @@ def test_variety_is_one_for_the_nouns_own_objects_and_none_for_copies():
     own = objects("mug")
     assert variety(list(own), own) == pytest.approx(1)
     assert variety([own[0]] * 3, own) == 0
-    assert variety([own[0]], own) == 1
     assert variety(list(own), (own[0], own[0])) == 1  # as of balls, which are all the same
     close, far = (variety([own[0], _moved(own[0], by)], own) for by in (0.02, 0.2))
     assert 0 < close < far
@@ -37,6 +36,7 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
         return drawn[-1]
 
     monkeypatch.setattr(bench, "assembled", kept)
+    monkeypatch.setattr(bench, "VARIED", 2)
     guidance, references = load_builtin("cpu"), reference_clouds(["bed", "mug", "tower"])
     scores = solid_scores(guidance, "mug", 1, references)
     assert (scores["first"], scores["first_five"], scores["nearer"]) == (1, 1, [])
@@ -49,9 +49,11 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
     (made,) = drawn
     monkeypatch.setattr(bench, "assembled", lambda *_: made)
     monkeypatch.setattr(bench, "likeness", lambda *_: {})
+    monkeypatch.setattr(bench, "variety", lambda drawn, own: (len(drawn), len(own)))
     told = solid_scores(guidance, "mug", 1, wrong)
     assert (told["first"], told["first_five"]) == (0, 1)
     assert "bed" in told["nearer"]
+    assert told["variety"] == (2, 2)  # though one is put together
 
 
 def test_the_summary_counts_nouns():
