@@ -87,7 +87,7 @@ AIRCRAFT = {
         "propeller aircraft, stunt plane, crop duster, old plane, warplane, seaplane, glider",
         {
             "body": "*c4201c . paint",
-            "wings": "+f0c22a . paint",
+            "wings": "&f0c22a . paint",
             "struts": "-6b4526",
             "engine": "-5a5f65 . metal",
             "propeller": "-8a5a30",

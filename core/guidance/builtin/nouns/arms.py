@@ -37,7 +37,7 @@ ARMS = {
         "cudgel",
         {
             "head": "*5a5f66 . metal",
-            "spikes": "+b4bac2 . metal",
+            "spikes": "&b4bac2 . metal",
             "shaft": _WOOD,
             "collar": "&8a8f96 . metal",
             "grip": "-3a2418 . leather",

@@ -228,7 +228,7 @@ PROPS = {
     ),
     "arrow": Noun(
         "; crossbow bolt, dart, arrowhead",
-        {"head": "*8f979e . metal", "shaft": "+b98a52 grain", "feathers": "+e8e4da"},
+        {"head": "*8f979e . metal", "shaft": "&b98a52 grain", "feathers": "+e8e4da"},
         Usual(0.75, WOOD, 0.02),
     ),
     "flag": Noun(

@@ -29,7 +29,7 @@ VEHICLES = {
     "truck": Noun(
         "lorry, lorries; semi",
         {
-            "cargo": "+e4e6e8",
+            "cargo": "&e4e6e8",
             "cab": "*2a62b0 . paint",
             "windows": "-26323c . glass",
             "chassis": "-2b2b2e",
@@ -48,7 +48,7 @@ VEHICLES = {
         "locomotive, steam engine, steam train; railway engine, train engine, subway",
         {
             "boiler": "*1f5d3a . paint",
-            "cab": "+b3271f",
+            "cab": "&b3271f",
             "chimney": "-232326",
             "frame": "-2e2e31",
             "wheels": "-9c2a22",
