@@ -58,6 +58,10 @@ NAMES = {word: noun.names for word, noun in NOUNS.items()}
         ("an orange cat", Words("cat", color="orange")),
         ("a cat, orange", Words("cat", color="orange")),
         ("an orange tomato", Words("tomato", color="orange")),
+        ("wolves", Words("wolf")),
+        ("cherries", Words("cherry")),
+        ("knives", Words("knife")),
+        ("mice", Words("mouse")),
     ],
 )
 def test_a_prompt_is_read_into_slots(prompt, words):
@@ -287,6 +291,40 @@ def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
     with pytest.raises(UserError, match="'okapi'") as caught:
         parse("a worn okapi")
     assert "worn" not in caught.value.text
+
+
+def test_a_style_is_no_shape_and_reported():
+    words = parse("a low-poly tree, 8k, octane render, white background")
+    assert words == Words("tree")  # neither low nor white
+    assert words.left_out == ("low poly", "octane render", "white background")
+
+
+@pytest.mark.parametrize("prompt", ["three red apples", "a pile of apples, red", "a dozen apples"])
+def test_of_many_one_is_made_and_that_is_said(prompt):
+    words = parse(prompt)
+    assert words.noun == "apple"
+    assert [note.partition(": ")[2] for note in words.notes] == ["one thing is made at a time."]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("a robot playing guitar", Words("robot")),
+        ("a dragon guarding gold", Words("dragon")),
+        ("a chest full of gold", Words("chest")),
+        ("a chest covered in gold", Words("chest", material="golden")),
+        ("a red mug full of blue paint with a green handle",
+         Words("mug", color="red", part="handle", second="green", target="handle")),
+        ("a cottage by a blue lake", Words("cottage")),
+        ("a cat next to a green tree", Words("cat")),
+        ("a rolling pin", Words("rolling pin")),
+        ("a burning torch", Words("torch")),
+    ],
+)  # fmt: skip
+def test_what_a_thing_does_and_what_is_near_it_is_not_of_it(prompt, words):
+    found = parse(prompt)
+    assert found == words
+    assert found.notes or not found.left_out
 
 
 def test_an_unknown_word_is_refused_with_the_nearest_known_one():

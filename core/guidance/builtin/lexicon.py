@@ -68,6 +68,9 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
 
 
 LEXICON, NARROWER = _lexicon()
+# The ends of plurals with those of their singulars.
+PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("mice", "mouse"))
+PLURALS += (("geese", "goose"), ("teeth", "tooth"), ("men", "man"), ("children", "child"))
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
 
@@ -87,12 +90,8 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
 
 def singulars(phrase: str) -> list[str]:
     """The phrase and what it may be the plural of."""
-    forms = [phrase]
-    if phrase.endswith("s"):
-        forms.append(phrase[:-1])
-    if phrase.endswith("es"):
-        forms.append(phrase[:-2])
-    return forms
+    stem = [phrase.removesuffix(plural) + one for plural, one in PLURALS if phrase.endswith(plural)]
+    return [phrase, *stem]
 
 
 def corrected(token: str) -> str:

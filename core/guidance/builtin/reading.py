@@ -17,13 +17,16 @@ from core.guidance.builtin.prompt_errors import near_words, part_error, two_erro
 from core.guidance.builtin.words import (
     ALONE,
     CHOICES,
+    COUNTS,
     DEPICTIONS,
+    ELSEWHERE,
     FILLER,
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LEGS,
     OPTIONS,
     PHRASE_ENDS,
+    STYLES,
     TONES,
     WITHOUT,
 )
@@ -31,6 +34,7 @@ from core.guidance.builtin.words import (
 MADE_AS = {"color": "painted as", "pattern": "drawn as", "shape": "made"}  # else "made as"
 ARTICLES = ("a", "an", "the")
 LONGEST = 3  # words of a phrase
+DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 
 
 class Reading:
@@ -55,6 +59,7 @@ class Reading:
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether an unknown word was read in it
+        self._elsewhere = False  # whether all of it is about another thing
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, self._breaks = _tokens(prompt)
@@ -62,7 +67,7 @@ class Reading:
         while at < len(self._tokens):
             if at in self._breaks:
                 self._end_phrase()
-                self._accessory = None
+                self._accessory, self._elsewhere = None, False
             at += self._take(at)
         self._end_phrase()
         self._leave_strange_parts_aside()
@@ -77,8 +82,12 @@ class Reading:
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
-            if count > 1 and phrase in IGNORED_ADJECTIVES:
+            if phrase in STYLES or (count > 1 and phrase in IGNORED_ADJECTIVES):
                 self.left_out.append(phrase)
+                return count
+            if phrase in ELSEWHERE and self.found["noun"]:
+                self._go_with(phrase)
+                self._elsewhere = True
                 return count
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
@@ -92,12 +101,23 @@ class Reading:
             self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
         elif token in IGNORED_ADJECTIVES:
             self.left_out.append(token)
+        elif token in COUNTS and not self.found["noun"]:
+            self.notes.append(f"{token}: one thing is made at a time.")
+        elif token in COUNTS:
+            self.left_out.append(token)
         elif token in PHRASE_ENDS:
-            self._end_phrase()
             # "a statue of a lion": the article says nothing new.
-            self._ended_by = self._ended_by if token in ARTICLES else token
+            word = self._ended_by if token in ARTICLES else token
             if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
-                self._accessory = {slot: len(found) for slot, found in self.found.items()}
+                self._go_with(word)
+            else:
+                self._end_phrase()
+                self._ended_by = word
+        elif self.found["noun"] and DOING.fullmatch(token):
+            # "a robot playing guitar"
+            self.left_out.append(token)
+            self._go_with(token)
+            self._elsewhere = True
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
@@ -108,13 +128,20 @@ class Reading:
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
         the phrase's own noun."""
-        if self._strange:  # the accessory itself is unknown, and its colours are not the thing's
+        # The accessory itself is unknown, or elsewhere: its colours are not the thing's.
+        if self._strange or self._elsewhere:
             self.left_out += self._of_accessory()
         self._strange = False
         self.parts += self._before
         self.refused += self._pending
         self.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end = [], [], -1
+
+    def _go_with(self, word: str) -> None:
+        """``word`` begins a phrase about what goes with the thing."""
+        self._end_phrase()
+        self._ended_by = word
+        self._accessory = {slot: len(found) for slot, found in self.found.items()}
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""

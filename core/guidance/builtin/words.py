@@ -89,22 +89,35 @@ PART_SYNONYMS = {
     "claws": "claw, pincers, pincer",
     "antlers": "antler",
 }
+# Where something else stands: "a cottage by a lake".
+PLACES = frozenset(
+    """by at near beside behind under inside above against between over through along across around
+    down into onto below among""".split()
+)
 # What people write around the subject and what describes nothing of it.
-FILLER = frozenset(
+FILLER = PLACES | frozenset(
     """a an the of in on with and is it its one single some made from out color colour colored
     coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model object
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair set bunch pile heap slice piece wearing holding old new classic modern traditional elegant
+    pair bunch slice piece wearing holding old new classic modern traditional elegant
     lovely pretty figurine statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
-PHRASE_ENDS = frozenset(
-    "a an the of in on with and is it its made from out has have which that for".split()
-) | {"wearing", "holding"}
+PHRASE_ENDS = PLACES | frozenset(
+    """a an the of in on with and is it its made from out has have which that for wearing
+    holding""".split()
+)
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
-GOES_WITH = frozenset("of in on with has have wearing holding".split())
+GOES_WITH = PLACES | frozenset("of in on with has have wearing holding".split())
+# After these all is about something else: a chest full of gold is not golden.
+ELSEWHERE = ("filled with", "full of", "surrounded by", "in front of", "on top of", "next to")
+# How many there are. One is made, and a note says so.
+COUNTS = frozenset(
+    """two three four five six seven eight nine ten twelve dozen dozens several many few couple
+    multiple various set pile heap stack group row collection pack bundle""".split()
+)
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate
@@ -113,8 +126,19 @@ IGNORED_ADJECTIVES = frozenset(
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
-    smiling""".split()
-) | {"hand carved", "hand crafted", "hand painted"}
+    smiling half broken open closed filled covered surrounded topped""".split()
+) | {"hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"}
+# How the picture or the mesh is wanted, of which a shape and its materials know nothing.
+STYLES = frozenset(
+    """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
+    cinematic ultra""".split()
+) | {
+    *("low poly", "high poly", "pixel art", "voxel art", "concept art", "digital art"),
+    *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
+    *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
+    *("white background", "black background", "plain background", "transparent background"),
+    *("full body", "close up", "front view", "side view", "top view", "cinematic lighting"),
+}
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
