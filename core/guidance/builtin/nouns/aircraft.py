@@ -5,7 +5,8 @@ from core.guidance.builtin.nouns.vehicles import GLASS_LOOK, TYRES_LOOK
 
 AIRCRAFT = {
     "airplane": Noun(
-        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet",
+        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet, fighter jet, "
+        "jet fighter, fighter plane, stealth bomber",
         {
             "body": "*e8eaed . paint",
             "wings": "&c7ccd2 . paint",
@@ -46,9 +47,8 @@ AIRCRAFT = {
         Usual(12.0, STEEL, 0.0064),
     ),
     "spaceship": Noun(
-        "space ship, spacecraft, starship; star fighter, starfighter, fighter jet, jet "
-        "fighter, x wing, spacefighter, alien fighter, space fighter, tie fighter, "
-        "fighter plane, stealth bomber",
+        "space ship, spacecraft, starship; star fighter, starfighter, x wing, "
+        "spacefighter, alien fighter, space fighter, tie fighter",
         {
             "hull": "*d5d9de . paint",
             "wings": "*d5d9de . paint",

@@ -134,8 +134,8 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "mech": Noun(
         (
-            "battle mech, mecha, battle robot, war robot, combat robot; gundam, "
-            "giant robot, transformer, battlemech, war machine, fighting robot, exosuit"
+            "battle mech, mech warrior, mecha, battle robot, war robot, combat robot; "
+            "gundam, giant robot, transformer, battlemech, war machine, fighting robot, exosuit"
         ),
         {
             "armour": "*d8dce2 . paint",
