@@ -36,7 +36,7 @@ EVERYDAY = {
     "a wooden rocking chair": ("rocking chair", []),
     "a police car": ("car", ["police"]),
     "a yellow school bus": ("bus", []),
-    "a pickup truck": ("truck", ["pickup"]),
+    "a pickup truck": ("truck", []),
     "a fire truck": ("fire truck", []),
     "a hot air balloon": ("hot air balloon", []),
     "a street lamp": ("lamp", ["street"]),

@@ -9,7 +9,8 @@ ANIMALS = {
         Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
-        "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish",
+        "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish,"
+        " swordfish",
         {"body": "*ef7d1a", "fins": "+f5b03c", "eyes": "-111114"},
         Usual(0.3, FLESH, 0.31),
     ),

@@ -6,7 +6,7 @@ BUILDINGS = {
     "house": Noun(
         "home; barn, shed, villa, mansion, farmhouse, garage, school, dollhouse, "
         "townhouse, doghouse, birdhouse, hospital, police station, fire station, kennel, "
-        "outhouse, stable",
+        "outhouse, stable, building",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",
@@ -30,7 +30,7 @@ BUILDINGS = {
     ),
     "tower": Noun(
         "castle tower, watchtower; skyscraper, turret, office building, apartment "
-        "building, apartment block, hotel",
+        "building, apartment block, hotel, apartment",
         {"walls": "*a29c90 bricks stone", "door": "+5d3a1f", "windows": "-33302c"},
         Usual(20.0, STONE, 0.3),
     ),

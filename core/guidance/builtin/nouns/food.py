@@ -256,8 +256,8 @@ FOOD = {
         Usual(0.22, PLANT, 0.8),
     ),
     "steak": Noun(
-        "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, pork chop, "
-        "cooked meat, grilled steak, ham steak",
+        "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, "
+        "pork chop, cooked meat, grilled steak, ham steak, ham, bacon",
         {"fat": "&f0d9bc", "meat": "*a63a2c", "bone": "+f3ead6", "marks": "-4a1a14"},
         Usual(0.25, FLESH, 0.27),
     ),

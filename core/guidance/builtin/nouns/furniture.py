@@ -45,7 +45,7 @@ FURNITURE = {
         Usual(1.5, WOOD, 0.33),
     ),
     "bed": Noun(
-        "",
+        "; mattress",
         {
             "blanket": "*3f6ea8",
             "mattress": "-ebe6dc",

@@ -17,7 +17,8 @@ from core.guidance.builtin.nouns.noun import (
 
 HOUSEHOLD = {
     "mug": Noun(
-        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug, stein, tankard",
+        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug, stein, "
+        "tankard, beer, pint of beer, glass of beer",
         {"body": "*e0dbd1", "handle": "&e0dbd1"},
         Usual(0.1, CERAMIC, 0.98),
     ),

@@ -77,7 +77,7 @@ PLANTS = {
         Usual(1.2, STONE),
     ),
     "acorn": Noun(
-        "acorns; hazelnut, nut, peanut",
+        "acorns; hazelnut, nut, peanut, almond",
         {"nut": "*b5762f", "cap": "+6b4a28"},
         Usual(0.03, PLANT),
     ),

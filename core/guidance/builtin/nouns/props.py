@@ -117,7 +117,7 @@ PROPS = {
     ),
     "book": Noun(
         "books, spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, "
-        "novel, textbook, necronomicon, notepad, sketchbook, encyclopedia",
+        "novel, textbook, necronomicon, notepad, sketchbook, encyclopedia, magazine",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
         Usual(0.26, WOOD, 0.47),
     ),
@@ -142,7 +142,7 @@ PROPS = {
         Usual(2.2, STEEL, 0.5),
     ),
     "bomb": Noun(
-        "; grenade, sea mine, naval mine, bob omb",
+        "; grenade, sea mine, naval mine, bob omb, cannonball, cannon ball",
         {"body": "*232427", "cap": "&3a3c40 . metal", "fuse": "-c9b48a", "spark": "-ff9a1e"},
         Usual(0.2, STEEL, 0.5),
     ),

@@ -50,7 +50,8 @@ SMALL_THINGS = {
     ),
     "flask": Noun(
         "laboratory flask, lab flask, erlenmeyer flask, erlenmeyer, conical flask, "
-        "chemistry flask, science flask; beaker, test tube, round bottom flask, chemical flask",
+        "chemistry flask, science flask; beaker, test tube, round bottom flask, chemical "
+        "flask, canteen",
         {
             "glass": "*c4e2e8 . glass",
             "liquid": "+2fb84f . glass",

@@ -302,7 +302,7 @@ TOOLS_AND_TOYS = {
         Usual(0.4, STEEL, 0.15),
     ),
     "baseball bat": Noun(
-        "; cricket bat, wooden club, caveman club",
+        "; cricket bat, wooden club, caveman club, club",
         {"body": "*d0a05a grain", "grip": "+2a2624 . leather", "knob": "&c08f4a grain"},
         Usual(0.85, WOOD, 0.19),
     ),

@@ -27,7 +27,7 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.0052),
     ),
     "truck": Noun(
-        "lorry, lorries; semi",
+        "lorry, lorries; semi, pickup",
         {
             "cargo": "&e4e6e8",
             "cab": "*2a62b0 . paint",
