@@ -3,9 +3,11 @@
 import ast
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -147,11 +149,14 @@ def test_words_are_reported_as_json(capsys, prompt, code):
     assert report.get("thing") == ("chair" if code == 0 else None)
 
 
-def launcher(*arguments: str, **environ: str) -> subprocess.Popen[str]:
+def launcher(
+    *arguments: str, tree: Path = ROOT, cwd: Path | None = None, **environ: str
+) -> subprocess.Popen[str]:
     """run.py as a process of its own, under this interpreter as the environment's."""
     return subprocess.Popen(
-        [sys.executable, str(ROOT / "run.py"), *arguments],
+        [sys.executable, str(tree / "run.py"), *arguments],
         env={**os.environ, "PYTHONPATH": "", "FANTASIA3D_PYTHON": sys.executable, **environ},
+        cwd=cwd,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -228,16 +233,21 @@ def test_doctor_names_a_package_that_is_not_as_pinned(box, monkeypatch):
 TRAPS = ("random", "venv", "pip", "json", "ensurepip", "torch", "bpy", "core", "fantasia3d_addon")
 
 
-@pytest.fixture
-def trapped(tmp_path, monkeypatch):
-    """A current folder whose modules leave a mark when they are run."""
-    folder = tmp_path / "trapped"
-    folder.mkdir()
-    mark = tmp_path / "mark"
+def set_traps(folder: Path) -> Path:
+    """Modules there leave a mark when they are run; its path."""
+    (folder / "trapped").mkdir()
+    mark = folder / "mark"
     for name in TRAPS:
         text = f"import os\nopen({str(mark)!r}, 'a').write({name!r} + ' ')\n"
-        (folder / f"{name}.py").write_text(text)
-    monkeypatch.chdir(folder)
+        (folder / "trapped" / f"{name}.py").write_text(text)
+    return mark
+
+
+@pytest.fixture
+def trapped(tmp_path, monkeypatch):
+    """The mark of such a current folder."""
+    mark = set_traps(tmp_path)
+    monkeypatch.chdir(tmp_path / "trapped")
     return mark
 
 
@@ -248,17 +258,63 @@ def test_doctor_runs_no_code_of_the_current_folder(trapped):
     assert not trapped.exists(), f"run: {trapped.read_text()}"
 
 
-def test_a_set_up_runs_no_code_of_the_current_folder(trapped, tmp_path):
-    wheels = tmp_path / "wheels"  # empty: pip runs, and finds no torch
-    wheels.mkdir()
-    made = {"FANTASIA3D_ENV": str(tmp_path / "env"), "FANTASIA3D_WHEELS": str(wheels)}
+def write_wheel(folder: Path, name: str, version: str) -> Path:
+    """A wheel with a module of one line."""
+    folder.mkdir(exist_ok=True)
+    path = folder / f"{name}-{version}-py3-none-any.whl"
+    info = f"{name}-{version}.dist-info"
+    with zipfile.ZipFile(path, "w") as wheel:
+        wheel.writestr(f"{name}.py", "HERE = True\n")
+        wheel.writestr(
+            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
+        )
+        wheel.writestr(
+            f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+        )
+        wheel.writestr(f"{info}/RECORD", "")
+    return path
+
+
+@pytest.fixture(scope="module")
+def refused(tmp_path_factory):
+    """A set-up by the real venv and the real pip, in a trapped folder; its folder, and its end.
+
+    The user's wheel folder has their own build of torch, which the lock file does not name.
+    """
+    folder = tmp_path_factory.mktemp("refused")
+    write_wheel(folder / "wheels", "torch", "2.13.0+mine")
+    tree = folder / "tree"
+    tree.mkdir()
+    shutil.copy(ROOT / "run.py", tree)
+    for name in ("core", "fantasia3d_addon"):
+        (tree / name).symlink_to(ROOT / name)
+    (tree / "pyproject.toml").write_text("[project]\ndependencies = ['torch==2.13.0']\n")
+    (tree / "requirements.lock").write_text(f"# [core]\ntorch==2.13.0 --hash=sha256:{'0' * 64}\n")
+    set_traps(folder)
+    clean = {"PIP_FIND_LINKS": "", "PIP_CONFIG_FILE": os.devnull, "FANTASIA3D_ENV": ""}
     child = launcher(
-        "setup", FANTASIA3D_PYTHON="", PIP_FIND_LINKS="", PIP_CONFIG_FILE="/dev/null", **made
-    )
+        "setup", tree=tree, cwd=folder / "trapped", FANTASIA3D_PYTHON="", **clean,
+        FANTASIA3D_WHEELS=str(folder / "wheels"), XDG_DATA_HOME=str(folder / "data"),
+    )  # fmt: skip
     out, err = child.communicate()
-    assert child.returncode == 3 and "torch" in err, err + out
-    assert not trapped.exists(), f"run: {trapped.read_text()}"
-    assert not (tmp_path / "env").exists()
+    return folder, child.returncode, out, err
+
+
+def test_a_set_up_runs_no_code_of_the_current_folder(refused):
+    folder, status, out, err = refused
+    assert status == 3 and "torch" in err, err + out
+    mark = folder / "mark"
+    assert not mark.exists(), f"run: {mark.read_text()}"
+
+
+def test_a_wheel_of_the_users_that_is_not_the_locked_one_is_refused_in_one_sentence(refused):
+    folder, status, out, err = refused
+    assert status == 3, err + out
+    (error,) = [line for line in err.splitlines() if "error" in line]
+    assert "torch-2.13.0+mine-py3-none-any.whl is not the file that the lock file names" in error
+    assert "FANTASIA3D_PYTHON" in error
+    made = [path.suffix for path in (folder / "data" / "fantasia3d").iterdir()]
+    assert sorted(made) == [".lock", ".log"], "no environment"
 
 
 def test_the_builder_is_found_by_no_code_of_the_current_folder(trapped):

@@ -1,11 +1,9 @@
-"""The lock file: it fits pyproject.toml, names everything with hashes, and pip holds to it."""
+"""The lock file: it fits pyproject.toml, names everything with hashes."""
 
 import importlib.metadata
-import os
 import re
 import sys
 import tomllib
-import zipfile
 from pathlib import Path
 
 import pytest
@@ -154,47 +152,3 @@ def test_what_is_installed_here_is_what_it_names():
         name = canonical(found.metadata["Name"])
         if name in names("core", "test"):
             assert f"{name}=={found.version.partition('+')[0]}" in locked
-
-
-# With the real pip
-
-
-def write_wheel(folder: Path, name: str, version: str) -> Path:
-    """A wheel with a module of one line."""
-    folder.mkdir(exist_ok=True)
-    path = folder / f"{name}-{version}-py3-none-any.whl"
-    info = f"{name}-{version}.dist-info"
-    with zipfile.ZipFile(path, "w") as wheel:
-        wheel.writestr(f"{name}.py", "HERE = True\n")
-        wheel.writestr(
-            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
-        )
-        wheel.writestr(
-            f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
-        )
-        wheel.writestr(f"{info}/RECORD", "")
-    return path
-
-
-@pytest.mark.skipif(os.name != "posix", reason="the paths of a venv")
-def test_a_wheel_of_the_users_that_is_not_the_locked_one_is_refused_in_one_sentence(
-    tmp_path, monkeypatch, capsys
-):
-    """Their own build of torch, in their folder of wheels; the real venv and the real pip."""
-    write_wheel(tmp_path / "wheels", "torch", "2.13.0+mine")
-    tree = tmp_path / "tree"
-    (tree / "core").mkdir(parents=True)
-    (tree / "pyproject.toml").write_text("[project]\ndependencies = ['torch==2.13.0']\n")
-    (tree / "requirements.lock").write_text(f"# [core]\ntorch==2.13.0 --hash=sha256:{'0' * 64}\n")
-    for name in ("FANTASIA3D_PYTHON", "FANTASIA3D_ENV"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("FANTASIA3D_WHEELS", str(tmp_path / "wheels"))
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
-    monkeypatch.setattr(run, "ROOT", tree)
-    monkeypatch.setattr(sys.modules[environment.find_python.__module__], "has_nvidia", bool)
-    assert run.main(["setup"]) == 3
-    (error,) = [line for line in capsys.readouterr().err.splitlines() if "error" in line]
-    assert "torch-2.13.0+mine-py3-none-any.whl is not the file that the lock file names" in error
-    assert "FANTASIA3D_PYTHON" in error
-    made = [path.suffix for path in (tmp_path / "data" / "fantasia3d").iterdir()]
-    assert sorted(made) == [".lock", ".log"], "no environment"
