@@ -1,10 +1,11 @@
 """Checks of calls while the tests run (``conftest.py``): types by beartype, shapes by jaxtyping.
 
-A check costs about as much as a small function. So a function is checked at its first calls in each
-test, where a wrong use shows, and at one in ten of those after; and the checks of signatures that
-are alike are made once.
+A check costs about as much as a small function. So a function, and the making of a dataclass, is
+checked at its first calls in each test, where a wrong use shows, and at one in ten of those after;
+and the checks of signatures that are alike are made once.
 """
 
+import dataclasses
 import functools
 import inspect
 from collections.abc import Callable
@@ -30,7 +31,11 @@ def jaxtyped(function: Any = None, *, typechecker: Callable) -> Any:
     """``jaxtyping.jaxtyped``, for the import hook, whose checks are those above."""
     if function is None:
         return functools.partial(jaxtyped, typechecker=typechecker)
-    if not inspect.isfunction(function):  # a class: a dataclass is checked where it is made
+    if dataclasses.is_dataclass(function):  # checked where it is made
+        if getattr(function.__init__, "__globals__", {}).get("__name__") != __name__:
+            function.__init__ = jaxtyped(function.__init__, typechecker=typechecker)
+        return function
+    if not inspect.isfunction(function):
         return _always(function, typechecker=typechecker)
     key, check = id(function.__code__), None
 

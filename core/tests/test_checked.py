@@ -1,5 +1,7 @@
 """While the tests run, each call's types and shapes are checked, a function's in a function too."""
 
+from dataclasses import dataclass
+
 import pytest
 import torch
 from jaxtyping import Float, TypeCheckError, jaxtyped
@@ -48,10 +50,21 @@ def test_the_cores_functions_are_checked_and_those_within_them():
         box((0, 0), (1, 1, 1))
 
 
-def test_a_function_that_is_called_often_is_still_checked_now_and_then():
-    @checked.jaxtyped(typechecker=checked.once)
-    def doubled(value: Tensor) -> object:
-        return 2 * value
+@checked.jaxtyped(typechecker=checked.once)
+def doubled(value: Tensor) -> object:
+    return 2 * value
+
+
+@checked.jaxtyped(typechecker=checked.once)
+@dataclass(frozen=True)
+class Kept:
+    value: Tensor
+
+
+@pytest.mark.parametrize("doubled", [doubled, Kept])
+def test_what_is_called_often_is_still_checked_now_and_then(doubled):
+    assert doubled(torch.ones(1)) is not None
+    checked.forget_calls()
 
     def refused(calls: int) -> int:
         count = 0
