@@ -27,7 +27,8 @@ class SolidMesh:
     def __init__(self, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> None:
         """Raises UserError for a mesh without area."""
         v, f = _clean(verts.detach().cpu().double().numpy(), faces.cpu().numpy())
-        self._verts, self._faces = v, facing_outward(v, f)
+        self._verts = v
+        self._faces, self._windings = facing_outward(v, f)
         self._tree = igl.AABB()
         self._tree.init(self._verts, self._faces)
 
@@ -45,7 +46,7 @@ class SolidMesh:
         # Never 0 / 0: _clean left no face without an area.
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         behind = self._verts[self._faces].mean(1) - thickness * normals
-        winding = igl.fast_winding_number(self._verts, self._faces, np.ascontiguousarray(behind))
+        winding = self._windings.winding_number(np.ascontiguousarray(behind))
         thin = self._faces[winding <= 0.5]
         if not len(thin):
             return None
@@ -54,7 +55,7 @@ class SolidMesh:
     def winding(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """How often the surface winds round each point: about 1 inside, 0 outside."""
         query = np.ascontiguousarray(points.detach().cpu().double().numpy())
-        return torch.from_numpy(igl.fast_winding_number(self._verts, self._faces, query)).to(points)
+        return torch.from_numpy(self._windings.winding_number(query)).to(points)
 
     def distance(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Distance to the surface, not negative."""
@@ -82,18 +83,29 @@ def mesh_sdf(
     return SolidMesh(verts, faces).sdf(points)
 
 
-def facing_outward(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """``faces`` turned so that they look outward.
+def facing_outward(
+    verts: np.ndarray, faces: np.ndarray
+) -> tuple[np.ndarray, igl.FastWindingNumberBVH]:
+    """``faces`` turned so that they look outward, and what their winding numbers are read from.
 
     The wall of a void keeps looking into it, unless rays had to decide: they fill the void.
     """
     inside_out = np.ascontiguousarray(faces[:, ::-1])
     # The cheap test first; rays are for meshes whose faces disagree.
     for candidate in (faces, inside_out):
-        if _is_solid(verts, candidate):
-            return candidate
+        windings = _windings(verts, candidate)
+        if _is_solid(verts, candidate, windings):
+            return candidate, windings
     flip, _ = igl.embree.reorient_facets_raycast(verts, faces, RAYS)
-    return np.ascontiguousarray(np.where(flip[:, None], inside_out, faces))
+    turned = np.ascontiguousarray(np.where(flip[:, None], inside_out, faces))
+    return turned, _windings(verts, turned)
+
+
+def _windings(verts: np.ndarray, faces: np.ndarray) -> igl.FastWindingNumberBVH:
+    """The hierarchy of a mesh, which takes as long to make as ten thousands of points to read."""
+    made = igl.FastWindingNumberBVH()
+    made.init(verts, faces)
+    return made
 
 
 def _clean(verts: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -113,7 +125,7 @@ def _normals(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return np.cross(b - a, c - a)
 
 
-def _is_solid(verts: np.ndarray, faces: np.ndarray) -> bool:
+def _is_solid(verts: np.ndarray, faces: np.ndarray, windings: igl.FastWindingNumberBVH) -> bool:
     """Whether nearly everywhere just in front of the surface the winding number is 0, 1, 2, ...
 
     (1 and more within other shells). -1 is a piece that looks inward, a fraction a sheet whose
@@ -126,7 +138,7 @@ def _is_solid(verts: np.ndarray, faces: np.ndarray) -> bool:
     # Just off the surface, across which the winding number jumps.
     lift = 1e-4 * np.linalg.norm(verts.max(0) - verts.min(0))
     front = verts[faces[picked]].mean(1) + lift * normals[picked] / areas[picked, None]
-    winding = igl.fast_winding_number(verts, faces, np.ascontiguousarray(front))
+    winding = windings.winding_number(np.ascontiguousarray(front))
     # Clipped at 0: a negative number is not near any that a solid has.
     off = np.abs(winding - np.round(winding.clip(min=0)))
     return float((off > 0.25).mean()) <= TOLERATED
