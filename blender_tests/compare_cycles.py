@@ -60,8 +60,8 @@ def empty_scene(
     here.render.threads_mode, here.render.threads = "FIXED", 1
     here.render.film_transparent = True
     world = light.set_world(here, lit_by)
-    # Half as wide a map as Cycles' own takes 1.5 s less, and the noise hardly grows.
-    world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 2048
+    # A quarter as wide a map as Cycles' own takes 1.9 s less, and the noise hardly grows.
+    world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 1024
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     here.collection.objects.link(camera)
     camera.data.sensor_fit, camera.data.angle = "VERTICAL", float(seen_by.fovy)
