@@ -1,6 +1,7 @@
 """What ``bench solids`` measures."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, va
 from core.benchmarks.likeness import Surface, objects
 from core.errors import UserError
 from core.geometry.assembly import assembled
-from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.prior.retrieval import reference_clouds
 
 
@@ -37,6 +38,8 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
 
     monkeypatch.setattr(bench, "assembled", kept)
     monkeypatch.setattr(bench, "VARIED", 2)
+    # The second time the same objects, whose meshes they keep.
+    monkeypatch.setattr(PromptedBuiltin, "of_object", cache(PromptedBuiltin.of_object))
     guidance, references = load_builtin("cpu"), reference_clouds(["bed", "mug", "tower"])
     scores = solid_scores(guidance, "mug", 1, references)
     assert (scores["first"], scores["first_five"], scores["nearer"]) == (1, 1, [])
@@ -48,6 +51,7 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
     wrong = {"bed": references["mug"], "tower": references["tower"], "mug": references["bed"]}
     (made,) = drawn
     monkeypatch.setattr(bench, "assembled", lambda *_: made)
+    monkeypatch.setattr(Surface, "of_mesh", lambda *_: None)
     monkeypatch.setattr(bench, "likeness", lambda *_: {})
     monkeypatch.setattr(bench, "variety", lambda drawn, own: (len(drawn), len(own)))
     told = solid_scores(guidance, "mug", 1, wrong)
