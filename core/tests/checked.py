@@ -1,8 +1,9 @@
 """Checks of calls while the tests run (``conftest.py``): types by beartype, shapes by jaxtyping.
 
 A check costs about as much as a small function. So a function, and the making of a dataclass, is
-checked at its first calls in each test, where a wrong use shows, and at one in ten of those after;
-and the checks of signatures that are alike are made once.
+checked at its first calls in each test, where a wrong use shows, at one in ten of those after, and
+at one in a hundred of more than a thousand; and the checks of signatures that are alike are made
+once.
 """
 
 import dataclasses
@@ -17,6 +18,7 @@ from jaxtyping import AbstractArray
 
 ALL = 20  # calls of a function in a test that are all checked
 THEN = 10  # of those after, one in so many is
+MANY = 1000  # of those after, one in THEN * THEN
 
 _calls: dict[int, int] = {}  # of a function's code, by its id, in the test that runs
 _always = jaxtyping.jaxtyped
@@ -43,7 +45,7 @@ def jaxtyped(function: Any = None, *, typechecker: Callable) -> Any:
     def checked(*args: Any, **kwargs: Any) -> Any:
         nonlocal check
         count = _calls[key] = _calls.get(key, 0) + 1
-        if count > ALL and count % THEN:
+        if count > ALL and count % (THEN if count <= MANY else THEN * THEN):
             return function(*args, **kwargs)
         if check is None:  # a function within a function is mostly called less often than defined
             check = _always(function, typechecker=typechecker)

@@ -77,6 +77,8 @@ def test_what_is_called_often_is_still_checked_now_and_then(doubled):
 
     assert refused(checked.ALL) == checked.ALL
     assert refused(5 * checked.THEN) == 5
+    refused(checked.MANY)
+    assert refused(5 * checked.THEN**2) == 5
     checked.forget_calls()  # as at the next test's begin
     assert refused(1) == 1
 
