@@ -53,8 +53,28 @@ def table(points, wave=0.0):
     return distances + wave * (17 * points).sin().sum(1, keepdim=True)
 
 
-def made(distances=table, forms=FORMS, exact=True):
-    return assembled(KnownParts(distances, forms), exact, 0.05, lambda done: None)
+def made(distances=table, forms=FORMS):
+    return put_together(KnownParts(distances, forms))
+
+
+def put_together(parts, exact=True):
+    return assembled(parts, exact, 0.05, lambda done: None)
+
+
+def wavy():
+    """The table as a network draws it."""
+    return KnownParts(lambda points: table(points, wave=0.002), FORMS)
+
+
+@pytest.fixture(scope="module")
+def wavy_parts():
+    """What was found of it stays."""
+    return wavy()
+
+
+@pytest.fixture(scope="module")
+def wavy_mesh(wavy_parts):
+    return put_together(wavy_parts)
 
 
 def drawn(distances):
@@ -74,8 +94,8 @@ def test_every_connected_piece_of_a_part_is_one():
     assert right.others(places).tolist() == [True, False, False]
 
 
-def test_what_waves_comes_out_with_its_planes_and_its_ball():
-    verts, faces = made(lambda points: table(points, wave=0.002))
+def test_what_waves_comes_out_with_its_planes_and_its_ball(wavy_parts, wavy_mesh):
+    verts, faces = wavy_mesh
     found = health(verts, faces)
     assert found["closed"] and found["manifold"] and found["components"] == 1
     assert found["genus"] == 0
@@ -91,8 +111,8 @@ def test_what_waves_comes_out_with_its_planes_and_its_ball():
     low, high = verts.amin(0), verts.amax(0)
     torch.testing.assert_close(low, torch.tensor([-0.7, -0.5, -0.67]), atol=0.012, rtol=0)
     torch.testing.assert_close(high[:2], torch.tensor([0.7, 0.5]), atol=0.012, rtol=0)
-    wavy = health(*made(lambda points: table(points, wave=0.002), exact=False))
-    assert wavy["area"] > 0 and wavy["closed"]
+    as_drawn = health(*put_together(wavy_parts, exact=False))
+    assert as_drawn["area"] > 0 and as_drawn["closed"]
 
 
 def test_what_is_a_box_up_to_its_errors_is_one_and_a_cushion_is_none():
@@ -269,9 +289,10 @@ def test_a_stop_asked_for_stops_it():
         assembled(KnownParts(table, FORMS), True, 0.05, stop)
 
 
-def test_the_same_solid_gives_the_same_mesh():
-    one, two = made(), made()
-    assert all(torch.equal(a, b) for a, b in zip(one, two, strict=True))
+def test_the_same_solid_gives_the_same_mesh(wavy_mesh):
+    torch.rand(1), np.random.rand()  # whatever others drew before
+    again = put_together(wavy())
+    assert all(torch.equal(a, b) for a, b in zip(wavy_mesh, again, strict=True))
 
 
 def test_a_union_keeps_its_faces_small_and_its_volume_right():
@@ -382,11 +403,10 @@ def test_four_legs_are_one_leg_four_times():
     assert sorted(round(float(one.center[0]), 1) for one in found) == [-0.5, -0.5, 0.5, 0.5]
 
 
-def test_near_is_the_distance_from_the_exact_surfaces():
-    parts = KnownParts(lambda points: table(points, wave=0.002), FORMS)
-    verts, _ = made(lambda points: table(points, wave=0.002))
-    near = parts.near(verts)
+def test_near_is_the_distance_from_the_exact_surfaces(wavy_parts, wavy_mesh):
+    verts, _ = wavy_mesh
+    near = wavy_parts.near(verts)
     assert near.shape == (len(verts), 3)
     assert near.amin(1).abs().max() < 4e-3  # the union's vertices are on one of them
-    inside = parts.near(torch.tensor([[0.0, 0.0, 0.2], [0.2, 0.1, 0.33]]))
+    inside = wavy_parts.near(torch.tensor([[0.0, 0.0, 0.2], [0.2, 0.1, 0.33]]))
     assert inside[0, BOARD] < -0.04 and inside[1, BALL] < -0.03
