@@ -2,7 +2,9 @@
 
 import json
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from unittest import mock
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,9 +15,10 @@ import trimesh
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.io.asset import Maps, place, write_asset
+from core.simulation import body
 from core.simulation.body import identifier
 from core.simulation.export import ENDINGS, export_body
-from core.simulation.hulls import convex_hulls
+from core.simulation.hulls import MAX_HULLS, Hull, convex_hulls
 from core.simulation.mass import WALL, mass_of
 from core.tests.meshes import sphere, torus
 
@@ -35,7 +38,24 @@ def ring(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def exported(ring: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+def parts_once() -> Iterator[None]:
+    """The same mesh's convex parts are found once, which takes most of an export's time."""
+    found: dict[tuple, list[Hull]] = {}
+
+    def again(verts: torch.Tensor, faces: torch.Tensor, most: int = MAX_HULLS) -> list[Hull]:
+        key = verts.numpy().tobytes(), faces.numpy().tobytes(), most
+        if key not in found:
+            found[key] = convex_hulls(verts, faces, most)
+        return [(v.clone(), f.clone()) for v, f in found[key]]
+
+    with mock.patch.object(body, "convex_hulls", again):
+        yield
+
+
+@pytest.fixture(scope="module")
+def exported(
+    ring: Path, parts_once: None, tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, Path]:
     """The ring in each format, in a folder whose name has a space."""
     out = tmp_path_factory.mktemp("out") / "a b"
     out.mkdir()
@@ -107,10 +127,10 @@ def falling(kind: str, path: Path, height: float):
     spec = mujoco.MjSpec.from_file(str(path))
     plane = mujoco.mjtGeom.mjGEOM_PLANE
     spec.worldbody.add_geom(name="floor", type=plane, size=[2, 2, 0.1])
-    (body,) = spec.worldbody.bodies
+    (ring,) = spec.worldbody.bodies
     if kind == "urdf":  # which has no free joints
-        body.add_freejoint()
-    body.pos, body.quat = [0, 0, height], [0.9, 0.3, 0.2, 0.1]
+        ring.add_freejoint()
+    ring.pos, ring.quat = [0, 0, height], [0.9, 0.3, 0.2, 0.1]
     model = spec.compile()
     return mujoco, model, mujoco.MjData(model)
 
@@ -201,7 +221,7 @@ def test_what_usd_names_is_there(exported) -> None:
     assert text.count('"PhysicsCollisionAPI"') > 1
 
 
-def test_a_title_that_no_xml_takes_is_left_out_of_it(ring, tmp_path) -> None:
+def test_a_title_that_no_xml_takes_is_left_out_of_it(ring, parts_once, tmp_path) -> None:
     folder = shutil.copytree(ring, tmp_path / "ring")
     info = json.loads((folder / "asset.json").read_text("utf-8")) | {"prompt": "a \0 <ring>\n"}
     (folder / "asset.json").write_text(json.dumps(info), encoding="utf-8")
