@@ -312,7 +312,7 @@ def test_training_lowers_the_loss(with_close_ups):
     source = Restoring(with_close_ups)
     held = source.batch(16, _generator(9))
     before = restoring_loss(training, held).item()
-    for _ in range(40):
+    for _ in range(20):
         training.advance(source)
     assert restoring_loss(training, held).item() < 0.8 * before
 
