@@ -1,5 +1,7 @@
 """The command line's Blender side: relight, physics, cornell, exports."""
 
+import re
+import shutil
 import subprocess
 import sys
 
@@ -72,6 +74,24 @@ def test_cornell_accepts_several_assets(asset, tmp_path, quick):
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
     assert sum(o.name.startswith("a red") for o in bpy.data.objects) == 2
     assert "Cornell box" in bpy.data.collections
+
+
+def test_cornell_makes_assets_the_same_size_where_that_is_asked_for(asset, tmp_path, quick):
+    small = tmp_path / "small"
+    shutil.copytree(asset, small)
+    mesh = (small / "mesh.obj").read_text(encoding="utf-8")
+    numbers = re.compile(r"(?<=^v )(.*)$", re.MULTILINE)
+    scaled = numbers.sub(lambda v: " ".join(str(float(x) / 50) for x in v[1].split()), mesh)
+    (small / "mesh.obj").write_text(scaled, encoding="utf-8")
+    sides = []
+    for more in ([], ["--same-size"]):
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+        argv = ["cornell", str(asset), str(small), "--blend", str(tmp_path / "a.blend"), *more]
+        assert headless.command(run.parse(argv)) == 0
+        bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "a.blend"))
+        large, little = (max(o.dimensions) for o in bpy.data.objects if o.name.startswith("a red"))
+        sides.append(large / little)
+    assert sides == pytest.approx([50, 1], rel=1e-3)
 
 
 @pytest.mark.parametrize("ending", ["fbx", "usdc"])

@@ -206,12 +206,12 @@ FIGURES = (
         "cornell",
         "A scene in the Cornell box",
         "Fig. 11: crown, tiger and ice cream in the Cornell box, rendered in Cycles.",
-        "The same three, by the built-in prior.",
+        "The same three, by the built-in prior, shown as large as each other.",
         (
             Row(
                 "crown, tiger, ice cream",
                 "crown",
-                (("Cycles", "cornell {crown} {tiger} {ice-cream} --render {file}"),),
+                (("Cycles", "cornell {crown} {tiger} {ice-cream} --same-size --render {file}"),),
                 (),
                 ("tiger", "ice-cream"),
             ),

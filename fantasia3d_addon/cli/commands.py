@@ -160,12 +160,22 @@ def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
 
 def _cornell(args: argparse.Namespace, objs: list[bpy.types.Object], _is_empty: bool) -> list[Path]:
     scene = bpy.context.scene
+    if args.same_size:
+        _make_same_size(objs)
     cornell_box.build(scene, objs)
     scene_render.set_up_cycles(scene, args.size, args.samples or 128)
     scene.cycles.max_bounces = 10  # most of the light in the box is indirect
     scene.cycles.adaptive_threshold = 0.02  # no part of the picture is evenly lit
     scene.view_settings.exposure = cornell_box.EXPOSURE
     return _write(args, objs[0], backdrop=False)
+
+
+def _make_same_size(objs: list[bpy.types.Object]) -> None:
+    """Scale each object so that its longest side is the longest of all."""
+    sides = [float(np.ptp(world_verts(obj), axis=0).max()) for obj in objs]
+    for obj, side in zip(objs, sides, strict=True):
+        obj.scale *= max(sides) / side
+    bpy.context.view_layer.update()
 
 
 def _points_of_fall(obj: bpy.types.Object, first: int, last: int) -> np.ndarray:

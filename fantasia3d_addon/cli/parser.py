@@ -60,6 +60,11 @@ def add_blender_commands(commands: Commands) -> None:
     for command in (relight, physics):
         command.add_argument("asset", metavar="ASSET", help=ASSET)
     cornell.add_argument("asset", metavar="ASSET", nargs="+", help=ASSET)
+    cornell.add_argument(
+        "--same-size",
+        action="store_true",
+        help="each as large as the largest: a ring is lost beside a tiger",
+    )
     _add_relight(relight)
     _add_physics(physics)
     _add_picture_options(cornell)
