@@ -171,8 +171,8 @@ def _cornell(args: argparse.Namespace, objs: list[bpy.types.Object], _is_empty: 
 
 
 def _make_same_size(objs: list[bpy.types.Object]) -> None:
-    """Scale each object so that its longest side is the longest of all."""
-    sides = [float(np.ptp(world_verts(obj), axis=0).max()) for obj in objs]
+    """Scale each object so that it is as wide or high, as the box's camera sees it, as the most."""
+    sides = [float(np.ptp(world_verts(obj), axis=0)[[0, 2]].max()) for obj in objs]
     for obj, side in zip(objs, sides, strict=True):
         obj.scale *= max(sides) / side
     bpy.context.view_layer.update()

@@ -55,7 +55,7 @@ MATERIALS = {
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
     "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
-    "checkered": "checked, chequered, checkerboard, chessboard, check; plaid, tartan",
+    "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
 # The names of the parts that a caption may state (``CHOICES`` and ``LEGS``).
@@ -127,7 +127,11 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped""".split()
-) | {"hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"}
+) | {
+    *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
+    *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
+    *("leopard print", "zebra print", "tiger print", "animal print"),
+}
 # How the picture or the mesh is wanted, of which a shape and its materials know nothing.
 STYLES = frozenset(
     """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
@@ -142,7 +146,8 @@ STYLES = frozenset(
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
-ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit", "iron": "clothes iron"}
+ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
+ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant"}
 TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
 WITHOUT = ("without", "no", "lacking")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".

@@ -252,6 +252,29 @@ def pipe(draw: Draw) -> Parts:
     }
 
 
+def finger_ring(draw: Draw) -> Parts:
+    """A band that stands upright; on it a cut gem in its setting, alone or between two small ones,
+    or a plate with a flat one."""
+    r, thick, wide = draw(0.96, 1.06), draw(0.15, 0.2), draw(0.2, 0.28)
+    band = cut(
+        tube((0, -wide, r + thick), (0, wide, r + thick), r + thick, 0.08),
+        tube((0, -2, r + thick), (0, 2, r + thick), r - 0.06),
+    )
+    top = 2 * (r + thick) - 0.06
+    kind = int(draw(0, 3))
+    if kind == 2:
+        plate = tube((0, 0, top - 0.14), (0, 0, top + 0.14), draw(0.42, 0.52), 0.05)
+        gem = tube((0, 0, top), (0, 0, top + 0.24), 0.3, 0.03)
+        return {"band": band, "setting": plate, "gem": gem}
+    size = draw(0.36, 0.46)
+    gem = lathe([(0.06, top + 0.02), (size, top + size * 0.8), (size * 0.62, top + size * 1.24)])
+    setting = lathe([(0.16, top - 0.12), (size * 0.74, top + size * 0.52)], 0.04)
+    if kind == 1:
+        at = (size * 0.98, 0, top - 0.06)
+        gem = join(gem, both(egg(at, (0.2, 0.2, 0.17))))
+    return {"band": band, "setting": setting, "gem": gem}
+
+
 SMALL_THINGS = {
     "syringe": syringe,
     "magnet": magnet,
@@ -262,4 +285,5 @@ SMALL_THINGS = {
     "hammock": hammock,
     "gong": gong,
     "pipe": pipe,
+    "ring": finger_ring,
 }

@@ -10,14 +10,24 @@ from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.characters import CHARACTERS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
+from core.guidance.builtin.nouns.everyday import (
+    EVERYDAY_CLOTHES,
+    EVERYDAY_FOOD,
+    EVERYDAY_PLANTS,
+    EVERYDAY_RELICS,
+    EVERYDAY_THINGS,
+)
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
+from core.guidance.builtin.nouns.leisure import GADGETS, GAMES, RIDES, SHOTS
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.people import JEWELLERY, PEOPLE
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
+from core.guidance.builtin.nouns.roadside import HARDWARE, MACHINES, PARTS_OF_CARS, ROADSIDE
 from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sport import SPORT
@@ -25,24 +35,25 @@ from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
+from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
     "Household": HOUSEHOLD,
-    "Small Things": SMALL_THINGS,
-    "Props": PROPS,
-    "Arms and Fantasy": ARMS,
-    "Food": FOOD,
-    "Plants": PLANTS,
-    "Characters": CHARACTERS,
+    "Small Things": SMALL_THINGS | EVERYDAY_THINGS,
+    "Props": PROPS | HARDWARE,
+    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS,
+    "Food": FOOD | EVERYDAY_FOOD,
+    "Plants": PLANTS | EVERYDAY_PLANTS,
+    "Characters": CHARACTERS | PEOPLE | LEGENDS,
     "Animals": ANIMALS,
-    "Wild Animals": WILD_ANIMALS,
-    "Vehicles": VEHICLES | AIRCRAFT,
-    "Buildings": BUILDINGS | STREET,
-    "Electronics": DEVICES,
-    "Clothes": CLOTHES,
-    "Sport": SPORT,
+    "Wild Animals": WILD_ANIMALS | WILDLIFE,
+    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS,
+    "Buildings": BUILDINGS | STREET | ROADSIDE,
+    "Electronics": DEVICES | GADGETS | MACHINES,
+    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES,
+    "Sport": SPORT | GAMES,
     "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}

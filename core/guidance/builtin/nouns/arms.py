@@ -94,7 +94,8 @@ ARMS = {
     ),
     "chestplate": Noun(
         "chest plate, breastplate, breast plate, cuirass; armor, armour, body armor, body armour, "
-        "plate armor, plate armour, knight armor, knight armour, bulletproof vest",
+        "plate armor, plate armour, knight armor, knight armour, bulletproof vest, chain mail, "
+        "chainmail",
         {
             "plate": _STEEL,
             "muscles": _STEEL,

@@ -38,7 +38,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.8, STONE, 0.35),
     ),
     "gnome": Noun(
-        "garden gnome, lawn gnome; dwarf, dwarves, tomte, leprechaun, christmas elf",
+        "garden gnome, lawn gnome; dwarf, dwarves, tomte",
         {
             "coat": "*2f5fa8",
             "hat": "+c62f2a",
@@ -50,7 +50,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(0.4, PLASTIC, 0.5),
     ),
     "skeleton": Noun(
-        "human skeleton; undead, lich, skeleton warrior",
+        "human skeleton; lich, skeleton warrior",
         {"bone": "*e8dfc8", "chest": "-221c1a", "eyes": "-1a1512"},
         Usual(1.7, FLESH, 0.1),
     ),

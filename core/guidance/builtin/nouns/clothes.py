@@ -165,7 +165,7 @@ CLOTHES = {
         Usual(0.4, FABRIC, 0.2),
     ),
     "bow tie": Noun(
-        "bowtie; ribbon bow",
+        "bowtie; ribbon bow, hair bow, gift bow",
         {"body": "*b01f2c . fabric", "knot": "&8a1620 . fabric", "folds": "-6e1019"},
         Usual(0.12, FABRIC, 0.6),
     ),

@@ -9,8 +9,7 @@ DEVICES = {
         Usual(0.35, PLASTIC, 0.25),
     ),
     "phone": Noun(
-        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e"
-        " reader, handheld",
+        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e reader",
         {"body": "*2a2c31", "screen": "-3f86c8", "camera": "-131416", "buttons": "+8b9096"},
         Usual(0.15, 2200.0, 0.45),
     ),

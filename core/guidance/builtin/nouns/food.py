@@ -150,7 +150,7 @@ FOOD = {
         Usual(0.08, 500.0),
     ),
     "cheese": Noun(
-        "swiss cheese, cheese wedge; cheddar, parmesan, brie",
+        "swiss cheese, cheese wedge; cheddar, parmesan, brie, cheese wheel, wheel of cheese",
         {"body": "*f6c63a", "rind": "+d98e22"},
         Usual(0.15, FLESH),
     ),

@@ -170,7 +170,7 @@ FURNITURE = {
         Usual(1.6, WOOD, 0.17),
     ),
     "floor lamp": Noun(
-        "standing lamp, standard lamp; streetlamp, street light, lamp post, lamppost",
+        "standing lamp, standard lamp",
         {"shade": "*f0dfb4", "pole": "-3c3a38 . metal", "foot": "+2f2b28"},
         Usual(1.6, STEEL, 0.01),
     ),

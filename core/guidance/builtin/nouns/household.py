@@ -34,7 +34,7 @@ HOUSEHOLD = {
         Usual(0.3, GLASS, 0.12),
     ),
     "teapot": Noun(
-        "tea pot",
+        "tea pot; tea set",
         {"body": "*3c7fb0", "spout": "*3c7fb0", "handle": "&3c7fb0", "lid": "&e8e4da"},
         Usual(0.25, CERAMIC, 0.2),
     ),
@@ -71,7 +71,7 @@ HOUSEHOLD = {
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
-        "top hat",
+        "top hat; tricorne, tricorn, pirate hat, elf hat, clown hat",
         {"body": "*1c1c20", "ribbon": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),

@@ -30,7 +30,7 @@ PROPS = {
     ),
     "sword": Noun(
         "longsword, broadsword; katana, sabre, saber, rapier, claymore, cutlass, "
-        "scimitar, excalibur, greatsword, machete",
+        "scimitar, excalibur, greatsword, machete, ninja sword",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+c79a3e . golden",
@@ -116,7 +116,7 @@ PROPS = {
         Usual(0.6, WOOD, 0.38),
     ),
     "book": Noun(
-        "books, spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, "
+        "spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, "
         "novel, textbook, necronomicon, notepad, sketchbook, encyclopedia, magazine",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
         Usual(0.26, WOOD, 0.47),

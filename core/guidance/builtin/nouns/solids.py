@@ -15,7 +15,7 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "donut, doughnut; ring, bagel, tyre, tire, inner tube, bracelet, wreath, "
+        "donut, doughnut; bagel, inner tube, bracelet, wreath, "
         "lifebuoy, life preserver, steering wheel",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),

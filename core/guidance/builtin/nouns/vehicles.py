@@ -7,7 +7,7 @@ GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2
 VEHICLES = {
     "car": Noun(
         "automobile; sports car, race car, sedan, coupe, hatchback, limousine, limo, "
-        "convertible, racecar, sportscar, supercar, go kart, kart, station wagon",
+        "convertible, racecar, sportscar, supercar, station wagon",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -69,7 +69,7 @@ VEHICLES = {
     ),
     "motorcycle": Noun(
         "motorbike, motor bike, motor cycle; chopper, dirt bike, harley, harley davidson,"
-        " sport bike, superbike, quad bike, quadbike",
+        " sport bike, superbike",
         {
             "body": "*b3201c . paint",
             "wheels": TYRES_LOOK,

@@ -1,0 +1,126 @@
+"""People of stories and of the screen; and a ring for a finger."""
+
+from core.guidance.builtin.nouns.noun import FLESH, GOLD, Noun, Usual
+
+_SKIN, _EYES = "-e0ac86", "-141414"
+
+PEOPLE = {
+    "astronaut": Noun(
+        "spaceman, cosmonaut, spacewoman, space suit, spacesuit; taikonaut, space explorer, "
+        "space marine, hazmat suit",
+        {
+            "suit": "*e8e8e4",
+            "visor": "-d9a441 . golden",
+            "pack": "&b9bdc2",
+            "boots": "+6f757c",
+            "panel": "+3a6fb0",
+            "collar": "&9aa0a6 . metal",
+        },
+        Usual(1.8, FLESH, 0.3),
+    ),
+    "pirate": Noun(
+        "buccaneer, corsair, pirate captain; captain hook, sea captain, privateer",
+        {
+            "coat": "*8f2420 . fabric",
+            "hat": "+23211f . fabric",
+            "skin": _SKIN,
+            "beard": "-3a2418",
+            "boots": "-3b2a1e . leather",
+            "patch": "-16161a",
+        },
+        Usual(1.8, FLESH, 0.3),
+    ),
+    "zombie": Noun(
+        "the undead, walking dead; ghoul, mummy, frankenstein",
+        {
+            "skin": "*7fa066",
+            "shirt": "+8a4a3c . fabric",
+            "trousers": "-3d4656 . fabric",
+            "hair": "-2e2a22",
+            "eyes": "-f2efd8",
+            "mouth": "-3a1416",
+        },
+        Usual(1.75, FLESH, 0.3),
+    ),
+    "ninja": Noun(
+        "ninjas, shinobi; assassin, rogue, thief, burglar",
+        {
+            "suit": "*26272d . fabric",
+            "skin": _SKIN,
+            "eyes": _EYES,
+            "sash": "+b3262a . fabric",
+            "sword": "-4a3626",
+            "hilt": "-c9a24a",
+        },
+        Usual(1.75, FLESH, 0.3),
+    ),
+    "vampire": Noun(
+        "dracula, count dracula; nosferatu",
+        {
+            "cape": "*221c26 . fabric",
+            "vest": "+9c1f26 . fabric",
+            "skin": "-e3dcd2",
+            "hair": "-17151a",
+            "fangs": "-f6f4ee",
+            "eyes": "-8e1616",
+        },
+        Usual(1.8, FLESH, 0.3),
+    ),
+    "fairy": Noun(
+        "pixie, tooth fairy, fairy godmother; sprite, nymph, tinkerbell, tinker bell",
+        {
+            "dress": "*e58fb8 . fabric",
+            "skin": _SKIN,
+            "wings": "+bfe4ee",
+            "hair": "-e2b64c",
+            "wand": "-e8c14a . golden",
+            "eyes": _EYES,
+        },
+        Usual(0.3, FLESH, 0.3),
+    ),
+    "superhero": Noun(
+        "super hero, hero, caped crusader; heroine, superheroine, superman, batman, spiderman, "
+        "supergirl, wonder woman, captain america",
+        {
+            "suit": "*2452a6",
+            "cape": "+c0262a . fabric",
+            "skin": _SKIN,
+            "hair": "-2a1d16",
+            "trim": "&d8a92c",
+            "eyes": _EYES,
+        },
+        Usual(1.9, FLESH, 0.3),
+    ),
+    "elf": Noun(
+        "christmas elf, elves, santas helper; santa's helper, wood elf, leprechaun",
+        {
+            "tunic": "*2f8a3c . fabric",
+            "hat": "&2f8a3c . fabric",
+            "skin": _SKIN,
+            "trim": "+d33a2f . fabric",
+            "shoes": "+8a5a32",
+            "eyes": _EYES,
+        },
+        Usual(1.2, FLESH, 0.3),
+    ),
+    "clown": Noun(
+        "circus clown; jester, mime, harlequin, joker",
+        {
+            "suit": "*e6b32c . fabric",
+            "ruff": "+f2f2ee . fabric",
+            "skin": "-f0d8c6",
+            "hair": "-d9541e",
+            "nose": "+cc2027",
+            "eyes": _EYES,
+        },
+        Usual(1.75, FLESH, 0.3),
+    ),
+}
+JEWELLERY = {
+    "ring": Noun(
+        "finger ring, diamond ring, engagement ring; wedding ring, signet ring, magic ring, gold "
+        "ring, silver ring",
+        {"band": "*e0b04a . golden", "setting": "&e0b04a . golden", "gem": "-7fd0e8 . glass"},
+        Usual(0.028, GOLD, 0.25),
+    ),
+}

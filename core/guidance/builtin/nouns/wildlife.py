@@ -1,0 +1,91 @@
+"""Animals with spots, wings, long necks or flat tails, and two figures of tales."""
+
+from core.guidance.builtin.nouns.noun import FLESH, Noun, Usual
+
+WILDLIFE = {
+    "leopard": Noun(
+        "; cheetah, jaguar, panther, snow leopard, ocelot, leopard cub, cheetah cub, black panther",
+        {
+            "body": "*e6b25a",
+            "spots": "-3a2516",
+            "muzzle": "+f6ecd6",
+            "eyes": "-14140f",
+            "nose": "-8a4a44",
+        },
+        Usual(1.9, FLESH, 0.25),
+    ),
+    "bat": Noun(
+        "vampire bat; fruit bat, flying fox, halloween bat, baby bat",
+        {
+            "body": "*4a3e52",
+            "wings": "&6b5578",
+            "arms": "*3a3042",
+            "ears": "+c98aa0",
+            "eyes": "-e8b52a",
+            "teeth": "-f6f2e6",
+        },
+        Usual(0.4, FLESH, 0.04),
+    ),
+    "ostrich": Noun(
+        "ostriches; emu, rhea, cassowary, baby ostrich",
+        {
+            "body": "*2b2729",
+            "plumes": "+f2eee4",
+            "skin": "-dba58e",
+            "bill": "-e09a4c",
+            "hair": "&3a3234",
+            "eyes": "-120f0e",
+        },
+        Usual(2.4, FLESH, 0.2),
+    ),
+    "beaver": Noun(
+        "; otter, sea otter, river otter, platypus, muskrat, groundhog, baby beaver, capybara",
+        {
+            "body": "*7a4c2a",
+            "belly": "+b98a5c",
+            "tail": "-4a3a34",
+            "lines": "-2f2724",
+            "teeth": "-f4ecc8",
+            "eyes": "-14100e",
+        },
+        Usual(0.9, FLESH, 0.2),
+    ),
+    "seahorse": Noun(
+        "sea horse; pipefish, sea dragon, baby seahorse",
+        {
+            "body": "*f0a02e",
+            "belly": "+fbdc8c",
+            "bands": "&d8741e",
+            "crest": "&d8741e",
+            "fins": "+f8d27a",
+            "eyes": "-16120e",
+        },
+        Usual(0.15, FLESH, 0.2),
+    ),
+}
+LEGENDS = {
+    "centaur": Noun(
+        "; centaur warrior, centaur archer, female centaur",
+        {
+            "coat": "*7a4a2a",
+            "skin": "-d9a47c",
+            "hair": "+3a241a",
+            "belt": "+b8862e . golden",
+            "hooves": "-2e2622",
+            "eyes": "-14100e",
+        },
+        Usual(2.3, FLESH, 0.5),
+    ),
+    "king": Noun(
+        "monarch, emperor; old king, sultan, pharaoh",
+        {
+            "robe": "*a31f2a . fabric",
+            "fur": "-f4f0e6 . fabric",
+            "gold": "+e0b03a . golden",
+            "skin": "-e2b08c",
+            "beard": "-8a5a34",
+            "eyes": "-16120e",
+        },
+        Usual(1.9, FLESH, 0.09),
+    ),
+}

@@ -1,0 +1,293 @@
+"""What a market or a stand sells to eat, and two plants."""
+
+import math
+
+import torch
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    Vector,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    chain,
+    cut,
+    egg,
+    join,
+    lathe,
+    limb,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    taper,
+    tilted,
+    tube,
+    turned,
+)
+
+
+def within(solid: Solid, mask: Solid) -> Solid:
+    """What is in both; a lower bound of the distance."""
+    return cut(solid, lambda p: -mask(p))
+
+
+def potato(draw: Draw) -> Parts:
+    """A lump, thicker at one end, with a few dark eyes in it."""
+    long, r, s = draw(0.55, 0.75), draw(0.52, 0.6), draw(0.42, 0.54)
+    bump, z = draw(0.08, 0.2), 0.62
+    body = blend(
+        0.3,
+        egg((-long * 0.6, 0, z), (0.62, r, r * 0.92)),
+        egg((long * 0.7, 0, z - 0.04), (0.6, s, s * 0.95)),
+        egg((-0.05, -bump, z + bump), (0.62, 0.42, 0.4)),
+        egg((0.1, bump, z - 0.12), (0.7, 0.42, 0.4)),
+    )
+    marks = []
+    for x, angle in ((-0.75, 60), (-0.35, 20), (0.1, 55), (0.55, 28), (0.8, 70), (0.3, 120),
+                     (-0.5, 130)):  # fmt: skip
+        a = math.radians(angle)
+        dy, dz = -math.cos(a), math.sin(a)
+        reach = _surface(body, (x, 0, z), (0, dy, dz))
+        marks.append(egg((x, dy * (reach - 0.04), z + dz * (reach - 0.04)), (0.15, 0.085, 0.085)))
+    return {"body": body, "spots": join(*marks)}
+
+
+def _surface(solid: Solid, start: Vector, way: Vector) -> float:
+    """How far from ``start``, within, the solid's surface is along the unit vector ``way``."""
+    steps = torch.arange(0, 1.5, 0.01)[:, None]
+    points = torch.tensor(start) + steps * torch.tensor(way)
+    return float(steps[(solid(points) < 0).sum() - 1])
+
+
+def cucumber(draw: Draw) -> Parts:
+    """Long and bowed a little, pale stripes along it; a slice leans in front of it."""
+    long, r, bow = draw(1.0, 1.14), draw(0.3, 0.36), draw(0.06, 0.16)
+    z, y = r + 0.02, 0.3
+
+    def along(dy: float, dz: float, radius: float, share: float) -> Solid:
+        stops = [(share * k / 4 * long, y + dy - bow * (1 - (k / 4) ** 2), z + dz)
+                 for k in range(-4, 5)]  # fmt: skip
+        return chain((at, radius) for at in stops)
+
+    angles = [math.radians(a) for a in (20, 75, 130)]
+    stripes = [along(-math.cos(a) * (r - 0.045), math.sin(a) * (r - 0.045), 0.085, 0.8)
+               for a in angles]  # fmt: skip
+    big = r + 0.08
+    at, lean = (draw(-0.4, 0.3), y - r - bow - 0.1, big * 0.96), 68
+
+    def leaning(solid: Solid) -> Solid:
+        return moved(turned(solid, 0, lean), at)
+
+    seed = egg((big * 0.46, 0, 0.1), (0.13, 0.075, 0.06))
+    return {
+        "rind": join(along(0, 0, r, 0.92), leaning(tube((0, 0, -0.1), (0, 0, 0.1), big, 0.02))),
+        "stripes": join(*stripes),
+        "flesh": leaning(tube((0, 0, -0.1), (0, 0, 0.13), big - 0.09, 0.02)),
+        "seeds": leaning(around(6, moved(seed, (0, 0, 0.02)), 90)),
+        "stem": taper(
+            (long * 0.92 + r * 0.7, y, z), (long * 0.92 + r + 0.12, y, z + 0.04), 0.14, 0.09
+        ),
+    }
+
+
+def lettuce(draw: Draw) -> Parts:
+    """A round head hugged by leaves, others open about it with wavy rims and pale ribs."""
+    r, out, lean, size = draw(0.62, 0.7), draw(0.02, 0.12), draw(26, 38), draw(0.56, 0.66)
+    z, low = 0.86, 0.56
+
+    def opened(solid: Solid) -> Solid:
+        return moved(turned(solid, 1, lean), (r + out, 0, low))
+
+    cup = within(ball((0.05, 0, z), r + 0.06), ball((r + 0.16, 0, z - 0.2), r * 1.02))
+    edge = [(0.08, 0.0, 1.02), (-0.07, 0.3, 0.96), (0.09, 0.56, 0.8), (-0.07, 0.76, 0.56),
+            (0.09, 0.86, 0.28), (-0.03, 0.87, 0.02), (0.02, 0.8, -0.28)]  # fmt: skip
+    frill = both(limb([(w, u * size, v * size) for w, u, v in edge], 0.11, 0.09), 1)
+    rib = taper((0.07, 0, -size * 0.8), (0.08, 0, size * 0.55), 0.14, 0.08)
+    return {
+        "head": ball((0, 0, z), r),
+        "leaves": join(
+            egg((0, 0, low + 0.04), (r + out + 0.13, r + out + 0.13, 0.56)),
+            around(5, cup, 36), around(5, opened(egg((0, 0, 0), (0.13, size * 0.86, size))))
+        ),
+        "frills": around(5, opened(frill)),
+        "ribs": around(5, opened(rib)),
+        "stalk": tube((0, 0, 0), (0, 0, 0.3), 0.34, 0.06),
+    }  # fmt: skip
+
+
+def ramen(draw: Draw) -> Parts:
+    """A bowl of broth with noodles, two halves of an egg, chopsticks that lean on its rim."""
+    wide, high, foot = draw(0.95, 1.08), draw(0.82, 0.98), draw(0.42, 0.5)
+    full, inner, rise = high - 0.07, wide - 0.13, draw(0.5, 0.75)
+    wall = smooth_curve(
+        [(foot, 0.1), (wide * 0.72, 0.28), (wide * 0.94, high * 0.66), (wide, high)]
+    )
+    hollow = lathe([(inner * 0.9, full - 0.1), (inner, high + 0.3)])
+    nest = [ring((x, y, full + lift), r, 0.09) for x, y, r, lift in (
+        (-0.42, -0.12, 0.36, 0.02), (-0.4, -0.1, 0.16, 0.11), (-0.24, 0.4, 0.38, 0.02),
+        (-0.24, 0.4, 0.17, 0.13), (0.14, 0.1, 0.36, 0.06), (0.12, 0.1, 0.14, 0.13))]  # fmt: skip
+    base = tube((0, 0, 0), (0, 0, 0.16), foot + 0.04, 0.03)
+    whites, yolks = [], []
+    for x, y, turn in ((0.52, -0.3, 24), (0.0, -0.56, -4)):
+        half = cut(egg((0, 0, 0), (0.29, 0.36, 0.29)), box((0, 0, 1), (2, 2, 1)))
+        place = (x, y, full + 0.19)
+        yolk = egg((0, 0, 0), (0.17, 0.19, 0.09))
+        whites.append(moved(turned(turned(half, 0, 42), 2, turn), place))
+        yolks.append(moved(turned(turned(yolk, 0, 42), 2, turn), place))
+    sticks = [
+        capsule((x, y, full), (x + wide * 0.62, y + 0.5, high + rise), 0.09)
+        for x, y in ((0.3, 0.46), (0.58, 0.24))
+    ]
+    return {
+        "bowl": join(cut(lathe(wall, 0.02), hollow), base),
+        "broth": tube((0, 0, full - 0.2), (0, 0, full), inner * 0.97),
+        "noodles": join(*nest, egg((-0.2, 0.12, full - 0.04), (0.72, 0.72, 0.16))),
+        "whites": join(*whites),
+        "yolks": join(*yolks),
+        "chopsticks": join(*sticks),
+    }  # fmt: skip
+
+
+def popcorn(draw: Draw) -> Parts:
+    """A striped box, wider at its top, heaped with popcorn."""
+    low, wide, high = draw(0.46, 0.54), draw(0.72, 0.82), draw(1.2, 1.45)
+    heap = draw.arranged()
+
+    def flared(out: float) -> Solid:
+        side = [(-low - out, 0.0), (low + out, 0.0), (wide + out, high), (-wide - out, high)]
+        return within(prism(side, 1, 2), prism(side, 0, 2))
+
+    slabs = [
+        both(prism([(x * low - 0.07, 0), (x * low + 0.07, 0), (x * wide + 0.13, high + 0.1),
+                    (x * wide - 0.13, high + 0.1)], axis, 2), 0, 1)
+        for axis in (0, 1) for x in (0.0, 0.74)
+    ]  # fmt: skip
+    corn = [ball((0, 0, high - 0.06), 0.6)]
+    yellow = []
+    for count, r, lift in ((8, wide * 0.8, 0.06), (6, wide * 0.5, 0.28), (3, wide * 0.18, 0.48)):
+        for k in range(count):
+            turn = math.radians(360 * k / count + heap(-10, 10) + 20 * lift)
+            spot = (r * math.cos(turn), r * math.sin(turn), high + lift + heap(-0.04, 0.06))
+            size = heap(0.2, 0.25)
+            corn.append(ball(spot, size))
+            top = (spot[0] * 1.1, spot[1] * 1.1, spot[2] + size * 0.75)
+            yellow.append(ball(top, 0.11))
+    shell = within(flared(0.04), join(*slabs))
+    front = (low + wide) / 2
+    return {
+        "box": flared(0.0),
+        "stripes": shell,
+        "popcorn": join(*corn),
+        "butter": join(*yellow),
+        "badge": tilted(
+            turned(tube((0, 0, -0.08), (0, 0, 0.08), 0.36), 0, 90), 0, (0, -front - 0.02, high / 2)
+        ),
+    }
+
+
+def chocolate_bar(draw: Draw) -> Parts:
+    """Upright: squares above, the lower half in foil and paper with a label."""
+    columns = 3
+    w, h, deep = draw(0.25, 0.29), draw(0.29, 0.33), draw(0.14, 0.18)
+    rows, x = 3, columns * w
+    fold = draw(0.85, 1.0)
+    long = fold + 0.12 + rows * 2 * h
+    blocks = []
+    for i in range(columns):
+        for k in range(rows):
+            u, v = (2 * i - columns + 1) * w, fold + 0.12 + (2 * k + 1) * h
+            blocks.append(
+                join(
+                    box((u, -deep, v), (w - 0.06, 0.07, h - 0.06), 0.03),
+                    box((u, -deep - 0.06, v), (w - 0.12, 0.06, h - 0.12), 0.03),
+                )
+            )
+    torn = [(-x - 0.06, fold - 0.2), (x + 0.06, fold - 0.2)]
+    torn += [
+        (x + 0.06 - k * (2 * x + 0.12) / 6, fold + (0.22 if k % 2 else 0.06)) for k in range(7)
+    ]
+    return {
+        "chocolate": box((0, 0, long / 2), (x, deep, long / 2), 0.02),
+        "squares": join(*blocks),
+        "foil": prism(torn, 1, deep + 0.14),
+        "wrapper": box((0, 0, fold / 2), (x + 0.1, deep + 0.18, fold / 2), 0.03),
+        "label": box((0, -deep - 0.18, fold / 2), (x * 0.78, 0.05, fold * 0.26), 0.02),
+        "bands": join(
+            *(box((0, -deep - 0.16, fold / 2 + s * fold * 0.4), (x + 0.11, 0.06, 0.06), 0.02)
+              for s in (-1, 1)),
+        ),
+    }  # fmt: skip
+
+
+def pinecone(draw: Draw) -> Parts:
+    """On its base, its scales in rings that open to the sides, narrower to the top."""
+    wide, high, spread = draw(0.62, 0.76), draw(1.5, 1.8), draw(0.1, 0.18)
+    scales, tips, core = [], [], [(wide * 0.5, 0.08)]
+    rows = 6
+    for row in range(rows):
+        t = row / (rows - 1)
+        z = 0.3 + t * (high - 0.4)
+        r = wide * (0.78 + 0.5 * t - 1.06 * t * t)
+        core.append((r + 0.03, z + 0.03))
+        count = (8, 8, 8, 8, 6, 5)[row]
+        first = 180 / count if row % 2 else 0
+        lean, size = 58 - 34 * t, r * 0.42 + 0.06
+        blade = moved(turned(egg((0, 0, 0), (0.15, size * 0.9, 0.32)), 1, lean), (r, 0, z))
+        end = (r + (0.28 + spread * 0.3) * math.sin(math.radians(lean)), 0,
+               z + 0.29 * math.cos(math.radians(lean)))  # fmt: skip
+        scales.append(around(count, blade, first))
+        tips.append(around(count, egg(end, (0.11, size * 0.45, 0.1)), first))
+    return {
+        "core": lathe([*core, (0.06, high)], 0.02),
+        "scales": join(*scales, taper((0, 0, high - 0.1), (0, 0, high + 0.1), 0.16, 0.08)),
+        "tips": join(*tips),
+        "stem": tube((0, 0, 0), (0, 0, 0.3), 0.2, 0.04),
+    }
+
+
+def bamboo(draw: Draw) -> Parts:
+    """Four stalks with rings from one clump of earth, long leaves at their tops."""
+    tall, r = draw(2.3, 2.7), draw(0.16, 0.19)
+    places = [(-0.06, 0.1, tall, r), (0.38, -0.12, tall * draw(0.68, 0.8), r * 0.94),
+              (-0.42, -0.16, tall * draw(0.5, 0.62), r * 0.9),
+              (0.1, -0.42, tall * draw(0.28, 0.38), r * 0.86)]  # fmt: skip
+    half = [(-0.05, 0.07), (0.2, 0.17), (0.45, 0.18), (0.72, 0.1), (0.96, 0.0)]
+    outline = smooth_curve(half, 3) + [(u, -v) for u, v in smooth_curve(half, 3)[-2::-1]]
+    stalks, rings, leaves = [], [], []
+    for k, (x, y, high, thick) in enumerate(places):
+        stalks.append(tube((x, y, 0), (x, y, high), thick, 0.03))
+        joints = max(round(high / 0.5), 1)
+        for j in range(1, joints + 1):
+            z = high * (j - 0.05) / joints - 0.06
+            rings.append(tube((x, y, z - 0.06), (x, y, z + 0.06), thick + 0.05, 0.02))
+        for j, turn in enumerate((20, 145, 265)):
+            if high < tall * 0.45 and j:
+                break
+            a = math.radians(turn + 50 * k)
+            z = high - 0.1 - 0.3 * j
+            blade = turned(prism(outline, 2, 0.075), 1, 14)
+            leaves.append(moved(turned(blade, 2, math.degrees(a)), (x, y, z)))
+    return {
+        "stalks": join(*stalks),
+        "rings": join(*rings),
+        "leaves": join(*leaves),
+        "ground": lathe([(0.8, 0.0), (0.74, 0.12), (0.4, 0.2)], 0.03),
+    }
+
+
+MARKET = {
+    "potato": potato,
+    "cucumber": cucumber,
+    "lettuce": lettuce,
+    "ramen": ramen,
+    "popcorn": popcorn,
+    "chocolate bar": chocolate_bar,
+    "pinecone": pinecone,
+    "bamboo plant": bamboo,
+}

@@ -1,0 +1,336 @@
+"""Animals with spots, wings, long necks or flat tails, and two figures of tales."""
+
+import math
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    around,
+    ball,
+    blend,
+    both,
+    box,
+    capsule,
+    chain,
+    cut,
+    egg,
+    join,
+    lathe,
+    limb,
+    moved,
+    prism,
+    smooth_curve,
+    taper,
+    tilted,
+    tube,
+    turned,
+)
+from core.prior.things.animals import Beast, fitted
+from core.prior.things.characters import cone, eyes, moustache
+
+SPOT = 0.13  # the radius of a ball of which a cap stands out as a spot
+
+
+def _spot(b: Beast, at: float, turn_deg: float) -> Solid:
+    """A spot on the trunk at the share ``at`` of its length, so far from its top."""
+    turn, ring = math.radians(turn_deg), math.sqrt(1 - at * at)
+    radii = (b.wide, b.long, b.wide * 0.95)
+    on = (ring * math.sin(turn), at, ring * math.cos(turn))
+    # The centre lies within by all of the radius but what stands out.
+    x, y, z = (share * (radius - SPOT + 0.045) for share, radius in zip(on, radii, strict=True))
+    return ball((x, y, z + b.belly), SPOT)
+
+
+def leopard(draw: Draw) -> Parts:
+    """Slender and spotted; a small head with round ears, a long tail in an S."""
+    b = Beast(draw, 0.36, 0.86, 0.5, 0.33, (0.26, 0.34))
+    h, y, z = b.head, b.y, b.z
+    rump, low, tip = b.long * 0.85, b.belly + 0.12, draw(0.05, 0.35)
+    tail = [(0.0, rump, low), (0.0, rump + 0.3, low - 0.2), (0.0, rump + 0.5, low - 0.3),
+            (0.0, rump + 0.72, low - 0.2), (0.0, rump + 0.84, low + tip)]  # fmt: skip
+    rows = ((-0.5, (24, 74)), (-0.12, (48, 98)), (0.26, (20, 72)), (0.62, (48, 98)))
+    spots = [_spot(b, at, turn) for at, turns in rows for turn in turns]
+    a, c, r = b.wide * 0.55, b.long * 0.66, b.foot + SPOT * 0.46
+    thighs = [ball((a + r - SPOT, v, 0.34), SPOT) for v in (-c, c)]
+    cuff = tube((0, rump + 0.44, low - 0.27), (0, rump + 0.56, low - 0.27), 0.15)
+    brow = [ball((h * 0.34, y - h * 0.34, z + h * 0.66), 0.12), ball((h * 0.8, y + 0.02, z), 0.12)]
+    return {
+        "body": join(b.trunk(0.24), limb(tail, 0.12, 0.11), both(ball((h * 0.72, y, z + h * 0.8),
+                     0.13))),
+        "spots": join(both(join(*spots, *thighs, *brow)), cuff, ball(tail[-1], 0.15)),
+        "muzzle": join(
+            both(egg((0.11, y - h * 0.92, z - 0.12), (0.16, 0.17, 0.14))),
+            egg((0, -0.05, b.belly - 0.12), (b.wide * 0.7, b.long * 0.8, b.wide * 0.8)),
+        ),
+        "eyes": b.eyes(),
+        "nose": egg((0, y - h * 0.92 - 0.16, z - 0.04), (0.11, 0.09, 0.08)),
+    }  # fmt: skip
+
+
+def bat(draw: Draw) -> Parts:
+    """Upright in the air, its scalloped wings spread; great ears, two fangs."""
+    head, wide, span = draw(0.38, 0.44), draw(0.32, 0.38), draw(1.28, 1.42)
+    up, ear = draw(0.25, 0.5), draw(0.34, 0.46)
+    low, y = 0.62, -0.16
+    z = low + 0.4 + head * 0.8
+    wrist = (span * 0.58, 0.1, z + 0.1 + up)
+    tip = (span, 0.1, low + 0.2 + up * 0.5)
+    skin = [(0.1, z - 0.12), (wrist[0], wrist[2]), (tip[0], tip[2]), (span * 0.84, low + 0.02)]
+    skin += [(span * 0.72, low - 0.3), (span * 0.56, low - 0.04), (span * 0.4, low - 0.34)]
+    skin += [(span * 0.28, low - 0.1), (0.1, low - 0.3)]
+    ends = (tip, (span * 0.72, 0.1, low - 0.24), (span * 0.4, 0.1, low - 0.28))
+    fingers = join(
+        capsule((wide * 0.7, 0.1, low + 0.28), wrist, 0.12),
+        *(taper(wrist, end, 0.12, 0.095) for end in ends),
+        ball((wrist[0], 0.1, wrist[2] + 0.06), 0.13),
+    )
+    flap = taper((head * 0.56, y, z + head * 0.5), (head * 0.95, y, z + head + ear), 0.23, 0.06)
+    inner = taper(
+        (head * 0.56, y - 0.16, z + head * 0.6), (head * 0.9, y - 0.08, z + head + ear * 0.6),
+        0.13, 0.07,
+    )  # fmt: skip
+    foot = join(
+        taper((0.16, 0, low - 0.36), (0.17, -0.04, low - 0.6), 0.13, 0.1),
+        *(ball((x, -0.1, low - 0.62), 0.09) for x in (0.09, 0.25)),
+    )
+    belly = egg((0, -wide * 0.3, low - 0.02), (wide * 0.72, wide * 0.72, 0.4))
+    face = y - head * 0.94
+    return {
+        "body": join(
+            egg((0, 0, low), (wide, wide * 0.9, 0.52)),
+            ball((0, y, z), head),
+            both(join(flap, foot)),
+            egg((0, face - 0.02, z - 0.08), (0.16, 0.12, 0.1)),
+        ),
+        "wings": both(prism(skin, 1, 0.085, 0.12)),
+        "arms": both(fingers),
+        "ears": join(both(inner), belly),
+        "eyes": eyes(head * 0.46, face + 0.07, z + 0.1, 0.115),
+        "teeth": both(cone((0.12, face + 0.05, z - 0.2), 0.09, -0.24)),
+    }  # fmt: skip
+
+
+def ostrich(draw: Draw) -> Parts:
+    """A great ball of feathers on long bare legs, a long bare neck, a flat bill."""
+    leg, wide, up = draw(1.0, 1.2), draw(0.48, 0.56), draw(0.95, 1.15)
+    z = leg + 0.34
+    y, top = -0.72, z + up + 0.2
+    neck = [(0, -0.42, z + 0.12), (0, -0.68, z + 0.34), (0, -0.66, z + up * 0.66), (0, y, top)]
+    shank = join(
+        taper((0.24, 0.04, z - 0.12), (0.24, 0.1, leg * 0.54), 0.19, 0.12),
+        taper((0.24, 0.1, leg * 0.54), (0.24, 0.0, 0.1), 0.12, 0.1),
+        taper((0.22, 0.0, 0.1), (0.2, -0.36, 0.1), 0.12, 0.1),
+        taper((0.26, 0.0, 0.1), (0.4, -0.2, 0.1), 0.11, 0.095),
+    )
+    wing = tilted(egg((0, 0, 0), (0.16, 0.5, 0.34)), 10, (wide * 0.86, 0.1, z + 0.08))
+    frill = [
+        egg((wide * 0.84, v, z - 0.14 + v * 0.16), (0.17, 0.16, 0.19)) for v in (0.06, 0.34, 0.58)
+    ]
+    plume = [
+        taper((x, 0.56, z + 0.16), (x * 2.2, 0.56 + a, z + 0.16 + v), 0.2, 0.15)
+        for x, a, v in ((0.0, 0.3, 0.36), (0.14, 0.42, 0.16))
+    ]
+    return {
+        "body": join(egg((0, 0.08, z), (wide, 0.7, 0.46)), both(wing)),
+        "plumes": join(
+            both(join(*frill, *plume)), tube((0, -0.44, z + 0.1), (0, -0.56, z + 0.22), 0.26, 0.08)
+        ),
+        "skin": join(
+            limb(neck, 0.19, 0.13),
+            egg((0, y - 0.04, top + 0.04), (0.22, 0.26, 0.2)),
+            both(shank),
+        ),
+        "bill": egg((0, y - 0.32, top + 0.02), (0.17, 0.24, 0.09)),
+        "hair": egg((0, y + 0.05, top + 0.17), (0.15, 0.18, 0.12)),
+        "eyes": eyes(0.18, y - 0.12, top + 0.12, 0.1),
+    }  # fmt: skip
+
+
+def beaver(draw: Draw) -> Parts:
+    """Sits up, its broad flat tail raised behind it; two great teeth, small round ears."""
+    wide, head, long = draw(0.46, 0.54), draw(0.38, 0.44), draw(0.5, 0.62)
+    z, y, flat = draw(1.3, 1.42), -0.14, draw(0.4, 0.48)
+    lift = draw(28, 42)
+    paddle = join(
+        egg((0, long, 0), (flat, long, 0.12)), taper((0, -0.2, 0), (0, 0.3, 0), 0.22, 0.14)
+    )
+    lines = [capsule((0.05, v, 0.09), (flat * 0.62, v + 0.2, 0.07), 0.07)
+             for v in (long * 0.5, long, long * 1.5)]  # fmt: skip
+    haunch = egg((wide * 0.86, -0.06, 0.34), (0.24, 0.36, 0.34))
+    foot = egg((wide * 0.86, -0.46, 0.1), (0.2, 0.34, 0.11))
+    arm = taper((wide * 0.74, -0.16, 0.92), (0.2, -wide - 0.16, 0.72), 0.14, 0.12)
+    face = y - head * 0.9
+    cheeks = both(egg((0.14, face - 0.02, z - 0.14), (0.2, 0.18, 0.15)))
+    tooth = box((0.085, face - 0.12, z - 0.34), (0.08, 0.06, 0.13), 0.02)
+    return {
+        "body": join(
+            blend(0.12, egg((0, 0.02, 0.56), (wide, wide * 0.92, 0.58)), ball((0, y, z), head)),
+            egg((0, -0.06, 0.3), (wide * 1.14, 0.56, 0.3)),
+            both(join(haunch, arm, ball((head * 0.8, y + 0.08, z + head * 0.68), 0.15))),
+        ),
+        "belly": join(egg((0, -wide * 0.36, 0.58), (wide * 0.76, wide * 0.74, 0.5)), cheeks),
+        "tail": tilted(paddle, lift, (0, wide * 0.8, 0.24)),
+        "lines": join(both(foot), tilted(both(join(*lines)), lift, (0, wide * 0.8, 0.24))),
+        "teeth": both(tooth),
+        "eyes": join(
+            eyes(head * 0.5, y - head * 0.82, z + 0.14, 0.09),
+            egg((0, face - 0.17, z - 0.04), (0.13, 0.1, 0.09)),
+        ),
+    }
+
+
+def seahorse(draw: Draw) -> Parts:
+    """Upright, its snout a pipe, a crest, rings about its belly, its tail rolled up."""
+    big, snout, crest = draw(0.92, 1.08), draw(0.42, 0.54), draw(0.16, 0.26)
+    y, z = -0.28, 2.3
+    spine = [((0.0, y, z), 0.3), ((0.0, 0.0, z - 0.2), 0.25), ((0.0, 0.08, z - 0.48), 0.25),
+             ((0.0, -0.06, z - 0.84), 0.36 * big), ((0.0, -0.04, z - 1.12), 0.37 * big),
+             ((0.0, 0.14, z - 1.44), 0.27), ((0.0, 0.22, z - 1.74), 0.21),
+             *(((0.0, -0.14 + 0.36 * (1 - k * 0.03) * math.cos(t), z - 1.86 - 0.36 * math.sin(t)),
+                0.17 - 0.008 * k) for k, t in ((k, 0.3 + 0.62 * k) for k in range(8)))]  # fmt: skip
+    bands = []
+    for at in (3, 4, 5, 6):
+        (_, a, b), r = spine[at]
+        turn = (8, -10, -22, -14)[at - 3]
+        bands.append(moved(turned(tube((0, 0, -0.06), (0, 0, 0.06), r + 0.045, 0.02), 0, turn),
+                           (0, a, b)))  # fmt: skip
+    thorns = [
+        taper((0, a + r * 0.6, b), (0, a + r + 0.14, b + 0.06), 0.13, 0.07)
+        for (_, a, b), r in spine[1:7:1]
+    ]
+    comb = [taper((0, y + v, z + 0.2), (0, y + v * 2, z + 0.34 + crest * s), 0.13, 0.08)
+            for v, s in ((-0.02, 0.6), (0.1, 1.0), (0.2, 0.5))]  # fmt: skip
+    fan = [(0.1, z - 0.8), (0.62, z - 0.66), (0.7, z - 0.98), (0.58, z - 1.28), (0.1, z - 1.3)]
+    return {
+        "body": join(
+            chain(spine),
+            taper((0, y - 0.1, z - 0.06), (0, y - 0.2 - snout, z - 0.24), 0.17, 0.12),
+        ),
+        "belly": egg((0, -0.22, z - 0.94), (0.26, 0.26 * big, 0.42)),
+        "bands": join(
+            *bands,
+            moved(turned(tube((0, 0, -0.08), (0, 0, 0.08), 0.17, 0.03), 0, 112),
+                  (0, y - 0.2 - snout, z - 0.24)),
+        ),
+        "crest": join(*comb, *thorns),
+        "fins": join(
+            prism(fan, 0, 0.085), both(egg((0.28, y + 0.2, z - 0.1), (0.09, 0.15, 0.2)))
+        ),
+        "eyes": eyes(0.22, y - 0.1, z + 0.06, 0.125),
+    }  # fmt: skip
+
+
+def centaur(draw: Draw) -> Parts:
+    """A horse whose neck is a man down to his belt; a beard, long hair, a tail."""
+    wide, long, leg = draw(0.36, 0.42), draw(0.72, 0.84), draw(0.78, 0.92)
+    chest, head, out = draw(0.36, 0.42), draw(0.29, 0.34), draw(0.1, 0.24)
+    z, y = leg + 0.2, -long * 0.74
+    belt = z + 0.34
+    top = belt + draw(0.6, 0.7)
+    crown = top + head * 0.9
+    a, c = wide * 0.56, long * 0.66
+    legs = taper((a, c, z - 0.1), (a, c, 0.14), 0.17, 0.135)
+    hand = (chest + out + 0.02, y - 0.34, belt + 0.12)
+    elbow = (chest + out + 0.08, y + 0.06, belt + 0.2)
+    arm = join(
+        taper((chest * 0.9, y, top - 0.14), elbow, 0.17, 0.13), taper(elbow, hand, 0.13, 0.11),
+        ball(hand, 0.15),
+    )  # fmt: skip
+    wrist = hand[0] + 0.03
+    cuff = tube((wrist, y - 0.1, belt + 0.16), (wrist, y - 0.24, belt + 0.13), 0.155, 0.02)
+    back = long * 0.92
+    tail = [((0.0, back, z + 0.12), 0.13), ((0.0, back + 0.26, z + 0.06), 0.17),
+            ((0.0, back + 0.36, z - 0.3), 0.17), ((0.0, back + 0.34, z - 0.62), 0.09)]  # fmt: skip
+    face = y - head * 0.94
+    locks = cut(ball((0, y + 0.06, crown + 0.05), head * 1.14),
+                box((0, y - 0.62, crown - 0.2), (2, 0.58, 0.4)))  # fmt: skip
+    return {
+        "coat": join(
+            blend(0.14, egg((0, 0, z), (wide, long, wide)),
+                  taper((0, y * 0.8, z), (0, y, belt), wide * 0.86, 0.3)),
+            both(legs, 0, 1),
+        ),
+        "skin": join(
+            blend(0.1, taper((0, y, belt), (0, y, top - 0.24), 0.27, 0.3),
+                  egg((0, y, top - 0.22), (chest, 0.27, 0.26))),
+            tube((0, y, top - 0.1), (0, y, crown), 0.14),
+            ball((0, y, crown), head),
+            both(arm),
+            ball((0, face - 0.03, crown - 0.03), 0.085),
+        ),
+        "hair": join(
+            locks,
+            egg((0, y + 0.2, crown - 0.24), (head * 0.9, 0.2, head * 1.3)),
+            egg((0, face + 0.08, crown - 0.26), (head * 0.7, 0.2, 0.26)),
+            moustache((0, face - 0.06, crown - 0.14), 0.12),
+            chain(tail),
+        ),
+        "belt": join(
+            tube((0, y, belt - 0.1), (0, y, belt + 0.08), 0.36, 0.03),
+            both(cuff),
+        ),
+        "hooves": both(lathe([(0.21, 0.0), (0.16, 0.2)], 0.01, (a, c)), 0, 1),
+        "eyes": eyes(head * 0.42, face + 0.03, crown + 0.07, 0.1),
+    }  # fmt: skip
+
+
+def _points(count: int, r: float, low: float, high: float) -> Solid:
+    """A crown's points, each with a ball on it."""
+    point = join(
+        prism([(-0.15, low), (0.15, low), (0, high)], 0, 0.075, r), ball((r, 0, high), 0.095)
+    )
+    return around(count, point, 90)
+
+
+def king(draw: Draw) -> Parts:
+    """In a long robe with fur at its hem and shoulders, bearded, crowned, with a sceptre."""
+    wide, head, tall = draw(0.56, 0.66), draw(0.34, 0.39), draw(0.3, 0.4)
+    top, beard, out = draw(1.42, 1.58), draw(0.4, 0.54), draw(0.06, 0.16)
+    z = top + head * 0.68
+    face, brow = -head * 0.94, z + head * 0.5
+    grip = (wide * 0.86 + out, -0.32, top - 0.5)
+    robe = lathe(smooth_curve([(wide, 0.06), (wide * 0.78, 0.7), (wide * 0.74, top - 0.3),
+                               (0.24, top)]), 0.03)  # fmt: skip
+    sleeve = taper((wide * 0.66, 0, top - 0.2), grip, 0.2, 0.19)
+    fur = join(
+        tube((0, 0, 0.0), (0, 0, 0.2), wide + 0.08, 0.07),
+        lathe([(wide * 0.86, top - 0.28), (head * 0.7, top + 0.02)], 0.08),
+        box((0, -wide * 0.82, 0.62), (0.13, 0.16, 0.6), 0.05),
+        both(ball((grip[0] - 0.02, grip[1] + 0.06, grip[2] + 0.03), 0.215)),
+    )
+    rod = (-grip[0], grip[1] - 0.06, 0.0)
+    sceptre = join(
+        tube((rod[0], rod[1], 0.4), (rod[0], rod[1], top + 0.26), 0.085),
+        ball((rod[0], rod[1], top + 0.34), 0.19),
+        tube((rod[0], rod[1], top + 0.08), (rod[0], rod[1], top + 0.2), 0.14, 0.02),
+    )
+    band = join(tube((0, 0, brow), (0, 0, brow + 0.2), head + 0.05, 0.02),
+                _points(6, head, brow + 0.16, brow + 0.14 + tall))  # fmt: skip
+    return {
+        "robe": join(robe, both(sleeve)),
+        "fur": fur,
+        "gold": join(band, sceptre, tube((0, 0, 0.86), (0, 0, 1.0), wide * 0.78 + 0.06, 0.02)),
+        "skin": join(
+            ball((0, 0, z), head),
+            ball((0, face - 0.05, z - 0.02), 0.1),
+            both(ball((grip[0], grip[1] - 0.12, grip[2] - 0.02), 0.17)),
+        ),
+        "beard": join(
+            egg((0, face + 0.1, z - 0.3), (head * 0.8, 0.24, beard)),
+            moustache((0, face - 0.06, z - 0.14), 0.16),
+            egg((0, 0.1, z - 0.06), (head * 1.06, head * 0.98, head * 0.9)),
+        ),
+        "eyes": eyes(0.15, face + 0.02, z + 0.1, 0.095),
+    }
+
+
+WILDLIFE = {
+    "leopard": fitted(leopard),
+    "bat": bat,
+    "ostrich": fitted(ostrich),
+    "beaver": beaver,
+    "seahorse": seahorse,
+    "centaur": fitted(centaur),
+    "king": king,
+}
