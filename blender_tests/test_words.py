@@ -80,16 +80,16 @@ def settings(ready):
 
 
 def test_an_unknown_word_disables_generate_until_it_is_replaced_or_ignored(settings):
-    prompt = settings("a red Ostrich")
+    prompt = settings("a red Slug")
     assert (
         submit.reason_against_generate(bpy.context)
         == "Replace or ignore the unknown words of the prompt."
     )
     assert not bpy.ops.fantasia3d.generate.poll()
-    assert words.unknown(submit.report_of(prompt)) == {"ostrich": ["bird"]}
-    bpy.ops.fantasia3d.replace_word(old="ostrich", new="bird")
-    assert prompt.prompt == "a red bird"
-    settings("a red bird")
+    assert words.unknown(submit.report_of(prompt)) == {"slug": ["snail"]}
+    bpy.ops.fantasia3d.replace_word(old="slug", new="snail")
+    assert prompt.prompt == "a red snail"
+    settings("a red snail")
     assert submit.reason_against_generate(bpy.context) == ""
     settings("a red wombat, a cube")
     prompt.ignore_unknown = True
@@ -157,7 +157,7 @@ class Recorder:
         self.__dict__[name] = value
 
 
-@pytest.mark.parametrize("prompt", ["a red wooden office chair", "an ostrich and a panther", "red"])
+@pytest.mark.parametrize("prompt", ["a red wooden office chair", "a slug and a locker", "red"])
 def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
     from fantasia3d_addon.ui import text
 
@@ -170,5 +170,5 @@ def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
     assert not any("--" in shown for shown in layout.texts)
     if "chair" in prompt:
         assert "office chair, red, wooden: 1.1 m" in layout.texts
-    if "ostrich" in prompt:
+    if "slug" in prompt:
         assert layout.operators == ["fantasia3d.replace_word"] * 4
