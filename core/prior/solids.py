@@ -174,6 +174,16 @@ def cut(solid: Solid, *holes: Solid) -> Solid:
     return distance
 
 
+def within(solid: Solid, region: Solid) -> Solid:
+    """What of ``solid`` lies in the region; a lower bound of the distance."""
+    return cut(solid, lambda p: -region(p))
+
+
+def grown(solid: Solid, by: float) -> Solid:
+    """``solid`` with its surface moved outwards."""
+    return lambda p: solid(p) - by
+
+
 def join(*solids: Solid) -> Solid:
     """The union; exact outside."""
 
@@ -298,6 +308,11 @@ def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
         return solid(torch.stack([radius * angle.cos(), radius * angle.sin(), p[:, 2]], 1))
 
     return distance
+
+
+def mirrored(half: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The outline of which ``half`` is the side of x >= 0."""
+    return [*half, *((-u, v) for u, v in reversed(half))]
 
 
 def smooth_curve(points: list[tuple[float, float]], steps: int = 4) -> list[tuple[float, float]]:

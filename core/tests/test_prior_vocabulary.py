@@ -13,6 +13,7 @@ from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
     COLORS,
+    COUNTS,
     FILLER,
     IGNORED_ADJECTIVES,
     MATERIALS,
@@ -59,9 +60,9 @@ NAMES = {word: noun.names for word, noun in NOUNS.items()}
         ("a cat, orange", Words("cat", color="orange")),
         ("an orange tomato", Words("tomato", color="orange")),
         ("wolves", Words("wolf")),
-        ("cherries", Words("cherry")),
+        ("fairies", Words("fairy")),
         ("knives", Words("knife")),
-        ("mice", Words("mouse")),
+        ("women", Words("person")),
     ],
 )
 def test_a_prompt_is_read_into_slots(prompt, words):
@@ -224,6 +225,7 @@ def test_the_tables_hide_nothing_from_each_other():
     assert IGNORED_ADJECTIVES.isdisjoint(LEXICON)
     assert IGNORED_ADJECTIVES.isdisjoint(FILLER)
     assert PHRASE_ENDS <= FILLER
+    assert COUNTS.isdisjoint(LEXICON) and COUNTS.isdisjoint(FILLER)
     assert REAL.isdisjoint(LEXICON)
     for word, forms in NEAREST.items():
         assert word in LEXICON
@@ -308,7 +310,7 @@ def test_of_many_one_is_made_and_that_is_said(prompt):
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("a robot playing guitar", Words("robot")),
+        ("a robot playing guitar, in red", Words("robot", color="red")),
         ("a dragon guarding gold", Words("dragon")),
         ("a chest full of gold", Words("chest")),
         ("a chest covered in gold", Words("chest", material="golden")),

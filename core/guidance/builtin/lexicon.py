@@ -69,8 +69,7 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
 
 LEXICON, NARROWER = _lexicon()
 # The ends of plurals with those of their singulars.
-PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("mice", "mouse"))
-PLURALS += (("geese", "goose"), ("teeth", "tooth"), ("men", "man"), ("children", "child"))
+PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("men", "man"))
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
 

@@ -19,14 +19,13 @@ from core.guidance.builtin.words import (
     CHOICES,
     COUNTS,
     DEPICTIONS,
-    ELSEWHERE,
     FILLER,
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LEGS,
+    OF_ANOTHER,
     OPTIONS,
     PHRASE_ENDS,
-    STYLES,
     TONES,
     WITHOUT,
 )
@@ -59,7 +58,7 @@ class Reading:
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether an unknown word was read in it
-        self._elsewhere = False  # whether all of it is about another thing
+        self._of_another = False  # whether all of it is about another thing
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens, self._breaks = _tokens(prompt)
@@ -67,7 +66,7 @@ class Reading:
         while at < len(self._tokens):
             if at in self._breaks:
                 self._end_phrase()
-                self._accessory, self._elsewhere = None, False
+                self._accessory, self._of_another = None, False
             at += self._take(at)
         self._end_phrase()
         self._leave_strange_parts_aside()
@@ -82,12 +81,12 @@ class Reading:
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
-            if phrase in STYLES or (count > 1 and phrase in IGNORED_ADJECTIVES):
+            if count > 1 and phrase in IGNORED_ADJECTIVES:
                 self.left_out.append(phrase)
                 return count
-            if phrase in ELSEWHERE and self.found["noun"]:
+            if phrase in OF_ANOTHER and self.found["noun"]:
                 self._go_with(phrase)
-                self._elsewhere = True
+                self._of_another = True
                 return count
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
@@ -117,7 +116,7 @@ class Reading:
             # "a robot playing guitar"
             self.left_out.append(token)
             self._go_with(token)
-            self._elsewhere = True
+            self._of_another = True
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
@@ -128,8 +127,8 @@ class Reading:
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
         the phrase's own noun."""
-        # The accessory itself is unknown, or elsewhere: its colours are not the thing's.
-        if self._strange or self._elsewhere:
+        # The accessory is unknown, or all is of another thing: its colours are not the thing's.
+        if self._strange or self._of_another:
             self.left_out += self._of_accessory()
         self._strange = False
         self.parts += self._before

@@ -112,12 +112,23 @@ PHRASE_ENDS = PLACES | frozenset(
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
 GOES_WITH = PLACES | frozenset("of in on with has have wearing holding".split())
 # After these all is about something else: a chest full of gold is not golden.
-ELSEWHERE = ("filled with", "full of", "surrounded by", "in front of", "on top of", "next to")
+OF_ANOTHER = ("filled with", "full of", "surrounded by", "in front of", "on top of", "next to")
 # How many there are. One is made, and a note says so.
 COUNTS = frozenset(
     """two three four five six seven eight nine ten twelve dozen dozens several many few couple
     multiple various set pile heap stack group row collection pack bundle""".split()
 )
+# How the picture or the mesh is wanted, of which a shape and its materials know nothing.
+STYLES = frozenset(
+    """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
+    cinematic ultra""".split()
+) | {
+    *("low poly", "high poly", "pixel art", "voxel art", "concept art", "digital art"),
+    *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
+    *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
+    *("white background", "black background", "plain background", "transparent background"),
+    *("full body", "close up", "front view", "side view", "top view", "cinematic lighting"),
+}
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate
@@ -131,17 +142,7 @@ IGNORED_ADJECTIVES = frozenset(
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
-}
-# How the picture or the mesh is wanted, of which a shape and its materials know nothing.
-STYLES = frozenset(
-    """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
-    cinematic ultra""".split()
-) | {
-    *("low poly", "high poly", "pixel art", "voxel art", "concept art", "digital art"),
-    *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
-    *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
-    *("white background", "black background", "plain background", "transparent background"),
-    *("full body", "close up", "front view", "side view", "top view", "cinematic lighting"),
+    *STYLES,
 }
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")

@@ -22,8 +22,8 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
+    within,
 )
-from core.prior.things.market import within
 
 
 def paper_cup(draw: Draw) -> Parts:

@@ -17,9 +17,11 @@ from core.prior.solids import (
     chain,
     cut,
     egg,
+    grown,
     join,
     lathe,
     limb,
+    mirrored,
     moved,
     prism,
     ring,
@@ -28,24 +30,10 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
+    within,
 )
 
 Point = tuple[float, float]
-
-
-def within(solid: Solid, region: Solid) -> Solid:
-    """What of ``solid`` lies in the region; a lower bound."""
-    return cut(solid, lambda p: -region(p))
-
-
-def grown(solid: Solid, by: float) -> Solid:
-    """``solid`` with its surface moved outwards."""
-    return lambda p: solid(p) - by
-
-
-def mirrored(half: list[Point]) -> list[Point]:
-    """The outline of which ``half`` is the side of x >= 0."""
-    return [*half, *((-u, v) for u, v in reversed(half))]
 
 
 def bow(draw: Draw) -> Parts:

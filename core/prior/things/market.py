@@ -29,12 +29,8 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
+    within,
 )
-
-
-def within(solid: Solid, mask: Solid) -> Solid:
-    """What is in both; a lower bound of the distance."""
-    return cut(solid, lambda p: -mask(p))
 
 
 def potato(draw: Draw) -> Parts:

@@ -12,14 +12,15 @@ from core.prior.solids import (
     both,
     box,
     cut,
+    grown,
     join,
     lathe,
     limb,
     moved,
     prism,
     tube,
+    within,
 )
-from core.prior.things.leisure import grown, within
 
 
 def factory(draw: Draw) -> Parts:

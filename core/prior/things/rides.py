@@ -9,15 +9,17 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
+    grown,
     join,
     lathe,
+    mirrored,
     prism,
     ring,
     smooth_curve,
     tilted,
     tube,
+    within,
 )
-from core.prior.things.leisure import grown, mirrored, within
 
 Point = tuple[float, float]
 

@@ -12,6 +12,7 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
+    grown,
     join,
     lathe,
     limb,
@@ -22,8 +23,8 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
+    within,
 )
-from core.prior.things.leisure import grown, within
 
 Point = tuple[float, float]
 

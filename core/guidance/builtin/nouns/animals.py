@@ -170,15 +170,13 @@ ANIMALS = {
     ),
     "person": Noun(
         (
-            "human, man, woman; boy, girl, child, kid, baby, guy, lady, character, figure, "
-            "doll, princess, prince, queen, empress, human being, "
-            "businessman, doctor, nurse, policeman, police officer, firefighter, teacher, "
-            "chef, farmer, cowboy, viking, samurai, gladiator, monk, "
-            "athlete, dancer, ballerina, robber, detective, worker, "
-            "construction worker, sailor, student, mannequin, mannikin, villager, "
-            "peasant, archer, bard, cleric, priest, nun, geisha, grandma, "
-            "grandpa, toddler, npc, character model, waiter, "
-            "angel statue, scientist, baker, diver, scuba diver"
+            "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, "
+            "figure, doll, princess, prince, queen, empress, human being, businessman, doctor, "
+            "nurse, policeman, police officer, firefighter, teacher, chef, farmer, cowboy, "
+            "viking, samurai, gladiator, monk, athlete, dancer, ballerina, robber, detective, "
+            "worker, construction worker, sailor, student, mannequin, mannikin, villager, "
+            "peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, toddler, npc, "
+            "character model, waiter, angel statue, scientist, baker, diver, scuba diver"
         ),
         {
             "shirt": "*c23b34 . fabric",
