@@ -30,7 +30,7 @@ from core.io.job import Job
 from core.io.mesh_file import load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
-from core.job_config import config_of, within
+from core.job_config import config_of, local_ranges, within
 from core.provenance import made_by, recorded
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
@@ -168,7 +168,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
     generator = torch.Generator().manual_seed(job.color_seed or job.seed + 1)
     ranges = within(config.appearance, guidance.ranges())
-    net = MaterialNet(ranges, generator).to(device)
+    areas = guidance.areas()
+    net = MaterialNet(ranges, generator, local_ranges(ranges, areas)).to(device)
     training = Training("appearance", net, generator, run)
     if config.geometry.pictures == "entangled":
         take_material(net, run)
@@ -183,7 +184,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         return run.asset
 
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
-    known = {"surfaces": guidance.surfaces(), "areas": guidance.areas()}
+    known = {"surfaces": guidance.surfaces(), "areas": areas}
     seed = job.color_seed or job.seed
     maps = bake_maps(unwrapped, net, config, progress, seed=seed, **known)
     if region is not None:

@@ -2,9 +2,10 @@
 
 from dataclasses import replace
 
+from core.appearance.material_ranges import LocalRanges, MaterialRanges
 from core.config import DRAFT, AppearanceConfig, Config, preset
 from core.geometry.sdf_net import SdfNetConfig
-from core.guidance.guidance import MaterialRanges
+from core.guidance.guidance import Areas
 from core.io.job import Job
 from core.settings import check, with_settings
 
@@ -168,6 +169,13 @@ def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> Appearanc
     if bounds is None:
         return config
     return replace(config, roughness_range=bounds.roughness, metallic_range=bounds.metallic)
+
+
+def local_ranges(config: AppearanceConfig, areas: Areas | None) -> LocalRanges | None:
+    """Each area's own bounds; None where the areas are unknown, or all is matte."""
+    if areas is None or config.shading == "diffuse":
+        return None
+    return LocalRanges(areas.nearest(), [one.ranges for one in areas.each])
 
 
 def _calmer(t: tuple[float, float], strength: float) -> tuple[float, float]:

@@ -9,9 +9,10 @@ import itertools
 from typing import NamedTuple
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor, nn
 
+from core.appearance.material_ranges import LocalRanges, RangesHere
 from core.config import AppearanceConfig
 from core.hash_grid import HashGrid
 from core.ops import constant, linear_to_srgb, normalize, srgb_to_linear
@@ -32,16 +33,22 @@ def specular_color(material: Material) -> Float[Tensor, "n 3"]:
 
 
 class MaterialNet(nn.Module):
-    """Γ over its hash grid β: points to :class:`Material`, by sigmoids to the config's ranges.
+    """Γ over its hash grid β: points to :class:`Material`, by sigmoids to the config's ranges, or
+    to those of each place.
 
     The released code's ninth output is not used by its shading and is left out.
     """
 
     start: Tensor
 
-    def __init__(self, config: AppearanceConfig, generator: torch.Generator) -> None:
+    def __init__(
+        self,
+        config: AppearanceConfig,
+        generator: torch.Generator,
+        local: LocalRanges | None = None,
+    ) -> None:
         super().__init__()
-        self.config = config
+        self.config, self.local = config, local
         self.encoding = HashGrid(
             log2_size=config.log2_hash_size, finest=config.finest, generator=generator
         )
@@ -67,15 +74,23 @@ class MaterialNet(nn.Module):
         return self.layers[-1](x) + self.start
 
     def forward(
-        self, points: Float[Tensor, "n 3"], uv: Float[Tensor, "n 2"] | None = None
+        self,
+        points: Float[Tensor, "n 3"],
+        uv: Float[Tensor, "n 2"] | None = None,
+        area: Int[Tensor, " n"] | None = None,
     ) -> Material:
-        """The material at ``points``, training units; ``uv`` says nothing to it."""
+        """The material at ``points``, training units; ``uv`` says nothing to it. ``area``: whose
+        ranges it has, where that is known."""
         del uv
-        return to_ranges(self.raw(points), self.config)
+        here = self.local(points, area) if self.local else None
+        return to_ranges(self.raw(points), self.config, here)
 
 
-def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
-    """Sigmoids of ``raw`` over the ranges; kn's x and y reach ``bump``, its z is positive.
+def to_ranges(
+    raw: Float[Tensor, "n 8"], config: AppearanceConfig, here: RangesHere | None = None
+) -> Material:
+    """Sigmoids of ``raw`` over the ranges, the config's or those ``here``; kn's x and y reach
+    ``bump``, its z is positive.
 
     kd's runs over linear light, as the paper's does, or over sRGB: in linear light the darks, which
     the eye tells apart, lie in the sigmoid's flat end.
@@ -88,13 +103,13 @@ def to_ranges(raw: Float[Tensor, "n 8"], config: AppearanceConfig) -> Material:
         kd = srgb_to_linear(low + (high - low) * kd)
     else:
         kd = _between(kd, config.kd_range)
-    roughness = _between(share[:, 3:4], config.roughness_range)
-    metallic = _between(share[:, 4:5], config.metallic_range)
+    rough, metal = here or (config.roughness_range, config.metallic_range)
+    roughness, metallic = _between(share[:, 3:4], rough), _between(share[:, 4:5], metal)
     # 0 at the start, so flat; z stays above 0, so that no normal points into the surface.
     tilt = (2 * share[:, 5:7] - 1) * config.bump
     kn = normalize(torch.cat([tilt, share[:, 7:8].clamp(min=1e-3)], -1))
     return Material(kd, roughness, metallic, kn)
 
 
-def _between(share: Tensor, bounds: tuple[float, float]) -> Tensor:
+def _between(share: Tensor, bounds: tuple[float, float] | tuple[Tensor, Tensor]) -> Tensor:
     return bounds[0] + (bounds[1] - bounds[0]) * share

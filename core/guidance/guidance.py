@@ -17,6 +17,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.appearance.material_ranges import MaterialRanges
 from core.camera import Cameras
 from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
@@ -45,13 +46,6 @@ class Views:
 
     def __len__(self) -> int:
         return len(self.cameras)
-
-
-class MaterialRanges(NamedTuple):
-    """Bounds within which the appearance training looks for a material."""
-
-    roughness: tuple[float, float]
-    metallic: tuple[float, float]
 
 
 class Surface(NamedTuple):
@@ -132,15 +126,31 @@ class Guidance(ABC):
         """
 
 
+class Area(NamedTuple):
+    """What is meant by one area of an object."""
+
+    plain: bool  # no more than one colour
+    ranges: MaterialRanges
+    surface: Surface
+
+
 @runtime_checkable
 class Areas(Protocol):
-    """The areas of an object that are of one colour each."""
+    """The areas of an object that are of one colour and one substance each."""
 
-    plain: tuple[bool, ...]  # of each: no more than one colour is meant
+    each: tuple[Area, ...]
+
+    def of(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The area of each place of the surface, training units."""
+        ...
 
     def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
-        """The area of each place of the surface, training units, and where the place takes its
-        material from: farther inside its area where it is near a border."""
+        """The area of each place of the surface, and where the place takes its material from:
+        farther inside its area where it is near a border."""
+        ...
+
+    def nearest(self) -> Int[Tensor, "k k k"]:
+        """The area of each node of a lattice over the training's cube, by x, y and z."""
         ...
 
 

@@ -149,14 +149,16 @@ def bake_maps(
     device, size = next(net.parameters()).device, config.texture.size
 
     @torch.no_grad()
-    def learnt(points: Float[Tensor, "n 3"]) -> Material:
-        return Material(*(x.cpu() for x in net(points.to(device))))
+    def learnt(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"] | None = None) -> Material:
+        area = None if area is None else area.to(device)
+        return Material(*(x.cpu() for x in net(points.to(device), area=area)))
 
     with progress.timed("bake"):
         mesh = shape.mesh.to("cpu")
         evenness, strength = config.appearance.evenness, config.appearance.detail
         material = evened(learnt, areas, mesh, evenness) if areas else learnt
-        detail = detail_of(mesh, material, surfaces, strength=strength, size=size, seed=seed)
+        options = {"strength": strength, "size": size, "seed": seed}
+        detail = detail_of(mesh, material, surfaces, areas, **options)
         fine = FineSurface(shape.fine) if shape.fine else None
         return bake(
             mesh.mesh,
@@ -165,7 +167,7 @@ def bake_maps(
             _hundredths("bake", progress),
             config.texture.samples,
             # Without either the maps are Γ's own, to the last bit.
-            Finish(mesh, fine, detail) if fine or detail else None,
+            Finish(mesh, fine, detail, areas) if fine or detail else None,
         )
 
 

@@ -7,7 +7,11 @@ from core.geometry import pieces
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.patterns import MARGINS
+from core.tests.texture_shapes import area as any_area
+
+TWO = (any_area(), any_area())
 
 
 def _ball(radius=0.6):
@@ -17,7 +21,7 @@ def _ball(radius=0.6):
         x = points[:, 0]
         return points.norm(dim=1) - radius, torch.stack([-8 * x, 8 * x], 1)
 
-    return SolidAreas(field, (True, True)), field
+    return SolidAreas(field, TWO), field
 
 
 def _on_the_ball(count=2000, radius=0.6):
@@ -52,7 +56,7 @@ def test_a_slanted_border_is_left_along_the_surface():
         x, _, z = points.unbind(1)
         return z, torch.stack([-x - z, x + z], 1)
 
-    borders = SolidAreas(field, (True, True), cells=20)
+    borders = SolidAreas(field, TWO, cells=20)
     points = torch.tensor([[0.01, 0.1, 0.0], [-0.02, 0.3, 0.0]])
     moved = borders.at(points)[1]
     expected = torch.tensor([[INSET, 0.1, 0.0], [-INSET, 0.3, 0.0]])
@@ -64,7 +68,7 @@ def test_a_part_smaller_than_the_inset_is_not_left():
         r = points[:, :2].norm(dim=1)
         return points[:, 2], torch.stack([20 * (r - 0.04), 20 * (0.04 - r)], 1)
 
-    borders = SolidAreas(field, (True, True))
+    borders = SolidAreas(field, TWO)
     angle = torch.arange(32) * (2 * torch.pi / 32)
     points = 0.035 * torch.stack([angle.cos(), angle.sin(), torch.zeros(32)], 1)
     moved = borders.at(points)[1]
@@ -78,7 +82,7 @@ def test_the_axes_are_those_of_the_field():
         return z - 0.2, torch.stack([x + 2 * y, -x - 2 * y + 0.3], 1)
 
     points = (torch.rand(100, 3, generator=torch.Generator().manual_seed(1)) - 0.5) * EXTENT
-    values = SolidAreas(field, (True, True))._at(points)
+    values = SolidAreas(field, TWO)._at(points)
     distance, logits = field(points)
     torch.testing.assert_close(values, torch.cat([distance[:, None], logits], 1), atol=1e-4, rtol=0)
 
@@ -123,9 +127,11 @@ def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
     prompted = load_builtin("cpu").prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()
-    assert areas.plain[: len(plain)] == plain
-    area, inside = areas.at(torch.rand(50, 3) - 0.5)
-    assert area.max() < len(areas.plain) and inside.shape == (50, 3)
+    assert tuple(one.plain for one in areas.each[: len(plain)]) == plain
+    points = torch.rand(50, 3) - 0.5
+    area, inside = areas.at(points)
+    assert torch.equal(areas.of(points), area)
+    assert area.max() < len(areas.each) and inside.shape == (50, 3)
 
 
 def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
@@ -140,10 +146,10 @@ def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
 
     x = torch.linspace(-0.05, 0.05, 41)
     points = torch.cartesian_prod(x, torch.linspace(-0.5, 0.5, 41), torch.zeros(1))
-    area, _ = SolidAreas(drawn, (True, True), exact).at(points)
+    area, _ = SolidAreas(drawn, TWO, exact).at(points)
     wrong = area != (points[:, 0] > 0).long()
     assert points[wrong, 0].abs().max() <= FLUSH / 2 + 1e-6  # each is half of the difference
-    area, _ = SolidAreas(drawn, (True, True)).at(points)
+    area, _ = SolidAreas(drawn, TWO).at(points)
     assert points[area != (points[:, 0] > 0).long(), 0].abs().max() > 0.015
     # A pane that the wall's surface is just over is seen where it was drawn; one far under is not,
     # nor the wall on the pane.
@@ -155,12 +161,48 @@ def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
     points = torch.cartesian_prod(x, torch.linspace(-0.5, 0.5, 9), torch.zeros(1))
     inside = points[:, 0] > 0.501
     for under, seen in ((0.01, True), (0.2, False)):
-        near = SolidAreas(pane, (True, True), lambda p, u=under: (p[:, 2], wall_over(p, u)))
+        near = SolidAreas(pane, TWO, lambda p, u=under: (p[:, 2], wall_over(p, u)))
         assert bool((near.at(points)[0][inside] == 1).all()) == seen
-    near = SolidAreas(pane, (True, True), lambda p: (p[:, 2], wall_over(p, -0.01)))
+    near = SolidAreas(pane, TWO, lambda p: (p[:, 2], wall_over(p, -0.01)))
     by_border = (points[:, 0] - 0.5).abs() < 0.03  # where the lattice does not tell
     assert (near.at(points)[0][by_border] == 1).all()
 
 
 def wall_over(points, under):
     return torch.stack([torch.zeros(len(points)), torch.full((len(points),), -under)], 1)
+
+
+def test_the_nearest_areas_are_those_of_the_lattices_nodes():
+    def field(points):  # parted by a plane that no axis is square to
+        x, y, z = points.unbind(1)
+        side = x + 2 * y + 4 * z
+        return points[:, 0], torch.stack([-side, side], 1)
+
+    areas = SolidAreas(field, TWO, cells=10)
+    side = torch.linspace(-EXTENT, EXTENT, 11)
+    nodes = torch.cartesian_prod(side, side, side)
+    expected = field(nodes)[1].argmax(1).view(11, 11, 11)
+    sure = field(nodes)[1].amax(1).view(11, 11, 11) > 1e-4
+    assert torch.equal(areas.nearest()[sure], expected[sure])
+
+
+@pytest.mark.usefixtures("coarse")  # the weights
+def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch):
+    monkeypatch.setattr(pieces, "SEARCH", 40)
+    guidance = load_builtin("cpu")
+
+    def told(prompt):
+        parts = guidance.prompted(prompt, "")
+        each = parts.of_object(0).areas().each
+        return dict(zip(looks(parts.words.noun), each, strict=True))
+
+    sword = told("a sword")
+    assert sword["blade"].ranges.metallic == (1.0, 1.0)
+    assert sword["grip"].ranges.metallic == (0.0, 0.0)
+    low, high = sword["blade"].ranges.roughness
+    assert low < FINISHES["metal"].roughness < high < 0.35
+    assert (sword["blade"].surface.kind, sword["grip"].surface.kind) == ("metal", "plain")
+    car = told("a golden car")
+    assert car["body"].ranges.metallic == (1.0, 1.0)
+    assert car["windows"].ranges.metallic == (0.0, 0.0)
+    assert car["windows"].ranges.roughness[1] < 0.15 < 0.7 < car["wheels"].ranges.roughness[0]

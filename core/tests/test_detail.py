@@ -27,14 +27,14 @@ from core.guidance.guidance import PromptedGuidance, Surface
 from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion
 from core.ops import lab, srgb_to_linear
 from core.settings import with_settings
-from core.tests.texture_shapes import one_material, torus, torus_uv
+from core.tests.texture_shapes import area, one_material, torus, torus_uv
 from core.tests.tiny_runs import remembered
 from core.texture import finish
 from core.texture.bake import bake
 from core.texture.detail.grain import lengths
 from core.texture.detail.kinds import KINDS
 from core.texture.detail.noise import Noise
-from core.texture.detail.parts import Parts
+from core.texture.detail.parts import ByColor
 from core.texture.detail.place import Layer, Place
 from core.texture.finish import Finish, detail_of
 
@@ -250,10 +250,44 @@ def test_each_colour_gets_its_own_surface_and_keeps_its_mean():
         assert float(shift.norm()) < 5
 
 
+def test_where_the_areas_are_known_the_colours_do_not_decide():
+    """Two parts of one colour: the lower of wood, the upper of glass."""
+
+    class Areas:
+        each = tuple(
+            area(surface=Surface(kind, (0.58, 0.41, 0.28))) for kind in ("wooden", "glass")
+        )
+
+        def of(self, points):
+            return (points[:, 2] > 0).long()
+
+        def at(self, points):
+            raise NotImplementedError
+
+        nearest = at
+
+    mesh, material = ring(), one_material(BROWN)
+    surfaces = (Surface("glass", (0.58, 0.41, 0.28)),)
+    options = {"strength": 1.0, "size": 512, "seed": 0}
+    detail = detail_of(mesh, material, surfaces, Areas(), **options)
+    maps = bake(mesh.mesh, material, 512, finish=Finish(mesh, None, detail, Areas()))
+
+    def height(points):
+        return Material(points[:, 2:].expand(-1, 3), *(0 * points[:, :1],) * 2, 0 * points + 1)
+
+    z = bake(mesh.mesh, height, 512).base_color[..., 0]
+    grain = [
+        float((maps.base_color[where] / BROWN[1]).std(0).mean()) for where in (z < -0.02, z > 0.02)
+    ]
+    assert grain[1] < 0.3 * grain[0] and grain[0] > 0.05
+    shift = lab(maps.base_color[z > 0.02].mean(0)) - lab(torch.tensor(BROWN))
+    assert float(shift.norm()) < 5  # each keeps its own mean
+
+
 def test_parts_that_look_alike_are_one():
     near, far = (0.10, 0.10, 0.11), (0.9, 0.9, 0.9)
     surfaces = (Surface("paint", (0.1, 0.1, 0.1)), Surface("glass", near), Surface("rubber", far))
-    parts = Parts.of(surfaces, srgb_to_linear(torch.tensor([[0.1] * 3, [0.9] * 3])))
+    parts = ByColor.of(surfaces, srgb_to_linear(torch.tensor([[0.1] * 3, [0.9] * 3])))
     assert [surface.kind for surface in parts.surfaces] == ["paint", "rubber"]
 
 

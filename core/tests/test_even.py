@@ -6,7 +6,7 @@ import torch
 from core.appearance.material import Material
 from core.appearance.shaded import UvMesh
 from core.geometry.mesh import Mesh
-from core.tests.texture_shapes import torus, torus_uv
+from core.tests.texture_shapes import area, torus, torus_uv
 from core.texture.even import evened
 
 MESH = UvMesh.of(Mesh(*torus(), *torus_uv()))
@@ -15,7 +15,13 @@ MESH = UvMesh.of(Mesh(*torus(), *torus_uv()))
 class Halves:
     """Two areas: x below 0, which is plain, and x above; what is near the border moves off it."""
 
-    plain = (True, False)
+    each = tuple(area(plain) for plain in (True, False))
+
+    def of(self, points):
+        return self.at(points)[0]
+
+    def nearest(self):
+        raise NotImplementedError
 
     def at(self, points):
         right = points[:, 0] > 0
@@ -24,7 +30,7 @@ class Halves:
         return right.long(), torch.cat([away[:, None], points[:, 1:]], 1)
 
 
-def learnt(points):
+def learnt(points, _area=None):
     """Blotches by y; a border at x = 0 that fades; roughness and metallic by z."""
     fade = (points[:, :1] / 0.1).clamp(-1, 1)
     blotch = 0.2 * (9 * points[:, 1:2]).sin()

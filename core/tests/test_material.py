@@ -6,10 +6,14 @@ import pytest
 import torch
 
 from core.appearance.material import Material, MaterialNet, specular_color, to_ranges
+from core.appearance.material_ranges import LocalRanges, MaterialRanges
 from core.config import AppearanceConfig, preset
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.areas import SolidAreas
 from core.guidance.load import make_guidance
-from core.job_config import within
+from core.job_config import local_ranges, within
 from core.ops import linear_to_srgb, srgb_to_linear
+from core.tests.texture_shapes import area
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
 
@@ -83,3 +87,39 @@ def test_the_words_bound_the_material():
     rough = guidance.prompted("a rubber ball", "").ranges().roughness
     assert rough[0] > guidance.prompted("a metal ball", "").ranges().roughness[1]
     assert within(CONFIG, None) == CONFIG
+
+
+def halves() -> LocalRanges:
+    """Rough at x < 0, smooth metal at x > 0; between 0.2 and 0.4 of y it is as z says."""
+    side = torch.linspace(-EXTENT, EXTENT, 22)
+    areas = (side > 0).long()[:, None, None].repeat(1, 22, 22)
+    band = (side > 0.2) & (side < 0.4)
+    areas[:, band] = (side > 0).long()[None, None].expand(22, int(band.sum()), 22)
+    ranges = [MaterialRanges((0.8, 0.9), (0.0, 0.0)), MaterialRanges((0.1, 0.2), (1.0, 1.0))]
+    return LocalRanges(areas, ranges)
+
+
+def test_each_place_has_its_areas_ranges():
+    net = MaterialNet(CONFIG, torch.Generator().manual_seed(0), halves())
+    x, y, z = torch.tensor([[-0.5, 0, 0.6], [0.5, 0, -0.6], [-0.5, 0.3, 0.6], [0.5, 0.3, -0.6]]).T
+    m = net(torch.stack([x, y, z], 1))
+    torch.testing.assert_close(m.roughness[:, 0], torch.tensor([0.85, 0.15, 0.15, 0.85]))
+    assert m.metallic[:, 0].tolist() == [0, 1, 1, 0]
+    known = net(torch.stack([x, y, z], 1), area=torch.tensor([1, 0, 0, 1]))
+    assert known.metallic[:, 0].tolist() == [1, 0, 0, 1]
+    far = net(torch.tensor([[9.0, 0, 0], [-9.0, 0, 0]]))  # outside of the cube too
+    assert far.metallic[:, 0].tolist() == [1, 0]
+
+
+def test_the_ranges_of_places_are_not_kept_in_checkpoints_and_go_to_the_device():
+    net = MaterialNet(CONFIG, torch.Generator().manual_seed(0), halves())
+    plain = MaterialNet(CONFIG, torch.Generator().manual_seed(0))
+    assert net.state_dict().keys() == plain.state_dict().keys()
+    assert net.to("meta").local.areas.device.type == "meta"
+
+
+def test_what_is_matte_stays_matte_and_without_areas_there_are_no_ranges_of_places():
+    areas = SolidAreas(lambda p: (p[:, 0], p[:, :1]), (area(),), cells=4)
+    assert local_ranges(replace(CONFIG, shading="diffuse"), areas) is None
+    assert local_ranges(CONFIG, areas).areas.shape == (5, 5, 5)
+    assert local_ranges(CONFIG, None) is None

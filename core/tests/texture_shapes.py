@@ -4,6 +4,15 @@ import torch
 from torch import Tensor
 
 from core.appearance.material import Material
+from core.appearance.material_ranges import MaterialRanges
+from core.guidance.guidance import Area, Surface
+
+OPEN = MaterialRanges((0.05, 0.95), (0.0, 1.0))
+
+
+def area(plain: bool = True, surface: Surface | None = None) -> Area:
+    """What is meant by an area of which nothing else matters."""
+    return Area(plain, OPEN, surface or Surface("plain", (0.5, 0.5, 0.5)))
 
 
 def torus(

@@ -8,7 +8,7 @@ sees as dirt. Where the pieces are known they are drawn towards their median.
 from collections.abc import Callable
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.appearance.material import Material
@@ -19,25 +19,26 @@ from core.texture.detail.survey import spread
 SURVEYED = 1 << 14  # points of the surface, for the medians
 
 MaterialAt = Callable[[Float[Tensor, "n 3"]], Material]
+MaterialIn = Callable[[Float[Tensor, "n 3"], Int[Tensor, " n"]], Material]  # in a known area
 
 
-def evened(learnt: MaterialAt, areas: Areas, mesh: UvMesh, evenness: float) -> MaterialAt:
+def evened(learnt: MaterialIn, areas: Areas, mesh: UvMesh, evenness: float) -> MaterialAt:
     """``learnt`` with sharp borders, and with ``evenness`` of the variation within each plain area
     taken out of colour, roughness and metallic; relief stays."""
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
     points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
     area, inside = areas.at(points)
-    values = _values(learnt(inside))
-    median = torch.zeros(len(areas.plain), values.shape[1])
-    share = torch.zeros(len(areas.plain), 1)
-    for index, plain in enumerate(areas.plain):
+    values = _values(learnt(inside, area))
+    median = torch.zeros(len(areas.each), values.shape[1])
+    share = torch.zeros(len(areas.each), 1)
+    for index, meant in enumerate(areas.each):
         mine = values[area == index]
-        if plain and len(mine):
+        if meant.plain and len(mine):
             median[index], share[index] = mine.median(0).values, evenness
 
     def at(points: Float[Tensor, "n 3"]) -> Material:
         area, inside = areas.at(points)
-        material = learnt(inside)
+        material = learnt(inside, area)
         values = torch.lerp(_values(material), median[area], share[area])
         return Material(values[:, :3], values[:, 3:4], values[:, 4:5], material.kn)
 

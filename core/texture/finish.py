@@ -10,11 +10,12 @@ from core.appearance.material import Material
 from core.appearance.shade import perturb
 from core.appearance.shaded import UvMesh
 from core.geometry.mesh import face_areas
-from core.guidance.guidance import Surface
+from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
 from core.texture.detail.detail import Coat, Detail, Spots
 from core.texture.detail.grain import lengths
 from core.texture.detail.noise import Noise
+from core.texture.detail.parts import ByArea, ByColor
 from core.texture.detail.survey import spread
 from core.texture.fine_surface import FineSurface, turned
 
@@ -29,9 +30,14 @@ class Finish:
     """What a texel's material becomes, from the surface's attributes there."""
 
     def __init__(
-        self, mesh: UvMesh, fine: FineSurface | None = None, detail: Detail | None = None
+        self,
+        mesh: UvMesh,
+        fine: FineSurface | None = None,
+        detail: Detail | None = None,
+        areas: Areas | None = None,
     ) -> None:
-        self.fine, self.detail = fine, detail
+        """``areas``: those that the detail is told apart by."""
+        self.fine, self.detail, self.areas = fine, detail, areas
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
         # By corner: the point, the normal, the tangent with its sign, and the parts' lengths.
         length = lengths(mesh.verts, mesh.faces) if detail else torch.zeros_like(mesh.verts)
@@ -57,7 +63,8 @@ class Finish:
             fine = self.fine.normals(point, shape)
             shape, bumpy = fine, turned(bumpy, shape, fine)
         if self.detail:
-            coat, slope = self.detail(Spots(point * self.scale, shape, length), coat)
+            area = self.areas.of(point) if self.areas else None
+            coat, slope = self.detail(Spots(point * self.scale, shape, length, area), coat)
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
         return torch.cat([*coat, in_tangent_space(bumpy, normal, tangent)], 1)
@@ -67,13 +74,14 @@ def detail_of(
     mesh: UvMesh,
     material: MaterialAt,
     surfaces: tuple[Surface, ...],
+    areas: Areas | None = None,
     *,
     strength: float,
     size: int,
     seed: int,
 ) -> Detail | None:
-    """The detail of ``surfaces`` on ``mesh``, whose learnt material is ``material``; None where
-    there is none to make."""
+    """The detail of the ``areas``, or where they are not known of ``surfaces``, on ``mesh``, whose
+    learnt material is ``material``; None where there is none to make."""
     if not surfaces or strength == 0:
         return None
     finish = Finish(mesh)
@@ -81,10 +89,13 @@ def detail_of(
     at = torch.einsum("nk,nkc->nc", bary, finish.attributes[face])
     learnt = material(at[:, :3])
     long = torch.einsum("nk,nkc->nc", bary, lengths(mesh.verts, mesh.faces)[mesh.faces[face]])
-    spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long)
+    area = areas.of(at[:, :3]) if areas else None
+    spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, area)
     noise = Noise(seed, footprint(mesh, size) * finish.scale)
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
-    return Detail.of(surfaces, noise, strength, spots, coat)
+    by_area = ByArea(tuple(one.surface for one in areas.each)) if areas else None
+    parts = by_area or ByColor.of(surfaces, coat.kd)
+    return Detail.of(parts, noise, strength, spots, coat)
 
 
 def footprint(mesh: UvMesh, size: int) -> float:

@@ -15,6 +15,7 @@ from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.patterns import Margin
+from core.guidance.guidance import Area
 
 CELLS = 80  # of the lattice on which the parts are known, along an edge
 INSET = 0.06  # training units: what a picture's blur covers
@@ -59,13 +60,13 @@ class SolidAreas:
     def __init__(
         self,
         field: Field,
-        plain: tuple[bool, ...],
+        each: tuple[Area, ...],
         near: Field | None = None,
         cells: int = CELLS,
     ) -> None:
-        """``plain``: which areas are of one colour, as far as the words and nature say. ``near``:
-        what tells the areas apart near the borders; None: ``field``."""
-        self.plain, self.field, self.near = plain, field, near or field
+        """``each``: what the words and nature say of the areas. ``near``: what tells them apart
+        near the borders; None: ``field``."""
+        self.each, self.field, self.near = each, field, near or field
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -75,16 +76,29 @@ class SolidAreas:
         # grid_sample's first coordinate runs along the last axis.
         self.values = values.T.view(-1, cells + 1, cells + 1, cells + 1).permute(0, 3, 2, 1)[None]
 
+    def nearest(self) -> Int[Tensor, "k k k"]:
+        """The area of each node of the lattice."""
+        return self.values[0, 1:].argmax(0).permute(2, 1, 0)
+
+    def of(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The area of each point."""
+        return self._of(points, self._at(points)[:, 1:])
+
+    def _of(self, points: Float[Tensor, "n 3"], depths: Float[Tensor, "n a"]) -> Int[Tensor, " n"]:
+        area = depths.argmax(1)
+        if depths.shape[1] > 1:
+            first, second = depths.topk(2, 1).values.T
+            near = first - second < UNCLEAR * self.spacing
+            area[near] = self._owner(points[near])
+        return area
+
     def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
         """The area of each point, and the point itself, or where it is near a border the place
         along the surface that is ``INSET`` from the border, in the same area."""
         start = self._at(points)
-        area, level = start[:, 1:].argmax(1), start[:, 0]
+        area, level = self._of(points, start[:, 1:]), start[:, 0]
         if start.shape[1] == 2:  # no border
             return area, points
-        first, second = start[:, 1:].topk(2, 1).values.T
-        near = first - second < UNCLEAR * self.spacing
-        area[near] = self._owner(points[near])
         moved, here = points.clone(), torch.arange(len(points), device=points.device)
         for step in range(STEPS):  # of the points that are near a border
             place, mine = moved[here], area[here]

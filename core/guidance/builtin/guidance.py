@@ -14,6 +14,7 @@ from jaxtyping import Float, Int
 from safetensors import SafetensorError
 from torch import Tensor
 
+from core.appearance.material_ranges import MaterialRanges
 from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
@@ -32,7 +33,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import finishes_of, painted
+from core.guidance.builtin.palette import Finish, finishes_of, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
@@ -40,12 +41,12 @@ from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
-from core.guidance.builtin.surfaces import surfaces_of
+from core.guidance.builtin.surfaces import surface_of, surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
 from core.guidance.guidance import (
+    Area,
     Guidance,
-    MaterialRanges,
     NormalFrame,
     Predictions,
     PromptedGuidance,
@@ -58,6 +59,7 @@ from core.guidance.sds import eps_from_v
 
 SIZE = 64
 # In the order of the networks' embeddings.
+GLOSS = 0.03  # of a part's roughness, around what its finish has
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 
@@ -134,7 +136,7 @@ class PromptedBuiltin(PromptedGuidance):
 
         At 64² a rough metal and a dark plastic look alike; the words tell them apart.
         """
-        # Of all parts together: Γ has one range for the whole object.
+        # Of all parts together, where it is not known what is where.
         finishes = finishes_of(self.words.noun, self.words.material)
         rough, metal = ([getattr(f, n) for f in finishes] for n in ("roughness", "metallic"))
         return MaterialRanges(
@@ -176,15 +178,16 @@ class PromptedBuiltin(PromptedGuidance):
             return None
         parts = list(painted(self.words.noun, self.words))
         margins = [MARGINS.get(part.pattern) for part in parts]
-        # What is patterned by nature alone is not plain: where its colours lie is learnt.
-        own = [part.pattern in ("", part.finish.pattern) for part in parts]
-        plain = [
-            x for x, m in zip(own, margins, strict=True) for x in ((True, True) if m else (x,))
-        ]
+        each = []
+        for part, margin in zip(parts, margins, strict=True):
+            # What is patterned by nature alone is not plain: where its colours lie is learnt.
+            plain = margin is not None or part.pattern in ("", part.finish.pattern)
+            area = Area(plain, ranges_of(part.finish), surface_of(self.words, part))
+            each += [area] if margin is None else [area, area]
         assert self._known is not None  # of a drawn solid
         fields = (self._known.distances, self._known.near)
         drawn, near = (patterned(depths(of, len(parts)), margins) for of in fields)
-        return SolidAreas(drawn, tuple(plain), near)
+        return SolidAreas(drawn, tuple(each), near)
 
     def parts(self) -> KnownParts | None:
         """The drawn solid's; what its adjective makes oval is not round."""
@@ -275,6 +278,13 @@ class PromptedBuiltin(PromptedGuidance):
         if apart and rows[1] != none:
             rows.insert(1, none)
         return torch.tensor(rows, device=self.builtin.device)
+
+
+def ranges_of(finish: Finish) -> MaterialRanges:
+    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached."""
+    rough = finish.roughness
+    low, high = max(rough - GLOSS, 0.05), min(rough + GLOSS, 0.95)
+    return MaterialRanges((low, high), (finish.metallic, finish.metallic))
 
 
 def has_fast_bfloat16(device: torch.device) -> bool:

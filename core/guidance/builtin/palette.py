@@ -37,6 +37,9 @@ COLOR_VALUES: dict[str, Color] = {
     "beige": (0.85, 0.76, 0.60),
 }
 SWATCHES = 8  # channels of ``swatches``
+# Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
+# surroundings that are darker than what lights a wall.
+METAL_DARKNESS = 0.75
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 
 
@@ -121,8 +124,10 @@ def looks(noun: str) -> dict[str, Look]:
 def _look(text: str) -> Look:
     color, pattern, finish = (*text[1:].split(), ".", ".")[:3]
     red, green, blue = (int(color[i : i + 2], 16) / 255 for i in (0, 2, 4))
-    kinds = FINISHES | {".": PLAIN, "paint": PAINT}
-    return Look(text[0], (red, green, blue), pattern.strip("."), kinds[finish], finish.strip("."))
+    rgb, shine = (red, green, blue), (FINISHES | {".": PLAIN, "paint": PAINT})[finish]
+    if shine.metallic > 0.5:
+        rgb = tuple(1 - (1 - c) * METAL_DARKNESS for c in rgb)
+    return Look(text[0], rgb, pattern.strip("."), shine, finish.strip("."))
 
 
 def finishes_of(noun: str, material: str) -> list[Finish]:

@@ -20,11 +20,12 @@ from core.ops import srgb_to_linear
 
 def surfaces_of(words: Words) -> tuple[Surface, ...]:
     """Each of the thing's parts, without repeats."""
-    found = [_surface(words, part) for part in painted(words.noun, words)]
+    found = [surface_of(words, part) for part in painted(words.noun, words)]
     return tuple(dict.fromkeys(found))
 
 
-def _surface(words: Words, part: Painted) -> Surface:
+def surface_of(words: Words, part: Painted) -> Surface:
+    """What one part is made of."""
     if not words.material or part.look.role == "-":
         return Surface(_by_nature(words.noun, part), part.color)
     variant = VARIANTS.get(words.material_form)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.guidance import Surface
@@ -36,6 +36,11 @@ class Spots(NamedTuple):
     point: Float[Tensor, "n 3"]  # in units of the object's longest side
     normal: Float[Tensor, "n 3"]  # unit
     lengths: Float[Tensor, "n 3"]  # see core.texture.detail.grain
+    area: Int[Tensor, " n"] | None = None  # where the areas are known
+
+    def where(self, index: Int[Tensor, " m"]) -> "Spots":
+        """Some of them."""
+        return Spots(*(x if x is None else x[index] for x in self))
 
 
 @dataclass(frozen=True)
@@ -48,13 +53,10 @@ class Detail:
     gains: Float[Tensor, "k 3"]  # of each surface's base colour, so that its mean stays
 
     @classmethod
-    def of(
-        cls, surfaces: tuple[Surface, ...], noise: Noise, strength: float, at: Spots, coat: Coat
-    ) -> "Detail":
+    def of(cls, parts: Parts, noise: Noise, strength: float, at: Spots, coat: Coat) -> "Detail":
         """``at``, ``coat``: points evenly over the surface, and what was learnt there."""
-        parts = Parts.of(surfaces, coat.kd)
         plain = cls(parts, noise, strength, torch.ones(len(parts.surfaces), 3))
-        weights = parts.weights(coat.kd)
+        weights = parts.weights(coat.kd, at.area)
         gains = []
         for k, surface in enumerate(parts.surfaces):
             # By the points that are mostly this surface's; a part that is nowhere keeps 1.
@@ -69,14 +71,14 @@ class Detail:
 
     def __call__(self, at: Spots, coat: Coat) -> tuple[Coat, Float[Tensor, "n 3"]]:
         """The material with its detail, and the gradient of the relief along the surface."""
-        weights = self.parts.weights(coat.kd)
+        weights = self.parts.weights(coat.kd, at.area)
         kd, roughness, metallic = torch.zeros_like(coat.kd), coat.roughness, coat.metallic
         slope = torch.zeros_like(at.point)
         for k, surface in enumerate(self.parts.surfaces):
             here = (weights[:, k] > LEAST).nonzero().squeeze(1)
             if not len(here):
                 continue
-            spots, w = Spots(*(x[here] for x in at)), weights[here, k : k + 1]
+            spots, w = at.where(here), weights[here, k : k + 1]
             layer, gradient = self._relief(k, spots)
             gain = torch.lerp(self.gains[k], torch.ones(3), _column(layer.apart))
             color = gain * _colored(coat.kd[here], layer, surface, self.strength)

@@ -1,9 +1,10 @@
-"""Which substance is where: each point's colour is compared with what the parts were painted."""
+"""Which substance is where: by the area of each point, or where the areas are not known by its
+colour, which is compared with what the parts were painted."""
 
-from dataclasses import dataclass
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.guidance import Surface
@@ -16,15 +17,41 @@ ROUNDS = 3  # of moving each colour to the mean of the points that are nearest t
 KEPT = 0.3  # of a part's stated colour, so that it is not drawn away to another part's
 
 
-@dataclass(frozen=True)
-class Parts:
+@runtime_checkable
+class Parts(Protocol):
     """The kinds of an object's surface, and where they are."""
+
+    surfaces: tuple[Surface, ...]
+
+    def weights(
+        self, kd: Float[Tensor, "n 3"], area: Int[Tensor, " n"] | None
+    ) -> Float[Tensor, "n k"]:
+        """How much each surface is what is at points of the learnt colour ``kd`` (linear); a
+        point's weights add up to 1."""
+        ...
+
+
+class ByArea(NamedTuple):
+    """Each area has its surface."""
+
+    surfaces: tuple[Surface, ...]
+
+    def weights(
+        self, kd: Float[Tensor, "n 3"], area: Int[Tensor, " n"] | None
+    ) -> Float[Tensor, "n k"]:
+        """See :class:`Parts`."""
+        assert area is not None
+        return torch.nn.functional.one_hot(area, len(self.surfaces)).to(kd)
+
+
+class ByColor(NamedTuple):
+    """Each surface is where the colour is the most like its own."""
 
     surfaces: tuple[Surface, ...]
     colors: Float[Tensor, "k 3"]  # CIELAB
 
     @classmethod
-    def of(cls, surfaces: tuple[Surface, ...], kd: Float[Tensor, "n 3"]) -> "Parts":
+    def of(cls, surfaces: tuple[Surface, ...], kd: Float[Tensor, "n 3"]) -> "ByColor":
         """``kd``: linear, at points evenly over the surface."""
         stated = lab(srgb_to_linear(torch.tensor([s.color for s in surfaces])))
         kept = [
@@ -39,8 +66,11 @@ class Parts:
             colors = torch.where(count > 0, mean, stated)
         return cls(tuple(surfaces[i] for i in kept), colors)
 
-    def weights(self, kd: Float[Tensor, "n 3"]) -> Float[Tensor, "n k"]:
-        """How much each surface is what is there; a point's weights add up to 1."""
+    def weights(
+        self, kd: Float[Tensor, "n 3"], area: Int[Tensor, " n"] | None
+    ) -> Float[Tensor, "n k"]:
+        """See :class:`Parts`."""
+        del area
         distance = torch.cdist(lab(kd), self.colors)
         return torch.softmax(-distance / SPREAD * 2, 1)
 
