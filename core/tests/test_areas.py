@@ -201,7 +201,7 @@ def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch)
     assert sword["grip"].ranges.metallic == (0.0, 0.0)
     low, high = sword["blade"].ranges.roughness
     assert low < FINISHES["metal"].roughness < high < 0.35
-    assert (sword["blade"].surface.kind, sword["grip"].surface.kind) == ("metal", "plain")
+    assert (sword["blade"].surface.kind, sword["grip"].surface.kind) == ("metal", "leather")
     car = told("a golden car")
     assert car["body"].ranges.metallic == (1.0, 1.0)
     assert car["windows"].ranges.metallic == (0.0, 0.0)

@@ -303,7 +303,7 @@ def test_the_words_say_what_each_part_is_made_of():
     assert kinds("a marble bust")[0] == "marble"
     assert kinds("a rusty robot")[0] == "rusty"
     assert kinds("a blue rusty robot")[0] == "rusted paint"
-    assert set(kinds("an apple")) == {"plain"}
+    assert set(kinds("an apple")) == {"peel", "leaf"}
 
 
 def test_a_variants_own_colour_is_for_prompts_without_one():

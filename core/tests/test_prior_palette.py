@@ -6,11 +6,12 @@ import pytest
 import torch
 
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.nouns import GROUPS, PART_NAMES
 from core.guidance.builtin.nouns import NOUNS as KNOWN
-from core.guidance.builtin.nouns import PART_NAMES
 from core.guidance.builtin.palette import (
     COLOR_VALUES,
     FINISHES,
+    METAL_DARKNESS,
     SWATCHES,
     companion,
     finishes_of,
@@ -19,6 +20,13 @@ from core.guidance.builtin.palette import (
     swatches,
 )
 from core.guidance.builtin.patterns import Place
+from core.guidance.builtin.substances import (
+    OF_A_GROUP,
+    OF_A_PART,
+    OF_A_THING,
+    OF_THE_REST,
+    ROUGHNESS,
+)
 from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb
@@ -27,6 +35,7 @@ from core.prior.data import NOUNS, make
 from core.prior.draw import Draw
 from core.prior.natural_patterns import ALL_PATTERNS as PAINTED
 from core.prior.paint import Caption, coat, paint
+from core.texture.detail.kinds import KINDS
 
 
 def _draw(seed: int = 0) -> Draw:
@@ -223,3 +232,41 @@ def test_dents_are_soft_and_leave_the_weight_of_the_normals():
     unit = dented / weight
     step = (unit[..., 1:] - unit[..., :-1]).norm(dim=1)
     assert step[touched].mean() < 0.1  # of neighbouring pixels
+
+
+def test_each_substance_is_of_something_that_there_is_and_has_its_detail():
+    pairs = {f"{noun} {part}" for noun, row in KNOWN.items() for part in row.looks}
+    parts = {part for row in KNOWN.values() for part in row.looks}
+    tables = ((OF_A_THING, pairs), (OF_A_PART, parts), (OF_THE_REST, set(KNOWN)))
+    for table, known in tables:
+        names = [name for text in table.values() for name in text.split(", ")]
+        assert len(names) == len(set(names)) and not set(names) - known
+    assert not set(OF_A_GROUP) - set(GROUPS)
+    kinds = {k for table, _ in tables for k in table} | set(OF_A_GROUP.values()) | set(ROUGHNESS)
+    assert not kinds - set(KINDS)
+
+
+def test_what_a_row_leaves_open_is_told_by_the_part_the_thing_or_its_group():
+    def kind(noun, part):
+        return looks(noun)[part].material
+
+    assert kind("sword", "blade") == "metal"  # the row's own finish
+    assert kind("bench", "seat") == "wooden"  # by its pattern
+    assert kind("mouse", "ears") == "skin"  # a part of this thing
+    assert kind("corgi", "eyes") == "eye"  # a part of any
+    assert kind("frog", "body") == "wet skin"  # the thing
+    assert kind("corgi", "body") == "fur"  # its group
+    assert kind("cube", "body") == ""
+    rough = {part: look.finish.roughness for part, look in looks("corgi").items()}
+    assert rough["eyes"] < 0.1 < 0.8 < rough["body"]
+    bare = [(n, p) for n in KNOWN for p, look in looks(n).items() if not look.material]
+    assert len(bare) < 20
+
+
+def test_a_natural_metals_colour_is_lighter_than_it_is_seen():
+    text = KNOWN["sword"].looks["blade"]
+    blade = looks("sword")["blade"]
+    assert blade.finish.metallic == 1
+    for at, made in zip((1, 3, 5), blade.color, strict=True):
+        seen = int(text[at : at + 2], 16) / 255
+        assert 1 - made == pytest.approx(METAL_DARKNESS * (1 - seen))

@@ -29,7 +29,7 @@ NEAREST = {
     "hat": "bonnet",
     "trophy": "prize, award",
     "yellow": "mustard",
-    "grey": "charcoal, slate",
+    "grey": "charcoal",
     "beige": "sand, khaki, taupe",
     "light blue": "azure, aqua",
     "lime": "chartreuse",
@@ -38,11 +38,10 @@ NEAREST = {
     "glass": "transparent, translucent",
     "plastic": "vinyl, nylon, acrylic",
     "metal": "titanium, tin, zinc",
-    "wooden": "wicker",
-    "stone": "cement, sandstone",
+    "stone": "cement",
     "ceramic": "earthenware, enamel",
     "rubber": "silicone, latex",
-    "fabric": "fur, fluffy, linen, canvas, knitted, plush",
+    "fabric": "linen, canvas",
 }
 # Words of everyday English that are one slip away from a known word: no misspellings.
 REAL = frozenset(
@@ -149,5 +148,5 @@ REAL = frozenset(
     valentin valentina valentino vets vidal village villages violates violent viral vital
     vulcan waffled wail waited waiver waivers wales walled waller wallis wally walter
     walters wanda washed washes weasel while whit whole widen wider widow widows wilde
-    wolfe wolff wooded woody woolf word words worked worship woven wrath writer writers""".split()
+    wolfe wolff wooded woody woolf word words worked worship wrath writer writers""".split()
 )

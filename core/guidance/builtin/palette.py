@@ -13,6 +13,7 @@ from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 
 Color = tuple[float, float, float]
 
@@ -68,7 +69,8 @@ FINISHES: dict[str, Finish] = {
     "copper": Finish((0.93, 0.56, 0.42), 0.3, 1.0),
     "fabric": Finish(None, 0.9, 0.0),
 }
-PAINT = Finish(None, 0.2, 0.0)  # of a car: no word, only by nature
+# No words, only by nature: a car's, a bench's legs.
+PAINT, CAST_IRON = Finish(None, 0.2, 0.0), Finish(None, 0.6, 1.0)
 
 
 def swatches(words: Int[Tensor, "b n"]) -> Float[Tensor, "b 8"]:
@@ -112,22 +114,30 @@ class Look(NamedTuple):
     color: Color
     pattern: str
     finish: Finish
-    material: str = ""  # the finish's name in the noun's looks
+    material: str = ""  # what it is of: its finish's name, or the kind of its substance
 
 
 @cache
 def looks(noun: str) -> dict[str, Look]:
     """The noun's parts by nature, in the order of the pictures' part index."""
-    return {part: _look(text) for part, text in NOUNS[noun].looks.items()}
+    return {part: _look(noun, part, text) for part, text in NOUNS[noun].looks.items()}
 
 
-def _look(text: str) -> Look:
-    color, pattern, finish = (*text[1:].split(), ".", ".")[:3]
-    red, green, blue = (int(color[i : i + 2], 16) / 255 for i in (0, 2, 4))
-    rgb, shine = (red, green, blue), (FINISHES | {".": PLAIN, "paint": PAINT})[finish]
-    if shine.metallic > 0.5:
-        rgb = tuple(1 - (1 - c) * METAL_DARKNESS for c in rgb)
-    return Look(text[0], rgb, pattern.strip("."), shine, finish.strip("."))
+def _look(noun: str, part: str, text: str) -> Look:
+    color, pattern, stated = (*text[1:].split(), ".", ".")[:3]
+    rgb = [int(color[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    kind = BY_PATTERN.get(pattern) or stated.strip(".") or substance(noun, part)
+    finish = _natural(kind) if stated == "." else (FINISHES | {"paint": PAINT})[stated]
+    if finish.metallic > 0.5:
+        rgb = [1 - (1 - c) * METAL_DARKNESS for c in rgb]
+    red, green, blue = rgb
+    return Look(text[0], (red, green, blue), pattern.strip("."), finish, kind)
+
+
+def _natural(kind: str) -> Finish:
+    """How a part of a kind shines, which has the colour and the pattern of its own look."""
+    known = (FINISHES | {"paint": PAINT, "cast iron": CAST_IRON}).get(kind, PLAIN)
+    return Finish(None, ROUGHNESS.get(kind, known.roughness), known.metallic)
 
 
 def finishes_of(noun: str, material: str) -> list[Finish]:

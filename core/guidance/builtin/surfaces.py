@@ -5,14 +5,7 @@ from functools import cache
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
-from core.guidance.builtin.variants import (
-    BUILDINGS,
-    BY_NOUN,
-    BY_PART,
-    BY_PATTERN,
-    VARIANTS,
-    Color,
-)
+from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Color
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
@@ -50,9 +43,7 @@ def _kind(words: Words, part: Painted) -> str:
 
 
 def _by_nature(noun: str, part: Painted) -> str:
-    known = BY_PATTERN.get(part.look.pattern) or part.look.material
-    if not known:
-        known = BY_PART.get(part.name) or BY_NOUN.get(noun, "plain")
+    known = part.look.material or "plain"
     # A train's chimney is no wall.
     return "paint" if known == "brick" and noun not in BUILDINGS else known
 

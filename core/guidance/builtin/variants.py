@@ -23,6 +23,8 @@ VARIANTS: dict[str, Variant] = {
     "walnut": Variant("wooden", (0.36, 0.22, 0.13)),
     "mahogany": Variant("wooden", (0.42, 0.17, 0.10), 0.4),
     "bamboo": Variant("wooden", (0.80, 0.67, 0.42), 0.45),
+    "wicker": Variant("wicker", (0.62, 0.46, 0.27), 0.8),
+    "rattan": Variant("wicker", (0.68, 0.52, 0.32), 0.75),
     # of metal
     "brushed metal": Variant("brushed metal", None, 0.38),
     "brushed steel": Variant("brushed metal", None, 0.38),
@@ -46,6 +48,8 @@ VARIANTS: dict[str, Variant] = {
     "granite": Variant("granite", (0.52, 0.50, 0.49), 0.35),
     "concrete": Variant("concrete", (0.60, 0.59, 0.57), 0.9),
     "brick": Variant("brick", (0.58, 0.30, 0.22), 0.9),
+    "sandstone": Variant("concrete", (0.76, 0.62, 0.43), 0.9),
+    "slate": Variant("stone", (0.29, 0.31, 0.34), 0.7),
     # of ceramic
     "clay": Variant("clay", (0.72, 0.42, 0.29), 0.85),
     "terracotta": Variant("clay", (0.72, 0.38, 0.25), 0.85),
@@ -58,45 +62,15 @@ VARIANTS: dict[str, Variant] = {
     "woollen": Variant("felt"),
     "woolen": Variant("felt"),
     "velvet": Variant("velvet"),
+    "plush": Variant("felt"),
+    "fur": Variant("fur"),
+    "furry": Variant("fur"),
+    "fluffy": Variant("fur"),
     "denim": Variant("denim", (0.20, 0.29, 0.45)),
+    # of leather
+    "suede": Variant("velvet", (0.55, 0.38, 0.24), 0.85),
 }
 
-# Kinds that a thing's parts have by nature: by the pattern that the part's look names, or else by
-# its finish; then, where that is none, by the part's name, then by the thing's.
-BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
-BY_PART = {
-    "door": "wooden",
-    "trunk": "wooden",
-    "mast": "wooden",
-    "sticks": "wooden",
-    "feet": "wooden",
-    "neck": "wooden",
-    "bridge": "wooden",
-    "chimney": "brick",
-    "pot": "clay",
-    "wheels": "rubber",
-    "sails": "fabric",
-    "ribbon": "fabric",
-    "shade": "fabric",
-    "cushion": "fabric",
-    "blanket": "fabric",
-    "mattress": "fabric",
-    "pillow": "fabric",
-    "collar": "fabric",
-}
-BY_NOUN = {
-    "armchair": "fabric",
-    "boat": "wooden",
-    "bowl": "ceramic",
-    "bowling pin": "paint",
-    "dumbbell": "cast iron",
-    "hat": "felt",
-    "mug": "ceramic",
-    "rocket": "paint",
-    "teapot": "ceramic",
-    "train": "paint",
-    "vase": "clay",
-}
 # Things that are built of stones, not carved from one.
 BUILDINGS = (
     *("house", "cottage", "tower", "lighthouse", "church", "arch"),

@@ -36,21 +36,21 @@ COLORS = {
     "beige": "; cream, cream coloured, cream colored, ivory, tan",
 }
 MATERIALS = {
-    "wooden": "wood, timber; oak, walnut, bamboo, mahogany",
+    "wooden": "wood, timber; oak, walnut, bamboo, mahogany, wicker, rattan",
     "metal": "polished metal, shiny metal, metallic, polished; brushed metal, brushed steel, "
     "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
     "aluminium, aluminum, polished steel",
     "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass",
     "plastic": "",
     "rubber": "",
-    "stone": "rock; marble, granite, concrete, brick",
+    "stone": "rock; marble, granite, concrete, brick, sandstone, slate",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, glazed, glazed ceramic; clay, terracotta",
-    "leather": "",
+    "leather": "; suede",
     "glass": "glassy, glass like; glossy, crystal glass, crystalline",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
-    "denim",
+    "denim, knitted, knit, woven, plush, fur, furry, fluffy",
 }
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",

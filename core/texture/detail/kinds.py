@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from core.texture.detail import cast, cloth, metal, rust, stone, wood
+from core.texture.detail import cast, cloth, growing, living, metal, rust, stone, wood
 from core.texture.detail.place import Layer, Place
 
 KINDS: dict[str, Callable[[Place], Layer]] = {
@@ -35,4 +35,28 @@ KINDS: dict[str, Callable[[Place], Layer]] = {
     "denim": cloth.denim,
     "felt": cloth.felt,
     "velvet": cloth.velvet,
+    "fur": living.fur,
+    "hair": living.hair,
+    "feathers": living.feathers,
+    "scales": living.scales,
+    "hide": living.hide,
+    "skin": living.skin,
+    "wet skin": living.wet_skin,
+    "chitin": living.chitin,
+    "bone": living.bone,
+    "eye": living.eye,
+    "leaf": growing.leaf,
+    "foliage": growing.foliage,
+    "petal": growing.petal,
+    "bark": growing.bark,
+    "peel": growing.peel,
+    "flesh": growing.flesh,
+    "crust": growing.crust,
+    "crumb": growing.crumb,
+    "cream": growing.cream,
+    "paper": growing.paper,
+    "soil": growing.soil,
+    "flame": growing.flame,
+    "liquid": growing.liquid,
+    "wicker": growing.wicker,
 }
