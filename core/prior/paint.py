@@ -9,6 +9,7 @@ from torch import Tensor
 
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.patterns import Place
+from core.guidance.builtin.reading import Accent
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.natural_patterns import ALL_PATTERNS
@@ -35,6 +36,8 @@ class Caption:
     pattern: str = ""
     second: str = ""
     target: str = ""  # the part that the second colour is for
+    accents: tuple[Accent, ...] = ()
+    material_form: str = ""
 
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:

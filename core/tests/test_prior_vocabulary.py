@@ -9,6 +9,7 @@ from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
@@ -126,13 +127,20 @@ def test_a_hat_of_its_own_is_a_thing():
     assert parse("a hat").noun == "hat"
 
 
-def test_a_part_that_a_thing_never_has_is_refused_with_what_it_may_have():
-    with pytest.raises(UserError, match="cannot make a ball with handle"):
-        parse("a ball with a handle")
+def test_a_part_that_a_thing_never_has_is_left_out_and_one_that_it_always_has_is_not():
+    for prompt, form in (
+        ("a ball with a handle", "handle"),
+        ("a mug with a red lid", "red lid"),
+        ("a person with strong arms", "arm"),
+        ("a chair with three legs", "three legs"),
+    ):
+        words = parse(prompt)
+        assert any(note.startswith(f"{form}: left out") for note in words.notes)
+        assert form in words.left_out and not (words.part or words.second)
     with pytest.raises(UserError, match="cannot make a house without roof"):
         parse("a house without a roof")
-    with pytest.raises(UserError) as caught:
-        parse("a mug with a lid")
+    with pytest.raises(UserError, match="cannot make a mug without spout") as caught:
+        parse("a mug without a spout")
     assert "handle, no handle" in caught.value.fix
 
 
@@ -164,14 +172,66 @@ def test_a_colour_before_a_part_is_of_that_part_alone():
     assert parse("a chair with red legs") == Words("chair", second="red", target="legs")
     words = parse("a red chair with blue legs")
     assert (words.color, words.second, words.target) == ("red", "blue", "legs")
+    words = parse("a red chair with blue legs and a green seat")
+    assert words.of_parts("color") == {"legs": "blue", "seat": "green"}
+    assert (words.color, words.target) == ("red", "legs")
     with pytest.raises(UserError, match="got 'blue' and 'green'"):
-        parse("a red chair with blue legs and a green seat")
+        parse("a chair with blue legs, green legs")
 
 
-def test_a_pattern_has_the_second_colour_for_itself_and_says_so():
+def test_a_pattern_has_the_second_colour_and_a_part_keeps_its_own():
     words = parse("a striped red mug with a blue handle")
     assert (words.pattern, words.second, words.target) == ("striped", "", "")
-    assert any("handle, blue: left out" in note for note in words.notes)
+    assert words.of_parts("color") == {"handle": "blue"}
+    words = parse("a red and white striped mug with a blue handle")
+    assert (words.color, words.second) == ("red", "white")
+    assert words.of_parts("color") == {"handle": "blue"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "material", "parts", "form"),
+    [
+        ("a steel sword with a leather grip", "metal", {"grip": "leather"}, "leather"),
+        ("a wooden chair with a red leather seat", "wooden", {"seat": "leather"}, "leather"),
+        ("a wooden chair with a leather red seat", "wooden", {"seat": "leather"}, "leather"),
+        ("an armchair with blue velvet cushions", "", {"cushion": "fabric"}, "velvet"),
+        ("a table with metal legs", "", {"legs": "metal"}, "metal"),
+        ("a robot with brass arms", "", {"limbs": "golden"}, "brass"),
+        ("a sword with a wooden handle", "", {"grip": "wooden"}, "wooden"),
+        ("a bonsai tree in a ceramic pot", "", {"tray": "ceramic"}, "ceramic"),
+        ("a leather chair", "leather", {}, ""),
+        ("a chair of leather", "leather", {}, ""),
+        ("a red car, chrome wheels", "", {"wheels": "metal"}, "chrome"),
+        ("a sword with a stone pillow", "", {}, ""),
+    ],
+)
+def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts, form):
+    words = parse(prompt)
+    assert (words.material, words.of_parts("material")) == (material, parts)
+    assert [accent.material_form for accent in words.accents if accent.material] == [form] * len(
+        parts
+    )
+    if form == "brass":
+        assert "brass: made as golden." in words.notes
+    with pytest.raises(UserError, match="takes one material"):
+        parse("a chair with leather legs, metal legs")
+
+
+def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():
+    assert parse("pirate boots") == Words("boot", left_out=("pirate",))
+    assert parse("a pirate with boots").noun == "pirate"
+    assert parse("a bottle cap").noun == "bottle"
+    words = parse("a red chair for children with blue eyes")
+    assert (words.noun, words.color, words.second) == ("chair", "red", "")
+    assert parse("a red telephone booth from london").noun == "phone booth"
+    assert parse("a table from oak").material == "wooden"
+
+
+@pytest.mark.parametrize("prompt", ["a toy train", "a train figurine", "a plush train"])
+def test_a_toy_is_small(prompt):
+    assert parse(prompt).noun == "train" and parse(prompt).is_toy
+    assert usual_of(prompt)[0] == 0.25 < 5 < usual_of("a train")[0]
+    assert usual_of("a toy coin") == usual_of("a coin")
 
 
 @pytest.mark.parametrize(

@@ -134,7 +134,7 @@ def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
         "a chair okapi",  # the head is the unknown one
         "a chair and a okapi",
         "okapi of a chair",
-        "okapi for chair",
+        "okapi and chair",
         "a okapi wearing a hat",
     ],
 )
@@ -279,6 +279,7 @@ def test_what_is_understood_is_plain_data():
         "parts": ["no chimney"],
         "colours": ["red", "white"],
         "part_colours": {},
+        "part_materials": {},
         "materials": ["wooden"],
         "pattern": "two-tone",
         "size_m": 8.0,

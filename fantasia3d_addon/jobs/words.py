@@ -106,10 +106,11 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 def summary(report: Report) -> str:
     """What is understood, in the order of the prompt's grammar: "chair, red, wooden"."""
     words = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
-    colors = report.get("part_colours", {})
-    parts = [part for part in report["parts"] if part not in colors]
-    colored = [f"{color} {part}" for part, color in colors.items()]
-    return ", ".join(filter(None, [*words, *report["materials"], *parts, *colored]))
+    told = (report.get("part_colours", {}), report.get("part_materials", {}))
+    own = dict.fromkeys(part for of_parts in told for part in of_parts)
+    parts = [part for part in report["parts"] if part not in own]
+    looks = [" ".join([*(of[part] for of in told if part in of), part]) for part in own]
+    return ", ".join(filter(None, [*words, *report["materials"], *parts, *looks]))
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

@@ -251,7 +251,8 @@ class PromptedBuiltin(PromptedGuidance):
         if views.surface is not None:
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
             surface = surface.repeat(branches, 1, 1, 1)
-            given = hint(surface, self._parts(surface, words[:, 0], camera), words)
+            stated = [one for one in self._branches(HINT_SLOTS, apart) for _ in range(len(z_t))]
+            given = hint(surface, self._parts(surface, words[:, 0], camera), words, stated)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             # Back to 32 bit at once: the gradient is a small difference of predictions.
             v = net(all_z, t, words[:, : len(net.config.words)], camera, given).float()
@@ -273,11 +274,12 @@ class PromptedBuiltin(PromptedGuidance):
 
         ``apart``: a row of no words between the two; without a negative prompt it is the last.
         """
-        rows = [self.words.indices(slots), self.negative.indices(slots)]
-        none = [0] * len(slots)
-        if apart and rows[1] != none:
-            rows.insert(1, none)
+        rows = [words.indices(slots) for words in self._branches(slots, apart)]
         return torch.tensor(rows, device=self.builtin.device)
+
+    def _branches(self, slots: tuple[str, ...], apart: bool) -> list[Words]:
+        none = apart and self.negative.indices(slots) != Words().indices(slots)
+        return [self.words, *([Words()] if none else []), self.negative]
 
 
 def ranges_of(finish: Finish) -> MaterialRanges:

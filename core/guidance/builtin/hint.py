@@ -1,6 +1,7 @@
 """What the appearance network is given as a picture: the surface, and the colours that the words
 and the thing's nature give to its parts."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -21,7 +22,10 @@ NAMES = {slot: ("", *SLOTS[slot]) for slot in HINT_SLOTS}
 
 
 def hint(
-    surface: Float[Tensor, "b 7 h w"], parts: Float[Tensor, "b 8 h w"], words: Int[Tensor, "b 6"]
+    surface: Float[Tensor, "b 7 h w"],
+    parts: Float[Tensor, "b 8 h w"],
+    words: Int[Tensor, "b 6"],
+    stated: Sequence[Words] = (),
 ) -> Float[Tensor, "b c h w"]:
     """``surface`` ([n, 2o - 1, p], weighted by coverage), then each place's colour by the words and
     by nature, [2 srgb - 1, 1], drawn in the stated pattern; last the second swatch, even.
@@ -32,8 +36,10 @@ def hint(
     Args:
         parts: how surely a place belongs to each of the noun's parts (``part_map``).
         words: rows of ``HINT_SLOTS``; 0 is not stated.
+        stated: the words that the rows are of, where they say more than these.
     """
-    rows = [_part_colors(tuple(row)) for row in words.tolist()]
+    stated = stated or [_words_of(tuple(row)) for row in words.tolist()]
+    rows = [_part_colors(one) for one in stated]
     stack = lambda name: torch.stack([getattr(row, name) for row in rows]).to(surface)  # noqa: E731
     first, second, patterned = stack("first"), stack("second"), stack("patterned")
     mask = stencil(surface, [row.pattern for row in rows]).to(surface)
@@ -54,8 +60,12 @@ class PartColors(NamedTuple):
 
 
 @lru_cache(4096)
-def _part_colors(row: tuple[int, ...]) -> PartColors:
-    words = Words(**{slot: NAMES[slot][i] for slot, i in zip(HINT_SLOTS, row, strict=True)})
+def _words_of(row: tuple[int, ...]) -> Words:
+    return Words(**{slot: NAMES[slot][i] for slot, i in zip(HINT_SLOTS, row, strict=True)})
+
+
+@lru_cache(4096)
+def _part_colors(words: Words) -> PartColors:
     first, second = torch.zeros(PARTS, 4), torch.zeros(PARTS, 4)
     patterned, pattern = torch.zeros(PARTS, 1, 1), ""
     # Without words nothing is known, as the network must paint it without guidance.

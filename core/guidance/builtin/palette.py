@@ -13,6 +13,7 @@ from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.reading import Accent
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 
 Color = tuple[float, float, float]
@@ -159,6 +160,10 @@ class Stated(Protocol):
     def second(self) -> str: ...
     @property
     def target(self) -> str: ...
+    @property
+    def accents(self) -> tuple[Accent, ...]: ...
+    @property
+    def material_form(self) -> str: ...
 
 
 class Painted(NamedTuple):
@@ -170,30 +175,41 @@ class Painted(NamedTuple):
     second: Color  # what the pattern is drawn with
     finish: Finish
     pattern: str
+    material: str = ""  # the word that says what it is of; "" by nature
+    material_form: str = ""  # as it was written
+    colored: bool = False  # by a word, and not by its material
 
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     """What the words make of each of the noun's parts."""
     # Of a thing with accents these take the second colour; of any other its lower half.
     two_tone = stated.pattern == "two-tone" and has_accents(noun)
+    own = {accent.part: accent for accent in stated.accents}
     for name, look in looks(noun).items():
+        accent = own.get(name, Accent(name))
+        material, form = accent.material, accent.material_form
+        if not material and look.role != "-":
+            material, form = stated.material, stated.material_form
         finish, color, pattern = look.finish, look.color, look.pattern
         # The material first: a stated colour then replaces the material's own.
-        if stated.material and look.role != "-":
-            finish = FINISHES[stated.material]
+        if material:
+            finish = FINISHES[material]
             color, pattern = finish.color or color, finish.pattern
-        if stated.color and look.role in "*&":
+        word = accent.color or (stated.second if stated.target == name else "")
+        apart = bool(word or accent.material)  # what is said of the whole is not of it
+        if apart:
+            color, pattern = COLOR_VALUES.get(word, color), finish.pattern
+        elif stated.color and look.role in "*&":
             color, pattern = COLOR_VALUES[stated.color], finish.pattern
         second = COLOR_VALUES[stated.second] if stated.second else companion(color)
-        if two_tone and look.role in "+&":
+        if two_tone and look.role in "+&" and not apart:
             first = COLOR_VALUES[stated.color] if stated.color else look.color
             color = COLOR_VALUES[stated.second] if stated.second else companion(first)
             pattern = finish.pattern
-        elif stated.pattern and look.role in "*&" and not two_tone:
+        elif stated.pattern and look.role in "*&" and not (two_tone or apart):
             pattern = stated.pattern
-        if stated.target == name and stated.second:
-            color, pattern = COLOR_VALUES[stated.second], finish.pattern
-        yield Painted(name, look, color, second, finish, pattern)
+        colored = bool(word if apart else stated.color or stated.second)
+        yield Painted(name, look, color, second, finish, pattern, material, form, colored)
 
 
 def has_accents(noun: str) -> bool:

@@ -8,6 +8,19 @@ FOUR_LEGS = frozenset(
     """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn
     corgi desk deer frog""".split()
 )
+# What else a thing may call what a caption calls so.
+ALSO = {
+    "backrest": ("back",),
+    "armrests": ("arms", "limbs"),
+    "cap": ("lid",),
+    "handle": ("grip", "hilt", "stick", "shaft"),
+}
+
+
+def may_state(noun: str, part: str) -> bool:
+    """Whether a caption may state that the noun has the part, or how many of it."""
+    states = OPTIONS.get(noun, ())
+    return part in states or (part in LEGS and any(state in LEGS for state in states))
 
 
 def as_part(entry: Entry, noun: str) -> str:
@@ -26,7 +39,7 @@ def own_name(noun: str, part: str) -> str:
 
 def always_has(noun: str, part: str) -> bool:
     """Whether every such thing has the part, so that stating it changes nothing."""
-    if any(part in state for state in OPTIONS.get(noun, ())):
+    if any(part == state.removeprefix("no ") for state in OPTIONS.get(noun, ())):
         return False
     if part in LEGS:
         return part == "four legs" and noun in FOUR_LEGS
@@ -35,9 +48,8 @@ def always_has(noun: str, part: str) -> bool:
 
 def _names(part: str) -> list[str]:
     """What a noun may call the part."""
-    own = {"backrest": "back", "armrests": "arms", "cap": "lid"}.get(part, part)
     forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
-    names = [part, PART_FORMS.get(part, part), own, *forms]
+    names = [part, PART_FORMS.get(part, part), *ALSO.get(part, ()), *forms]
     return [form for name in names for form in (name, f"{name}s")]
 
 

@@ -12,4 +12,4 @@ def usual_of(prompt: str) -> tuple[float, float]:
         words = parse(prompt, noun_needed=False, ignore_unknown=True)
     except UserError:  # such as two nouns
         words = Words()
-    return usual(words.noun, words.material)
+    return usual(words.noun, words.material, words.is_toy)

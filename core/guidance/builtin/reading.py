@@ -1,6 +1,7 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
 import re
+from typing import Any, NamedTuple
 
 from core.guidance.builtin.lexicon import (
     LEXICON,
@@ -12,17 +13,16 @@ from core.guidance.builtin.lexicon import (
     look_up,
     singulars,
 )
-from core.guidance.builtin.part_names import always_has, as_part, own_name
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.part_names import always_has, as_part, may_state, own_name
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
     ALONE,
-    CHOICES,
     COUNTS,
     DEPICTIONS,
     FILLER,
     GOES_WITH,
     IGNORED_ADJECTIVES,
-    LEGS,
     OF_ANOTHER,
     OPTIONS,
     PHRASE_ENDS,
@@ -36,6 +36,25 @@ LONGEST = 3  # words of a phrase
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 
 
+class StatedPart(NamedTuple):
+    """A part that a prompt names, and what is right before it."""
+
+    name: str
+    there: bool
+    form: str  # as it was written
+    color: str = ""
+    material: Entry | None = None
+
+
+class Accent(NamedTuple):
+    """What a part alone is painted with, or is of; the material also as it was written."""
+
+    part: str
+    color: str = ""
+    material: str = ""
+    material_form: str = ""
+
+
 class Reading:
     """A prompt's words, sorted into slots.
 
@@ -46,15 +65,16 @@ class Reading:
         self.known = known
         self._alone = alone
         self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
-        self.parts: list[tuple[str, bool, str]] = []  # a part, whether it is there, its colour
+        self.parts: list[StatedPart] = []
         self.left_out: list[str] = []  # all that has no effect, in order
         self.aside: list[str] = []  # accessories, which have no effect either
         self.qualifiers: list[str] = []  # of ``left_out``, before a noun, known or not
         self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
         self._pending: list[str] = []  # unknown words since the noun phrase began
-        self._before: list[tuple[str, bool, str]] = []  # parts in a phrase that has no noun yet
-        self._without = self._after_color = False
+        self._before: list[StatedPart] = []  # parts in a phrase that has no noun yet
+        self._without = False
+        self._looks: list[str] = []  # slots of the colours and materials right before
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether an unknown word was read in it
@@ -134,7 +154,7 @@ class Reading:
         self.parts += self._before
         self.refused += self._pending
         self.qualifiers += self._pending[:-1]
-        self._pending, self._before, self._noun_end = [], [], -1
+        self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
 
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""
@@ -169,29 +189,35 @@ class Reading:
             return
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.found["noun"]:
-            part = as_part(entry, self.found["noun"][0].word)
+            noun = self.found["noun"][0].word
+            # "pirate boots" are no pirate: what somebody wears is a thing by itself.
+            worn = self._noun_end == start and noun in GROUPS["Characters"]
+            part = "" if worn else as_part(entry, noun)
             slot, word = ("part", part) if part else (slot, word)
             if slot == "noun" and self._accessory is not None:
                 self._leave_aside(entry.form)
                 return
         if slot == "part" and not self.found["noun"] and entry.form not in LEXICON:
             # Until the phrase ends: before a noun ("a fin whale") it only qualifies that.
-            self._before.append((word, not self._without, ""))
+            self._before.append(StatedPart(word, not self._without, entry.form))
         elif slot == "part":
-            color = ""
-            # "with a blue handle": a colour right before a part is the part's, not the thing's.
-            if self.found["color"] and self.found["noun"]:
-                color = self.found["color"].pop().word if self._after_color else ""
-            # A material is the whole thing's: that of a part ("with golden bands") is left out.
+            # "with a blue leather handle": what is right before a part is the part's, not the
+            # thing's.
+            own = {look: self.found[look].pop() for look in dict.fromkeys(self._looks)}
+            color = own["color"].word if "color" in own else ""
             self.left_out += self._of_accessory()
             self._strange = False
-            self.parts.append((word, not self._without, color))
+            there = not self._without
+            self.parts.append(StatedPart(word, there, entry.form, color, own.get("material")))
             self._end_phrase()
         else:
             if slot == "noun":
                 self._head(entry, start, end)
             self.found[slot].append(entry)
-        self._after_color = slot == "color" and bool(self.found["noun"])
+        if slot in ("color", "material") and self.found["noun"]:
+            self._looks.append(slot)
+        else:
+            self._looks = []
         self._without = False
 
     def _stands(self, end: int) -> bool:
@@ -224,11 +250,12 @@ class Reading:
         """A part that the thing never has is an accessory: icing on a torus."""
         noun = self.found["noun"][0].word if self.found["noun"] else ""
         for stated in list(self.parts):
-            part, there, color = stated
-            # Parts that some things may have or lack are refused instead, with what this one may.
-            if noun and there and part not in (*CHOICES, *LEGS) and not always_has(noun, part):
+            part, there, form, color, material = stated
+            # What may be stated of the thing is refused instead where it is not known.
+            if noun and there and not may_state(noun, part) and not always_has(noun, part):
                 self.parts.remove(stated)
-                self._leave_aside(f"{color} {part}".strip())
+                of = material.form if material else ""
+                self._leave_aside(" ".join(filter(None, (color, of, form))))
 
     def _leave_aside(self, form: str) -> None:
         left = [*self._of_accessory(), form]
@@ -251,7 +278,7 @@ class Reading:
             form = self.found["noun"].pop().form
             self.left_out.append(form)
             self.qualifiers.append(form)
-        parts = [part for part, _, _ in self._before]
+        parts = [part.name for part in self._before]
         self.left_out += parts
         self.qualifiers += [*parts, *self._pending]
         self._pending, self._before, self._noun_end = [], [], end
@@ -269,10 +296,11 @@ class Reading:
 
     def narrower(self) -> list[str]:
         """A note for each word that stands for less than what is made for it."""
+        of_parts = [part.material for part in self.parts if part.material]
         return [
-            f"{entry.form}: {MADE_AS.get(slot, 'made as')} {_with_article(slot, entry.word)}."
-            for slot, entries in self.found.items()
-            for entry in entries
+            f"{entry.form}: {MADE_AS.get(entry.slot, 'made as')} "
+            f"{_with_article(entry.slot, entry.word)}."
+            for entry in [*(x for entries in self.found.values() for x in entries), *of_parts]
             if entry.is_narrower
         ]
 
@@ -289,28 +317,44 @@ class Reading:
         ]
         return [f"The built-in model does not know {', '.join(texts)}: left out."]
 
-    def colors(self) -> dict[str, str]:
-        """The first colour, the second, and the pattern that a second one implies."""
+    def colors(self) -> dict[str, Any]:
+        """The first colour, the second, the pattern that a second one implies, the part that the
+        second is for, and what other parts have of their own."""
         colors = self.words("color")
-        noun = self.found["noun"][0].word if self.found["noun"] else ""
-        # In the order of the prompt: the first is the thing's, the next the pattern's.
-        color, second = (*colors, "", "")[:2]
-        target = ""
-        for part, _, painted in self.parts:
-            if not painted:
-                continue
-            if second and (second, target) != (painted, own_name(noun, part)):
-                raise two_error("second", [second, painted])
-            second, target = painted, own_name(noun, part)
         if len(colors) > 2:
             raise two_error("color", colors)
+        # In the order of the prompt: the first is the thing's, the next the pattern's.
+        color, second = (*colors, "", "")[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
-        pattern = self.only("pattern") or ("two-tone" if second and not target else "")
-        if target and pattern:
-            text = f"With a pattern no part can have its own colour: {target}, {second}: left out."
-            self.notes.append(text)
-            second = target = ""
-        return {"color": color, "second": second, "pattern": pattern, "target": target}
+        pattern = self.only("pattern") or ("two-tone" if second else "")
+        accents = self._accents()
+        target = ""
+        first = next((accent for accent in accents if accent.color), None)
+        if first and not pattern:
+            second, target = first.color, first.part
+            accents[accents.index(first)] = first._replace(color="")
+        told = tuple(accent for accent in accents if accent.color or accent.material)
+        found = {"color": color, "second": second, "pattern": pattern, "target": target}
+        return found | {"accents": told}
+
+    def _accents(self) -> list[Accent]:
+        """What the prompt says of parts, each once."""
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        accents: dict[str, Accent] = {}
+        for part in self.parts:
+            if not (part.color or part.material):
+                continue
+            name = own_name(noun, part.name)
+            before = accents.get(name, Accent(name))
+            word, form = part.material[1:] if part.material else ("", "")
+            for slot, old, new in (("color", before.color, part.color),
+                                   ("material", before.material, word)):  # fmt: skip
+                if old and new and old != new:
+                    raise two_error(slot, [old, new])
+            own = Accent(name, part.color, word, form)
+            merged = (new or old for old, new in zip(before, own, strict=True))
+            accents[name] = Accent(*merged)
+        return list(accents.values())
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""
@@ -319,7 +363,7 @@ class Reading:
     def part(self, noun: str) -> str:
         """The one word of ``PARTS`` that is stated of the noun, or none."""
         states = []
-        for part, there, _ in self.parts:
+        for part, there, *_ in self.parts:
             state = part if there else f"no {part}"
             if state in self.options(noun):
                 states.append(state)

@@ -30,11 +30,13 @@ DENSITIES = {  # kg/m³, of the prior's materials
     "copper": COPPER,
     "fabric": FABRIC,  # with its padding
 }
+TOY_SIZE = 0.25  # metres
 UNKNOWN = Usual(1.0, 400.0)  # where the prompt names no known thing: 1 m, light wood
 
 
-def usual(noun: str, material: str = "") -> tuple[float, float]:
+def usual(noun: str, material: str = "", toy: bool = False) -> tuple[float, float]:
     """The size in metres and the density in kg/m³, averaged over the volume, of a thing of
-    ``material``; "" is the usual one."""
+    ``material``; "" is the usual one. A toy is no longer than a forearm."""
     size, own, filled = NOUNS[noun].usual if noun in NOUNS else UNKNOWN
+    size = min(size, TOY_SIZE) if toy else size
     return size, round(DENSITIES.get(material, own) * filled, 3)

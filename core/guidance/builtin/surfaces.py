@@ -19,27 +19,27 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 
 def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of."""
-    if not words.material or part.look.role == "-":
+    if not part.material:
         return Surface(_by_nature(words.noun, part), part.color)
-    variant = VARIANTS.get(words.material_form)
+    variant = VARIANTS.get(part.material_form)
     if variant is None:
-        return Surface(_kind(words, part), part.color)
-    finish = FINISHES[words.material]
+        return Surface(_kind(words.noun, part), part.color)
+    finish = FINISHES[part.material]
     factor = (1.0, 1.0, 1.0)
     # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
-    if variant.color and not (words.color or words.second):
+    if variant.color and not part.colored:
         factor = _factor(part.color, variant.color)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     return Surface(variant.kind, part.color, factor, roughness)
 
 
-def _kind(words: Words, part: Painted) -> str:
-    if words.material == "stone" and words.noun in BUILDINGS:
+def _kind(noun: str, part: Painted) -> str:
+    if part.material == "stone" and noun in BUILDINGS:
         return "masonry"
     # Rust has its own colour; with another one it is paint that rusts.
-    if words.material == "rusty" and part.color != FINISHES["rusty"].color:
+    if part.material == "rusty" and part.color != FINISHES["rusty"].color:
         return "rusted paint"
-    return words.material
+    return part.material
 
 
 def _by_nature(noun: str, part: Painted) -> str:

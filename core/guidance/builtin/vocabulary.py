@@ -23,8 +23,9 @@ from core.guidance.builtin.prompt_errors import (
     known_things,
     unknown_error,
 )
-from core.guidance.builtin.reading import Reading
+from core.guidance.builtin.reading import Accent, Reading
 from core.guidance.builtin.sizes import usual
+from core.guidance.builtin.words import TOYS
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,7 @@ class Words:
     pattern: str = ""
     second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
     target: str = ""  # the part that the second colour is for
+    accents: tuple[Accent, ...] = ()  # what other parts have of their own
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -46,6 +48,17 @@ class Words:
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
         """Each slot's row in its embedding; 0 is "not stated"."""
         return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
+
+    @property
+    def is_toy(self) -> bool:
+        """Whether a toy or another small likeness of the thing is meant."""
+        return not TOYS.isdisjoint(self.left_out) or self.material_form == "plush"
+
+    def of_parts(self, what: str) -> dict[str, str]:
+        """The "color" or the "material" of each part that has its own."""
+        found = {self.target: self.second} if self.target and what == "color" else {}
+        own = {accent.part: getattr(accent, what) for accent in self.accents}
+        return found | {part: word for part, word in own.items() if word}
 
     def __str__(self) -> str:
         slots = ("shape", "pattern", "color", "material", "noun")
@@ -66,7 +79,7 @@ def understood(
     """
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
-    size_m, density = usual(words.noun, words.material)
+    size_m, density = usual(words.noun, words.material, words.is_toy)
     second = "" if words.target else words.second
     return {
         "prompt": prompt,
@@ -74,7 +87,8 @@ def understood(
         "shape": words.shape or None,
         "parts": [words.part] if words.part else [],
         "colours": [color for color in (words.color, second) if color],
-        "part_colours": {words.target: words.second} if words.target else {},
+        "part_colours": words.of_parts("color"),
+        "part_materials": words.of_parts("material"),
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
         "size_m": size_m,
@@ -116,7 +130,7 @@ def parse(
         raise unknown_error(reading.refused, reading.qualifiers, known)
     if noun_needed and not reading.found["noun"]:
         # A face is known, but only as a part of a clock.
-        things = [part for part, _, _ in reading.parts if part in MEANT]
+        things = [part for part, *_ in reading.parts if part in MEANT]
         if things:
             raise unknown_error(things, [], known)
         raise PromptError(

@@ -84,6 +84,11 @@ PART_SYNONYMS = {
     "wings": "wing",
     "fins": "fin, flippers, flipper",
     "stem": "stalk",
+    "tray": "pot",
+    "grip": "hilt",
+    "guard": "crossguard",
+    "lamps": "headlights, headlight",
+    "body": "scales, scale, plumage",
     "handles": "handle, ears",
     "bill": "beak",
     "claws": "claw, pincers, pincer",
@@ -102,17 +107,25 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece wearing holding old new classic modern traditional elegant
-    lovely pretty figurine statuette carving replica""".split()
+    lovely pretty statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
-    """a an the of in on with and is it its made from out has have which that for wearing
+    """a an the of in on with and is it its made from out has have which that wearing
     holding""".split()
 )
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
-GOES_WITH = PLACES | frozenset("of in on with has have wearing holding".split())
+GOES_WITH = PLACES | frozenset("of in on with has have wearing holding from".split())
 # After these all is about something else: a chest full of gold is not golden.
-OF_ANOTHER = ("filled with", "full of", "surrounded by", "in front of", "on top of", "next to")
+OF_ANOTHER = (
+    "for",
+    "filled with",
+    "full of",
+    "surrounded by",
+    "in front of",
+    "on top of",
+    "next to",
+)
 # How many there are. One is made, and a note says so.
 COUNTS = frozenset(
     """two three four five six seven eight nine ten twelve dozen dozens several many few couple
@@ -137,13 +150,16 @@ IGNORED_ADJECTIVES = frozenset(
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
-    smiling half broken open closed filled covered surrounded topped""".split()
+    smiling half broken open closed filled covered surrounded topped toy figurine prop
+    ornament cut sliced""".split()
 ) | {
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
 }
+# Of them those that make a thing as small as a hand can hold.
+TOYS = frozenset("toy figurine miniature ornament".split())
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll")
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".

@@ -5,7 +5,7 @@ import numpy as np
 from core.texture.detail.noise import smoothstep
 from core.texture.detail.place import Layer, Place
 
-LEAF = 0.06  # from one leaf of a bush to the next, in units
+LEAF = 0.036  # from one leaf of a bush to the next, in units
 
 
 def leaf(place: Place) -> Layer:
@@ -25,14 +25,14 @@ def leaf(place: Place) -> Layer:
 def foliage(place: Place) -> Layer:
     """A bush's or a tree's: leaves of their own tones over each other, dark between them."""
     p, noise = place.point, place.noise
-    bent = p + 0.02 * noise.waves(p, 16.0, 1, 2)[:, None]
-    _, edge, one = noise.cells(bent, 1 / noise.shown(LEAF), 2)
-    gap = smoothstep(0.3, 0.0, edge)
+    bend = np.stack([noise.waves(p, 22.0, salt, 2) for salt in (1, 2, 3)], 1)
+    _, edge, one = noise.cells(p + 0.012 * bend, 1 / noise.shown(LEAF), 4)
+    gap, fine = smoothstep(0.35, 0.0, edge), noise.waves(p, 70.0, 5, 2)
     return Layer.of(
-        0.8 * gap + 0.9 * (one - 0.5) + 0.3 * noise.waves(p, 3.5, 3, 2),
+        0.6 * gap + 0.8 * (one - 0.5) + 0.3 * fine + 0.4 * noise.waves(p, 3.5, 6, 3),
         (0.45, 0.58, 0.42),
         roughness=0.1 * gap,
-        height=0.011 * smoothstep(0.0, 0.5, edge) + 0.003 * one,
+        height=0.006 * smoothstep(0.0, 0.6, edge) + 0.003 * one + 0.001 * fine,
     )
 
 
@@ -52,14 +52,14 @@ def bark(place: Place) -> Layer:
     """Plates with furrows between them, along the trunk."""
     p, noise = place.grained, place.noise
     bent = p + 0.04 * noise.waves(p, (3.0, 8.0, 8.0), 1, 2)[:, None]
-    _, edge, plate = noise.cells(bent, (6.0, 22.0, 22.0), 2)
-    furrow = smoothstep(0.35, 0.0, edge)
+    _, edge, plate = noise.cells(bent, (9.0, 34.0, 34.0), 2)
+    furrow = smoothstep(0.4, 0.0, edge)
     fine = noise.waves(p, (20.0, 60.0, 60.0), 3, 2)
     return Layer.of(
-        0.9 * furrow + 0.35 * fine + 0.4 * (plate - 0.5),
+        0.6 * furrow + 0.45 * fine + 0.4 * (plate - 0.5),
         (0.42, 0.40, 0.38),
         roughness=0.04 * fine,
-        height=-0.009 * furrow + 0.0012 * fine,
+        height=-0.006 * furrow + 0.0012 * fine,
     )
 
 
