@@ -6,7 +6,7 @@ import torch
 from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS, SURFACE, hint, stencil
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.palette import COLOR_VALUES, looks, swatches
+from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, swatches
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import PATTERNS, Place
 from core.guidance.builtin.vocabulary import parse
@@ -122,3 +122,16 @@ def test_a_pixel_that_is_covered_in_part_has_the_same_pattern_and_an_empty_one_n
     whole, part, empty = (stencil(surface_of(points, o), ["striped"]) for o in (1.0, 0.4, 0.0))
     assert (part == whole).float().mean() > 0.99  # but for rounding
     assert not empty.any()
+
+
+def test_parts_beyond_the_one_that_the_rows_can_say_are_in_the_hint():
+    prompt = "a red chair with blue legs and a wooden seat"
+    words, row = parse(prompt), words_of(prompt)
+    seat = list(looks("chair")).index("seat")
+    told = hint(surface_of(some_points()), all_of(seat), row, [words])
+    wood = torch.tensor(FINISHES["wooden"].color)
+    covered = told[0, 3] > -1
+    for channel, value in zip(told[0, 7:10], 2 * wood - 1, strict=True):
+        torch.testing.assert_close(channel[covered], value.expand(int(covered.sum())))
+    alone = hint(surface_of(some_points()), all_of(seat), row)
+    assert not torch.allclose(told[:, 7:10], alone[:, 7:10])

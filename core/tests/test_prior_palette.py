@@ -27,6 +27,7 @@ from core.guidance.builtin.substances import (
     OF_THE_REST,
     ROUGHNESS,
 )
+from core.guidance.builtin.surfaces import surface_of
 from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb
@@ -270,3 +271,27 @@ def test_a_natural_metals_colour_is_lighter_than_it_is_seen():
     for at, made in zip((1, 3, 5), blade.color, strict=True):
         seen = int(text[at : at + 2], 16) / 255
         assert 1 - made == pytest.approx(METAL_DARKNESS * (1 - seen))
+
+
+def test_what_a_part_has_of_its_own_is_painted_on_it_and_on_nothing_else():
+    words = parse("a rusty sword with a red velvet grip and a blue guard")
+    whole = {part.name: part for part in painted("sword", parse("a rusty sword"))}
+    parts = {part.name: part for part in painted("sword", words)}
+    grip, guard = parts["grip"], parts["guard"]
+    assert grip.finish == FINISHES["fabric"] and grip.color == COLOR_VALUES["red"]
+    assert (grip.material, grip.material_form, grip.colored) == ("fabric", "velvet", True)
+    assert guard.color == COLOR_VALUES["blue"] and guard.material == "rusty"
+    assert parts["blade"]._replace(second=()) == whole["blade"]._replace(second=())
+    kinds = {part.name: surface_of(words, part).kind for part in parts.values()}
+    assert kinds == {"blade": "rusty", "guard": "rusted paint", "grip": "velvet", "pommel": "rusty"}
+    # A part that no material of the whole is about takes its own.
+    car = {part.name: part for part in painted("car", parse("a golden car with wooden wheels"))}
+    assert car["wheels"].finish == FINISHES["wooden"] and not car["wheels"].colored
+    assert car["windows"].finish == FINISHES["glass"]
+
+
+def test_a_pattern_leaves_a_part_that_has_its_own_colour():
+    words = parse("a red and white striped mug with a blue handle")
+    mug = {part.name: part for part in painted("mug", words)}
+    assert (mug["body"].pattern, mug["handle"].pattern) == ("striped", "")
+    assert mug["handle"].color == COLOR_VALUES["blue"]

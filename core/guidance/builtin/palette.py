@@ -208,7 +208,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             pattern = finish.pattern
         elif stated.pattern and look.role in "*&" and not (two_tone or apart):
             pattern = stated.pattern
-        colored = bool(word if apart else stated.color or stated.second)
+        of_whole = stated.color or (stated.second and not stated.target)
+        colored = bool(word if apart else of_whole)
         yield Painted(name, look, color, second, finish, pattern, material, form, colored)
 
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from core.texture.detail.noise import Points, smoothstep
+from core.texture.detail.noise import Points, Values, smoothstep
 from core.texture.detail.place import Layer, Place
 
-FEATHER, SCALE = 0.045, 0.028  # from one to the next, in units
+FEATHER, SCALE = 0.05, 0.028  # from one to the next, in units
 
 
 def fur(place: Place) -> Layer:
@@ -36,18 +36,44 @@ def hair(place: Place) -> Layer:
 
 
 def feathers(place: Place) -> Layer:
-    """Feathers over each other like tiles, each with its vane's fine lines."""
-    p, noise = lying(place, 0.03), place.noise
-    scale = 1 / noise.shown(FEATHER)
-    far, edge, one = noise.cells(p, (0.6 * scale, scale, scale), 4, jitter=0.5)
-    vane = noise.waves(p, (30.0, 95.0, 95.0), 5, 1)
-    rim = smoothstep(0.22, 0.02, edge)
+    """Feathers in rows that hang over each other, each with its quill and its vane's fine lines."""
+    p, noise = place.point, place.noise
+    down, across = _feather(place)
+    tip, root = smoothstep(0.22, 0.0, down), smoothstep(0.7, 1.3, down)
+    quill = smoothstep(0.10, 0.02, np.abs(across)) * (1 - tip)
+    vane = noise.waves(p, 80.0, 5, 1)
     return Layer.of(
-        0.7 * rim + 0.4 * (one - 0.5) + 0.35 * vane,
+        0.75 * root - 0.35 * tip - 0.2 * quill + 0.2 * vane + 0.35 * noise.waves(p, 6.0, 6, 3),
         (0.60, 0.58, 0.56),
-        roughness=0.06 * rim,
-        height=-0.0035 * far - 0.0012 * rim + 0.0004 * vane,
+        roughness=0.06 * root - 0.05 * quill,
+        height=-0.0055 * down + 0.0010 * quill + 0.0004 * vane,
     )
+
+
+def _feather(place: Place) -> tuple[Values, Values]:
+    """How far above its feather's tip each point is, in rows, and how far beside its quill; from
+    three sides, each where the surface faces it."""
+    noise = place.noise
+    bend = np.stack([noise.waves(place.point, 9.0, salt, 2) for salt in (1, 2, 3)], 1)
+    p = (place.point + 0.006 * bend) / np.float32(noise.shown(FEATHER))
+    sides = [_row(p[:, u], p[:, v]) for u, v in ((1, 2), (0, 2), (0, 1))]
+    down, across = (np.stack(values, 1) for values in zip(*sides, strict=True))
+    first = place.faced.argmax(1)[:, None]
+    return tuple(np.take_along_axis(x, first, 1)[:, 0] for x in (down, across))
+
+
+def _row(u: Values, v: Values) -> tuple[Values, Values]:
+    """The same of rows one high, of feathers one wide with round tips; every other row is half a
+    feather aside."""
+    row = np.floor(v)
+    own, below = (_aside(u, row - back) for back in (0, 1))
+    over, under = v - row - 2.2 * own**2, v - row + 1 - 2.2 * below**2
+    return np.where(over > 0, over, under), np.where(over > 0, own, below)
+
+
+def _aside(u: Values, row: Values) -> Values:
+    shifted = u + 0.5 * (row % 2)
+    return shifted - np.floor(shifted) - 0.5
 
 
 def scales(place: Place) -> Layer:
@@ -107,7 +133,7 @@ def chitin(place: Place) -> Layer:
     pit = smoothstep(0.25, 0.5, noise.waves(p, 45.0, 1, 2))
     cloud = noise.waves(p, 5.0, 2, 3)
     return Layer.of(
-        0.45 * cloud + 0.35 * pit,
+        0.45 * cloud + 0.12 * pit,
         (0.58, 0.56, 0.56),
         roughness=0.1 * np.abs(cloud) + 0.1 * pit,
         height=-0.0012 * pit + 0.0010 * noise.waves(p, 9.0, 3, 2),
