@@ -60,7 +60,7 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.76),
     ),
     "wolf": Noun(
-        "grey wolf, gray wolf; coyote, husky, werewolf, hyena, jackal, wolfdog",
+        "; coyote, husky, werewolf, hyena, jackal, wolfdog",
         {
             "body": "*77787a",
             "muzzle": "+d0cfca",
@@ -82,7 +82,7 @@ ANIMALS = {
         Usual(0.9, FLESH, 0.3),
     ),
     "bear": Noun(
-        "brown bear; grizzly, grizzly bear, polar bear, black bear, bear cub",
+        "brown bear; grizzly, grizzly bear, polar bear, bear cub",
         {"body": "*6b4526", "muzzle": "+b08a5e", "eyes": "-111111", "nose": "-1a1818"},
         Usual(2.0, FLESH, 0.3),
     ),

@@ -150,8 +150,7 @@ ARMS = {
         Usual(0.08, COPPER, 0.2),
     ),
     "ingot": Noun(
-        "ingots, gold bar, gold ingot, gold bars, bar of gold, bullion, gold bullion; silver bar, "
-        "silver ingot, iron ingot, metal bar, metal ingot",
+        "ingots, gold bar, gold bars, bar of gold, bullion, gold bullion; silver bar, metal bar",
         {"bar": "*f0bf3e . golden", "stamp": "&d8a230 . golden"},
         Usual(0.2, GOLD, 0.53),
     ),
@@ -184,7 +183,7 @@ ARMS = {
         Usual(0.25, PLANT, 0.02),
     ),
     "sack": Noun(
-        "sacks, burlap sack, cloth sack; flour sack, money bag, moneybag, burlap bag, "
+        "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, "
         "bag of money, bag of gold, coin bag, sack of flour, sack of potatoes, grain sack, "
         "sandbag, pouch, coin pouch, loot bag",
         {
@@ -196,7 +195,7 @@ ARMS = {
         Usual(0.8, FABRIC, 0.5),
     ),
     "coffin": Noun(
-        "coffins, casket, wooden coffin; sarcophagus, vampire coffin",
+        "coffins, casket; sarcophagus, vampire coffin",
         {
             "body": "*5a3a20 grain",
             "lid": "*6b4424 grain",
@@ -237,7 +236,7 @@ ARMS = {
         Usual(0.55, PLANT, 0.1),
     ),
     "cloud": Noun(
-        "clouds, fluffy cloud, white cloud; rain cloud, raincloud, storm cloud, thundercloud",
+        "clouds, fluffy cloud; rain cloud, raincloud, storm cloud, thundercloud",
         {"middle": "*f4f6f8", "puffs": "*eef1f5", "ends": "*e6ebf1"},
         Usual(2.0, SNOW, 0.01),
     ),

@@ -26,7 +26,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.1, FLESH, 0.25),
     ),
     "golem": Noun(
-        "stone golem, rock golem; rock monster, stone giant, iron golem, earth elemental",
+        "rock golem; rock monster, stone giant, earth elemental",
         {
             "body": "*8d877c mottle stone",
             "head": "&9a9488 mottle stone",
@@ -206,7 +206,7 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "mask": Noun(
         (
-            "tribal mask, african mask, wooden mask, tiki mask, voodoo mask; face mask, "
+            "tribal mask, african mask, tiki mask, voodoo mask; face mask, "
             "theatre mask, theater mask, carnival mask, venetian mask, ritual mask"
         ),
         {

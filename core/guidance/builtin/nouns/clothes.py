@@ -35,7 +35,7 @@ CLOTHES = {
         Usual(0.3, RUBBER, 0.14),
     ),
     "boot": Noun(
-        "boots, leather boot; rain boot, wellington, cowboy boot",
+        "boots; rain boot, wellington, cowboy boot",
         {
             "body": "*6b4226",
             "sole": "-2a211b . rubber",
@@ -170,7 +170,7 @@ CLOTHES = {
         Usual(0.12, FABRIC, 0.6),
     ),
     "medal": Noun(
-        "gold medal, medallion; badge, rosette",
+        "medallion; badge, rosette",
         {
             "medal": "*e8b93c . golden",
             "ribbon": "+2450a0 . fabric",

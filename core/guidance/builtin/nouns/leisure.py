@@ -38,7 +38,7 @@ GAMES = {
         Usual(0.22, WOOD, 0.6),
     ),
     "boomerang": Noun(
-        "boomarang, throwing stick; wooden boomerang",
+        "boomarang, throwing stick",
         {
             "body": "*a8662e grain",
             "bands": "+c9302a . paint",
@@ -62,7 +62,7 @@ GAMES = {
 }
 SHOTS = {
     "bow": Noun(
-        "longbow, long bow, archery bow, recurve bow, bow weapon, hunting bow, wooden bow; "
+        "longbow, long bow, archery bow, recurve bow, bow weapon, hunting bow; "
         "bow and arrow, bow and arrows, bow arrow, short bow, shortbow, compound bow, elven bow",
         {
             "limbs": "*8a5528 grain",

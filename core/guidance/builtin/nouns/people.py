@@ -119,7 +119,7 @@ PEOPLE = {
 JEWELLERY = {
     "ring": Noun(
         "finger ring, diamond ring, engagement ring; wedding ring, signet ring, magic ring, gold "
-        "ring, silver ring",
+        "ring",
         {"band": "*e0b04a . golden", "setting": "&e0b04a . golden", "gem": "-7fd0e8 . glass"},
         Usual(0.028, GOLD, 0.25),
     ),

@@ -66,7 +66,7 @@ PLANTS = {
         Usual(0.7, WOOD),
     ),
     "log": Noun(
-        "tree log, wooden log, tree trunk; firewood, wooden branch, driftwood, lumber",
+        "tree log, tree trunk; firewood, wooden branch, driftwood, lumber",
         {"bark": "*6a4a2e", "wood": "+d9b27a"},
         Usual(1.2, WOOD),
     ),

@@ -55,12 +55,12 @@ PROPS = {
         Usual(0.9, WOOD, 0.19),
     ),
     "barrel": Noun(
-        "wooden barrel, wine barrel, cask, keg; oil drum",
+        "wine barrel, cask, keg; oil drum",
         {"body": "*8a5a2e grain", "hoops": "+55585c . metal"},
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "wooden crate, shipping crate; packing case, cardboard box, ammo box, cardboard",
+        "shipping crate; packing case, cardboard box, ammo box, cardboard",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),
@@ -86,7 +86,7 @@ PROPS = {
         Usual(0.1, STEEL, 0.4),
     ),
     "coin": Noun(
-        "gold coin, pirate coin; token",
+        "pirate coin; token",
         {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
         Usual(0.03, GOLD, 0.52),
     ),
@@ -152,7 +152,7 @@ PROPS = {
         Usual(0.25, WOOD, 0.2),
     ),
     "well": Noun(
-        "water well, wishing well, stone well",
+        "water well, wishing well",
         {
             "wall": "*9a958a bricks stone",
             "roof": "+8a4a2e",
@@ -177,7 +177,7 @@ PROPS = {
         Usual(1.0, STONE, 0.6),
     ),
     "signpost": Noun(
-        "sign post, wooden sign, road sign; sign, billboard",
+        "sign post, road sign; sign, billboard",
         {"boards": "*a5743e grain", "post": "&7a4a24 grain", "base": "-8a8a82 . stone"},
         Usual(2.0, WOOD, 0.11),
     ),
@@ -187,7 +187,7 @@ PROPS = {
         Usual(2.4, WOOD, 0.056),
     ),
     "fence": Noun(
-        "picket fence, wooden fence; paling, railing, barricade, balustrade, barrier",
+        "picket fence; paling, railing, barricade, balustrade, barrier",
         {"pickets": "*f0eee6", "rails": "&e0ded4"},
         Usual(1.8, WOOD, 0.3),
     ),
@@ -207,7 +207,7 @@ PROPS = {
         Usual(0.3, WOOD, 0.14),
     ),
     "basket": Noun(
-        "wicker basket, picnic basket; hamper, wickerwork",
+        "picnic basket; hamper, wickerwork",
         {"body": "*b98a4a scales", "handle": "&a5743e", "rim": "&a5743e"},
         Usual(0.4, PLANT, 0.1),
     ),

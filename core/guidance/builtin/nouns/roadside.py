@@ -110,15 +110,14 @@ ROADSIDE = {
 }
 HARDWARE = {
     "chain": Noun(
-        "chain link, metal chain, iron chain, steel chain, chain links, anchor chain; shackles, "
-        "prison chain, manacles",
+        "chain link, chain links, anchor chain; shackles, prison chain, manacles",
         {"links": "*8d9298 . metal", "rings": "&b4b9be . metal"},
         Usual(0.5, STEEL, 0.6),
     ),
 }
 PARTS_OF_CARS = {
     "wheel": Noun(
-        "car wheel, wheel with tire, truck wheel, cart wheel, wagon wheel, wooden wheel; tire, "
+        "car wheel, wheel with tire, truck wheel, cart wheel, wagon wheel; tire, "
         "tyre, car tire, car tyre, wheel rim, alloy wheel, spare tire, spare wheel, ship wheel, "
         "bicycle wheel, monster truck wheel",
         {

@@ -155,7 +155,7 @@ SMALL_THINGS = {
         Usual(0.1, STEEL, 0.093),
     ),
     "screw": Noun(
-        "wood screw, metal screw; bolt, machine screw, wall screw",
+        "wood screw; bolt, machine screw, wall screw",
         {
             "head": "*bfc4c9 . metal",
             "shaft": "*9aa0a6 . metal",
@@ -222,7 +222,7 @@ SMALL_THINGS = {
         Usual(1.6, COPPER, 0.025),
     ),
     "pipe": Noun(
-        "water pipe, steel pipe, metal pipe, pipe fitting, pipeline; plumbing, drain pipe, "
+        "water pipe, pipe fitting, pipeline; plumbing, drain pipe, "
         "sewer pipe, gas pipe, plumbing pipe, pvc pipe, tube",
         {
             "pipe": "*5f7f94 . paint",

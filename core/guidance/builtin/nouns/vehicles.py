@@ -179,7 +179,7 @@ VEHICLES = {
         Usual(8.0, STEEL, 0.04),
     ),
     "submarine": Noun(
-        "sub, u boat, submarine boat; yellow submarine",
+        "sub, u boat, submarine boat",
         {
             "hull": "*f0c01c . paint",
             "tower": "*f0c01c . paint",

@@ -101,7 +101,7 @@ WILD_ANIMALS = {
         Usual(0.75, FLESH, 0.3),
     ),
     "squirrel": Noun(
-        "; red squirrel, grey squirrel, gray squirrel, chipmunk",
+        "; red squirrel, chipmunk",
         {
             "body": "*b8602a",
             "tail": "&96481c",
