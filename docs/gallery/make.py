@@ -18,11 +18,11 @@ BATCH = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
-    "a castle",
-    "a penguin",
-    "a rusty metal robot",
-    "a golden crown",
+    "a corgi",
+    "a steel sword with a leather grip",
+    "a hamburger",
     "a white car with red wheels",
+    "an owl",
 )
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
