@@ -9,7 +9,6 @@ from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import GROUPS, NOUNS
-from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
@@ -166,72 +165,6 @@ def test_a_parts_name_before_a_thing_qualifies_it_and_in_a_phrase_of_its_own_is_
     assert parse("the spout of a red teapot") == Words("teapot", color="red")
     assert parse("the wheel of a red car") == Words("wheel")  # a thing of its own
     assert parse("a three-legged stool").part == "three legs"
-
-
-def test_a_colour_before_a_part_is_of_that_part_alone():
-    assert parse("a chair with red legs") == Words("chair", second="red", target="legs")
-    words = parse("a red chair with blue legs")
-    assert (words.color, words.second, words.target) == ("red", "blue", "legs")
-    words = parse("a red chair with blue legs and a green seat")
-    assert words.of_parts("color") == {"legs": "blue", "seat": "green"}
-    assert (words.color, words.target) == ("red", "legs")
-    with pytest.raises(UserError, match="got 'blue' and 'green'"):
-        parse("a chair with blue legs, green legs")
-
-
-def test_a_pattern_has_the_second_colour_and_a_part_keeps_its_own():
-    words = parse("a striped red mug with a blue handle")
-    assert (words.pattern, words.second, words.target) == ("striped", "", "")
-    assert words.of_parts("color") == {"handle": "blue"}
-    words = parse("a red and white striped mug with a blue handle")
-    assert (words.color, words.second) == ("red", "white")
-    assert words.of_parts("color") == {"handle": "blue"}
-
-
-@pytest.mark.parametrize(
-    ("prompt", "material", "parts", "form"),
-    [
-        ("a steel sword with a leather grip", "metal", {"grip": "leather"}, "leather"),
-        ("a wooden chair with a red leather seat", "wooden", {"seat": "leather"}, "leather"),
-        ("a wooden chair with a leather red seat", "wooden", {"seat": "leather"}, "leather"),
-        ("an armchair with blue velvet cushions", "", {"cushion": "fabric"}, "velvet"),
-        ("a table with metal legs", "", {"legs": "metal"}, "metal"),
-        ("a robot with brass arms", "", {"limbs": "golden"}, "brass"),
-        ("a sword with a wooden handle", "", {"grip": "wooden"}, "wooden"),
-        ("a bonsai tree in a ceramic pot", "", {"tray": "ceramic"}, "ceramic"),
-        ("a leather chair", "leather", {}, ""),
-        ("a chair of leather", "leather", {}, ""),
-        ("a red car, chrome wheels", "", {"wheels": "metal"}, "chrome"),
-        ("a sword with a stone pillow", "", {}, ""),
-    ],
-)
-def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts, form):
-    words = parse(prompt)
-    assert (words.material, words.of_parts("material")) == (material, parts)
-    assert [accent.material_form for accent in words.accents if accent.material] == [form] * len(
-        parts
-    )
-    if form == "brass":
-        assert "brass: made as golden." in words.notes
-    with pytest.raises(UserError, match="takes one material"):
-        parse("a chair with leather legs, metal legs")
-
-
-def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():
-    assert parse("pirate boots") == Words("boot", left_out=("pirate",))
-    assert parse("a pirate with boots").noun == "pirate"
-    assert parse("a bottle cap").noun == "bottle"
-    words = parse("a red chair for children with blue eyes")
-    assert (words.noun, words.color, words.second) == ("chair", "red", "")
-    assert parse("a red telephone booth from london").noun == "phone booth"
-    assert parse("a table from oak").material == "wooden"
-
-
-@pytest.mark.parametrize("prompt", ["a toy train", "a train figurine", "a plush train"])
-def test_a_toy_is_small(prompt):
-    assert parse(prompt).noun == "train" and parse(prompt).is_toy
-    assert usual_of(prompt)[0] == 0.25 < 5 < usual_of("a train")[0]
-    assert usual_of("a toy coin") == usual_of("a coin")
 
 
 @pytest.mark.parametrize(
