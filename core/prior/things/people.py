@@ -23,6 +23,7 @@ from core.prior.solids import (
     tube,
     turned,
 )
+from core.prior.things.characters import eyes
 from core.prior.things.standing import figure, hair
 
 
