@@ -58,6 +58,7 @@ class Surface(NamedTuple):
     factor: tuple[float, float, float] = (1.0, 1.0, 1.0)
     roughness: float = 0.0
     metallic: float = 0.0
+    weather: tuple[str, ...] = ()  # of core.texture.detail.weather, the lowest first
 
 
 class Predictions(NamedTuple):

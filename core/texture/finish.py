@@ -13,7 +13,7 @@ from core.geometry.mesh import face_areas
 from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
 from core.texture.detail.detail import Coat, Detail, Spots
-from core.texture.detail.grain import lengths
+from core.texture.detail.grain import convexity, lengths
 from core.texture.detail.noise import Noise
 from core.texture.detail.parts import ByArea, ByColor
 from core.texture.detail.survey import spread
@@ -39,22 +39,25 @@ class Finish:
         """``areas``: those that the detail is told apart by."""
         self.fine, self.detail, self.areas = fine, detail, areas
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
-        # By corner: the point, the normal, the tangent with its sign, and the parts' lengths.
-        length = lengths(mesh.verts, mesh.faces) if detail else torch.zeros_like(mesh.verts)
+        # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
+        grain = torch.zeros(len(mesh.verts), 4).to(mesh.verts)
+        if detail:
+            own = (mesh.verts, mesh.faces)
+            grain = torch.cat([lengths(*own), convexity(*own)], 1)
         by_vert = torch.cat([mesh.verts, mesh.normals], 1)[mesh.faces]
-        self.attributes = torch.cat([by_vert, mesh.tangents, length[mesh.faces]], -1)
+        self.attributes = torch.cat([by_vert, mesh.tangents, grain[mesh.faces]], -1)
 
     def __call__(
-        self, attributes: Float[Tensor, "t 13"], values: Float[Tensor, "t 8"]
+        self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
     ) -> Float[Tensor, "t 8"]:
         """``values``: kd, roughness, metallic and kn, the means of each texel."""
         parts = zip(attributes.split(CHUNK), values.split(CHUNK), strict=True)
         return torch.cat([self._finished(*part) for part in parts])
 
     def _finished(
-        self, attributes: Float[Tensor, "t 13"], values: Float[Tensor, "t 8"]
+        self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
     ) -> Float[Tensor, "t 8"]:
-        point, normal, tangent, length = attributes.split([3, 3, 4, 3], 1)
+        point, normal, tangent, length, edge = attributes.split([3, 3, 4, 3, 1], 1)
         coat = Coat(*values[:, :5].split([3, 1, 1], 1))
         # What was learnt, in the object's frame, on the coarse surface.
         shape = normalize(normal)
@@ -64,7 +67,7 @@ class Finish:
             shape, bumpy = fine, turned(bumpy, shape, fine)
         if self.detail:
             area = self.areas.of(point) if self.areas else None
-            coat, slope = self.detail(Spots(point * self.scale, shape, length, area), coat)
+            coat, slope = self.detail(Spots(point * self.scale, shape, length, edge, area), coat)
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
         return torch.cat([*coat, in_tangent_space(bumpy, normal, tangent)], 1)
@@ -88,9 +91,11 @@ def detail_of(
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
     at = torch.einsum("nk,nkc->nc", bary, finish.attributes[face])
     learnt = material(at[:, :3])
-    long = torch.einsum("nk,nkc->nc", bary, lengths(mesh.verts, mesh.faces)[mesh.faces[face]])
+    own = (mesh.verts, mesh.faces)
+    grain = torch.cat([lengths(*own), convexity(*own)], 1)
+    long, edge = torch.einsum("nk,nkc->nc", bary, grain[mesh.faces[face]]).split([3, 1], 1)
     area = areas.of(at[:, :3]) if areas else None
-    spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, area)
+    spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, edge, area)
     noise = Noise(seed, footprint(mesh, size) * finish.scale)
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
     by_area = ByArea(tuple(one.surface for one in areas.each)) if areas else None

@@ -17,6 +17,7 @@ from core.guidance.builtin.words import (
     PARTS,
     PATTERNS,
     SHAPES,
+    WEATHERS,
     WITHOUT,
 )
 
@@ -58,7 +59,7 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
     # The first table that has a form keeps it: "hat" is a thing, and a part only after a noun.
     names = {word: noun.names for word, noun in NOUNS.items()}
     tables = {"noun": names, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
-    tables |= {"pattern": PATTERNS, "part": PART_WORDS}
+    tables |= {"pattern": PATTERNS, "weather": WEATHERS, "part": PART_WORDS}
     for slot, table in tables.items():
         for word, text in table.items():
             for form in (word, *forms_of(text)):
@@ -79,7 +80,7 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
     forms = singulars(phrase)
     for form in forms:
         slot, word = LEXICON.get(form, ("", ""))
-        if slot == "part" or word in known.get(slot, ()):
+        if slot in ("part", "weather") or word in known.get(slot, ()):
             return Entry(slot, word, form)
     for form in forms:
         if form in PART_FORMS or any(form in noun.looks for noun in NOUNS.values()):

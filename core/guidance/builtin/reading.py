@@ -64,7 +64,7 @@ class Reading:
     def __init__(self, prompt: str, known: Vocabulary, alone: bool = False) -> None:
         self.known = known
         self._alone = alone
-        self.found: dict[str, list[Entry]] = {slot: [] for slot in SLOTS}
+        self.found: dict[str, list[Entry]] = {slot: [] for slot in (*SLOTS, "weather")}
         self.parts: list[StatedPart] = []
         self.left_out: list[str] = []  # all that has no effect, in order
         self.aside: list[str] = []  # accessories, which have no effect either

@@ -269,6 +269,12 @@ OF_A_GROUP = {
     "Plants": "leaf",
 }
 
+# What is not worn as things are: what lives, grows, or is eaten, and what has no shape of its own.
+UNWORN = frozenset(
+    """eye hair fur feathers scales hide skin chitin leaf foliage petal peel flesh crust crumb cream
+    soil flame liquid bark""".split()
+) | {"wet skin"}
+
 
 def substance(noun: str, part: str) -> str:
     """The kind of the noun's ``part``; "" where nothing is known of it."""

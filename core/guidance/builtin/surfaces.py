@@ -5,6 +5,7 @@ from functools import cache
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
+from core.guidance.builtin.substances import UNWORN
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Color
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
@@ -18,7 +19,13 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 
 
 def surface_of(words: Words, part: Painted) -> Surface:
-    """What one part is made of."""
+    """What one part is made of, and what time has done to it."""
+    new = _as_new(words, part)
+    lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
+    return new if new.kind == "eye" else new._replace(weather=tuple(lasting))
+
+
+def _as_new(words: Words, part: Painted) -> Surface:
     if not part.material:
         return Surface(_by_nature(words.noun, part), part.color)
     variant = VARIANTS.get(part.material_form)

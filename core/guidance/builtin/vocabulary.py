@@ -41,6 +41,7 @@ class Words:
     second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
     target: str = ""  # the part that the second colour is for
     accents: tuple[Accent, ...] = ()  # what other parts have of their own
+    weather: tuple[str, ...] = ()  # what time has done to it
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -91,6 +92,7 @@ def understood(
         "part_materials": words.of_parts("material"),
         "materials": [words.material] if words.material else [],
         "pattern": words.pattern or None,
+        "weather": list(words.weather),
         "size_m": size_m,
         "density": density,
         "left_out": list(words.left_out),
@@ -140,6 +142,7 @@ def parse(
     # The part last: what may be stated of it depends on the noun.
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
+    words["weather"] = tuple(reading.words("weather"))
     words["material_form"] = next((entry.form for entry in reading.found["material"]), "")
     notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
     left_out = tuple(dict.fromkeys([*reading.left_out, *reading.aside]))

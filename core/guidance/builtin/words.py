@@ -52,6 +52,15 @@ MATERIALS = {
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy",
 }
+# What time has done to it, which is seen at the bake.
+WEATHERS = {
+    "worn": "used, weathered, aged, scratched, battered, shabby, old, antique, ancient, rustic, "
+    "worn out, well worn, distressed",
+    "dirty": "grimy, muddy, filthy, stained, grungy",
+    "dusty": "dust covered",
+    "mossy": "moss covered, overgrown, covered in moss",
+    "snowy": "snow covered, covered in snow, snow capped, frosty",
+}
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
     "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
@@ -106,7 +115,7 @@ FILLER = PLACES | frozenset(
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair bunch slice piece wearing holding old new classic modern traditional elegant
+    pair bunch slice piece wearing holding new classic modern traditional elegant
     lovely pretty statuette carving replica""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
@@ -144,8 +153,8 @@ STYLES = frozenset(
 }
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
-    """worn weathered aged antique vintage retro rustic ancient medieval victorian baroque ornate
-    cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining dirty clean dusty
+    """vintage retro medieval victorian baroque ornate
+    cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining clean
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing

@@ -13,6 +13,7 @@ from core.texture.detail.kinds import KINDS
 from core.texture.detail.noise import Noise, Values
 from core.texture.detail.parts import Parts
 from core.texture.detail.place import Layer, Place
+from core.texture.detail.weather import WEATHERS, laid
 
 LEAST = 0.02  # weight of a surface at a point, below which it is not looked at
 STEEPEST = 1.2  # slope of the relief: steeper ones would hide themselves
@@ -36,6 +37,7 @@ class Spots(NamedTuple):
     point: Float[Tensor, "n 3"]  # in units of the object's longest side
     normal: Float[Tensor, "n 3"]  # unit
     lengths: Float[Tensor, "n 3"]  # see core.texture.detail.grain
+    edge: Float[Tensor, "n 1"]  # how convex it is, there too
     area: Int[Tensor, " n"] | None = None  # where the areas are known
 
     def where(self, index: Int[Tensor, " m"]) -> "Spots":
@@ -96,8 +98,13 @@ class Detail:
 
     def _layer(self, k: int, at: Spots) -> Layer:
         along = at.lengths.argmax(1)
-        place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise)
-        return KINDS[self.parts.surfaces[k].kind](place)
+        edge = at.edge[:, 0].numpy()
+        place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise, edge)
+        surface = self.parts.surfaces[k]
+        layer = KINDS[surface.kind](place)
+        for name in surface.weather:
+            layer = laid(WEATHERS[name](place), layer)
+        return layer
 
     def _relief(self, k: int, at: Spots) -> tuple[Layer, Float[Tensor, "n 3"]]:
         """The layer at the points, and its height's gradient: by one step along each of two
@@ -106,7 +113,7 @@ class Detail:
         one, two = across(at.normal)
         points = torch.cat([at.point, at.point + step * one, at.point + step * two])
         # The part's direction and normal are the middle's, or a step over their border would jump.
-        rest = (x.repeat(3, 1) for x in (at.normal, at.lengths))
+        rest = (x.repeat(3, 1) for x in (at.normal, at.lengths, at.edge))
         layer = self._layer(k, Spots(points, *rest))
         height, h1, h2 = torch.from_numpy(layer.height).view(3, count, 1)
         gradient = ((h1 - height) * one + (h2 - height) * two) / step

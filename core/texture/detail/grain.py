@@ -1,4 +1,4 @@
-"""Which way each part of a mesh is long: the way in which wood would be cut for it.
+"""Which way each part of a mesh is long, the way in which wood would be cut for it, and its edges.
 
 A part's length is the axis along which the surface around a vertex spreads most, and what runs on
 smoothly is one part: a board's edges are cut with it. Of the three axes of the object one is taken,
@@ -40,6 +40,19 @@ def lengths(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Ten
     for _ in range(SMOOTHING):
         score = mean @ score
     return torch.from_numpy(score / np.maximum(score.sum(1, keepdims=True), 1e-30)).to(verts)
+
+
+def convexity(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "v 1"]:
+    """How far each vertex stands out of the middle of its neighbours, along its normal, in lengths
+    of the edges there: above 0 on an edge, below 0 in a corner, 0 where it is flat."""
+    v, f = verts.cpu().double().numpy(), faces.cpu().numpy()
+    out = v - mean_around(f, len(v)) @ v
+    normals = smooth_normals(verts, faces).cpu().double().numpy()
+    ends = v[f[:, [1, 2, 0]]] - v[f]
+    length = np.bincount(f.ravel(), np.linalg.norm(ends, axis=2).ravel(), len(v))
+    length = length / np.maximum(np.bincount(f.ravel(), minlength=len(v)), 1)
+    stands = (out * normals).sum(1) / np.maximum(length, 1e-30)
+    return torch.from_numpy(stands[:, None]).to(verts)
 
 
 def _mean_along(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> csr_array:

@@ -17,6 +17,8 @@ class Place:
     normal: Points  # unit, of the shape without detail
     along: Int[np.ndarray, " n"]  # the axis, 0 to 2, along which the part there is longest
     noise: Noise
+    # How convex the shape is there, about in [-1, 1]: above 0 on an edge, below 0 in a corner.
+    edge: Values | float = 0.0
 
     @property
     def grained(self) -> Points:
