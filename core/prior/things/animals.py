@@ -196,16 +196,23 @@ def cow(draw: Draw) -> Parts:
 
 
 def sheep(draw: Draw) -> Parts:
-    """A ball of wool with a dark face and legs."""
-    wide, long, z = draw(0.58, 0.66), draw(0.75, 0.88), draw(0.9, 1.0)
-    y = -long - 0.12
-    leg = tube((0.3, long * 0.5, 0), (0.3, long * 0.5, z - 0.2), 0.14, 0.03)
-    ear = capsule((0.15, y, z + 0.36), (0.45, y + 0.02, z + 0.3), 0.1)
+    """A barrel of wool with a dark face and legs, the eyes on the face's front."""
+    wide, long, z = draw(0.52, 0.62), draw(0.3, 0.42), draw(0.92, 1.04)
+    y, up, head = -long - wide * 0.72, z + 0.34, draw(0.3, 0.35)
+    leg = tube((0.3, long * 0.9, 0), (0.3, long * 0.9, z), 0.15)
     return {
-        "wool": join(egg((0, 0, z), (wide, long, wide)), ball((0, y + 0.1, z + 0.52), 0.24)),
-        "head": join(egg((0, y - 0.1, z + 0.22), (0.25, 0.36, 0.3)), both(ear)),
+        "wool": join(
+            capsule((0, -long, z), (0, long, z), wide),
+            ball((0, y + 0.06, up + head * 0.85), 0.26),
+            ball((0, long + wide, z + 0.2), 0.18),
+        ),
+        "head": join(
+            ball((0, y, up), head),
+            capsule((0, y, up - 0.05), (0, y - 0.24, up - 0.14), 0.22),
+            both(capsule((0.2, y + 0.05, up + 0.14), (0.52, y + 0.05, up + 0.02), 0.11)),
+        ),
         "legs": both(leg, 0, 1),
-        "eyes": both(ball((0.15, y - 0.34, z + 0.33), 0.075)),
+        "eyes": both(ball((head * 0.5, y - head * 0.76, up + head * 0.3), 0.09)),
     }
 
 

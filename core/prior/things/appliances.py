@@ -225,37 +225,27 @@ def sewing_machine(draw: Draw) -> Parts:
 
 def record_player(draw: Draw) -> Parts:
     """A gramophone: its horn rises at the back and opens to the front over a turning record."""
-    x, high, r = draw(0.6, 0.68), draw(0.36, 0.44), draw(0.48, 0.54)
-    bell, lean = draw(0.7, 0.82), draw(42, 50)
-    long = draw(1.15, 1.3)
-    horn = [
-        (0.1, 0.0),
-        (0.13, long * 0.45),
-        (0.27, long * 0.72),
-        (bell * 0.62, long * 0.9),
-        (bell, long),
-    ]
-    elbow = (0.0, x - 0.14, high + 0.62)
-    shell = lathe(smooth_curve(horn))
-    hollow = lathe(smooth_curve([(max(a - 0.12, 0.0), b + 0.06) for a, b in horn[2:]]))
-    crank = x + 0.26
+    x, high, r = draw(0.6, 0.68), draw(0.38, 0.46), draw(0.46, 0.52)
+    bell, lean, long = draw(0.7, 0.8), draw(42, 50), draw(1.15, 1.3)
+    # Up the outside, over the lip and down to the bottom of the throat.
+    outer = [(0.12, 0), (0.14, long * 0.45), (0.3, long * 0.74), (bell * 0.64, long * 0.91)]
+    inner = [(bell * 0.64 - 0.16, long * 0.97), (0.15, long * 0.85), (0, long * 0.78)]
+    inner = smooth_curve([(bell - 0.04, long + 0.14), *inner])
+    horn = [*smooth_curve([*outer, (bell, long)]), *inner]
+    back, crank, z = x - 0.16, x + 0.3, high * 0.55
     return {
-        "horn": tilted(cut(shell, hollow), lean, elbow),
-        "pipe": join(
-            tube((0, x - 0.14, high - 0.02), (0, x - 0.14, high + 0.66), 0.1),
-            box((0, x - 0.14, high + 0.06), (0.16, 0.14, 0.1), 0.03),
-        ),
+        "horn": tilted(lathe(horn), lean, (0, back, high + 0.62)),
+        "pipe": tube((0, back, high - 0.1), (0, back, high + 0.68), 0.12),
         "case": join(
-            box((0, 0, high / 2 + 0.05), (x, x, high / 2 - 0.05), 0.02),
-            box((0, 0, 0.09), (x + 0.09, x + 0.09, 0.09), 0.03),
-            box((0, 0, high - 0.05), (x + 0.06, x + 0.06, 0.06), 0.02),
+            box((0, 0, high / 2), (x, x, high / 2)),
+            box((0, 0, 0.09), (x + 0.1, x + 0.1, 0.09)),
         ),
-        "record": tube((0, -0.08, high - 0.02), (0, -0.08, high + 0.1), r, 0.01),
-        "label": tube((0, -0.08, high), (0, -0.08, high + 0.13), r * 0.34),
+        "record": tube((0, -0.08, high - 0.02), (0, -0.08, high + 0.12), r),
+        "label": tube((0, -0.08, high), (0, -0.08, high + 0.18), r * 0.36),
         "crank": join(
-            tube((x - 0.05, 0, high * 0.55), (crank, 0, high * 0.55), 0.085),
-            capsule((crank, 0, high * 0.55), (crank, -0.3, high * 0.55), 0.085),
-            tube((crank - 0.04, -0.3, high * 0.55), (crank + 0.24, -0.3, high * 0.55), 0.1, 0.03),
+            capsule((x - 0.1, 0, z), (crank, 0, z), 0.09),
+            capsule((crank, 0, z), (crank, -0.3, z), 0.09),
+            capsule((crank, -0.3, z), (crank + 0.2, -0.3, z), 0.11),
         ),
     }
 

@@ -12,7 +12,9 @@ from core.prior.solids import (
     cut,
     egg,
     join,
+    lathe,
     limb,
+    mirrored,
     prism,
     ring,
     taper,
@@ -200,37 +202,34 @@ def person(draw: Draw) -> Parts:
 
 def knight(draw: Draw) -> Parts:
     """In armour, with plume, shield and sword."""
-    leg, wide, head = draw(0.7, 0.95), draw(0.36, 0.46), draw(0.3, 0.35)
-    top, x, a = leg + draw(0.7, 0.85), wide + 0.12, wide * 0.55
-    z, out = top + head, draw(0.12, 0.28)
-    hand = (x + out, -0.2, top - 0.6)
-    helmet = join(tube((0, 0, z - 0.28), (0, 0, z + 0.1), head, 0.05), ball((0, 0, z + 0.1), head))
+    leg, wide, head = draw(0.7, 0.9), draw(0.38, 0.46), draw(0.3, 0.35)
+    top, x, a = leg + draw(0.7, 0.82), wide + 0.12, wide * 0.58
+    z, hand = top + head, (wide + 0.4, -0.4, top - 0.54)
     armour = join(
-        taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.8, wide),
-        both(ball((x, 0, top - 0.14), 0.24)),
-        both(taper((x, 0, top - 0.2), hand, 0.15, 0.15)),
-        both(taper((a, 0, leg), (a, 0, 0.15), 0.21, 0.18)),
-        both(box((a, -0.1, 0.1), (0.19, 0.3, 0.12), 0.06)),
-        helmet,
+        lathe([(wide * 0.8, leg - 0.1), (wide, top - 0.3), (wide * 0.8, top)]),
+        both(ball((x, 0, top - 0.14), 0.25)),
+        both(capsule((x, 0, top - 0.2), hand, 0.15)),
+        both(capsule((a, 0, leg), (a, 0, 0.2), 0.19)),
+        both(box((a, -0.1, 0.11), (0.2, 0.31, 0.12), 0.03)),
+        tube((0, 0, top - 0.06), (0, 0, z + 0.1), head),
+        ball((0, 0, z + 0.1), head),
     )
-    sx, sy, sz = -hand[0] - 0.05, -0.36, top - 0.5
-    shield = prism(
-        [(sx - 0.32, sz + 0.4), (sx + 0.32, sz + 0.4), (sx + 0.3, sz - 0.1), (sx, sz - 0.55),
-         (sx - 0.3, sz - 0.1)], 1, 0.08, sy,
-    )  # fmt: skip
-    tip = hand[2] + draw(1.1, 1.5)
-    blade = prism(
-        [(hand[0] - 0.1, hand[2]), (hand[0] + 0.1, hand[2]), (hand[0] + 0.1, tip - 0.15),
-         (hand[0], tip), (hand[0] - 0.1, tip - 0.15)], 1, 0.07, hand[1] - 0.08,
-    )  # fmt: skip
-    guard = capsule(
-        (hand[0] - 0.2, -0.28, hand[2] + 0.16), (hand[0] + 0.2, -0.28, hand[2] + 0.16), 0.08
+    sx, sy, sz = -hand[0], -0.56, top - 0.46
+    half = [(0.34, 0.4), (0.34, -0.15), (0.01, -0.6)]
+    shield = prism([(sx + u, sz + v) for u, v in mirrored(half)], 1, 0.1, sy)
+    tip = draw(1.15, 1.45)
+    half = [(0.12, -0.2), (0.12, tip - 0.2), (0.01, tip)]
+    blade = prism([(hand[0] + u, hand[2] + v) for u, v in mirrored(half)], 1, 0.09, hand[1])
+    guard = box((hand[0], hand[1], hand[2] + 0.24), (0.26, 0.12, 0.09))
+    slit = join(
+        box((0, -head * 0.75, z + 0.08), (head * 0.6, head * 0.4, 0.09)),
+        box((0, -head * 0.75, z - 0.1), (0.08, head * 0.4, 0.16)),
     )
-    plume = taper((0, -0.05, z + head), (0, 0.35, z + head * draw(0.7, 1.2)), 0.14, 0.15)
+    crest = z + draw(0.24, 0.34)
     return {
         "armour": armour,
-        "visor": box((0, -head * 0.75, z + 0.04), (head * 0.72, head * 0.35, 0.07), 0.02),
-        "plume": plume,
+        "visor": slit,
+        "plume": tube((-0.1, 0.14, crest), (0.1, 0.14, crest), head),
         "shield": shield,
         "sword": join(blade, guard),
     }

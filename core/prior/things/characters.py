@@ -6,7 +6,6 @@ from core.prior.solids import (
     Solid,
     Vector,
     ball,
-    blend,
     both,
     box,
     capsule,
@@ -145,47 +144,34 @@ def gnome(draw: Draw) -> Parts:
 
 
 def skeleton(draw: Draw) -> Parts:
-    """A large skull on bare bones, the chest dark between the ribs."""
-    head, leg, wide = draw(0.42, 0.5), draw(0.7, 0.82), draw(0.34, 0.4)
-    top, out = leg + draw(0.94, 1.06), draw(0.16, 0.3)
-    z, x = top + head * 1.02, wide + 0.1
-    dome = egg((0, 0.04, z + 0.06), (head, head, head * 0.9))
-    jaw = box((0, -head * 0.42, z - head * 0.82), (head * 0.5, head * 0.4, 0.2), 0.06)
-    socket = ball((head * 0.42, -head * 0.82, z), head * 0.3)
-    nose = prism([(-0.1, z - 0.28), (0.1, z - 0.28), (0, z - 0.1)], 1, 1, -1.2)
-    gap = box((0, -head * 0.82, z - head * 0.8), (head * 0.6, 0.1, 0.045))
-    skull = cut(blend(0.1, dome, jaw), both(socket), nose, gap)
-    elbow, hand = (x + out * 0.6, 0.02, top - 0.42), (x + out, -0.16, leg - 0.06)
-    arm = join(
-        ball((x, 0, top - 0.06), 0.14),
-        capsule((x, 0, top - 0.06), elbow, 0.09),
-        ball(elbow, 0.125),
-        capsule(elbow, hand, 0.085),
-        ball(hand, 0.16),
+    """A large skull on few thick bones, the chest dark between the ribs."""
+    head, leg, wide = draw(0.44, 0.52), draw(0.72, 0.82), draw(0.36, 0.42)
+    top, out = leg + draw(0.96, 1.06), draw(0.2, 0.3)
+    z, x = top + head * 1.02, wide + 0.12
+    elbow, hand = (x + out * 0.6, 0, top - 0.42), (x + out, -0.16, leg)
+    side = join(
+        capsule((0, 0, top - 0.06), (x, 0, top - 0.06), 0.12),
+        capsule((x, 0, top - 0.06), elbow, 0.11),
+        capsule(elbow, hand, 0.11),
+        ball(hand, 0.17),
+        capsule((0.22, 0, leg), (0.22, 0, 0.12), 0.12),
+        capsule((0.22, 0, 0.12), (0.22, -0.3, 0.12), 0.13),
     )
-    shin = join(
-        capsule((0.2, 0, leg), (0.22, 0, leg * 0.5), 0.1),
-        ball((0.22, -0.01, leg * 0.5), 0.14),
-        capsule((0.22, 0, leg * 0.5), (0.22, 0, 0.12), 0.09),
-        egg((0.23, -0.13, 0.1), (0.15, 0.28, 0.11)),
-    )
-    ribs = [top - 0.2, top - 0.45, top - 0.69]
     return {
         "bone": join(
-            skull,
-            tube((0, 0, top - 0.1), (0, 0, z - 0.3), 0.12),
-            both(join(arm, shin)),
-            capsule((-x, 0, top - 0.06), (x, 0, top - 0.06), 0.09),
-            *(ring((0, 0, r), wide - 0.02 - 0.04 * k, 0.085)
-              for k, r in enumerate(ribs)),
-            capsule((-0.17, 0, leg + 0.02), (0.17, 0, leg + 0.02), 0.19),
+            ball((0, 0, z), head),
+            box((0, -head * 0.42, z - head * 0.8), (head * 0.5, head * 0.42, 0.2)),
+            tube((0, 0, leg), (0, 0, z), 0.14),
+            both(side),
+            *(ring((0, 0, top - 0.34 * k), wide - 0.06 * k, 0.11) for k in (1, 2)),
+            capsule((-0.2, 0, leg), (0.2, 0, leg), 0.19),
         ),
-        "chest": lathe([(wide - 0.2, leg), (wide - 0.06, top - 0.08)]),
+        "chest": lathe([(wide - 0.14, leg + 0.14), (wide - 0.02, top - 0.08)]),
         "eyes": join(
-            both(ball((head * 0.42, -head * 0.66, z), head * 0.28)),
-            prism([(-0.1, z - 0.28), (0.1, z - 0.28), (0, z - 0.1)], 1, 0.1, -head * 0.64),
+            both(ball((head * 0.42, -head * 0.76, z + 0.02), head * 0.28)),
+            prism([(-0.11, z - 0.3), (0.11, z - 0.3), (0, z - 0.1)], 1, 0.1, -head * 0.9),
         ),
-    }  # fmt: skip
+    }
 
 
 def wizard(draw: Draw) -> Parts:

@@ -16,6 +16,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -60,31 +61,29 @@ def watch(draw: Draw) -> Parts:
 
 def sneaker(draw: Draw) -> Parts:
     """A sports shoe, its toe to the front."""
-    long, wide, high = draw(1.0, 1.15), draw(0.4, 0.47), draw(0.72, 1.0)
-    upper = blend(
-        0.2,
-        egg((0, -long * 0.42, 0.28), (wide * 0.92, long * 0.55, 0.34)),
-        taper((0, long * 0.5, 0.35), (0, long * 0.5, high - 0.1), wide * 0.85, wide * 0.72),
-        taper((0, -long * 0.3, 0.42), (0, long * 0.4, high - 0.12), 0.22, 0.3),
-    )
-    mouth = egg((0, long * 0.56, high + 0.16), (wide * 0.55, wide * 0.62, 0.42))
-    slope = (high - 0.42) / (0.75 * long)
+    long, wide, high, low = draw(1.0, 1.15), draw(0.4, 0.47), draw(0.85, 1.05), draw(0.18, 0.24)
+    leg, toe = wide * 0.88, wide - long
+    y, rise = long - leg, (high - 0.68) / (1.4 * long - leg)
+    panel = [(-0.4 * long, 0.1), (y, 0.1), (y, high - 0.38), (-0.4 * long, 0.3)]
     laces = (
-        capsule((-0.22, y, z), (0.22, y, z), 0.085)
-        for y, z in ((long * u, 0.68 + (u + 0.3) * long * slope) for u in (-0.3, -0.08, 0.14))
+        capsule((-0.22, v, u), (0.22, v, u), 0.085)
+        for v, u in ((y - k, wide * 0.8 + high - 0.4 - k * rise) for k in (0.35, 0.65, 0.95))
     )
-    stripe = both(box((wide * 0.84, long * 0.12, 0.42), (0.1, 0.09, 0.2), 0.03))
+    foot = capsule((0, -0.4 * long, 0.3), (0, y, high - 0.38), wide * 0.8)
     return {
         "body": cut(
-            upper, mouth, box((0, 0, -1), (2, 2, 1.1)), box((0, 0, high + 1.08), (2, 2, 1))
+            join(tube((0, y, 0.1), (0, y, high), leg), foot, prism(panel, 0, wide * 0.8)),
+            tube((0, y, high - 0.3), (0, y, high + 1), leg - 0.14),
+            box((0, 0, -0.9), (2, 3, 1)),
         ),
-        "sole": _sole(long, wide, draw(0.18, 0.24)),
+        "sole": join(
+            tube((0, toe, 0), (0, toe, low), wide),
+            tube((0, y, 0), (0, y, low), leg + 0.05),
+            prism(mirrored([(wide, toe), (leg + 0.05, y)]), 2, low / 2, low / 2),
+        ),
         "laces": join(*laces),
-        "stripes": stripe,
-        "toe": cut(
-            egg((0, -long * 0.62, 0.2), (wide * 0.86, long * 0.4, 0.28)),
-            box((0, 0.55, 0), (2, 1, 2)),
-        ),
+        "stripes": both(box((wide * 0.8, y - 0.36, 0.42), (0.08, 0.08, 0.2))),
+        "toe": cut(ball((0, toe, 0.12), wide * 0.88), box((0, 0, -0.9), (2, 3, 1))),
     }
 
 
@@ -116,62 +115,51 @@ def boot(draw: Draw) -> Parts:
 
 def high_heel(draw: Draw) -> Parts:
     """A lady's shoe on a high heel, its toe to the front."""
-    long, wide, high = draw(0.95, 1.1), draw(0.3, 0.36), draw(0.65, 0.95)
-    y = long * 0.68
-    bed = [
-        (-long, 0.02),
-        (-long * 0.3, 0.02),
-        (long * 0.55, high - 0.1),
-        (long * 0.98, high - 0.06),
-    ]
-    roof = [(long, high + 0.12), (long * 0.5, high + 0.08), (-long * 0.28, 0.19), (-long, 0.17)]
-    toe = taper((0, -long * 0.42, 0.24), (0, -long * 0.92, 0.12), wide * 0.85, 0.13)
-    back = egg((0, y, high + 0.1), (wide * 0.9, long * 0.36, 0.4))
-    room = egg((0, y - 0.1, high + 0.42), (wide * 0.66, long * 0.34, 0.44))
-    mouth = egg((0, -long * 0.02, 0.62), (wide * 0.7, long * 0.5, 0.38))
-    upper = join(
-        cut(toe, box((0, 0, -0.98), (2, 2, 1)), mouth),
-        cut(back, room, box((0, 0, high - 1.1), (2, 2, 1))),
+    long, wide, high = draw(0.95, 1.1), draw(0.3, 0.34), draw(0.62, 0.8)
+    front, seat = -long * 0.35, long - wide
+    arch = [(front, 0.0), (long * 0.38, high), (seat, high)]
+    side = [(v, z + 0.08) for v, z in arch]
+    side += [(seat, high + 0.6), (long * 0.2, high * 0.72 + 0.34), (front, 0.56)]
+    cup = tube((0, seat, high + 0.08), (0, seat, high + 0.6), wide)
+    room = [(-long * 0.2, 0.3), (long * 0.38, high + 0.16), (seat, high + 0.16)]
+    hole = prism([*room, (seat, 2), (-long * 0.2, 2)], 0, wide - 0.13)
+    upper = cut(
+        join(prism(side, 0, wide), cup),
+        hole,
+        tube((0, seat, high + 0.16), (0, seat, 3), wide - 0.13),
     )
     return {
-        "body": upper,
-        "heel": taper((0, y + 0.14, high), (0, y + 0.2, 0.09), 0.19, draw(0.09, 0.12)),
-        "sole": prism([*bed, *roof], 0, wide * 0.7),
+        "body": join(upper, taper((0, front, wide), (0, -long * 0.88, 0.16), wide, 0.15)),
+        "heel": lathe([(0.09, 0), (0.2, high + 0.05)], 0, (0, seat + 0.04)),
+        "sole": join(
+            prism([*arch, *((v, z + 0.15) for v, z in reversed(arch))], 0, wide * 0.9),
+            tube((0, seat, high), (0, seat, high + 0.15), wide * 0.9),
+            prism(mirrored([(0.14, -long), (wide, front - 0.1), (wide, front)]), 2, 0.06, 0.06),
+        ),
         "bow": join(
-            ball((0, -long * 0.62, 0.42), 0.1),
-            both(egg((0.16, -long * 0.62, 0.44), (0.16, 0.1, 0.12))),
+            ball((0, front, 0.62), 0.12),
+            both(capsule((0.1, front, 0.62), (0.26, front, 0.62), 0.13)),
         ),
     }
 
 
 def helmet(draw: Draw) -> Parts:
-    """A motorcyclist's helmet with a visor, or a knight's with a plume."""
-    wide, high, knight = draw(0.76, 0.86), draw(0.85, 0.98), draw.chance(0.4)
-    skull = egg((0, 0, high), (wide, wide * 1.12, high))
-    shell = join(skull, tube((0, 0, 0.12), (0, 0, high), wide * 0.93, 0.06))
-    hollow = egg((0, 0, 0.15), (wide * 0.74, wide * 0.8, 0.4))
-    window = box((0, -wide, high * 1.02), (wide * 0.82, wide * 0.75, high * 0.24), 0.1)
-    band = cut(egg((0, 0, high), (wide * 0.9, wide * 1.02, high * 0.9)), box((0, 1, 0), (3, 1, 3)))
-    slots = (box((0, -wide, high * v), (0.09, 0.5, 0.11), 0.02) for v in (0.4, 0.68))
-    if knight:
-        window = box((0, -wide, high * 1.02), (wide * 0.72, wide * 0.62, 0.09), 0.02)
-        crest = cut(
-            egg((0, 0.2, high + 0.25), (0.13, wide * 0.95, high * 1.05)),
-            box((0, 0, 0), (2, 2, high)),
-        )
-        crest = join(
-            crest, cut(ring((0, 0, high), wide * 1.05, 0.11, 0), box((0, -1, 0), (2, 1, 3)))
-        )
-    else:
-        crest = both(box((wide * 0.4, 0.06, 2 * high - 0.2), (0.1, wide * 0.7, 0.16), 0.08))
+    """A knight's: a slit to look through, a plume over its top and back."""
+    wide, high = draw(0.7, 0.8), draw(0.9, 1.05)
+    dome = [
+        (wide * math.cos(k * math.pi / 24), high + wide * math.sin(k * math.pi / 24))
+        for k in range(13)
+    ]
+    hollow = tube((0, 0, -1), (0, 0, 0.35), wide - 0.15)
+    slot = box((0, -wide, high), (wide * 0.8, wide * 0.75, 0.11))
+    strip = box((0, -wide, high * 0.45), (0.11, 0.12, high * 0.45))
+    rim = join(tube((0, 0, 0), (0, 0, 0.2), wide + 0.06), strip)
+    back, up = 0.14, high + draw(0.16, 0.24)
     return {
-        "shell": cut(shell, hollow, window, *(slots if knight else ())),
-        "visor": band,
-        "crest": crest,
-        "rim": cut(
-            tube((0, 0, 0), (0, 0, 0.18), wide * 0.96, 0.05),
-            tube((0, 0, -1), (0, 0, 0.3), wide * 0.74),
-        ),
+        "shell": cut(lathe([(wide, 0.05), *dome]), hollow, slot),
+        "visor": tube((0, 0, high - 0.2), (0, 0, high + 0.2), wide - 0.1),
+        "crest": tube((-0.12, back, up), (0.12, back, up), wide),
+        "rim": cut(rim, hollow),
     }
 
 

@@ -25,37 +25,24 @@ Point = tuple[float, float]
 
 
 def helicopter(draw: Draw) -> Parts:
-    """A round cabin, a tail, a rotor, skids."""
-    x, z, long = draw(0.38, 0.46), draw(0.8, 0.9), draw(0.55, 0.7)
-    top, tail, count = z + draw(0.52, 0.6), draw(1.1, 1.2), 3 + draw.chance(0.5)
-    reach = draw(1.1, 1.3)
-    fin = [(tail - 0.3, z + 0.1), (tail + 0.1, z + 0.55), (tail + 0.2, z + 0.55)]
-    blade = box((reach / 2, 0, top + 0.06), (reach / 2, 0.12, 0.06), 0.02)
-    leg = capsule((x * 0.6, 0, z - 0.2), (x + 0.1, 0, 0.1), 0.08)
+    """A round cabin, a tail, a rotor of two crossed blades, skids."""
+    x, z, long = draw(0.44, 0.52), draw(0.86, 0.96), draw(0.62, 0.74)
+    top, tail, reach = z + x + 0.2, draw(1.05, 1.2), draw(1.05, 1.25)
+    fin = [(tail - 0.3, z + 0.1), (tail - 0.04, z + 0.62), (tail + 0.2, z + 0.62), (tail + 0.14, z)]
+    blade = turned(box((0, 0, top), (reach, 0.13, 0.075)), 2, 45)
+    mast, side = tube((0, 0, z), (0, 0, top + 0.14), 0.14), x * 0.86
+    legs = (capsule((x * 0.5, y, z - 0.2), (side, y, 0.1), 0.09) for y in (-0.5, 0.1))
     return {
         "body": join(
-            egg((0, -0.25, z), (x, long, x * 1.02)),
-            taper((0, 0.1, z + 0.1), (0, tail, z + 0.2), 0.25, 0.1),
-            prism([*fin, (tail + 0.08, z + 0.05)], 0, 0.08),
+            egg((0, -0.2, z), (x, long, x)),
+            capsule((0, 0, z + 0.1), (0, tail, z + 0.1), 0.15),
+            prism(fin, 0, 0.09),
         ),
-        "windows": egg((0, -0.25 - long * 0.42, z + 0.08), (x * 0.86, long * 0.62, x * 0.78)),
-        "rotor": moved(
-            join(
-                around(count, blade, 45),
-                tube((0, 0, z), (0, 0, top + 0.16), 0.12, 0.03),
-            ),
-            (0, -0.12, 0),
-        ),
-        "skids": both(
-            join(
-                capsule((x + 0.1, -0.85, 0.1), (x + 0.1, 0.4, 0.1), 0.09),
-                moved(leg, (0, -0.5, 0)),
-                moved(leg, (0, 0.05, 0)),
-            )
-        ),
+        "windows": egg((0, -0.2 - long * 0.42, z + 0.06), (x * 0.86, long * 0.66, x * 0.8)),
+        "rotor": moved(join(both(blade, 0, 1), mast), (0, -0.2, 0)),
+        "skids": both(join(capsule((side, -0.95, 0.1), (side, 0.5, 0.1), 0.1), *legs)),
         "tail rotor": join(
-            box((0.12, tail, z + 0.22), (0.07, 0.07, 0.34), 0.03),
-            box((0.12, tail, z + 0.22), (0.07, 0.34, 0.07), 0.03),
+            *(box((0.15, tail, z + 0.2), (0.07, *size)) for size in ((0.08, 0.32), (0.32, 0.08)))
         ),
     }
 

@@ -3,6 +3,7 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
     blend,
@@ -13,14 +14,12 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
-    moved,
     prism,
     ring,
     smooth_curve,
     taper,
     tilted,
     tube,
-    turned,
 )
 
 
@@ -76,25 +75,23 @@ def monitor(draw: Draw) -> Parts:
     }
 
 
+ACCENTS = ((0, 1.5), (5, 0.5), (5, -0.5))  # where no plain key is
+
+
 def keyboard(draw: Draw) -> Parts:
     """It lies, its keys in four rows."""
-    columns, pitch, key = 7 + int(draw(0, 3)), 0.29, draw(0.105, 0.12)
-    x, y, back = columns * pitch / 2 + 0.1, 0.68, draw(0.0, 0.12)
-    keys = [
-        box(((k + 0.5 - columns / 2) * pitch, (row - 1.5) * pitch, 0.26), (key, key, 0.1), 0.04)
-        for k in range(columns)
-        for row in range(1, 4)
-    ]
-    space = box((0, -1.5 * pitch, 0.26), (x * 0.5, key, 0.1), 0.04)
-    sides = both(box((x * 0.75, -1.5 * pitch, 0.26), (x * 0.16, key, 0.1), 0.04))
-    corner = box(((0.5 - columns / 2) * pitch, 1.5 * pitch, 0.27), (key, key, 0.11), 0.04)
-    enter = box((x - 0.1 - pitch / 2, 0.0, 0.27), (key, pitch / 2 + key, 0.11), 0.04)
-    deck = prism([(-y, 0), (y, 0), (y, 0.2 + back), (-y, 0.2)], 0, x)
-    lift = turned(join(*keys, space, sides), 0, back * 42)
+    pitch, row, high, tall = draw(0.38, 0.43), draw(0.36, 0.4), draw(0.2, 0.28), draw(0.12, 0.18)
+    x, y = 3 * pitch + 0.1, 2 * row + 0.1
+
+    def key(column: float, line: float, wide: float = 0.5, deep: float = 0.5) -> Solid:
+        half = (wide * pitch - 0.08, deep * row - 0.08, tall)
+        return box((column * pitch, line * row, high), half)
+
+    keys = (key(c - 2.5, r) for r in (-0.5, 0.5, 1.5) for c in range(6) if (c, r) not in ACCENTS)
     return {
-        "body": deck,
-        "keys": moved(lift, (0, 0, back * 0.5)),
-        "accents": moved(turned(join(corner, enter), 0, back * 42), (0, 0, back * 0.5)),
+        "body": box((0, 0, high / 2), (x, y, high / 2)),
+        "keys": join(*keys, key(0, -1.5, 2), both(key(2.5, -1.5))),
+        "accents": join(key(-2.5, 1.5), key(2.5, 0, deep=1)),
     }
 
 
@@ -119,17 +116,13 @@ def camera(draw: Draw) -> Parts:
 
 def speaker(draw: Draw) -> Parts:
     """A loudspeaker box with a large and a small cone."""
-    x, y, z = draw(0.52, 0.66), draw(0.42, 0.55), draw(0.9, 1.1)
-    big, small = x * draw(0.66, 0.76), x * draw(0.3, 0.42)
-    cones = ((big, 0.12 + big), (small, 2 * z - 0.14 - small))
-    dome = (egg((0, -y + 0.02, v), (r * 0.45, 0.12, r * 0.45)) for r, v in cones)
-    dish = (tube((0, -y - 0.02, v), (0, 0, v), r, 0.01) for r, v in cones)
-    rims = (ring((0, -y, v), r, 0.075, axis=1) for r, v in cones)
-    return {
-        "body": box((0, 0, z), (x, y, z), draw(0.03, 0.1)),
-        "cones": join(*dish),
-        "rims": join(*rims, *dome),
-    }
+    x, y, z = draw(0.54, 0.66), draw(0.42, 0.55), draw(0.95, 1.1)
+    big, small = x * draw(0.66, 0.74), x * draw(0.4, 0.46)
+    cones = ((big, 0.18 + big), (small, 2 * z - 0.2 - small))
+    dish = (tube((0, -y - 0.05, v), (0, 0, v), r) for r, v in cones)
+    rims = (ring((0, -y - 0.03, v), r, 0.085, axis=1) for r, v in cones)
+    cap = tube((0, -y - 0.12, cones[0][1]), (0, -y, cones[0][1]), big * 0.4)
+    return {"body": box((0, 0, z), (x, y, z)), "cones": join(*dish), "rims": join(*rims, cap)}
 
 
 def microphone(draw: Draw) -> Parts:
@@ -148,21 +141,19 @@ def microphone(draw: Draw) -> Parts:
 
 
 def radio(draw: Draw) -> Parts:
-    """A portable radio with a handle and an aerial."""
+    """A portable radio with a handle and an upright aerial."""
     x, y, z = draw(0.88, 1.05), draw(0.28, 0.36), draw(0.48, 0.6)
-    wide, left = z * draw(0.62, 0.74), x * 0.45
-    bow = both(box((x * 0.6, 0, 2 * z + 0.12), (0.1, 0.1, 0.2), 0.03))
-    knobs = (
-        tube((x * u, -y - 0.12, z * 0.55), (x * u, 0, z * 0.55), 0.14, 0.03) for u in (0.28, 0.7)
-    )
-    tip = (x * draw(0.3, 0.9), y * 0.5, 2 * z + draw(0.6, 0.9))
+    wide, left = z * draw(0.66, 0.74), x * 0.45
+    bow = both(box((x * 0.55, 0, 2 * z + 0.12), (0.09, 0.1, 0.26)))
+    knobs = (tube((x * u, -y - 0.14, z * 0.55), (x * u, 0, z * 0.55), 0.15) for u in (0.26, 0.72))
+    tip = (x - 0.12, y * 0.4, 2 * z + draw(0.7, 0.9))
     return {
-        "body": box((0, 0, z), (x, y, z), draw(0.06, 0.16)),
-        "speaker": tube((-left, -y - 0.05, z), (-left, 0, z), wide, 0.04),
-        "dial": box((x * 0.48, -y, z * 1.42), (x * 0.38, 0.05, z * 0.28), 0.03),
+        "body": box((0, 0, z), (x, y, z), 0.04),
+        "speaker": tube((-left, -y - 0.08, z), (-left, 0, z), wide),
+        "dial": box((x * 0.49, -y, z * 1.42), (x * 0.38, 0.07, z * 0.28)),
         "knobs": join(*knobs),
-        "handle": join(bow, box((0, 0, 2 * z + 0.28), (x * 0.6 + 0.1, 0.1, 0.09), 0.05)),
-        "aerial": join(capsule((x * 0.85, y * 0.5, 2 * z - 0.1), tip, 0.085), ball(tip, 0.11)),
+        "handle": join(bow, box((0, 0, 2 * z + 0.32), (x * 0.55 + 0.09, 0.1, 0.09))),
+        "aerial": join(capsule((x - 0.12, y * 0.4, z), tip, 0.085), ball(tip, 0.13)),
     }
 
 
@@ -238,22 +229,17 @@ def headphones(draw: Draw) -> Parts:
 
 
 def drone(draw: Draw) -> Parts:
-    """A quadcopter, its camera to the front."""
-    x, y, reach, r = draw(0.32, 0.42), draw(0.42, 0.55), draw(0.9, 1.0), draw(0.42, 0.48)
-    rotor = box((reach, 0, 0.62), (0.1, r, 0.09), 0.04)
-    if draw.chance(0.5):
-        rotor = join(rotor, ring((reach, 0, 0.6), r, 0.1))
-    motor = tube((reach, 0, 0.34), (reach, 0, 0.74), 0.15, 0.03)
-    leg = join(
-        capsule((x * 0.8, 0, 0.35), (x + 0.16, 0, 0.0), 0.1),
-        capsule((x + 0.16, -y * 0.8, 0.0), (x + 0.16, y * 0.8, 0.0), 0.1),
-    )
+    """A quadcopter, its camera to the front, its rotors in rings."""
+    x, y, reach, r = draw(0.3, 0.36), draw(0.44, 0.55), draw(1.05, 1.15), draw(0.42, 0.48)
+    rotor = join(box((reach, 0, 0.64), (0.09, r, 0.08)), ring((reach, 0, 0.6), r, 0.1))
+    motor = tube((reach, 0, 0.46), (reach, 0, 0.8), 0.16)
+    post = both(tube((x, 0.24, 0.1), (x, 0.24, 0.5), 0.09), 1)
     return {
-        "body": box((0, 0, 0.5), (x, y, 0.22), 0.16),
-        "arms": join(around(4, join(capsule((0, 0, 0.46), (reach, 0, 0.46), 0.11), motor), 45)),
+        "body": box((0, 0, 0.6), (x, y, 0.22), 0.04),
+        "arms": around(4, join(tube((0, 0, 0.58), (reach, 0, 0.58), 0.1), motor), 45),
         "rotors": around(4, rotor, 45),
-        "camera": join(ball((0, -y * 0.8, 0.25), 0.2)),
-        "legs": both(leg),
+        "camera": ball((0, -y, 0.5), 0.19),
+        "legs": both(join(post, capsule((x, -y, 0.1), (x, y, 0.1), 0.1))),
     }
 
 

@@ -17,6 +17,7 @@ from core.prior.solids import (
     moved,
     prism,
     ring,
+    smooth_curve,
     tube,
     turned,
 )
@@ -25,21 +26,22 @@ from core.prior.things.packed import PACKED
 
 
 def bread(draw: Draw) -> Parts:
-    """A loaf that swells over its tin, some slices cut, the crumb at the front."""
-    wide, long, high = draw(0.5, 0.6), draw(0.85, 1.1), draw(0.85, 1.0)
+    """A loaf that swells over its tin, one slice cut off at the front."""
+    wide, long, high = draw(0.5, 0.6), draw(0.85, 1.05), draw(0.9, 1.05)
 
     def outline(less: float) -> list[tuple[float, float]]:
-        side = [(wide - less, less), (wide - less, high * 0.55)]
-        side += [(wide + 0.14 - less, high * 0.72), (wide + 0.06 - less, high * 0.95 - less / 2)]
-        side += [(wide * 0.6, high * 1.12 - less), (0, high * 1.17 - less)]
-        return side + [(-x, z) for x, z in reversed(side[:-1])]
+        crown = smooth_curve([(wide + 0.1, high * 0.62), (wide + 0.1, high * 0.9),
+                              (wide * 0.6, high * 1.12), (0, high * 1.18)])  # fmt: skip
+        side = [(wide, 0), (wide, high * 0.55), *crown]
+        shrink = 1 - less / wide
+        return [(x * shrink * s, less + z * shrink) for s in (1, -1) for x, z in side[::s]]
 
-    loaf = prism(outline(0), 1, long)
-    crumb = prism(outline(0.11), 1, 0.1, -long - 0.02)
-    if not draw.chance(0.5):
-        return {"crust": loaf, "crumb": crumb}
-    cut_ = [box((0, -long + 0.26 + 0.3 * k, 1.3), (2, 0.045, 0.9)) for k in range(3)]
-    return {"crust": cut(loaf, *cut_), "crumb": crumb}
+    slices = [prism(outline(0), 1, 0.13, 0.13 - long), prism(outline(0), 1, long - 0.23, 0.23)]
+    cores = [prism(outline(0.1), 1, 0.12, 0.06 - long), prism(outline(0.1), 1, 0.1, 0.5 - long)]
+    return {
+        "crust": join(*slices, box((0, 0.3 - long, 0.08), (wide, 0.2, 0.08))),
+        "crumb": join(*cores),
+    }
 
 
 def croissant(draw: Draw) -> Parts:
@@ -205,20 +207,18 @@ def egg_(draw: Draw) -> Parts:
 
 
 def fries(draw: Draw) -> Parts:
-    """Sticks of potato in a carton."""
-    wide, deep, high = draw(0.55, 0.65), draw(0.28, 0.34), draw(1.0, 1.2)
-    front = [(-wide * 0.75, 0), (wide * 0.75, 0), (wide, high), (wide * 0.5, high * 0.86)]
-    front += [(0, high * 0.8), (-wide * 0.5, high * 0.86), (-wide, high)]
-    back = [*front[:3], (0, high * 1.15), (-wide, high)]
-    sticks, own = [], draw.arranged()
-    for row in range(2):
-        for k in range(5):
-            x, y = (k - 2) * wide * 0.4, (row - 0.5) * deep * 0.9
-            top = high * own(1.25, 1.65)
-            stick = box((0, 0, top / 2 + 0.15), (0.105, 0.105, top / 2 - 0.15), 0.015)
-            sticks.append(moved(turned(stick, 1, (k - 2) * 4 + own(-2, 2)), (x * 0.75, y, 0)))
+    """Six straight sticks of potato in a carton."""
+    wide, deep, high = draw(0.55, 0.65), draw(0.28, 0.34), draw(0.95, 1.15)
+    front = [(-wide * 0.75, 0), (wide * 0.75, 0), (wide, high), (0, high * 0.82), (-wide, high)]
+    back = [*front[:3], (0, high * 1.2), front[4]]
+    sticks = []
+    for y, tops in ((-0.4, (1.36, 1.24, 1.3)), (0.4, (1.62, 1.76, 1.54))):
+        for x, top in zip((-0.6, 0, 0.6), tops, strict=True):
+            z = high * top * draw(0.96, 1.04)
+            half = ((z - high * 0.6) / 2, deep * 0.4)
+            sticks.append(box((x * wide, deep * y, z - half[0]), (wide * 0.2, half[1], half[0])))
     return {
-        "carton": join(prism(front, 1, deep, 0), prism(back, 1, 0.1, deep)),
+        "carton": join(prism(front, 1, deep), prism(back, 1, 0.08, deep)),
         "fries": join(*sticks),
     }
 

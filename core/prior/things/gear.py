@@ -11,6 +11,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -59,25 +60,16 @@ def wrench(draw: Draw) -> Parts:
 
 
 def shovel(draw: Draw) -> Parts:
-    """It stands on its blade; the grip above is a D or a bar."""
-    wide, deep, top, shaft = draw(0.42, 0.54), draw(0.8, 1.0), draw(2.3, 2.6), draw(0.11, 0.13)
-    half = [(0.16 if draw.chance(0.6) else wide * 0.9, 0), (wide, deep * 0.45), (wide, deep)]
-    outline = [*half, *((-u, v) for u, v in reversed(half))]
-    scoop = egg((0, -0.34, deep * 0.5), (wide * 0.78, 0.32, deep * 0.5))
-    if draw.chance(0.6):
-        grip = join(
-            box((0, 0, top + 0.3), (0.34, 0.11, 0.11), 0.08),
-            both(capsule((0.06, 0, top - 0.05), (0.26, 0, top + 0.25), 0.1)),
-        )
-    else:
-        grip = capsule((-0.28, 0, top + 0.05), (0.28, 0, top + 0.05), 0.13)
+    """It stands on its pointed blade; the grip above is a D."""
+    wide, deep, top, shaft = draw(0.46, 0.58), draw(0.95, 1.15), draw(2.2, 2.5), draw(0.11, 0.13)
+    outline = mirrored([(0.04, 0), (wide * 0.6, deep * 0.16), (wide, deep * 0.4), (wide, deep)])
+    bar = capsule((-0.34, 0, top + 0.42), (0.34, 0, top + 0.42), 0.1)
     return {
         "blade": join(
-            cut(prism(outline, 1, 0.13), scoop),
-            lathe([(0.2, deep - 0.3), (0.15, deep + 0.3)], 0.02),
+            prism(outline, 1, 0.1), tube((0, 0, deep * 0.55), (0, 0, deep + 0.3), shaft + 0.06)
         ),
         "handle": tube((0, 0, deep), (0, 0, top), shaft),
-        "grip": grip,
+        "grip": join(bar, both(capsule((0, 0, top), (0.34, 0, top + 0.42), 0.1))),
     }
 
 
@@ -180,18 +172,21 @@ def pencil(draw: Draw) -> Parts:
 
 def scissors(draw: Draw) -> Parts:
     """A little open, the points up."""
-    long, open_, loop = draw(1.1, 1.35), draw(9, 18), draw(0.27, 0.33)
-    blade = prism(
-        [(-0.13, -0.2), (0.15, -0.2), (0.17, long * 0.4), (0.07, long), (-0.05, long)], 1, 0.1
+    long, loop, up = draw(1.15, 1.4), draw(0.27, 0.33), 1.2
+    half = [(-0.14, -0.25), (0.13, -0.25), (0.15, long * 0.45), (-0.06, long), (-0.14, long)]
+    halves = (
+        moved(
+            turned(prism([(side * u, v) for u, v in half], 1, 0.09), 1, side * 14),
+            (0, 0.08 * side, up),
+        )
+        for side in (-1, 1)
     )
-    up = 1.2
-    halves = (moved(turned(blade, 1, side * open_), (0, 0.05 * side, up)) for side in (-1, 1))
-    eyes = both(ring((loop + 0.12, 0, up - 0.5 - loop * 0.8), loop, 0.115, axis=1))
-    reach = both(capsule((0.0, 0, up - 0.1), (loop * 0.7, 0, up - 0.55), 0.12))
+    eye = (loop + 0.2, 0, up - 0.62 - loop)
+    reach = capsule((0, 0, up - 0.1), (0.3, 0, up - 0.62), 0.12)
     return {
         "blades": join(*halves),
-        "handles": join(eyes, reach),
-        "screw": tube((0, -0.19, up + 0.05), (0, 0.19, up + 0.05), 0.1, 0.02),
+        "handles": both(join(ring(eye, loop, 0.115, axis=1), reach)),
+        "screw": tube((0, -0.24, up), (0, 0.24, up), 0.11),
     }
 
 

@@ -1,7 +1,5 @@
 """Furniture, kitchen, light and dress."""
 
-import math
-
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
@@ -209,25 +207,16 @@ def candle(draw: Draw) -> Parts:
 
 
 def crown(draw: Draw) -> Parts:
-    """A band with points, pearls on their tips, and gems."""
-    wide, band, reach, count = (
-        draw(0.8, 0.9),
-        draw(0.34, 0.44),
-        draw(0.5, 0.65),
-        5 + draw.chance(0.5),
-    )
-    top = band + reach
-    hoop = cut(
-        tube((0, 0, 0), (0, 0, band), wide + 0.06, 0.03), tube((0, 0, -1), (0, 0, 3), wide - 0.1)
-    )
-    foot = (wide - 0.02) * math.tan(math.pi / count) * 0.9
-    flat = [(-foot, band * 0.7), (foot, band * 0.7), (0.05, top), (-0.05, top)]
-    spike = prism(flat, 0, 0.085, wide - 0.02)
-    gem = ball((wide + 0.08, 0, band * 0.5), 0.13)
+    """A band with six points, pearls on their tips, and gems."""
+    wide, band, reach = draw(0.8, 0.9), draw(0.34, 0.44), draw(0.45, 0.6)
+    top, foot = band + reach, wide * 0.42
+    hoop = cut(tube((0, 0, 0), (0, 0, band), wide + 0.05), tube((0, 0, -1), (0, 0, 3), wide - 0.13))
+    flat = [(-foot, band - 0.12), (foot, band - 0.12), (0.06, top), (-0.06, top)]
+    spike = prism(flat, 0, 0.085, wide - 0.03)
     return {
-        "band": join(hoop, around(count, spike, -90)),
-        "pearls": around(count, ball((wide - 0.02, 0, top + 0.04), 0.14), -90),
-        "gems": around(count, gem, -90),
+        "band": join(hoop, around(6, spike, -90)),
+        "pearls": around(6, ball((wide - 0.03, 0, top + 0.04), 0.15), -90),
+        "gems": around(6, ball((wide + 0.06, 0, band * 0.48), 0.14), -90),
     }
 
 

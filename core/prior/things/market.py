@@ -118,36 +118,31 @@ def lettuce(draw: Draw) -> Parts:
 
 
 def ramen(draw: Draw) -> Parts:
-    """A bowl of broth with noodles, two halves of an egg, chopsticks that lean on its rim."""
-    wide, high, foot = draw(0.95, 1.08), draw(0.82, 0.98), draw(0.42, 0.5)
-    full, inner, rise = high - 0.07, wide - 0.13, draw(0.5, 0.75)
-    wall = smooth_curve(
-        [(foot, 0.1), (wide * 0.72, 0.28), (wide * 0.94, high * 0.66), (wide, high)]
-    )
-    hollow = lathe([(inner * 0.9, full - 0.1), (inner, high + 0.3)])
-    nest = [ring((x, y, full + lift), r, 0.09) for x, y, r, lift in (
-        (-0.42, -0.12, 0.36, 0.02), (-0.4, -0.1, 0.16, 0.11), (-0.24, 0.4, 0.38, 0.02),
-        (-0.24, 0.4, 0.17, 0.13), (0.14, 0.1, 0.36, 0.06), (0.12, 0.1, 0.14, 0.13))]  # fmt: skip
-    base = tube((0, 0, 0), (0, 0, 0.16), foot + 0.04, 0.03)
-    whites, yolks = [], []
-    for x, y, turn in ((0.52, -0.3, 24), (0.0, -0.56, -4)):
-        half = cut(egg((0, 0, 0), (0.29, 0.36, 0.29)), box((0, 0, 1), (2, 2, 1)))
-        place = (x, y, full + 0.19)
-        yolk = egg((0, 0, 0), (0.17, 0.19, 0.09))
-        whites.append(moved(turned(turned(half, 0, 42), 2, turn), place))
-        yolks.append(moved(turned(turned(yolk, 0, 42), 2, turn), place))
-    sticks = [
-        capsule((x, y, full), (x + wide * 0.62, y + 0.5, high + rise), 0.09)
-        for x, y in ((0.3, 0.46), (0.58, 0.24))
-    ]
+    """A bowl of broth with noodles, two halves of an egg, chopsticks across its rim."""
+    wide, high, foot = draw(0.98, 1.1), draw(0.8, 0.96), draw(0.44, 0.52)
+    full = high - 0.08
+    wall = smooth_curve([(foot, 0.1), (wide * 0.74, 0.3), (wide * 0.95, high * 0.66), (wide, high)])
+    nest = [ring((-0.3, -0.22, full + lift), r, 0.11) for r, lift in ((0.42, 0.02), (0.18, 0.12))]
+    half = cut(ball((0, 0, 0), 0.3), box((0, 0, 1), (1, 1, 1)))
+    eggs = ((0.56, -0.18, 30), (0.2, -0.62, 5))
+
+    def put(solid: Solid) -> Solid:
+        return join(*(moved(turned(tilted(solid, 32, (0, 0, 0)), 2, turn), (x, y, full + 0.08))
+                      for x, y, turn in eggs))  # fmt: skip
+
     return {
-        "bowl": join(cut(lathe(wall, 0.02), hollow), base),
-        "broth": tube((0, 0, full - 0.2), (0, 0, full), inner * 0.97),
-        "noodles": join(*nest, egg((-0.2, 0.12, full - 0.04), (0.72, 0.72, 0.16))),
-        "whites": join(*whites),
-        "yolks": join(*yolks),
-        "chopsticks": join(*sticks),
-    }  # fmt: skip
+        "bowl": join(
+            cut(lathe(wall), tube((0, 0, full - 0.1), (0, 0, high + 1), wide - 0.15)),
+            tube((0, 0, 0), (0, 0, 0.2), foot),
+        ),
+        "broth": tube((0, 0, full - 0.2), (0, 0, full), wide - 0.14),
+        "noodles": join(*nest, tube((-0.3, -0.22, full - 0.1), (-0.3, -0.22, full + 0.1), 0.42)),
+        "whites": put(half),
+        "yolks": put(ball((0, 0, -0.08), 0.18)),
+        "chopsticks": join(
+            *(capsule((-1.0, y, high + 0.07), (1.36, y, high + 0.07), 0.09) for y in (0.46, 0.78))
+        ),
+    }
 
 
 def popcorn(draw: Draw) -> Parts:
@@ -222,58 +217,48 @@ def chocolate_bar(draw: Draw) -> Parts:
 
 
 def pinecone(draw: Draw) -> Parts:
-    """On its base, its scales in rings that open to the sides, narrower to the top."""
-    wide, high, spread = draw(0.62, 0.76), draw(1.5, 1.8), draw(0.1, 0.18)
-    scales, tips, core = [], [], [(wide * 0.5, 0.08)]
-    rows = 6
-    for row in range(rows):
-        t = row / (rows - 1)
-        z = 0.3 + t * (high - 0.4)
-        r = wide * (0.78 + 0.5 * t - 1.06 * t * t)
-        core.append((r + 0.03, z + 0.03))
-        count = (8, 8, 8, 8, 6, 5)[row]
-        first = 180 / count if row % 2 else 0
-        lean, size = 58 - 34 * t, r * 0.42 + 0.06
-        blade = moved(turned(egg((0, 0, 0), (0.15, size * 0.9, 0.32)), 1, lean), (r, 0, z))
-        end = (r + (0.28 + spread * 0.3) * math.sin(math.radians(lean)), 0,
-               z + 0.29 * math.cos(math.radians(lean)))  # fmt: skip
-        scales.append(around(count, blade, first))
-        tips.append(around(count, egg(end, (0.11, size * 0.45, 0.1)), first))
+    """On its base, its broad scales in four rings of six that open to the sides."""
+    wide, high, lean = draw(0.66, 0.78), draw(1.4, 1.65), draw(34, 44)
+    scales, tips, core = [], [], [(wide * 0.8, 0.08)]
+    for row, share in enumerate((0.84, 0.9, 0.7, 0.38)):
+        r, z, first = wide * share, 0.36 + row * high / 4, 90 - 30 * (row % 2)
+        core.append((r + 0.13, z))
+        broad = 0.16 + r * 0.34
+        blade = egg((0, 0, 0), (0.18, broad, 0.42))
+        tip = egg((0.02, 0, 0.33), (0.13, broad * 0.55, 0.14))
+        scales.append(around(6, moved(turned(blade, 1, lean), (r, 0, z)), first))
+        tips.append(around(6, moved(turned(tip, 1, lean), (r, 0, z)), first))
     return {
-        "core": lathe([*core, (0.06, high)], 0.02),
-        "scales": join(*scales, taper((0, 0, high - 0.1), (0, 0, high + 0.1), 0.16, 0.08)),
+        "core": lathe([*core, (0.1, high + 0.2)]),
+        "scales": join(*scales, capsule((0, 0, high), (0, 0, high + 0.3), 0.2)),
         "tips": join(*tips),
-        "stem": tube((0, 0, 0), (0, 0, 0.3), 0.2, 0.04),
+        "stem": tube((0, 0, 0), (0, 0, 0.3), 0.2),
     }
 
 
 def bamboo(draw: Draw) -> Parts:
-    """Four stalks with rings from one clump of earth, long leaves at their tops."""
-    tall, r = draw(2.3, 2.7), draw(0.16, 0.19)
-    places = [(-0.06, 0.1, tall, r), (0.38, -0.12, tall * draw(0.68, 0.8), r * 0.94),
-              (-0.42, -0.16, tall * draw(0.5, 0.62), r * 0.9),
-              (0.1, -0.42, tall * draw(0.28, 0.38), r * 0.86)]  # fmt: skip
-    half = [(-0.05, 0.07), (0.2, 0.17), (0.45, 0.18), (0.72, 0.1), (0.96, 0.0)]
-    outline = smooth_curve(half, 3) + [(u, -v) for u, v in smooth_curve(half, 3)[-2::-1]]
+    """Three straight stalks with rings from a clump of earth, flat leaves at their joints."""
+    tall, r = draw(2.3, 2.6), draw(0.17, 0.21)
+    outline = [(0, 0.09), (0.45, 0.22), (1.0, 0), (0.45, -0.22), (0, -0.09)]
+    blade = turned(prism(outline, 1, 0.08), 1, -28)
     stalks, rings, leaves = [], [], []
-    for k, (x, y, high, thick) in enumerate(places):
-        stalks.append(tube((x, y, 0), (x, y, high), thick, 0.03))
-        joints = max(round(high / 0.5), 1)
+    for x, y, joints, turns in (
+        (0, 0.14, 4, (15, 165)),
+        (0.42, -0.1, 3, (-20, 60)),
+        (-0.42, -0.14, 2, (200, 270)),
+    ):
+        high = tall * joints / 4
+        stalks.append(tube((x, y, 0), (x, y, high), r))
         for j in range(1, joints + 1):
-            z = high * (j - 0.05) / joints - 0.06
-            rings.append(tube((x, y, z - 0.06), (x, y, z + 0.06), thick + 0.05, 0.02))
-        for j, turn in enumerate((20, 145, 265)):
-            if high < tall * 0.45 and j:
-                break
-            a = math.radians(turn + 50 * k)
-            z = high - 0.1 - 0.3 * j
-            blade = turned(prism(outline, 2, 0.075), 1, 14)
-            leaves.append(moved(turned(blade, 2, math.degrees(a)), (x, y, z)))
+            z = tall * j / 4 - 0.16
+            rings.append(tube((x, y, z - 0.08), (x, y, z + 0.08), r + 0.06))
+        for j, turn in enumerate(turns):
+            leaves.append(moved(turned(blade, 2, turn), (x, y, high - 0.1 - 0.24 * j)))
     return {
         "stalks": join(*stalks),
         "rings": join(*rings),
         "leaves": join(*leaves),
-        "ground": lathe([(0.8, 0.0), (0.74, 0.12), (0.4, 0.2)], 0.03),
+        "ground": lathe([(0.82, 0), (0.74, 0.2)]),
     }
 
 

@@ -18,6 +18,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -46,34 +47,27 @@ def chest(draw: Draw) -> Parts:
     }
 
 
-def _hilt(draw: Draw, low: float, half: float, guard: float) -> tuple[Solid, Solid, Solid]:
+def _hilt(draw: Draw, low: float, half: float) -> tuple[Solid, Solid, Solid]:
     """The guard at height 0, the grip below it, the pommel."""
-    across = box((0, 0, 0), (half, guard, guard), draw(0.01, 0.06))
     return (
-        across,
-        capsule((0, 0, 0), (0, 0, -low), 0.12),
-        ball((0, 0, -low - 0.05), draw(0.16, 0.2)),
+        box((0, 0, 0), (half, 0.17, 0.11)),
+        tube((0, 0, -low), (0, 0, 0), 0.12),
+        ball((0, 0, -low - 0.06), draw(0.17, 0.21)),
     )
 
 
-def _blade(high: float, wide: float, thick: float) -> Solid:
-    corners = [
-        (-wide, 0),
-        (wide, 0),
-        (wide * 0.85, high - wide * 1.8),
-        (0, high),
-        (-wide * 0.85, high - wide * 1.8),
-    ]
-    flat = prism(corners, 1, thick)
-    ridge = prism([(-thick * 1.5, 0), (thick * 1.5, 0), (0, high - wide)], 1, thick * 1.5)
-    return join(flat, ridge)
+def _blade(high: float, wide: float) -> Solid:
+    def flat(w: float, top: float, thick: float) -> Solid:
+        return prism(mirrored([(w, 0), (w, top - wide * 1.6), (0.01, top)]), 1, thick)
+
+    return join(flat(wide, high, 0.09), flat(wide * 0.36, high - wide * 1.1, 0.15))
 
 
 def sword(draw: Draw) -> Parts:
-    """Point up: a blade with a ridge, a guard, a grip, a pommel."""
-    guard, grip, pommel = _hilt(draw, draw(0.45, 0.6), draw(0.4, 0.58), 0.11)
+    """Point up: a flat blade with a ridge, a guard, a grip, a pommel."""
+    guard, grip, pommel = _hilt(draw, draw(0.6, 0.72), draw(0.46, 0.6))
     return {
-        "blade": _blade(draw(1.9, 2.3), draw(0.17, 0.23), 0.07),
+        "blade": _blade(draw(1.9, 2.3), draw(0.22, 0.27)),
         "guard": guard,
         "grip": grip,
         "pommel": pommel,
@@ -82,9 +76,9 @@ def sword(draw: Draw) -> Parts:
 
 def dagger(draw: Draw) -> Parts:
     """A short broad blade."""
-    guard, grip, pommel = _hilt(draw, draw(0.42, 0.5), draw(0.32, 0.42), 0.11)
+    guard, grip, pommel = _hilt(draw, draw(0.52, 0.6), draw(0.36, 0.44))
     return {
-        "blade": _blade(draw(0.95, 1.2), draw(0.19, 0.25), 0.08),
+        "blade": _blade(draw(0.95, 1.2), draw(0.2, 0.25)),
         "guard": guard,
         "grip": grip,
         "pommel": pommel,
@@ -174,21 +168,21 @@ def key(draw: Draw) -> Parts:
 
 
 def coin(draw: Draw) -> Parts:
-    """Upright, with a raised rim and a star or a disc on it."""
-    r, thick = draw(0.9, 1.0), draw(0.11, 0.15)
-    face = tube((0, -thick, r), (0, thick, r), r, 0.02)
+    """Upright, with a raised rim and a star on it."""
+    r, thick, star = draw(0.9, 1.0), draw(0.11, 0.15), draw(0.54, 0.62)
     rim = cut(
-        tube((0, -thick - 0.07, r), (0, thick + 0.07, r), r + 0.02, 0.02),
-        tube((0, -2, r), (0, 2, r), r * 0.82),
+        tube((0, -thick - 0.09, r), (0, thick + 0.09, r), r), tube((0, -2, r), (0, 2, r), r * 0.8)
     )
-    if draw.chance(0.5):
-        mark = tube((0, -thick - 0.06, r), (0, thick + 0.06, r), r * 0.42, 0.03)
-    else:
-        mark = join(
-            box((0, 0, r), (0.13, thick + 0.06, r * 0.5)),
-            box((0, 0, r), (r * 0.5, thick + 0.06, 0.13)),
-        )
-    return {"face": face, "rim": rim, "emblem": mark}
+    points = [
+        (long * r * math.sin(k * math.pi / 5), r + long * r * math.cos(k * math.pi / 5))
+        for k in range(10)
+        for long in (star if k % 2 == 0 else star * 0.48,)
+    ]
+    return {
+        "face": tube((0, -thick, r), (0, thick, r), r * 0.95),
+        "rim": rim,
+        "emblem": prism(points, 1, thick + 0.09),
+    }
 
 
 def skull(draw: Draw) -> Parts:
@@ -348,17 +342,16 @@ def bomb(draw: Draw) -> Parts:
 
 
 def hourglass(draw: Draw) -> Parts:
-    """Two bulbs between plates, on posts."""
-    r, high = draw(0.55, 0.65), draw(0.8, 0.95)
-    bulb = smooth_curve(
-        [(r * 0.8, 0.12), (r, 0.4), (0.14, high), (r, 2 * high - 0.4), (r * 0.8, 2 * high - 0.12)]
-    )
-    plate = join(
-        tube((0, 0, 0), (0, 0, 0.2), r + 0.28, 0.03),
-        tube((0, 0, 2 * high - 0.2), (0, 0, 2 * high), r + 0.28, 0.03),
-    )
-    post = capsule((r + 0.12, 0, 0.1), (r + 0.12, 0, 2 * high - 0.1), 0.09)
-    return {"glass": lathe(bulb), "frame": join(plate, around(3 + draw.chance(0.4), post, 30))}
+    """Two bulbs between plates, on four posts."""
+    r, high = draw(0.46, 0.56), draw(0.8, 0.95)
+    half = [(r * 0.85, 0.1), (r, 0.3), (r * 0.85, 0.5), (0.15, high - 0.02)]
+    bulbs = lathe([*half, *((u, 2 * high - v) for u, v in reversed(half))])
+    low = tube((0, 0, 0), (0, 0, 0.2), r + 0.36)
+    post = tube((r + 0.23, 0, 0.1), (r + 0.23, 0, 2 * high - 0.1), 0.09)
+    return {
+        "glass": bulbs,
+        "frame": join(low, moved(low, (0, 0, 2 * high - 0.2)), around(4, post, 45)),
+    }
 
 
 def pawn(draw: Draw) -> Parts:

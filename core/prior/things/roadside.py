@@ -85,32 +85,27 @@ def street_lamp(draw: Draw) -> Parts:
 
 
 def wheel(draw: Draw) -> Parts:
-    """Upright, its face to the front: a tyre with treads, a rim, spokes, a hub with nuts."""
-    r, wide, rim = draw(1.3, 1.48), draw(0.26, 0.6), draw(0.62, 0.77)
-    count, half = (5, 6, 8)[int(draw(0, 3))], draw(0.1, 0.15)
-    dish, lug = draw(0.0, 0.12), 14
+    """Upright, its face to the front: a tyre with treads, a rim, five spokes, a hub with nuts."""
+    r, wide, rim = draw(1.3, 1.48), draw(0.34, 0.54), draw(0.64, 0.74)
+    half, hub, core = draw(0.13, 0.17), r * draw(0.24, 0.28), r * rim
 
     def facing(solid: Solid) -> Solid:
         return tilted(solid, 90, (0, 0, r))
 
-    core = r * rim
-    tyre = lathe([(core - 0.05, -wide), (r - 0.24, -wide), (r - 0.06, -wide + 0.16),
-                  (r - 0.06, wide - 0.16), (r - 0.24, wide), (core - 0.05, wide)])  # fmt: skip
-    hollow = tube((0, 0, -2), (0, 0, 2), core - 0.05)
-    spoke = prism([(0.1, -half * 1.5), (core, -half), (core, half), (0.1, half * 1.5)], 2,
-                  wide * 0.4, dish)  # fmt: skip
+    def hoop(outer: float, inner: float, half: float) -> Solid:
+        return cut(tube((0, 0, -half), (0, 0, half), outer), tube((0, 0, -2), (0, 0, 2), inner))
+
+    lug = box((r - 0.15, 0, 0), (0.15, 0.17, wide))
+    out = (hub + core) / 2 - 0.1
+    nut = tube((out, 0, 0), (out, 0, wide * 0.5 + 0.1), 0.11)
     return {
-        "tyre": facing(cut(tyre, hollow)),
-        "treads": facing(around(lug, box((r - 0.14, 0, 0), (0.14, 0.13, wide - 0.08), 0.05))),
-        "rim": facing(cut(tube((0, 0, -wide - 0.04), (0, 0, wide + 0.04), core + 0.05, 0.03),
-                          tube((0, 0, -2), (0, 0, 2), core - 0.13))),
-        "spokes": facing(around(count, spoke, 90)),
-        "hub": facing(tube((0, 0, -wide * 0.8), (0, 0, wide * 0.8 + dish), r * 0.22, 0.05)),
-        "nuts": facing(join(
-            around(count, tube((r * 0.34, 0, 0), (r * 0.34, 0, wide * 0.5 + dish), 0.1, 0.02), 90),
-            tube((0, 0, 0), (0, 0, wide * 0.86 + dish), r * 0.11, 0.03),
-        )),
-    }  # fmt: skip
+        "tyre": facing(hoop(r - 0.11, core, wide)),
+        "treads": facing(around(12, lug, 90)),
+        "rim": facing(hoop(core + 0.04, core - 0.16, wide + 0.06)),
+        "spokes": facing(around(5, box((core / 2, 0, 0), (core / 2, half, wide * 0.5)), 90)),
+        "hub": facing(tube((0, 0, -wide * 0.8), (0, 0, wide * 0.8), hub)),
+        "nuts": facing(join(around(5, nut, 90), tube((0, 0, 0), (0, 0, wide * 0.8 + 0.08), 0.14))),
+    }
 
 
 def _link(x: float, half: float, major: float, minor: float) -> Solid:
@@ -249,31 +244,26 @@ def _nose(radius: float, back: float, front: float, z: float) -> Solid:
 
 
 def solar_panel(draw: Draw) -> Parts:
-    """Cells in a frame, tilted to the front, on a post with a strut and a foot."""
-    x, y, tilt = draw(1.1, 1.45), draw(0.66, 1.0), draw(28, 52)
-    columns, gap, post = (3, 4)[int(draw(0, 2))], 0.06, draw(0.12, 0.15)
-    z = y * math.sin(math.radians(tilt)) + draw(0.5, 0.9)
-    wide, deep = (x - 0.12) / columns, (y - 0.12) / 2
-    cells = [box((wide * (2 * k + 1 - columns), deep * side, 0.06), (wide - gap, deep - gap, 0.07))
-             for k in range(columns) for side in (-1, 1)]  # fmt: skip
+    """Two rows of three cells in a frame, tilted to the front, on a post with a foot."""
+    x, y, tilt = draw(1.15, 1.4), draw(0.76, 0.95), draw(30, 48)
+    z, post = y * math.sin(math.radians(tilt)) + draw(0.5, 0.8), draw(0.13, 0.17)
+    wide, deep = (x - 0.12) / 3, (y - 0.12) / 2
+    cell = box((0, deep, 0.1), (wide - 0.08, deep - 0.08, 0.1))
 
     def leaning(solid: Solid) -> Solid:
         return tilted(solid, tilt, (0, 0, z))
 
-    frame = cut(box((0, 0, 0), (x, y, 0.12), 0.02), box((0, 0, 0.2), (x - 0.11, y - 0.11, 0.14)))
+    rim = cut(box((0, 0, 0), (x, y, 0.14)), box((0, 0, 0), (x - 0.12, y - 0.12, 1)))
     return {
-        "cells": leaning(join(*cells)),
-        "lines": leaning(box((0, 0, 0.02), (x - 0.08, y - 0.08, 0.07))),
-        "frame": leaning(frame),
+        "cells": leaning(both(join(*(moved(cell, (2 * wide * k, 0, 0)) for k in (-1, 0, 1))), 1)),
+        "lines": leaning(box((0, 0, 0), (x - 0.1, y - 0.1, 0.13))),
+        "frame": leaning(rim),
         "post": join(
-            tube((0, 0, 0.1), (0, 0, z), post, 0.02),
-            both(capsule((0.1, 0, 0.4), (x * 0.6, 0.1, z - 0.06), 0.095)),
+            tube((0, 0, 0.1), (0, 0, z), post),
+            both(capsule((0, 0, 0.4), (x * 0.6, 0, z - 0.06), 0.1)),
         ),
-        "base": join(
-            box((0, 0, 0.09), (x * 0.56, 0.12, 0.09), 0.03),
-            box((0, 0, 0.09), (0.12, y * 0.6, 0.09), 0.03),
-        ),
-        "box": box((0, -post - 0.06, z * 0.42), (0.19, 0.1, 0.22), 0.03),
+        "base": box((0, 0, 0.1), (x * 0.5, y * 0.6, 0.1)),
+        "box": box((0, -post - 0.06, z * 0.42), (0.2, 0.12, 0.22)),
     }
 
 

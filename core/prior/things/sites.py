@@ -184,28 +184,30 @@ def _gabled(x: float, eave: float, ridge: float) -> list[Point]:
 
 
 def greenhouse(draw: Draw) -> Parts:
-    """A house of glass in a frame, on a low wall, with plants at its door."""
-    x, y, eave = draw(0.72, 0.82), draw(0.94, 1.06), draw(0.85, 0.98)
-    ridge, bar, low = eave + draw(0.45, 0.56), 0.065, 0.2
-    pot = x * 0.72
-    inner = prism(_gabled(x - 0.1, eave - 0.04, ridge - 0.14), 1, 3)
-    slab = cut(prism(_gabled(x + 0.06, eave + 0.03, ridge + 0.08), 1, bar), inner)
-    hoops = join(*(moved(slab, (0, y * k, 0)) for k in (-1, -1 / 3, 1 / 3, 1)))
-    ends = join(
-        box((0, 0, eave), (x, bar, bar)),
-        both(box((x * 0.42, 0, eave * 0.6), (bar, bar, eave * 0.6))),
+    """A house of glass in a frame of bars, on a low wall, with plants at its door."""
+    x, y, eave = draw(0.74, 0.86), draw(0.94, 1.08), draw(0.85, 0.98)
+    ridge, bar, low = eave + draw(0.46, 0.58), 0.085, 0.22
+    door, pot = x * 0.36, x * 0.76
+    hoop = cut(
+        prism(_gabled(x + 0.05, eave + 0.03, ridge + 0.07), 1, bar),
+        prism(_gabled(x - 0.13, eave - 0.06, ridge - 0.18), 1, 3),
     )
-    rails = [
-        both(box((x, 0, eave), (bar + 0.02, y, bar + 0.01))),
-        box((0, 0, ridge + 0.03), (0.09, y + 0.05, 0.09)),
-    ]
+    end = join(
+        box((0, 0, eave), (x, bar, bar)),
+        both(box((door, 0, eave / 2), (bar, bar, eave / 2))),
+    )
     return {
         "glass": prism(_gabled(x, eave, ridge), 1, y),
-        "frame": join(hoops, *rails, both(moved(ends, (0, y, 0)), 1)),
-        "base": box((0, 0, low / 2), (x + 0.1, y + 0.1, low / 2)),
-        "door": box((0, -y - 0.06, 0.42), (x * 0.42 - 0.04, 0.07, 0.42)),
-        "plants": both(ball((pot, -y - 0.28, 0.46), 0.24)),
-        "pots": both(lathe([(0.14, 0), (0.21, 0.32)], 0, (pot, -y - 0.28))),
+        "frame": join(
+            *(moved(hoop, (0, y * k, 0)) for k in (-1, 0, 1)),
+            both(moved(end, (0, y, 0)), 1),
+            both(box((x, 0, eave), (bar, y, bar))),
+            box((0, 0, ridge), (bar + 0.02, y + 0.04, bar + 0.02)),
+        ),
+        "base": box((0, 0, low / 2), (x + 0.12, y + 0.12, low / 2)),
+        "door": box((0, -y - 0.06, eave * 0.42), (door - bar, 0.1, eave * 0.42)),
+        "plants": both(ball((pot, -y - 0.28, 0.5), 0.26)),
+        "pots": both(lathe([(0.16, 0), (0.23, 0.34)], 0, (pot, -y - 0.28))),
     }
 
 

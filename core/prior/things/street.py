@@ -53,30 +53,26 @@ def market_stall(draw: Draw) -> Parts:
 
 
 def phone_booth(draw: Draw) -> Parts:
-    """The British one: a red frame with panes on all sides, a sign above, a domed roof."""
-    x, high, edge = draw(0.5, 0.56), draw(1.75, 1.95), draw(0.1, 0.12)
-    low, bar, count, sign = 0.34, 0.075, 3, 0.13
-    pitch = (high - low) / count
-    holes = []
-    for k in range(count):
-        z = low + pitch * (k + 0.5)
-        size = (x - edge - bar) / 2, pitch / 2 - bar
-        pane = box(((x - edge) / 2 + bar / 2, x, z), (size[0], 0.09, size[1]))
-        holes.append(around(4, turned(both(pane), 2, -90)))
-    top = high + 0.36
-    plate = box((0, x, high + 0.16), (x - 0.12, 0.06, sign))
+    """The British one: red, with raised panes on all sides, a sign above, a domed roof."""
+    x, high, low = draw(0.5, 0.58), draw(1.75, 1.95), 0.36
+    top, pitch = high + 0.36, (high - low) / 3
+    pane = (x - 0.27) / 2
+    panes = join(
+        *(both(box((pane + 0.09, x, low + pitch * (k + 0.5)), (pane, 0.05, pitch / 2 - 0.08)))
+          for k in range(3))
+    )  # fmt: skip
+    plate = box((0, x, high + 0.18), (x - 0.1, 0.06, 0.13))
     return {
         "body": join(
-            cut(box((0, 0, top / 2), (x, x, top / 2)), *holes),
-            box((0, 0, 0.1), (x + 0.07, x + 0.07, 0.1)),
+            box((0, 0, top / 2), (x, x, top / 2)), box((0, 0, 0.1), (x + 0.08, x + 0.08, 0.1))
         ),
-        "windows": box((0, 0, (low + high) / 2), (x - 0.06, x - 0.06, (high - low) / 2)),
+        "windows": around(4, turned(panes, 2, -90)),
         "sign": around(4, turned(plate, 2, -90)),
         "roof": join(
-            box((0, 0, top), (x + 0.08, x + 0.08, 0.07)),
-            lathe(dome_of(x * 0.98, top + 0.03, top + draw(0.24, 0.3))),
+            box((0, 0, top), (x + 0.08, x + 0.08, 0.08)),
+            lathe(dome_of(x * 0.98, top + 0.03, top + draw(0.26, 0.34))),
         ),
-        "handle": box((0, -x - 0.03, low + pitch * 1.1), (0.06, 0.08, 0.15)),
+        "handle": box((0, -x - 0.04, low + pitch), (0.08, 0.1, 0.14)),
     }
 
 

@@ -390,23 +390,20 @@ def sled(draw: Draw) -> Parts:
 
 
 def tram(draw: Draw) -> Parts:
-    """A rail car with rounded ends, rows of windows and a pantograph."""
-    x, y, top = draw(0.42, 0.48), draw(1.35, 1.5), draw(1.05, 1.2)
-    row = (
-        box((x, y * s, top * 0.68), (0.05, y * 0.15, top * 0.15), 0.03)
-        for s in (-0.7, -0.35, 0, 0.35, 0.7)
-    )
-    ends = both(box((0, y, top * 0.68), (x * 0.74, 0.05, top * 0.17), 0.03), 1)
-    a, b, c = (0, 0.1, top), (0, 0.5, top + 0.25), (0, 0.15, top + 0.46)
+    """A rail car with rows of windows and a pantograph."""
+    x, y, top = draw(0.44, 0.52), draw(1.3, 1.46), draw(1.1, 1.26)
+    half = (0.05, y * 0.16, top * 0.16)
+    row = (box((x, y * s, top * 0.7), half) for s in (-0.69, -0.23, 0.23, 0.69))
+    ends = both(box((0, y, top * 0.7), (x * 0.72, 0.05, top * 0.16)), 1)
     return {
-        "body": box((0, 0, (top + 0.2) / 2), (x, y, (top - 0.2) / 2), 0.14),
+        "body": box((0, 0, (top + 0.2) / 2), (x, y, (top - 0.2) / 2), 0.06),
         "windows": join(both(join(*row)), ends),
-        "stripe": box((0, 0, top * 0.4), (x + 0.03, y + 0.03, 0.08), 0.05),
-        "wheels": _wheels(x * 0.72, (-y * 0.7, -y * 0.4, y * 0.4, y * 0.7), 0.2),
+        "stripe": box((0, 0, top * 0.4), (x + 0.05, y + 0.05, 0.09)),
+        "wheels": _wheels(x * 0.7, (-y * 0.7, -y * 0.36, y * 0.36, y * 0.7), 0.22, 0.14),
         "roof": join(
-            box((0, 0, top + 0.02), (x * 0.72, y * 0.82, 0.1), 0.05),
-            rods(0.075, (a, b), (b, c)),
-            box((0, 0.15, top + 0.48), (0.36, 0.09, 0.07), 0.03),
+            box((0, 0, top + 0.03), (x * 0.7, y * 0.84, 0.11)),
+            both(capsule((0, 0, top + 0.5), (0, 0.4, top + 0.1), 0.09), 1),
+            box((0, 0, top + 0.54), (0.4, 0.1, 0.09)),
         ),
     }
 

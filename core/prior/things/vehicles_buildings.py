@@ -182,26 +182,21 @@ def cottage(draw: Draw) -> Parts:
 
 
 def tower(draw: Draw) -> Parts:
-    """A castle's tower with battlements."""
-    radius, high, count = draw(0.5, 0.6), draw(1.6, 1.9), 6 + 2 * draw.chance(0.5)
-    rim = radius + draw(0.12, 0.18)
-    merlon = box(
-        (rim - 0.12, 0, high + 0.5), (0.12, rim * (0.36 if count == 6 else 0.27) / 1.5, 0.2)
-    )
-    crown_ = cut(
-        tube((0, 0, high), (0, 0, high + 0.36), rim, 0.02),
-        tube((0, 0, high + 0.2), (0, 0, 4), rim - 0.24),
-    )
-    slit = box((0, -radius, high * 0.68), (0.09, 0.1, 0.2), 0.02)
+    """A castle's round tower with six battlements."""
+    radius, high, rise = draw(0.5, 0.6), draw(1.55, 1.85), draw(0.26, 0.34)
+    rim, deck = radius + 0.16, high + 0.3
+    merlon = box((rim - 0.13, 0, deck + rise / 2), (0.13, 0.2, rise / 2 + 0.02))
+    slit = box((0, -radius, high * 0.66), (0.1, 0.1, 0.2))
     return {
         "walls": join(
-            lathe([(radius * 1.12, 0), (radius, high * 0.3), (radius, high + 0.1)], 0.01),
-            crown_,
-            around(count, merlon, -90),
+            tube((0, 0, 0), (0, 0, 0.2), radius + 0.1),
+            tube((0, 0, 0), (0, 0, high + 0.1), radius),
+            tube((0, 0, high), (0, 0, deck), rim),
+            around(6, merlon, -90),
         ),
         "door": join(
-            box((0, -radius, 0.27), (0.19, 0.17, 0.27)),
-            tube((0, -radius - 0.17, 0.5), (0, -radius + 0.1, 0.5), 0.19),
+            box((0, -radius, 0.25), (0.22, 0.2, 0.25)),
+            tube((0, -radius - 0.2, 0.5), (0, -radius + 0.2, 0.5), 0.22),
         ),
         "windows": join(slit, both(turned(slit, 2, 90))),
     }

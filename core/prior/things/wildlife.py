@@ -18,6 +18,7 @@ from core.prior.solids import (
     join,
     lathe,
     limb,
+    mirrored,
     moved,
     prism,
     smooth_curve,
@@ -26,46 +27,46 @@ from core.prior.solids import (
     tube,
     turned,
 )
-from core.prior.things.animals import Beast, fitted
+from core.prior.things.animals import fitted
 from core.prior.things.characters import cone, eyes, moustache
 
 SPOT = 0.13  # the radius of a ball of which a cap stands out as a spot
 
 
-def _spot(b: Beast, at: float, turn_deg: float) -> Solid:
-    """A spot on the trunk at the share ``at`` of its length, so far from its top."""
-    turn, ring = math.radians(turn_deg), math.sqrt(1 - at * at)
-    radii = (b.wide, b.long, b.wide * 0.95)
-    on = (ring * math.sin(turn), at, ring * math.cos(turn))
-    # The centre lies within by all of the radius but what stands out.
-    x, y, z = (share * (radius - SPOT + 0.045) for share, radius in zip(on, radii, strict=True))
-    return ball((x, y, z + b.belly), SPOT)
+def _spot(wide: float, z: float, y: float, turn_deg: float) -> Solid:
+    """A flat cap on a round trunk of radius ``wide`` along y, so far from its top."""
+    turn, far = math.radians(turn_deg), wide - 0.12
+    return ball((far * math.sin(turn), y, z + far * math.cos(turn)), 0.17)
 
 
 def leopard(draw: Draw) -> Parts:
-    """Slender and spotted; a small head with round ears, a long tail in an S."""
-    b = Beast(draw, 0.36, 0.86, 0.5, 0.33, (0.26, 0.34))
-    h, y, z = b.head, b.y, b.z
-    rump, low, tip = b.long * 0.85, b.belly + 0.12, draw(0.05, 0.35)
-    tail = [(0.0, rump, low), (0.0, rump + 0.3, low - 0.2), (0.0, rump + 0.5, low - 0.3),
-            (0.0, rump + 0.72, low - 0.2), (0.0, rump + 0.84, low + tip)]  # fmt: skip
-    rows = ((-0.5, (24, 74)), (-0.12, (48, 98)), (0.26, (20, 72)), (0.62, (48, 98)))
-    spots = [_spot(b, at, turn) for at, turns in rows for turn in turns]
-    a, c, r = b.wide * 0.55, b.long * 0.66, b.foot + SPOT * 0.46
-    thighs = [ball((a + r - SPOT, v, 0.34), SPOT) for v in (-c, c)]
-    cuff = tube((0, rump + 0.44, low - 0.27), (0, rump + 0.56, low - 0.27), 0.15)
-    brow = [ball((h * 0.34, y - h * 0.34, z + h * 0.66), 0.12), ball((h * 0.8, y + 0.02, z), 0.12)]
+    """Large flat spots on a slender body; a big head with round ears, a long raised tail."""
+    wide, long, leg = draw(0.32, 0.38), draw(0.62, 0.74), draw(0.5, 0.62)
+    z, head = leg + wide * 0.7, draw(0.36, 0.42)
+    y, up = -long - 0.3, z + draw(0.32, 0.42)
+    rump, tip = (0, long + wide * 0.6, z + 0.1), (0, long + 0.86, z + draw(0.5, 0.7))
+    bend = (0, long + 0.66, z)
+    spots = [_spot(wide, z, at * long, turn) for at, turn in
+             ((-0.8, 84), (-0.4, 30), (0, 84), (0.4, 30), (0.8, 84))]  # fmt: skip
     return {
-        "body": join(b.trunk(0.24), limb(tail, 0.12, 0.11), both(ball((h * 0.72, y, z + h * 0.8),
-                     0.13))),
-        "spots": join(both(join(*spots, *thighs, *brow)), cuff, ball(tail[-1], 0.15)),
-        "muzzle": join(
-            both(egg((0.11, y - h * 0.92, z - 0.12), (0.16, 0.17, 0.14))),
-            egg((0, -0.05, b.belly - 0.12), (b.wide * 0.7, b.long * 0.8, b.wide * 0.8)),
+        "body": join(
+            capsule((0, -long, z), (0, long, z), wide),
+            capsule((0, -long, z), (0, y, up), 0.26),
+            ball((0, y, up), head),
+            both(ball((head * 0.72, y, up + head * 0.76), 0.15)),
+            both(capsule((wide * 0.6, long, z), (wide * 0.6, long, 0.15), 0.15), 0, 1),
+            limb([rump, bend, tip], 0.12, 0.12),
         ),
-        "eyes": b.eyes(),
-        "nose": egg((0, y - h * 0.92 - 0.16, z - 0.04), (0.11, 0.09, 0.08)),
-    }  # fmt: skip
+        "spots": join(
+            both(join(*spots, ball((head * 0.5, y, up + head * 0.76), 0.13))), ball(tip, 0.17)
+        ),
+        "muzzle": join(
+            ball((0, y - head * 0.86, up - head * 0.3), 0.2),
+            capsule((0, -long, z - 0.08), (0, long, z - 0.08), wide - 0.03),
+        ),
+        "eyes": both(ball((head * 0.44, y - head * 0.8, up + head * 0.24), 0.085)),
+        "nose": ball((0, y - head * 0.86 - 0.18, up - head * 0.22), 0.085),
+    }
 
 
 def bat(draw: Draw) -> Parts:
@@ -148,34 +149,33 @@ def ostrich(draw: Draw) -> Parts:
 
 
 def beaver(draw: Draw) -> Parts:
-    """Sits up, its broad flat tail raised behind it; two great teeth, small round ears."""
-    wide, head, long = draw(0.46, 0.54), draw(0.38, 0.44), draw(0.5, 0.62)
-    z, y, flat = draw(1.3, 1.42), -0.14, draw(0.4, 0.48)
-    lift = draw(28, 42)
-    paddle = join(
-        egg((0, long, 0), (flat, long, 0.12)), taper((0, -0.2, 0), (0, 0.3, 0), 0.22, 0.14)
-    )
-    lines = [capsule((0.05, v, 0.09), (flat * 0.62, v + 0.2, 0.07), 0.07)
-             for v in (long * 0.5, long, long * 1.5)]  # fmt: skip
-    haunch = egg((wide * 0.86, -0.06, 0.34), (0.24, 0.36, 0.34))
-    foot = egg((wide * 0.86, -0.46, 0.1), (0.2, 0.34, 0.11))
-    arm = taper((wide * 0.74, -0.16, 0.92), (0.2, -wide - 0.16, 0.72), 0.14, 0.12)
-    face = y - head * 0.9
-    cheeks = both(egg((0.14, face - 0.02, z - 0.14), (0.2, 0.18, 0.15)))
-    tooth = box((0.085, face - 0.12, z - 0.34), (0.08, 0.06, 0.13), 0.02)
+    """Sits up, its broad flat tail raised behind it; a great tooth, small round ears."""
+    wide, head, long = draw(0.48, 0.56), draw(0.4, 0.46), draw(1.1, 1.3)
+    z, flat, lift = draw(1.26, 1.4), draw(0.42, 0.5), draw(38, 48)
+    half = [(flat * 0.5, 0), (flat, long * 0.35), (flat, long * 0.75), (flat * 0.5, long)]
+    lines = (box((0, long * s, 0.1), (flat * 0.7, 0.07, 0.06)) for s in (0.36, 0.6, 0.84))
+    face, root = -0.1 - head, (0, wide * 0.7, 0.16)
     return {
         "body": join(
-            blend(0.12, egg((0, 0.02, 0.56), (wide, wide * 0.92, 0.58)), ball((0, y, z), head)),
-            egg((0, -0.06, 0.3), (wide * 1.14, 0.56, 0.3)),
-            both(join(haunch, arm, ball((head * 0.8, y + 0.08, z + head * 0.68), 0.15))),
+            capsule((0, 0, wide), (0, 0, 0.8), wide),
+            ball((0, -0.1, z), head),
+            both(ball((head * 0.76, -0.02, z + head * 0.7), 0.15)),
+            both(capsule((wide * 0.9, -0.06, 0.9), (0.26, -wide - 0.1, 0.72), 0.14)),
+            both(ball((wide * 0.8, -0.1, 0.3), 0.3)),
         ),
-        "belly": join(egg((0, -wide * 0.36, 0.58), (wide * 0.76, wide * 0.74, 0.5)), cheeks),
-        "tail": tilted(paddle, lift, (0, wide * 0.8, 0.24)),
-        "lines": join(both(foot), tilted(both(join(*lines)), lift, (0, wide * 0.8, 0.24))),
-        "teeth": both(tooth),
+        "belly": join(
+            capsule((0, -0.08, wide), (0, -0.08, 0.72), wide - 0.03),
+            both(ball((0.15, face + 0.02, z - 0.16), 0.19)),
+        ),
+        "tail": tilted(prism(mirrored(half), 2, 0.1), lift, root),
+        "lines": join(
+            both(capsule((wide * 0.72, -0.3, 0.12), (wide * 0.72, -0.66, 0.12), 0.15)),
+            tilted(join(*lines), lift, root),
+        ),
+        "teeth": box((0, face, z - 0.38), (0.12, 0.18, 0.15)),
         "eyes": join(
-            eyes(head * 0.5, y - head * 0.82, z + 0.14, 0.09),
-            egg((0, face - 0.17, z - 0.04), (0.13, 0.1, 0.09)),
+            eyes(head * 0.48, face + head * 0.2, z + 0.14, 0.1),
+            ball((0, face - 0.13, z), 0.1),
         ),
     }
 
