@@ -192,7 +192,7 @@ def test_both_sides_of_a_uv_seam_have_the_same_detail(kind):
     pairs = torch.tensor([list(c.values())[:2] for c in uv_of.values() if len(c) > 1])
     assert len(pairs) > 100
     learnt = torch.cat([*material(torch.zeros(len(pairs), 3))], 1)
-    sides = [finish.attributes.view(-1, 13)[pairs[:, k]] for k in (0, 1)]
+    sides = [finish.attributes.view(-1, 14)[pairs[:, k]] for k in (0, 1)]
     one, two = (finish(at, learnt) for at in sides)
     torch.testing.assert_close(one[:, :5], two[:, :5], atol=1e-4, rtol=0)
     # The normal maps differ, since the tangents do; what they show does not.

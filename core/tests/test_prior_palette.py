@@ -295,3 +295,15 @@ def test_a_pattern_leaves_a_part_that_has_its_own_colour():
     mug = {part.name: part for part in painted("mug", words)}
     assert (mug["body"].pattern, mug["handle"].pattern) == ("striped", "")
     assert mug["handle"].color == COLOR_VALUES["blue"]
+
+
+def test_the_metal_fittings_of_what_is_no_metal_stay_of_metal():
+    def finishes(prompt):
+        words = parse(prompt)
+        return {part.name: part.finish for part in painted(words.noun, words)}
+
+    chest = finishes("a wooden treasure chest")
+    assert chest["bands"].metallic == 1 and chest["bands"] == looks("chest")["bands"].finish
+    assert finishes("a rusty treasure chest")["bands"] == FINISHES["rusty"]
+    assert finishes("a wooden sword")["guard"] == FINISHES["wooden"]
+    assert finishes("a chest with wooden bands")["bands"] == FINISHES["wooden"]

@@ -188,7 +188,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
         material, form = accent.material, accent.material_form
-        if not material and look.role != "-":
+        if not material and is_of(noun, look, stated.material):
             material, form = stated.material, stated.material_form
         finish, color, pattern = look.finish, look.color, look.pattern
         # The material first: a stated colour then replaces the material's own.
@@ -211,6 +211,15 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         of_whole = stated.color or (stated.second and not stated.target)
         colored = bool(word if apart else of_whole)
         yield Painted(name, look, color, second, finish, pattern, material, form, colored)
+
+
+def is_of(noun: str, look: Look, material: str) -> bool:
+    """Whether a material that is stated of the noun is one of such a part: not the metal fittings
+    of what is no metal, such as a wooden chest's bands; of a wooden sword the guard too."""
+    if look.role != "+" or not material or look.finish.metallic < 0.5:
+        return look.role != "-"
+    main = [other.finish.metallic for other in looks(noun).values() if other.role == "*"]
+    return FINISHES[material].metallic > 0.5 or max(main, default=0) > 0.5
 
 
 def has_accents(noun: str) -> bool:
