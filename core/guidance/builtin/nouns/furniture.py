@@ -56,7 +56,7 @@ FURNITURE = {
     ),
     "bookshelf": Noun(
         "bookcase, bookshelves, book shelf; book case, library shelf",
-        {"frame": "*8a5a30 grain", "books": "+b03a30 spines"},
+        {"frame": "*8a5a30 grain", "books": "-b03a30 spines"},
         Usual(1.9, WOOD, 0.12),
     ),
     "lamp": Noun(
@@ -232,7 +232,7 @@ FURNITURE = {
         {
             "board": "*9a6534 grain",
             "brackets": "&6f4626 grain",
-            "books": "+b03a30",
+            "books": "-b03a30",
             "vase": "-3f86a8",
         },
         Usual(0.9, WOOD, 0.42),
