@@ -92,3 +92,17 @@ def test_the_mesh_of_a_torus_has_no_edges():
 
     mesh = Mesh(*torus(96, 48))
     assert convexity(mesh.verts, mesh.faces).abs().max() < 0.12
+
+
+@pytest.mark.parametrize("name", WEATHERS)
+def test_a_place_is_the_same_whatever_it_is_looked_at_with(name):
+    """Texels come in chunks, and both sides of a seam in others."""
+    place = somewhere(0.5, 0.1)
+    few = Place(
+        *(x[1000:1100] for x in (place.point, place.normal, place.along)),
+        NOISE,
+        place.edge[1000:1100],
+    )
+    whole, part = WEATHERS[name](place), WEATHERS[name](few)
+    for of_all, of_few in zip(whole, part, strict=True):
+        np.testing.assert_allclose(of_all[1000:1100], of_few, atol=1e-6)

@@ -31,7 +31,7 @@ def dirty(place: Place) -> Layer:
     """Grime in corners and towards the ground, and streaks that ran down."""
     noise, p = place.noise, place.point
     cloud, streak = noise.waves(p, 6.0, 96, 5), noise.waves(p, (30.0, 30.0, 2.0), 97, 2)
-    low = smoothstep(0.35, 0.0, p[:, 2] - p[:, 2].min()) if len(p) else p[:, 2]
+    low = smoothstep(0.05, -0.40, p[:, 2])  # the object's middle is at 0
     grime = smoothstep(0.02, 0.55, 0.5 * cloud + 1.6 * np.maximum(-place.edge, 0) + 0.35 * low)
     cover = np.clip(0.75 * grime + 0.2 * smoothstep(0.2, 0.6, streak), 0, 0.85)
     return covering(cover, (0.055, 0.038, 0.022), roughness=0.3, height=0.0008 * grime)
