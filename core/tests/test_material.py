@@ -78,6 +78,8 @@ def test_the_words_bound_the_material():
         ("a red wooden chair", (0.0, 0.02)),
         ("a golden mug", (0.98, 1.0)),
         ("a lamp", (0.0, 1.0)),  # its pole is golden by nature
+        ("a chair with golden legs", (0.0, 1.0)),
+        ("a golden car", (0.98, 1.0)),  # of its wheels no more is known than of its body
     ):
         bounds = guidance.prompted(prompt, "").ranges()
         assert bounds.metallic == pytest.approx(metallic)

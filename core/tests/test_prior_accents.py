@@ -66,8 +66,47 @@ def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():
     assert parse("a table from oak").material == "wooden"
 
 
-@pytest.mark.parametrize("prompt", ["a toy train", "a train figurine", "a plush train"])
+@pytest.mark.parametrize("prompt", ["a toy train", "a train figurine"])
 def test_a_toy_is_small(prompt):
     assert parse(prompt).noun == "train" and parse(prompt).is_toy
     assert usual_of(prompt)[0] == 0.25 < 5 < usual_of("a train")[0]
     assert usual_of("a toy coin") == usual_of("a coin")
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a table with a toy on it",
+        "a tree with an ornament",
+        "a cat with a toy",
+        "a plush sofa",
+        "a train",
+    ],
+)
+def test_what_is_with_a_toy_is_none(prompt):
+    assert not parse(prompt).is_toy
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part", "weather"),
+    [
+        ("a house without a red chimney", "no chimney", ()),
+        ("a car without scratches", "", ()),
+        ("a mug with no dirty handle", "no handle", ()),
+        ("a snow covered dirty car", "", ("dirty", "snowy")),  # snow lies on the dirt
+        ("a stained glass window", "", ()),
+        ("a crown worn by a king", "", ()),
+        ("a bowl used for soup", "", ()),
+        ("an old fashioned car", "", ()),
+    ],
+)
+def test_what_is_not_there_says_nothing_else(prompt, part, weather):
+    words = parse(prompt)
+    assert (words.part, words.weather, words.accents, words.second) == (part, weather, (), "")
+
+
+def test_a_word_of_age_between_a_colour_and_its_part_takes_nothing_away():
+    assert parse("a chair with red worn legs").of_parts("color") == {"legs": "red"}
+    assert parse("a slate grey car") == Words("car", color="grey")
+    assert parse("a \ufb01sh").noun == "fish"  # a ligature
+    assert parse("a hammer with a rubber grip").of_parts("material") == {"handle": "rubber"}

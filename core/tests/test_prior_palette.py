@@ -11,10 +11,9 @@ from core.guidance.builtin.nouns import NOUNS as KNOWN
 from core.guidance.builtin.palette import (
     COLOR_VALUES,
     FINISHES,
-    METAL_DARKNESS,
+    METAL_LEFT,
     SWATCHES,
     companion,
-    finishes_of,
     looks,
     painted,
     swatches,
@@ -92,11 +91,6 @@ def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
     golden = coat("car", Caption("", "golden"), _draw())
     metallic = dict(zip(looks("car"), golden.metallic[:, 0].tolist(), strict=True))
     assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1}
-
-
-def test_a_material_word_bounds_the_whole_thing_and_nature_each_part():
-    assert finishes_of("car", "golden") == [FINISHES["golden"]]
-    assert FINISHES["rubber"] in finishes_of("car", "")
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
@@ -270,7 +264,7 @@ def test_a_natural_metals_colour_is_lighter_than_it_is_seen():
     assert blade.finish.metallic == 1
     for at, made in zip((1, 3, 5), blade.color, strict=True):
         seen = int(text[at : at + 2], 16) / 255
-        assert 1 - made == pytest.approx(METAL_DARKNESS * (1 - seen))
+        assert 1 - made == pytest.approx(METAL_LEFT * (1 - seen))
 
 
 def test_what_a_part_has_of_its_own_is_painted_on_it_and_on_nothing_else():
@@ -307,3 +301,14 @@ def test_the_metal_fittings_of_what_is_no_metal_stay_of_metal():
     assert finishes("a rusty treasure chest")["bands"] == FINISHES["rusty"]
     assert finishes("a wooden sword")["guard"] == FINISHES["wooden"]
     assert finishes("a chest with wooden bands")["bands"] == FINISHES["wooden"]
+
+
+def test_a_golden_medal_has_a_ribbon_of_cloth():
+    medal = {part.name: part.finish for part in painted("medal", parse("a golden medal"))}
+    assert medal["ribbon"].metallic == 0 and 1 in {finish.metallic for finish in medal.values()}
+
+
+def test_a_part_is_coloured_by_a_word_that_is_about_it():
+    lamp = {part.name: part for part in painted("lamp", parse("a blue brass lamp"))}
+    assert lamp["shade"].colored and not lamp["foot"].colored
+    assert surface_of(parse("a blue brass lamp"), lamp["foot"]).factor != (1.0, 1.0, 1.0)

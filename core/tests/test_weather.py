@@ -9,8 +9,11 @@ from core.guidance.builtin.palette import painted
 from core.guidance.builtin.surfaces import surface_of, surfaces_of
 from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import WEATHERS as WORDS
+from core.guidance.guidance import Surface
+from core.texture.detail.detail import Coat, Detail, Spots
 from core.texture.detail.grain import convexity
 from core.texture.detail.noise import Noise
+from core.texture.detail.parts import ByColor
 from core.texture.detail.place import Layer, Place
 from core.texture.detail.weather import WEATHERS, covering, laid
 
@@ -106,3 +109,25 @@ def test_a_place_is_the_same_whatever_it_is_looked_at_with(name):
     whole, part = WEATHERS[name](place), WEATHERS[name](few)
     for of_all, of_few in zip(whole, part, strict=True):
         np.testing.assert_allclose(of_all[1000:1100], of_few, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "dark"), [("snowy", 0.02), ("snowy", 0.2), ("mossy", 0.8), ("dirty", 0.8)]
+)
+def test_what_the_weather_leaves_bare_keeps_its_colour(name, dark):
+    points = torch.from_numpy(somewhere(0.0).point)
+    normal = torch.nn.functional.normalize(points - 0.5, dim=1)
+    zero, one = torch.zeros(len(points), 1), torch.ones(len(points), 1)
+    spots = Spots(points, normal, torch.ones_like(points), zero)
+    coat = Coat(dark * torch.ones(len(points), 3), 0.3 * one, zero)
+    paint = Surface("paint", (0.5, 0.5, 0.5))
+    gains = [
+        Detail.of(ByColor.of((surface,), coat.kd), NOISE, 1.0, spots, coat).gains
+        for surface in (paint, paint._replace(weather=(name,)))
+    ]
+    torch.testing.assert_close(*gains)
+    new, old = (
+        Detail.of(ByColor.of((surface,), coat.kd), NOISE, 1.0, spots, coat)(spots, coat)[0]
+        for surface in (paint, paint._replace(weather=(name,)))
+    )
+    assert (new.kd - old.kd).abs().max() > 0.1  # it is seen

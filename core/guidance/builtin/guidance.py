@@ -33,7 +33,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import Finish, finishes_of, painted
+from core.guidance.builtin.palette import FINISHES, Finish, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
@@ -58,9 +58,9 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
-# In the order of the networks' embeddings.
 GLOSS = 0.03  # of a part's roughness, around what its finish has
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
+# In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 
 
@@ -137,7 +137,9 @@ class PromptedBuiltin(PromptedGuidance):
         At 64² a rough metal and a dark plastic look alike; the words tell them apart.
         """
         # Of all parts together, where it is not known what is where.
-        finishes = finishes_of(self.words.noun, self.words.material)
+        parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
+        said = [part for part in parts if part.material] if self.words.material else parts
+        finishes = [part.finish for part in said] or [FINISHES[self.words.material]]
         rough, metal = ([getattr(f, n) for f in finishes] for n in ("roughness", "metallic"))
         return MaterialRanges(
             (max(min(rough) - 0.15, 0.05), min(max(rough) + 0.1, 0.95)),

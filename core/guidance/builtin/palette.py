@@ -38,10 +38,13 @@ COLOR_VALUES: dict[str, Color] = {
     "lime": (0.55, 0.82, 0.15),
     "beige": (0.85, 0.76, 0.60),
 }
+# Accents of the one are not of the other where that is stated of the whole.
+SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
+HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
 # surroundings that are darker than what lights a wall.
-METAL_DARKNESS = 0.75
+METAL_LEFT = 0.75
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 
 
@@ -130,7 +133,7 @@ def _look(noun: str, part: str, text: str) -> Look:
     kind = BY_PATTERN.get(pattern) or stated.strip(".") or substance(noun, part)
     finish = _natural(kind) if stated == "." else (FINISHES | {"paint": PAINT})[stated]
     if finish.metallic > 0.5:
-        rgb = [1 - (1 - c) * METAL_DARKNESS for c in rgb]
+        rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]
     red, green, blue = rgb
     return Look(text[0], (red, green, blue), pattern.strip("."), finish, kind)
 
@@ -139,11 +142,6 @@ def _natural(kind: str) -> Finish:
     """How a part of a kind shines, which has the colour and the pattern of its own look."""
     known = (FINISHES | {"paint": PAINT, "cast iron": CAST_IRON}).get(kind, PLAIN)
     return Finish(None, ROUGHNESS.get(kind, known.roughness), known.metallic)
-
-
-def finishes_of(noun: str, material: str) -> list[Finish]:
-    """How the noun's parts shine: by nature, or as the word ``material`` says ("" for none)."""
-    return [FINISHES[material]] if material else [look.finish for look in looks(noun).values()]
 
 
 @runtime_checkable
@@ -197,27 +195,28 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             color, pattern = finish.color or color, finish.pattern
         word = accent.color or (stated.second if stated.target == name else "")
         apart = bool(word or accent.material)  # what is said of the whole is not of it
-        if apart:
+        if not apart and look.role in "*&":
+            word = stated.color
+        if word or apart:
             color, pattern = COLOR_VALUES.get(word, color), finish.pattern
-        elif stated.color and look.role in "*&":
-            color, pattern = COLOR_VALUES[stated.color], finish.pattern
         second = COLOR_VALUES[stated.second] if stated.second else companion(color)
         if two_tone and look.role in "+&" and not apart:
             first = COLOR_VALUES[stated.color] if stated.color else look.color
             color = COLOR_VALUES[stated.second] if stated.second else companion(first)
-            pattern = finish.pattern
+            pattern, word = finish.pattern, stated.second or word
         elif stated.pattern and look.role in "*&" and not (two_tone or apart):
             pattern = stated.pattern
-        of_whole = stated.color or (stated.second and not stated.target)
-        colored = bool(word if apart else of_whole)
-        yield Painted(name, look, color, second, finish, pattern, material, form, colored)
+        yield Painted(name, look, color, second, finish, pattern, material, form, bool(word))
 
 
 def is_of(noun: str, look: Look, material: str) -> bool:
     """Whether a material that is stated of the noun is one of such a part: not the metal fittings
-    of what is no metal, such as a wooden chest's bands; of a wooden sword the guard too."""
-    if look.role != "+" or not material or look.finish.metallic < 0.5:
+    of what is no metal, such as a wooden chest's bands (of a wooden sword the guard too); nor a
+    golden medal's ribbon."""
+    if look.role != "+" or not material:
         return look.role != "-"
+    if look.finish.metallic < 0.5:
+        return look.material not in SOFT or material not in HARD
     main = [other.finish.metallic for other in looks(noun).values() if other.role == "*"]
     return FINISHES[material].metallic > 0.5 or max(main, default=0) > 0.5
 

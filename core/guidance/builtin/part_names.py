@@ -14,6 +14,9 @@ ALSO = {
     "armrests": ("arms", "limbs"),
     "cap": ("lid",),
     "handle": ("grip", "hilt", "stick", "shaft"),
+    "grip": ("handle",),
+    "blade": ("head",),
+    "legs": ("limbs",),
 }
 
 

@@ -1,6 +1,7 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
 import re
+import unicodedata
 from typing import Any, NamedTuple
 
 from core.guidance.builtin.lexicon import (
@@ -27,6 +28,7 @@ from core.guidance.builtin.words import (
     OPTIONS,
     PHRASE_ENDS,
     TONES,
+    TOYS,
     WITHOUT,
 )
 
@@ -71,6 +73,7 @@ class Reading:
         self.qualifiers: list[str] = []  # of ``left_out``, before a noun, known or not
         self.refused: list[str] = []  # those of them without which the prompt is another
         self.notes: list[str] = []
+        self.is_toy = False
         self._pending: list[str] = []  # unknown words since the noun phrase began
         self._before: list[StatedPart] = []  # parts in a phrase that has no noun yet
         self._without = False
@@ -86,6 +89,7 @@ class Reading:
         while at < len(self._tokens):
             if at in self._breaks:
                 self._end_phrase()
+                self._without = False
                 self._accessory, self._of_another = None, False
             at += self._take(at)
         self._end_phrase()
@@ -120,11 +124,14 @@ class Reading:
             self.notes.append(f"{token} {tokens[1]} is painted as {LEXICON[tokens[1]][1]}.")
         elif token in IGNORED_ADJECTIVES:
             self.left_out.append(token)
+            # Of the thing itself: not "a child with a toy".
+            self.is_toy |= token in TOYS and self._accessory is None
         elif token in COUNTS and not self.found["noun"]:
             self.notes.append(f"{token}: one thing is made at a time.")
         elif token in COUNTS:
             self.left_out.append(token)
         elif token in PHRASE_ENDS:
+            self._without &= token in ARTICLES
             # "a statue of a lion": the article says nothing new.
             word = self._ended_by if token in ARTICLES else token
             if self.found["noun"] and (token in GOES_WITH or self._accessory is not None):
@@ -187,6 +194,9 @@ class Reading:
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
             return
+        if slot == "weather" and self._without:  # "without scratches"
+            self.left_out.append(entry.form)
+            return
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.found["noun"]:
             noun = self.found["noun"][0].word
@@ -208,6 +218,8 @@ class Reading:
             self.left_out += self._of_accessory()
             self._strange = False
             there = not self._without
+            if not there:  # "without a red chimney"
+                color, own = "", {}
             self.parts.append(StatedPart(word, there, entry.form, color, own.get("material")))
             self._end_phrase()
         else:
@@ -216,9 +228,10 @@ class Reading:
             self.found[slot].append(entry)
         if slot in ("color", "material") and self.found["noun"]:
             self._looks.append(slot)
-        else:
+        elif slot != "weather":
             self._looks = []
-        self._without = False
+        if slot in ("noun", "part"):
+            self._without = False
 
     def _stands(self, end: int) -> bool:
         """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
@@ -379,7 +392,8 @@ def _tokens(prompt: str) -> tuple[list[str], set[int]]:
     tokens: list[str] = []
     breaks: set[int] = set()
     # The s of a possessive is no word.
-    for token in re.findall(r"[^\W_]+|[,;:.!?()]", prompt.lower().replace("'s", " ")):
+    plain = unicodedata.normalize("NFKC", prompt).lower().replace("'s", " ")
+    for token in re.findall(r"[^\W_]+|[,;:.!?()]", plain):
         if token[0].isalnum():
             tokens.append(token)
         else:

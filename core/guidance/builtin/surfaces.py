@@ -22,7 +22,7 @@ def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of, and what time has done to it."""
     new = _as_new(words, part)
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
-    return new if new.kind == "eye" else new._replace(weather=tuple(lasting))
+    return new if new.kind in ("eye", "flame", "liquid") else new._replace(weather=tuple(lasting))
 
 
 def _as_new(words: Words, part: Painted) -> Surface:

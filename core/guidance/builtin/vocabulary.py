@@ -25,7 +25,7 @@ from core.guidance.builtin.prompt_errors import (
 )
 from core.guidance.builtin.reading import Accent, Reading
 from core.guidance.builtin.sizes import usual
-from core.guidance.builtin.words import TOYS
+from core.guidance.builtin.words import WEATHERS
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,7 @@ class Words:
     target: str = ""  # the part that the second colour is for
     accents: tuple[Accent, ...] = ()  # what other parts have of their own
     weather: tuple[str, ...] = ()  # what time has done to it
+    is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -49,11 +50,6 @@ class Words:
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
         """Each slot's row in its embedding; 0 is "not stated"."""
         return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
-
-    @property
-    def is_toy(self) -> bool:
-        """Whether a toy or another small likeness of the thing is meant."""
-        return not TOYS.isdisjoint(self.left_out) or self.material_form == "plush"
 
     def of_parts(self, what: str) -> dict[str, str]:
         """The "color" or the "material" of each part that has its own."""
@@ -142,7 +138,9 @@ def parse(
     # The part last: what may be stated of it depends on the noun.
     words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= reading.colors() | {"part": reading.part(words["noun"])}
-    words["weather"] = tuple(reading.words("weather"))
+    # In the table's order: snow lies on dirt.
+    words["weather"] = tuple(w for w in WEATHERS if w in reading.words("weather"))
+    words["is_toy"] = reading.is_toy
     words["material_form"] = next((entry.form for entry in reading.found["material"]), "")
     notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
     left_out = tuple(dict.fromkeys([*reading.left_out, *reading.aside]))

@@ -21,13 +21,13 @@ COLORS = {
     "yellow": "bright yellow; lemon yellow, golden yellow",
     "green": "bright green; grass green, olive, emerald",
     "cyan": "; turquoise, teal",
-    "blue": "bright blue; royal blue, cobalt blue",
+    "blue": "bright blue; royal blue, cobalt blue, slate blue",
     "purple": "violet; lilac, lavender, indigo",
     "pink": "light red; rose pink, magenta, fuchsia",
     "brown": "; chocolate brown, light brown, chestnut, cognac, ochre, amber",
     "black": "jet black, coal black",
     "white": "snow white",
-    "grey": "gray",
+    "grey": "gray; slate grey, slate gray, slate coloured, slate colored",
     "dark red": "; maroon, burgundy, wine red",
     "dark green": "; forest green, bottle green",
     "navy": "navy blue, dark blue; midnight blue",
@@ -54,12 +54,12 @@ MATERIALS = {
 }
 # What time has done to it, which is seen at the bake.
 WEATHERS = {
-    "worn": "used, weathered, aged, scratched, battered, shabby, old, antique, ancient, rustic, "
-    "worn out, well worn, distressed",
-    "dirty": "grimy, muddy, filthy, stained, grungy",
-    "dusty": "dust covered",
-    "mossy": "moss covered, overgrown, covered in moss",
-    "snowy": "snow covered, covered in snow, snow capped, frosty",
+    "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
+    "distressed",
+    "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
+    "dusty": "dust covered, covered in dust, covered with dust",
+    "mossy": "moss covered, overgrown, covered in moss, covered with moss",
+    "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty",
 }
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
@@ -128,6 +128,8 @@ GOES_WITH = PLACES | frozenset("of in on with has have wearing holding from".spl
 # After these all is about something else: a chest full of gold is not golden.
 OF_ANOTHER = (
     "for",
+    "worn by",
+    "used for",
     "filled with",
     "full of",
     "surrounded by",
@@ -160,8 +162,9 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
-    ornament cut sliced""".split()
+    ornament cut sliced used aged battered stained""".split()
 ) | {
+    *("old fashioned", "stained glass"),
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),

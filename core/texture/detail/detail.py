@@ -64,7 +64,7 @@ class Detail:
             # By the points that are mostly this surface's; a part that is nowhere keeps 1.
             weight = weights[:, k : k + 1] * (weights[:, k : k + 1] > 0.5)
             wanted = coat.kd * torch.tensor(surface.factor)
-            layer = plain._layer(k, at)
+            layer = plain._as_new(k, at)[1]  # what covers it is no part of its mean
             got, apart = _colored(coat.kd, layer, surface, strength), _column(layer.apart)
             missing = (weight * (wanted - apart * got)).sum(0)
             gain = missing / (weight * (1 - apart) * got).sum(0).clamp(min=1e-9)
@@ -96,13 +96,14 @@ class Detail:
         made = Coat(kd, roughness.clamp(*ROUGHNESS_RANGE), metallic.clamp(0, 1))
         return made, self.strength * slope
 
-    def _layer(self, k: int, at: Spots) -> Layer:
-        along = at.lengths.argmax(1)
-        edge = at.edge[:, 0].numpy()
+    def _as_new(self, k: int, at: Spots) -> tuple[Place, Layer]:
+        along, edge = at.lengths.argmax(1), at.edge[:, 0].numpy()
         place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise, edge)
-        surface = self.parts.surfaces[k]
-        layer = KINDS[surface.kind](place)
-        for name in surface.weather:
+        return place, KINDS[self.parts.surfaces[k].kind](place)
+
+    def _layer(self, k: int, at: Spots) -> Layer:
+        place, layer = self._as_new(k, at)
+        for name in self.parts.surfaces[k].weather:
             layer = laid(WEATHERS[name](place), layer)
         return layer
 

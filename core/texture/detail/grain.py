@@ -19,6 +19,7 @@ from core.texture.detail.survey import spread
 SAMPLES = 3000  # points of the surface
 REACH = 0.16  # radius of a vertex's surroundings, of the object's longest side
 SMOOTHING = 300  # rounds over neighbouring vertices
+FINE = 0.04  # of an edge, of the object's longest side
 FACING = 12  # power of the cosine between their normals that is their weight in it
 # Where two axes are as long, width before depth before height: a seat's boards, a wall's logs.
 PREFERRED = np.array([1.06, 1.0, 0.97])
@@ -52,6 +53,8 @@ def convexity(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[T
     length = np.bincount(f.ravel(), np.linalg.norm(ends, axis=2).ravel(), len(v))
     length = length / np.maximum(np.bincount(f.ravel(), minlength=len(v)), 1)
     stands = (out * normals).sum(1) / np.maximum(length, 1e-30)
+    # Where triangles are large it is no edge's: between their corners it would cover them.
+    stands *= np.minimum(1, FINE * float(np.ptp(v[np.unique(f)], axis=0).max()) / length)
     return torch.from_numpy(stands[:, None]).to(verts)
 
 

@@ -37,7 +37,7 @@ def foliage(place: Place) -> Layer:
 
 
 def petal(place: Place) -> Layer:
-    """Fine lines from the middle outwards, paler at the rim."""
+    """Fine lines along it, paler here and there."""
     p, noise = place.grained, place.noise
     line = noise.waves(p, (5.0, 60.0, 60.0), 1, 2)
     return Layer.of(
@@ -152,7 +152,7 @@ def soil(place: Place) -> Layer:
 
 
 def flame(place: Place) -> Layer:
-    """Tongues that rise, lighter at their feet."""
+    """Tongues that rise."""
     p, noise = place.point, place.noise
     tongue = noise.waves(p + 0.05 * noise.waves(p, 4.0, 1, 2)[:, None], (14.0, 14.0, 3.0), 2, 2)
     return Layer.of(
@@ -170,7 +170,8 @@ def wicker(place: Place) -> Layer:
     """Withies over and under stakes, and rope and straw that is plaited."""
     p, noise = place.point, place.noise
     pitch = 1 / noise.shown(0.05)
-    angle = np.arctan2(p[:, 1], p[:, 0]) * (0.35 * pitch)
+    # A whole number of withies around, or there would be a seam.
+    angle = np.arctan2(p[:, 1], p[:, 0]) * (round(0.7 * np.pi * pitch) / (2 * np.pi))
     level = p[:, 2] * pitch
     phase = np.where(np.floor(level) % 2 > 0, np.pi, 0.0)
     over = 0.5 + 0.5 * np.sin(2 * np.pi * angle + phase)

@@ -9,7 +9,7 @@ FEATHER, SCALE = 0.05, 0.028  # from one to the next, in units
 
 
 def fur(place: Place) -> Layer:
-    """Hairs that lie along the body, in tufts; lighter where the tips catch the light."""
+    """Hairs that lie along the body, in tufts."""
     p, noise = lying(place, 0.05), place.noise
     tuft = noise.waves(p, (7.0, 26.0, 26.0), 4, 2)
     hair = noise.waves(p, (14.0, 90.0, 90.0), 5, 2)
@@ -141,7 +141,7 @@ def chitin(place: Place) -> Layer:
 
 
 def bone(place: Place) -> Layer:
-    """Bone, teeth and horns: long streaks, yellow in what is hollow, hair cracks."""
+    """Bone, teeth and horns: long streaks, yellow with age, hair cracks."""
     p, noise = place.grained, place.noise
     streak, age = noise.waves(p, (3.0, 30.0, 30.0), 1, 3), noise.waves(place.point, 5.0, 2, 3)
     crack = smoothstep(0.05, 0.0, np.abs(noise.waves(p, (4.0, 16.0, 16.0), 3, 2)))

@@ -11,7 +11,7 @@ RUBBED = (0.66, 0.68, 0.70)  # a worn edge's factor is 1 over this
 
 
 def worn(place: Place) -> Layer:
-    """Rubbed at the edges, scuffed and scratched where hands are, with small dents."""
+    """Rubbed at the edges, scuffed and scratched here and there, with small dents."""
     noise, p = place.noise, place.point
     uneven = noise.waves(p, 14.0, 91, 3)
     edge = smoothstep(0.10, 0.32, place.edge + 0.14 * uneven - 0.04)

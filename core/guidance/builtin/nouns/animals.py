@@ -225,7 +225,7 @@ ANIMALS = {
         Usual(0.2, FLESH, 0.17),
     ),
     "owl": Noun(
-        "; barn owl, owlet",
+        "; barn owl, snowy owl, owlet",
         {
             "body": "*8a6642",
             "belly": "+e2cea8",

@@ -96,7 +96,7 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door; castle gate, portcullis",
+        "front door; wooden gate, castle gate, portcullis",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",
