@@ -1,6 +1,7 @@
 """The last hand on each texel: the fine surface's normals, and the materials' detail."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import torch
 from jaxtyping import Float
@@ -40,10 +41,8 @@ class Finish:
         self.fine, self.detail, self.areas = fine, detail, areas
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
         # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
-        grain = torch.zeros(len(mesh.verts), 4).to(mesh.verts)
-        if detail:
-            own = (mesh.verts, mesh.faces)
-            grain = torch.cat([lengths(*own), convexity(*own)], 1)
+        grain = detail.grain if detail else None
+        grain = mesh.verts.new_zeros(len(mesh.verts), 4) if grain is None else grain
         by_vert = torch.cat([mesh.verts, mesh.normals], 1)[mesh.faces]
         self.attributes = torch.cat([by_vert, mesh.tangents, grain[mesh.faces]], -1)
 
@@ -100,7 +99,7 @@ def detail_of(
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
     by_area = ByArea(tuple(one.surface for one in areas.each)) if areas else None
     parts = by_area or ByColor.of(surfaces, coat.kd)
-    return Detail.of(parts, noise, strength, spots, coat)
+    return replace(Detail.of(parts, noise, strength, spots, coat), grain=grain)
 
 
 def footprint(mesh: UvMesh, size: int) -> float:

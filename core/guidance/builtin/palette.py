@@ -11,9 +11,9 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.accents import Accent
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.reading import Accent
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 
 Color = tuple[float, float, float]

@@ -2,8 +2,9 @@
 
 import re
 import unicodedata
-from typing import Any, NamedTuple
+from typing import Any
 
+from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
@@ -15,7 +16,7 @@ from core.guidance.builtin.lexicon import (
     singulars,
 )
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import always_has, as_part, may_state, own_name
+from core.guidance.builtin.part_names import always_has, as_part, may_state
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import (
     ALONE,
@@ -36,25 +37,6 @@ MADE_AS = {"color": "painted as", "pattern": "drawn as", "shape": "made"}  # els
 ARTICLES = ("a", "an", "the")
 LONGEST = 3  # words of a phrase
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
-
-
-class StatedPart(NamedTuple):
-    """A part that a prompt names, and what is right before it."""
-
-    name: str
-    there: bool
-    form: str  # as it was written
-    color: str = ""
-    material: Entry | None = None
-
-
-class Accent(NamedTuple):
-    """What a part alone is painted with, or is of; the material also as it was written."""
-
-    part: str
-    color: str = ""
-    material: str = ""
-    material_form: str = ""
 
 
 class Reading:
@@ -340,7 +322,8 @@ class Reading:
         color, second = (*colors, "", "")[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")
-        accents = self._accents()
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        accents = accents_of(self.parts, noun)
         target = ""
         first = next((accent for accent in accents if accent.color), None)
         if first and not pattern:
@@ -349,25 +332,6 @@ class Reading:
         told = tuple(accent for accent in accents if accent.color or accent.material)
         found = {"color": color, "second": second, "pattern": pattern, "target": target}
         return found | {"accents": told}
-
-    def _accents(self) -> list[Accent]:
-        """What the prompt says of parts, each once."""
-        noun = self.found["noun"][0].word if self.found["noun"] else ""
-        accents: dict[str, Accent] = {}
-        for part in self.parts:
-            if not (part.color or part.material):
-                continue
-            name = own_name(noun, part.name)
-            before = accents.get(name, Accent(name))
-            word, form = part.material[1:] if part.material else ("", "")
-            for slot, old, new in (("color", before.color, part.color),
-                                   ("material", before.material, word)):  # fmt: skip
-                if old and new and old != new:
-                    raise two_error(slot, [old, new])
-            own = Accent(name, part.color, word, form)
-            merged = (new or old for old, new in zip(before, own, strict=True))
-            accents[name] = Accent(*merged)
-        return list(accents.values())
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""

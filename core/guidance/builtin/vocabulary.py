@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from core.errors import UserError
+from core.guidance.builtin.accents import Accent
 from core.guidance.builtin.lexicon import MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.prompt_errors import (
@@ -23,7 +24,7 @@ from core.guidance.builtin.prompt_errors import (
     known_things,
     unknown_error,
 )
-from core.guidance.builtin.reading import Accent, Reading
+from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.words import WEATHERS
 

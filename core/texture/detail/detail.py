@@ -53,6 +53,7 @@ class Detail:
     noise: Noise
     strength: float
     gains: Float[Tensor, "k 3"]  # of each surface's base colour, so that its mean stays
+    grain: Float[Tensor, "v 4"] | None = None  # of the mesh's vertices: lengths, and edges
 
     @classmethod
     def of(cls, parts: Parts, noise: Noise, strength: float, at: Spots, coat: Coat) -> "Detail":

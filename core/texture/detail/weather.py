@@ -28,7 +28,7 @@ def worn(place: Place) -> Layer:
 
 
 def dirty(place: Place) -> Layer:
-    """Grime in corners and towards the ground, and streaks that ran down."""
+    """Grime in corners and on the lower part of what is tall, and streaks that ran down."""
     noise, p = place.noise, place.point
     cloud, streak = noise.waves(p, 6.0, 96, 5), noise.waves(p, (30.0, 30.0, 2.0), 97, 2)
     low = smoothstep(0.05, -0.40, p[:, 2])  # the object's middle is at 0
