@@ -64,3 +64,12 @@ def test_a_border_is_sharp_where_it_was_learnt_to_fade():
     faded, sharp = learnt(points).kd, evened(learnt, Halves(), MESH, 0.0)(points).kd
     assert (faded[1] - faded[0]).max() < 0.01
     torch.testing.assert_close(sharp[1] - sharp[0], torch.full((3,), 0.4))
+
+
+def test_what_is_learnt_is_asked_for_in_the_area_of_the_place():
+    def by_area(points, area):
+        return learnt(points)._replace(metallic=area[:, None].float())
+
+    points, right = some()
+    metallic = evened(by_area, Halves(), MESH, 0.5)(points).metallic[:, 0]
+    assert torch.equal(metallic, right.float())

@@ -109,6 +109,8 @@ def test_each_place_has_its_areas_ranges():
     assert m.metallic[:, 0].tolist() == [0, 1, 1, 0]
     known = net(torch.stack([x, y, z], 1), area=torch.tensor([1, 0, 0, 1]))
     assert known.metallic[:, 0].tolist() == [1, 0, 0, 1]
+    close = net(torch.tensor([[0.03, 0, 0], [-0.03, 0, 0]]))  # the nearest nodes are at 0.05
+    assert close.metallic[:, 0].tolist() == [1, 0]
     far = net(torch.tensor([[9.0, 0, 0], [-9.0, 0, 0]]))  # outside of the cube too
     assert far.metallic[:, 0].tolist() == [1, 0]
 

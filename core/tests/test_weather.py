@@ -74,6 +74,9 @@ def test_an_edge_stands_out_a_corner_is_hollow_and_a_plane_is_neither():
     stands = convexity(verts, faces)[:, 0]
     on_edge = (verts.abs() > 0.499).sum(1) >= 2
     assert stands[on_edge].min() > 0.15 and stands[~on_edge].abs().max() < 1e-4
+    # Of a cube of twelve triangles the faces would be all edge.
+    few = trimesh.creation.box((1.0, 1.0, 1.0))
+    assert convexity(torch.tensor(few.vertices).float(), torch.tensor(few.faces)).max() < 0.1
     inside_out = convexity(verts, faces.flip(1))[:, 0]
     assert inside_out[on_edge].max() < -0.15
 
