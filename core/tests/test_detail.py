@@ -339,3 +339,14 @@ def test_a_parts_length_is_its_grain():
         size[axis] = 1.0
         box = box_mesh(tuple(size))
         assert (lengths(box.verts, box.faces).argmax(1) == axis).float().mean() > 0.95
+
+
+def test_wicker_closes_around_and_the_finish_knows_the_parts_lengths():
+    ends = np.array([[-0.3, y, 0.1] for y in (1e-5, -1e-5)], np.float32)
+    one, other = KINDS["wicker"](place_at(ends, Noise(1, 0.013))).height
+    assert abs(one - other) < 2e-4
+    mesh, material = ring(), one_material(BROWN)
+    surfaces = (Surface("wooden", BROWN),)
+    detail = detail_of(mesh, material, surfaces, strength=1.0, size=256, seed=0)
+    attributes = Finish(mesh, None, detail).attributes[..., 10:13]
+    torch.testing.assert_close(attributes, lengths(mesh.verts, mesh.faces)[mesh.faces])

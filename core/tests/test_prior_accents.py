@@ -110,3 +110,8 @@ def test_a_word_of_age_between_a_colour_and_its_part_takes_nothing_away():
     assert parse("a slate grey car") == Words("car", color="grey")
     assert parse("a \ufb01sh").noun == "fish"  # a ligature
     assert parse("a hammer with a rubber grip").of_parts("material") == {"handle": "rubber"}
+
+
+def test_a_negation_ends_with_its_phrase_and_a_robots_legs_are_its_limbs():
+    assert parse("a mug without red with a handle").part == "handle"
+    assert parse("a robot with blue legs").of_parts("color") == {"limbs": "blue"}

@@ -134,3 +134,9 @@ def test_what_the_weather_leaves_bare_keeps_its_colour(name, dark):
         for surface in (paint, paint._replace(weather=(name,)))
     )
     assert (new.kd - old.kd).abs().max() > 0.1  # it is seen
+
+
+def test_snow_does_not_lie_on_flames():
+    words = parse("a snow covered campfire")
+    found = {part.name: surface_of(words, part) for part in painted("campfire", words)}
+    assert found["flame"].weather == () and found["logs"].weather == ("snowy",)
