@@ -14,7 +14,7 @@ from PIL import Image
 
 from core.command_line import main
 from core.config import preset
-from core.generate import back
+from core.generate import back, generate, prepare
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
@@ -22,6 +22,7 @@ from core.guidance.builtin.physical import usual_of
 from core.io.asset import inspect, read_asset
 from core.io.job import LAST, Job, read_events
 from core.io.obj import obj_text
+from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
 from core.tests import tiny_runs
@@ -355,3 +356,19 @@ def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, fork
     assert report["same"]
     assert set(report["files"].values()) == {"same"}
     assert report["versions"] == {}
+
+
+@pytest.mark.usefixtures("coarse")
+def test_the_material_is_learnt_within_each_areas_ranges(tmp_path, monkeypatch):
+    class SeenError(Exception):
+        """Where the appearance's training would begin."""
+
+    def begun(_config, _generator, local=None):
+        raise SeenError(local)
+
+    monkeypatch.setattr("core.generate.MaterialNet", begun)
+    run = RunFolder.create(tmp_path / "run", Job(prompt="a dumbbell", max_faces=100))
+    with pytest.raises(SeenError) as caught:
+        generate(run, prepare(run.job), Progress(run))
+    metallic = caught.value.args[0].bounds[:, 2:]
+    assert metallic.unique().tolist() == [1.0]  # of iron and steel, and no range around it
