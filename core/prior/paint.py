@@ -37,7 +37,10 @@ class Caption:
     second: str = ""
     target: str = ""  # the part that the second colour is for
     accents: tuple[Accent, ...] = ()
+    color_form: str = ""
+    second_form: str = ""
     material_form: str = ""
+    sheen: tuple[str, ...] = ()
 
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:

@@ -35,7 +35,7 @@ def test_a_pattern_has_the_second_colour_and_a_part_keeps_its_own():
         ("a wooden chair with a leather red seat", "wooden", {"seat": "leather"}, "leather"),
         ("an armchair with blue velvet cushions", "", {"cushion": "fabric"}, "velvet"),
         ("a table with metal legs", "", {"legs": "metal"}, "metal"),
-        ("a robot with brass arms", "", {"limbs": "golden"}, "brass"),
+        ("a robot with steel arms", "", {"limbs": "metal"}, "steel"),
         ("a sword with a wooden handle", "", {"grip": "wooden"}, "wooden"),
         ("a bonsai tree in a ceramic pot", "", {"tray": "ceramic"}, "ceramic"),
         ("a leather chair", "leather", {}, ""),
@@ -50,8 +50,8 @@ def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts,
     assert [accent.material_form for accent in words.accents if accent.material] == [form] * len(
         parts
     )
-    if form == "brass":
-        assert "brass: made as golden." in words.notes
+    if form == "steel" and not material:
+        assert "steel: made as metal." in words.notes
     with pytest.raises(UserError, match="takes one material"):
         parse("a chair with leather legs, metal legs")
 
@@ -107,7 +107,7 @@ def test_what_is_not_there_says_nothing_else(prompt, part, weather):
 
 def test_a_word_of_age_between_a_colour_and_its_part_takes_nothing_away():
     assert parse("a chair with red worn legs").of_parts("color") == {"legs": "red"}
-    assert parse("a slate grey car") == Words("car", color="grey")
+    assert parse("a slate grey car") == Words("car", color="grey", color_form="slate grey")
     assert parse("a \ufb01sh").noun == "fish"  # a ligature
     assert parse("a hammer with a rubber grip").of_parts("material") == {"handle": "rubber"}
 
@@ -115,3 +115,26 @@ def test_a_word_of_age_between_a_colour_and_its_part_takes_nothing_away():
 def test_a_negation_ends_with_its_phrase_and_a_robots_legs_are_its_limbs():
     assert parse("a mug without red with a handle").part == "handle"
     assert parse("a robot with blue legs").of_parts("color") == {"limbs": "blue"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colors"),
+    [
+        ("a mailbox, blue body with a red flag", {"flag": "red", "box": "blue", "door": "blue"}),
+        ("a skateboard with a purple deck", {"board": "purple"}),
+        ("a broom with a red stick", {"handle": "red"}),
+        ("a rifle with orange accents and a white body",
+         {"body": "white", "barrel": "orange", "magazine": "orange", "scope": "orange"}),
+        ("a wizard in a purple cloak", {"robe": "purple"}),
+        ("a ball with a blue deck", {}),
+    ],
+)  # fmt: skip
+def test_a_part_goes_by_what_people_call_it(prompt, colors):
+    assert parse(prompt).of_parts("color") == colors
+
+
+def test_the_size_of_a_part_is_not_the_things():
+    assert parse("a rabbit with long legs").shape == ""
+    words = parse("a bird with a long red beak")
+    assert (words.shape, words.of_parts("color")) == ("", {"bill": "red"})
+    assert "long" in words.left_out

@@ -110,8 +110,8 @@ def summary(report: Report) -> str:
     own = dict.fromkeys(part for of_parts in told for part in of_parts)
     parts = [part for part in report["parts"] if part not in own]
     looks = [" ".join([*(of[part] for of in told if part in of), part]) for part in own]
-    weather = report.get("weather", [])
-    return ", ".join(filter(None, [*words, *report["materials"], *weather, *parts, *looks]))
+    late = [*report.get("sheen", []), *report.get("weather", [])]
+    return ", ".join(filter(None, [*words, *report["materials"], *late, *parts, *looks]))
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

@@ -7,17 +7,23 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from core.guidance.builtin.colors import SHADES
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
+from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.words import (
     COLORS,
     MATERIALS,
+    PART_ALSO,
     PART_SYNONYMS,
     PART_WORDS,
     PARTS,
     PATTERNS,
     SHAPES,
+    SHEENS,
+    TRIM,
     WEATHERS,
+    WHOLE,
     WITHOUT,
 )
 
@@ -43,8 +49,9 @@ class Entry(NamedTuple):
 
     @property
     def is_narrower(self) -> bool:
-        """Whether the form means less than, or something next to, what is made for it."""
-        return self.form in NARROWER
+        """Whether the form means less than, or something next to, what is made for it. A material
+        that gets its own detail is made as it is called."""
+        return self.form in NARROWER and self.form not in VARIANTS
 
 
 def forms_of(text: str) -> list[str]:
@@ -59,10 +66,11 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
     # The first table that has a form keeps it: "hat" is a thing, and a part only after a noun.
     names = {word: noun.names for word, noun in NOUNS.items()}
     tables = {"noun": names, "shape": SHAPES, "color": COLORS, "material": MATERIALS}
-    tables |= {"pattern": PATTERNS, "weather": WEATHERS, "part": PART_WORDS}
+    tables |= {"pattern": PATTERNS, "weather": WEATHERS, "sheen": SHEENS}
+    tables |= {"part": PART_WORDS}
     for slot, table in tables.items():
         for word, text in table.items():
-            for form in (word, *forms_of(text)):
+            for form in (word, *forms_of(text), *SHADES.get(word, ())):
                 lexicon.setdefault(form.replace("-", " "), (slot, word))
             narrower += forms_of(text.partition("; ")[2])
     return lexicon, frozenset(narrower)
@@ -73,6 +81,7 @@ LEXICON, NARROWER = _lexicon()
 PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("men", "man"))
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
+NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
 
 
 def look_up(phrase: str, known: Vocabulary) -> Entry | None:
@@ -80,10 +89,10 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
     forms = singulars(phrase)
     for form in forms:
         slot, word = LEXICON.get(form, ("", ""))
-        if slot in ("part", "weather") or word in known.get(slot, ()):
+        if slot in ("part", "weather", "sheen") or word in known.get(slot, ()):
             return Entry(slot, word, form)
     for form in forms:
-        if form in PART_FORMS or any(form in noun.looks for noun in NOUNS.values()):
+        if form in NAMED or any(form in noun.looks for noun in NOUNS.values()):
             return Entry("part", PART_FORMS.get(form, form), form)
     return None
 

@@ -12,32 +12,11 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.accents import Accent
+from core.guidance.builtin.colors import COLOR_VALUES, DARK, LIGHT, Color, color_value
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 
-Color = tuple[float, float, float]
-
-COLOR_VALUES: dict[str, Color] = {
-    "red": (0.80, 0.06, 0.06),
-    "orange": (0.95, 0.45, 0.05),
-    "yellow": (0.95, 0.82, 0.10),
-    "green": (0.12, 0.55, 0.15),
-    "cyan": (0.10, 0.70, 0.75),
-    "blue": (0.10, 0.20, 0.75),
-    "purple": (0.45, 0.12, 0.65),
-    "pink": (0.95, 0.45, 0.65),
-    "brown": (0.42, 0.24, 0.12),
-    "black": (0.05, 0.05, 0.05),
-    "white": (0.92, 0.92, 0.90),
-    "grey": (0.48, 0.48, 0.49),
-    "dark red": (0.45, 0.04, 0.08),
-    "dark green": (0.04, 0.28, 0.12),
-    "navy": (0.05, 0.08, 0.32),
-    "light blue": (0.50, 0.75, 0.95),
-    "lime": (0.55, 0.82, 0.15),
-    "beige": (0.85, 0.76, 0.60),
-}
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
@@ -45,7 +24,6 @@ SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
 # surroundings that are darker than what lights a wall.
 METAL_LEFT = 0.75
-LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 
 
 class Finish(NamedTuple):
@@ -151,17 +129,23 @@ class Stated(Protocol):
     @property
     def color(self) -> str: ...
     @property
+    def color_form(self) -> str: ...
+    @property
     def material(self) -> str: ...
     @property
     def pattern(self) -> str: ...
     @property
     def second(self) -> str: ...
     @property
+    def second_form(self) -> str: ...
+    @property
     def target(self) -> str: ...
     @property
     def accents(self) -> tuple[Accent, ...]: ...
     @property
     def material_form(self) -> str: ...
+    @property
+    def sheen(self) -> tuple[str, ...]: ...
 
 
 class Painted(NamedTuple):
@@ -176,6 +160,7 @@ class Painted(NamedTuple):
     material: str = ""  # the word that says what it is of; "" by nature
     material_form: str = ""  # as it was written
     colored: bool = False  # by a word, and not by its material
+    sheen: tuple[str, ...] = ()  # the words that say how it shines
 
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
@@ -183,6 +168,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     # Of a thing with accents these take the second colour; of any other its lower half.
     two_tone = stated.pattern == "two-tone" and has_accents(noun)
     own = {accent.part: accent for accent in stated.accents}
+    first, other = (stated.color, stated.color_form), (stated.second, stated.second_form)
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
         material, form = accent.material, accent.material_form
@@ -193,20 +179,29 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         if material:
             finish = FINISHES[material]
             color, pattern = finish.color or color, finish.pattern
-        word = accent.color or (stated.second if stated.target == name else "")
-        apart = bool(word or accent.material)  # what is said of the whole is not of it
+        word = (accent.color, accent.color_form)
+        word = other if stated.target == name and not accent.color else word
+        apart = bool(word[0] or accent.material)  # what is said of the whole is not of it
         if not apart and look.role in "*&":
-            word = stated.color
-        if word or apart:
-            color, pattern = COLOR_VALUES.get(word, color), finish.pattern
-        second = COLOR_VALUES[stated.second] if stated.second else companion(color)
+            word = first
+        if word[0] or apart:
+            color, pattern = _value(word) or color, finish.pattern
+        sheen = (accent.sheen,) if accent.sheen else stated.sheen
+        sheen = sheen if accent.sheen or (look.role in "*&" and not apart) else ()
+        second = _value(other) or companion(color)
         if two_tone and look.role in "+&" and not apart:
-            first = COLOR_VALUES[stated.color] if stated.color else look.color
-            color = COLOR_VALUES[stated.second] if stated.second else companion(first)
-            pattern, word = finish.pattern, stated.second or word
+            color = _value(other) or companion(_value(first) or look.color)
+            pattern, word = finish.pattern, other if stated.second else word
         elif stated.pattern and look.role in "*&" and not (two_tone or apart):
             pattern = stated.pattern
-        yield Painted(name, look, color, second, finish, pattern, material, form, bool(word))
+        yield Painted(
+            name, look, color, second, finish, pattern, material, form, bool(word[0]), sheen
+        )
+
+
+def _value(word: tuple[str, str]) -> Color | None:
+    """Of a colour word and its form; None where none is stated."""
+    return color_value(*word) if word[0] else None
 
 
 def is_of(noun: str, look: Look, material: str) -> bool:

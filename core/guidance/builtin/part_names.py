@@ -2,22 +2,23 @@
 
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.words import LEGS, OPTIONS, PART_SYNONYMS, PART_WORDS
+from core.guidance.builtin.words import (
+    LEGS,
+    OPTIONS,
+    PART_ALSO,
+    PART_SYNONYMS,
+    PART_WORDS,
+    TRIM,
+    WHOLE,
+)
 
 FOUR_LEGS = frozenset(
     """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn
     corgi desk deer frog""".split()
 )
-# What else a thing may call what a caption calls so.
-ALSO = {
-    "backrest": ("back",),
-    "armrests": ("arms", "limbs"),
-    "cap": ("lid",),
-    "handle": ("grip", "hilt", "stick", "shaft"),
-    "grip": ("handle",),
-    "blade": ("head",),
-    "legs": ("limbs",),
-}
+
+
+ROLES = dict.fromkeys(WHOLE, "*&") | dict.fromkeys(TRIM, "+")
 
 
 def may_state(noun: str, part: str) -> bool:
@@ -37,7 +38,20 @@ def as_part(entry: Entry, noun: str) -> str:
 
 def own_name(noun: str, part: str) -> str:
     """What the noun itself calls the part; "" where it has none of that name."""
-    return next((name for name in _names(part) if name in looks_of(noun)), "")
+    return next(iter(own_names(noun, part)), "")
+
+
+def own_names(noun: str, part: str) -> list[str]:
+    """All that the noun has of the part: of a chest's body the lid too."""
+    looks = looks_of(noun)
+    named = [name for name in _names(part) if name in looks]
+    roles = ROLES.get(part, "")
+    return named[:1] or [name for name, look in looks.items() if look[0] in roles]
+
+
+def is_wide(noun: str, part: str) -> bool:
+    """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
+    return part in ROLES and part not in looks_of(noun)
 
 
 def always_has(noun: str, part: str) -> bool:
@@ -46,13 +60,14 @@ def always_has(noun: str, part: str) -> bool:
         return False
     if part in LEGS:
         return part == "four legs" and noun in FOUR_LEGS
-    return any(name in looks_of(noun) for name in _names(part))
+    return bool(own_names(noun, part))
 
 
 def _names(part: str) -> list[str]:
     """What a noun may call the part."""
     forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
-    names = [part, PART_FORMS.get(part, part), *ALSO.get(part, ()), *forms]
+    also = forms_of(PART_ALSO.get(part, ""))
+    names = [part, PART_FORMS.get(part, part), *forms, *also]
     return [form for name in names for form in (name, f"{name}s")]
 
 

@@ -11,6 +11,10 @@ from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
 
+# Roughness by the word; of a metal no less than what is polished has.
+SHINES = {"matte": 0.8, "satin": 0.4, "glossy": 0.1}
+METAL_SHINE = 0.12
+
 
 def surfaces_of(words: Words) -> tuple[Surface, ...]:
     """Each of the thing's parts, without repeats."""
@@ -21,6 +25,10 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of, and what time has done to it."""
     new = _as_new(words, part)
+    shine = next((SHINES[word] for word in part.sheen if word in SHINES), None)
+    if shine is not None and new.kind not in UNWORN:
+        wanted = max(shine, METAL_SHINE) if part.finish.metallic > 0.5 else shine
+        new = new._replace(roughness=wanted - part.finish.roughness)
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
     return new if new.kind in ("eye", "flame", "liquid") else new._replace(weather=tuple(lasting))
 

@@ -26,6 +26,7 @@ from core.guidance.builtin.prompt_errors import (
 )
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
+from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.words import WEATHERS
 
 
@@ -43,7 +44,10 @@ class Words:
     target: str = ""  # the part that the second colour is for
     accents: tuple[Accent, ...] = ()  # what other parts have of their own
     weather: tuple[str, ...] = ()  # what time has done to it
+    sheen: tuple[str, ...] = ()  # how it shines
     is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
+    color_form: str = ""  # the first colour's shade, where that has a name of its own
+    second_form: str = ""
     material_form: str = field(default="", compare=False)  # the material as it was written
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -57,6 +61,16 @@ class Words:
         found = {self.target: self.second} if self.target and what == "color" else {}
         own = {accent.part: getattr(accent, what) for accent in self.accents}
         return found | {part: word for part, word in own.items() if word}
+
+    def named_material(self) -> str:
+        """The material as it was written, where it gets its own detail; else its word."""
+        return self.material_form if self.material_form in VARIANTS else self.material
+
+    def part_shades(self) -> dict[str, str]:
+        """The colour of each part that has its own, as it was written."""
+        forms = {accent.part: accent.color_form for accent in self.accents}
+        forms |= {self.target: self.second_form}
+        return {part: forms.get(part) or word for part, word in self.of_parts("color").items()}
 
     def __str__(self) -> str:
         slots = ("shape", "pattern", "color", "material", "noun")
@@ -78,18 +92,19 @@ def understood(
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
     size_m, density = usual(words.noun, words.material, words.is_toy)
-    second = "" if words.target else words.second
+    second = "" if words.target else words.second_form or words.second
     return {
         "prompt": prompt,
         "thing": words.noun,
         "shape": words.shape or None,
         "parts": [words.part] if words.part else [],
-        "colours": [color for color in (words.color, second) if color],
-        "part_colours": words.of_parts("color"),
+        "colours": [color for color in (words.color_form or words.color, second) if color],
+        "part_colours": words.part_shades(),
         "part_materials": words.of_parts("material"),
-        "materials": [words.material] if words.material else [],
+        "materials": [words.named_material()] if words.material else [],
         "pattern": words.pattern or None,
         "weather": list(words.weather),
+        "sheen": list(words.sheen),
         "size_m": size_m,
         "density": density,
         "left_out": list(words.left_out),
@@ -121,15 +136,15 @@ def parse(
     ``ignore_unknown``), two words for one slot, a part that the thing cannot lack or have, and a
     missing noun unless ``noun_needed`` is false (a negative prompt).
     """
-    reading = Reading(prompt, known)
-    if noun_needed and not reading.found["noun"]:
-        reading = Reading(prompt, known, alone=True)
+    got = Reading(prompt, known).got
+    if noun_needed and not got.found["noun"]:
+        got = Reading(prompt, known, alone=True).got
     # Before the missing noun: an error with the nearest known words says more.
-    if reading.refused and not ignore_unknown:
-        raise unknown_error(reading.refused, reading.qualifiers, known)
-    if noun_needed and not reading.found["noun"]:
+    if got.refused and not ignore_unknown:
+        raise unknown_error(got.refused, got.qualifiers, known)
+    if noun_needed and not got.found["noun"]:
         # A face is known, but only as a part of a clock.
-        things = [part for part, *_ in reading.parts if part in MEANT]
+        things = [part for part, *_ in got.parts if part in MEANT]
         if things:
             raise unknown_error(things, [], known)
         raise PromptError(
@@ -137,12 +152,13 @@ def parse(
             f"{known_things(known)} {ELSEWHERE}",
         )
     # The part last: what may be stated of it depends on the noun.
-    words = {slot: reading.only(slot) for slot in ("noun", "shape", "material", "pattern")}
-    words |= reading.colors() | {"part": reading.part(words["noun"])}
+    words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
+    words |= got.colors() | {"part": got.part(words["noun"])}
     # In the table's order: snow lies on dirt.
-    words["weather"] = tuple(w for w in WEATHERS if w in reading.words("weather"))
-    words["is_toy"] = reading.is_toy
-    words["material_form"] = next((entry.form for entry in reading.found["material"]), "")
-    notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
-    left_out = tuple(dict.fromkeys([*reading.left_out, *reading.aside]))
+    words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
+    words["sheen"] = tuple(got.words("sheen"))
+    words["is_toy"] = got.is_toy
+    words["material_form"] = next((entry.form for entry in got.found["material"]), "")
+    notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
+    left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)

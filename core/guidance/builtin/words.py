@@ -15,42 +15,57 @@ SHAPES = {
     "thin": "slim, narrow, slender; shallow",
     "round": "rounded, circular; chubby, plump",
 }
+# The rows of colours: ``colors.SHADES`` has the shades that have names of their own.
 COLORS = {
-    "red": "bright red; cherry red, crimson, scarlet, ruby red, blood red",
-    "orange": "bright orange",
-    "yellow": "bright yellow; lemon yellow, golden yellow",
-    "green": "bright green; grass green, olive, emerald",
-    "cyan": "; turquoise, teal",
-    "blue": "bright blue; royal blue, cobalt blue, slate blue",
-    "purple": "violet; lilac, lavender, indigo",
-    "pink": "light red; rose pink, magenta, fuchsia",
-    "brown": "; chocolate brown, light brown, chestnut, cognac, ochre, amber",
-    "black": "jet black, coal black",
-    "white": "snow white",
-    "grey": "gray; slate grey, slate gray, slate coloured, slate colored",
-    "dark red": "; maroon, burgundy, wine red",
-    "dark green": "; forest green, bottle green",
-    "navy": "navy blue, dark blue; midnight blue",
-    "light blue": "pale blue; sky blue, baby blue",
-    "lime": "lime green; light green, pale green",
-    "beige": "; cream, cream coloured, cream colored, ivory, tan",
+    "red": "",
+    "orange": "",
+    "yellow": "",
+    "green": "",
+    "cyan": "",
+    "blue": "",
+    "purple": "",
+    "pink": "",
+    "brown": "",
+    "black": "",
+    "white": "",
+    "grey": "gray",
+    "dark red": "",
+    "dark green": "",
+    "navy": "navy blue, dark blue",
+    "light blue": "",
+    "lime": "",
+    "beige": "",
 }
 MATERIALS = {
-    "wooden": "wood, timber; oak, walnut, bamboo, mahogany, wicker, rattan",
-    "metal": "polished metal, shiny metal, metallic, polished; brushed metal, brushed steel, "
+    "wooden": "wood, timber; oak, walnut, bamboo, mahogany, wicker, rattan, pine, "
+    "pinewood, spruce, birch, maple, cherry wood, cherrywood, rosewood, ebony, teak, cedar, beech, "
+    "beechwood, plywood, driftwood, dark wood, light wood, pale wood, white wood, oak wood, "
+    "walnut wood, straw, thatched, thatch, lacquered wood, reclaimed wood",
+    "metal": "polished metal, shiny metal, metallic; brushed metal, brushed steel, "
     "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
-    "aluminium, aluminum, polished steel",
-    "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass",
-    "plastic": "",
-    "rubber": "",
-    "stone": "rock; marble, granite, concrete, brick, sandstone, slate",
+    "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
+    "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
+    "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum",
+    "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass, rose gold, "
+    "white gold",
+    "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
+    "fibreglass, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
+    "rubber": "; silicone, latex",
+    "stone": "rock; marble, granite, concrete, brick, sandstone, slate, limestone, cobblestone, "
+    "alabaster, onyx, obsidian, jade, quartz, travertine, plaster, stucco, basalt, white marble, "
+    "black marble, green marble, lapis lazuli, malachite",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
-    "ceramic": "porcelain, china, glazed, glazed ceramic; clay, terracotta",
-    "leather": "; suede",
-    "glass": "glassy, glass like; glossy, crystal glass, crystalline",
+    "ceramic": "porcelain, china, glazed ceramic; clay, terracotta, terra cotta, earthenware, "
+    "stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, made of bones, "
+    "of bone, of bones",
+    "leather": "; suede, faux leather, patent leather, snakeskin",
+    "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
+    "tinted glass, stained glass, of crystal, of ice, icy, made of ice",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
-    "denim, knitted, knit, woven, plush, fur, furry, fluffy",
+    "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
+    "jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, fleece, "
+    "paper, cardboard, papier mache, paper mache",
 }
 # What time has done to it, which is seen at the bake.
 WEATHERS = {
@@ -60,6 +75,14 @@ WEATHERS = {
     "dusty": "dust covered, covered in dust, covered with dust",
     "mossy": "moss covered, overgrown, covered in moss, covered with moss",
     "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty",
+}
+# How a surface shines, or that it is lit; also of a part alone.
+SHEENS = {
+    "matte": "matt, dull, unglazed, unpolished",
+    "satin": "semi gloss, silky",
+    "glossy": "gloss, shiny, polished, high gloss, lacquered, varnished, "
+    "glazed, shining, sleek, mirror polished",
+    "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit",
 }
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
@@ -103,10 +126,83 @@ PART_SYNONYMS = {
     "claws": "claw, pincers, pincer",
     "antlers": "antler",
 }
+# What else a thing may call a part, the likeliest first: a fan's base is its stand.
+PART_ALSO = {
+    "backrest": "back",
+    "armrests": "arms, limbs",
+    "cap": "lid, cork, rim",
+    "handle": "grip, hilt, stick, shaft",
+    "grip": "handle",
+    "blade": "head",
+    "blades": "blade, sails, rotor",
+    "legs": "limbs, base, stand, foot, tripod, posts",
+    "stand": "base, foot, stem, pole, post, tripod, mount, holder",
+    "base": "stand, foot, holder, mount, pedestal",
+    "pedestal": "base, stand, stem, foot",
+    "plinth": "base, stand",
+    "stick": "handle, shaft, pole",
+    "shaft": "pole, stick, handle, stem",
+    "pole": "shaft, stick, stem, post, mast, staff, handle",
+    "post": "pole, posts, stem",
+    "rod": "shaft, pole, stick, handle",
+    "stem": "pole, stand, shaft",
+    "barrel": "tube",
+    "tube": "barrel, hull",
+    "deck": "board, hull",
+    "saddle": "seat",
+    "seat": "cushion, board, back",
+    "upholstery": "cushion, seat, back",
+    "padding": "cushion, seat",
+    "dial": "face, plate",
+    "face": "dial, skin, muzzle",
+    "lens": "glass, glasses",
+    "lenses": "glasses, glass, lens",
+    "glass": "glasses, windows, window, lens, screen, dome",
+    "windshield": "windows, window, cockpit",
+    "display": "screen",
+    "skin": "body, fur, peel, rind",
+    "fur": "coat, wool, body",
+    "hide": "body, skin",
+    "feathers": "plumes, body",
+    "wool": "fur, body",
+    "hair": "mane, fur",
+    "bedding": "blanket, mattress",
+    "sheets": "blanket, mattress",
+    "duvet": "blanket",
+    "drawers": "drawer",
+    "shelves": "shelf, boards",
+    "cover": "lid, canopy, cap",
+    "string": "strings, rope, chain",
+    "cord": "rope, string, cable",
+    "strap": "band, belt, handle",
+    "band": "strap, belt, ribbon, bands",
+    "ribbon": "bow, band, sash",
+    "liquid": "brew, water, body",
+    "frosting": "icing, topping",
+    "bark": "trunk, wood",
+    "trousers": "pants, legs",
+    "pants": "trousers",
+    "shoes": "boots, feet",
+    "cape": "cloak, robe, coat",
+    "cloak": "cape, robe, coat",
+    "dress": "robe, skirt, coat",
+    "robe": "coat, cape, tunic, dress",
+    "shirt": "tunic, suit, coat, vest, top",
+    "jacket": "coat, suit, tunic, vest",
+    "armor": "armour, suit, body, plates",
+    "armour": "armor, suit, body, plates",
+    "outfit": "suit, coat, robe, tunic, dress, shirt, armour",
+    "clothes": "suit, coat, robe, tunic, dress, shirt, armour",
+    "costume": "suit, coat, robe, tunic, dress, shirt, armour",
+    "uniform": "suit, coat, tunic, shirt",
+}
+# What most of a thing is, whatever it calls that; and what else it has.
+WHOLE = frozenset("body case casing housing shell frame chassis bodywork exterior surface".split())
+TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # Where something else stands: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
-    down into onto below among""".split()
+    down into onto below among to as out off up while where whose beside atop who being""".split()
 )
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(
@@ -116,7 +212,7 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece wearing holding new classic modern traditional elegant
-    lovely pretty statuette carving replica""".split()
+    lovely pretty statuette carving replica pose posed warm cool""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
@@ -136,6 +232,8 @@ OF_ANOTHER = (
     "in front of",
     "on top of",
     "next to",
+    "dressed as",
+    "disguised as",
 )
 # How many there are. One is made, and a note says so.
 COUNTS = frozenset(
@@ -145,18 +243,29 @@ COUNTS = frozenset(
 # How the picture or the mesh is wanted, of which a shape and its materials know nothing.
 STYLES = frozenset(
     """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
-    cinematic ultra""".split()
+    cinematic ultra zoomed vivid macro""".split()
 ) | {
     *("low poly", "high poly", "pixel art", "voxel art", "concept art", "digital art"),
     *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
     *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
     *("white background", "black background", "plain background", "transparent background"),
-    *("full body", "close up", "front view", "side view", "top view", "cinematic lighting"),
+    *(
+        "t pose",
+        "a pose",
+        "full body",
+        "close up",
+        "vivid colors",
+        "vivid colours",
+        "front view",
+        "side view",
+        "top view",
+        "cinematic lighting",
+    ),
 }
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """vintage retro medieval victorian baroque ornate
-    cozy cosy comfy comfortable soft sturdy heavy matte matt satin glowing shining clean
+    cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
@@ -164,7 +273,7 @@ IGNORED_ADJECTIVES = frozenset(
     smiling half broken open closed filled covered surrounded topped toy figurine prop
     ornament cut sliced used aged battered stained""".split()
 ) | {
-    *("old fashioned", "stained glass"),
+    "old fashioned",
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
@@ -173,11 +282,20 @@ IGNORED_ADJECTIVES = frozenset(
 # Of them those that make a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split())
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
-DEPICTIONS = ("statue", "sculpture", "figure", "doll")
+DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
+# What one that is alive may be besides: "a goblin archer" is a goblin.
+ALIVE = ("Characters", "Animals", "Wild Animals")
+ROLES = frozenset(
+    """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
+    soldier cowboy""".split()
+)
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
-ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant"}
-TONES = ("dark", "light", "pale", "deep", "bright", "vivid", "pastel")  # before a colour
+ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant", "straw": "hay bale"}
+ALONE |= {"cobblestone": "boulder", "quartz": "crystal", "cardboard": "crate", "driftwood": "log"}
+ALONE |= dict.fromkeys(("pine", "spruce", "cedar"), "tree")
+ALONE |= dict.fromkeys(("birch", "maple", "beech"), "oak tree")
+ALONE |= dict.fromkeys(("chocolate", "white chocolate", "dark chocolate"), "chocolate bar")
 WITHOUT = ("without", "no", "lacking")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
 # Of the legs a caption states how many.

@@ -132,8 +132,8 @@ ARMS = {
         Usual(1.1, STEEL, 0.018),
     ),
     "crystal": Noun(
-        "crystals, crystal cluster, cluster of crystals, crystal formation; quartz, amethyst, "
-        "mana crystal, magic crystal, geode, mineral, minerals, ore, crystal shard, crystal shards",
+        "crystals, crystal cluster, cluster of crystals, crystal formation; amethyst, mana "
+        "crystal, magic crystal, geode, mineral, minerals, ore, crystal shard, crystal shards",
         {"crystals": "*8a5ae0 . glass", "shards": "&a884f0 . glass", "rock": "-5e5a5c . stone"},
         Usual(0.3, STONE),
     ),
@@ -218,8 +218,8 @@ ARMS = {
         Usual(1.2, STEEL, 0.1),
     ),
     "hay bale": Noun(
-        "hay bales, haybale, haybales, bale of hay, straw bale, bale of straw, hay; straw, "
-        "haystack, hay stack, bale",
+        "hay bales, haybale, haybales, bale of hay, straw bale, bale of straw, hay; haystack, "
+        "hay stack, bale",
         {"straw": "*d8b04a thatch", "twine": "-8a4a2e", "stalks": "&e6c468"},
         Usual(1.0, PLANT, 0.08),
     ),

@@ -9,8 +9,8 @@ PLANTS = {
         Usual(0.1, PLANT, 0.4),
     ),
     "tree": Noun(
-        "fir, pine, conifer, fir tree, pine tree; christmas tree, spruce, cedar, cypress,"
-        " evergreen",
+        "fir, conifer, fir tree, pine tree; christmas tree, cypress, evergreen, spruce tree, "
+        "cedar tree",
         {"leaves": "*216b29", "trunk": "+613d21"},
         Usual(6.0, PLANT, 0.011),
     ),
@@ -66,13 +66,13 @@ PLANTS = {
         Usual(0.7, WOOD),
     ),
     "log": Noun(
-        "tree log, tree trunk; firewood, wooden branch, driftwood, lumber",
+        "tree log, tree trunk; firewood, wooden branch, lumber",
         {"bark": "*6a4a2e", "wood": "+d9b27a"},
         Usual(1.2, WOOD),
     ),
     "boulder": Noun(
-        "rocks; meteorite, asteroid, pebble, river stone, big rock, space rock, moon "
-        "rock, rock formation, rocks pile, ore rock, cobblestone",
+        "rocks; meteorite, asteroid, pebble, river stone, big rock, space rock, moon rock, "
+        "rock formation, rocks pile, ore rock",
         {"rock": "*86827a . stone", "moss": "+6d8a3c"},
         Usual(1.2, STONE),
     ),
@@ -82,10 +82,10 @@ PLANTS = {
         Usual(0.03, PLANT),
     ),
     "oak tree": Noun(
-        "deciduous tree, leafy tree, broadleaf tree, apple tree; maple tree, elm, birch, "
-        "birch tree, beech, beech tree, willow, willow tree, cherry tree, cherry blossom "
-        "tree, blossom tree, fruit tree, orange tree, lemon tree, olive tree, maple, "
-        "weeping willow, autumn tree, chestnut tree, magic tree, ash tree, tree of life",
+        "deciduous tree, leafy tree, broadleaf tree, apple tree; maple tree, elm, birch tree, "
+        "beech tree, willow, willow tree, cherry tree, cherry blossom tree, blossom tree, "
+        "fruit tree, orange tree, lemon tree, olive tree, weeping willow, autumn tree, "
+        "chestnut tree, magic tree, ash tree, tree of life",
         {"leaves": "*3f8a2f", "trunk": "+6a4728"},
         Usual(12.0, PLANT, 0.0076),
     ),

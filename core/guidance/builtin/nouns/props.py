@@ -60,7 +60,7 @@ PROPS = {
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "shipping crate; packing case, cardboard box, ammo box, cardboard",
+        "shipping crate; packing case, cardboard box, ammo box",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),

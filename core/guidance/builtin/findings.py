@@ -1,0 +1,109 @@
+"""What a prompt's words were found to say, and the notes on it. Standard library only."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from core.guidance.builtin.accents import StatedPart, accents_of
+from core.guidance.builtin.colors import shade
+from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
+from core.guidance.builtin.part_names import always_has
+from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
+from core.guidance.builtin.words import OPTIONS
+
+FOUND = (*SLOTS, "weather", "sheen")
+MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
+
+
+@dataclass
+class Findings:
+    """A prompt's words by slot, what is said of parts, and what has no effect."""
+
+    known: Vocabulary
+    found: dict[str, list[Entry]] = field(default_factory=lambda: {slot: [] for slot in FOUND})
+    parts: list[StatedPart] = field(default_factory=list)
+    left_out: list[str] = field(default_factory=list)  # all that has no effect, in order
+    aside: list[str] = field(default_factory=list)  # accessories, which have no effect either
+    qualifiers: list[str] = field(default_factory=list)  # of ``left_out``, before a noun
+    refused: list[str] = field(default_factory=list)  # without which the prompt is another
+    notes: list[str] = field(default_factory=list)
+    is_toy: bool = False
+
+    def words(self, slot: str) -> list[str]:
+        """The slot's words, each once."""
+        return list(dict.fromkeys(entry.word for entry in self.found[slot]))
+
+    def only(self, slot: str) -> str:
+        """The slot's one word, or none."""
+        words = self.words(slot)
+        if len(words) > 1:
+            raise two_error(slot, words)
+        return words[0] if words else ""
+
+    def narrower(self) -> list[str]:
+        """A note for each word that stands for less than what is made for it."""
+        of_parts = [part.material for part in self.parts if part.material]
+        return [
+            f"{entry.form}: {MADE_AS.get(entry.slot, 'made as')} "
+            f"{with_article(entry.slot, entry.word)}."
+            for entry in [*(x for entries in self.found.values() for x in entries), *of_parts]
+            if entry.is_narrower
+        ]
+
+    def omissions(self) -> list[str]:
+        """A note for all that is left out. A qualifier comes with the colour or the like that it
+        may mean; there is nothing to suggest for the rest."""
+        if not self.left_out:
+            return []
+        texts = [
+            with_hint(token, near_words(token, self.qualifiers, self.known))
+            if token in self.qualifiers
+            else repr(token)
+            for token in dict.fromkeys(self.left_out)
+        ]
+        return [f"The built-in model does not know {', '.join(texts)}: left out."]
+
+    def colors(self) -> dict[str, Any]:
+        """The first colour, the second, the pattern that a second one implies, the part that the
+        second is for, and what other parts have of their own."""
+        entries = self.found["color"]
+        colors = list(dict.fromkeys((entry.word, shade(*entry[1:])) for entry in entries))
+        if len(colors) > 2:
+            raise two_error("color", [form or word for word, form in colors])
+        # In the order of the prompt: the first is the thing's, the next the pattern's.
+        (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
+        # A second colour needs a place: without a pattern it goes to the accent parts.
+        pattern = self.only("pattern") or ("two-tone" if second else "")
+        noun = self.found["noun"][0].word if self.found["noun"] else ""
+        accents = accents_of(self.parts, noun)
+        target = ""
+        first = next((accent for accent in accents if accent.color), None)
+        if first and not pattern:
+            second, other, target = first.color, first.color_form, first.part
+            accents[accents.index(first)] = first._replace(color="", color_form="")
+        told = tuple(accent for accent in accents if any(accent[1:]))
+        found = {"color": color, "second": second, "pattern": pattern, "target": target}
+        return found | {"color_form": form, "second_form": other, "accents": told}
+
+    def options(self, noun: str) -> list[str]:
+        """What may be stated of the noun's parts."""
+        return [state for state in OPTIONS.get(noun, ()) if state in self.known["part"]]
+
+    def part(self, noun: str) -> str:
+        """The one word of ``PARTS`` that is stated of the noun, or none."""
+        states = []
+        for part, there, *_ in self.parts:
+            state = part if there else f"no {part}"
+            if state in self.options(noun):
+                states.append(state)
+            elif noun and not (there and always_has(noun, part)):
+                raise part_error(noun, part, there, self.options(noun))
+        if len(set(states)) > 1:
+            raise two_error("part", states)
+        return states[0] if states else ""
+
+
+def with_article(slot: str, word: str) -> str:
+    """A noun with its article; any other word as it is."""
+    if slot != "noun":
+        return word
+    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
