@@ -39,6 +39,7 @@ def test_a_tone_moves_any_colour_towards_black_or_white():
     assert color_value("navy", "dark blue") == COLOR_VALUES["navy"]  # a word of its own
     assert color_value("dark green", "dark green") == COLOR_VALUES["dark green"]
     assert parse("a dark wooden chair").color == ""
+    assert parse("a sofa, light grey fabric").color_form == "light grey"
 
 
 def test_every_shade_has_a_value_and_is_reported_as_it_was_written():
@@ -105,3 +106,21 @@ def test_every_narrower_material_has_a_kind_of_detail_and_no_note():
 )
 def test_what_is_a_thing_alone_or_a_part_may_be_a_material(prompt, words):
     assert parse(prompt) == words
+
+
+def test_a_metal_is_a_colour_of_what_is_soft():
+    hair = parts_of("a king with a silver beard")["beard"]
+    assert (hair.material, hair.finish.metallic) == ("", 0)
+    assert min(hair.color) > 0.6
+    assert parts_of("a king with a steel beard")["beard"].finish.metallic == 1
+    assert parts_of("a robot with golden eyes")["eyes"].finish.metallic == 1
+
+
+def test_a_stone_is_the_gem_of_what_has_one():
+    words = parse("a golden ring with an oval emerald")
+    assert (words.color, words.material, words.of_parts("color")) == (
+        "", "golden", {"gem": "green"},
+    )  # fmt: skip
+    assert parse("a crown with rubies").of_parts("color") == {"gems": "red"}
+    assert parse("an emerald vase").color_form == "emerald"
+    assert parse("an emerald ring").color_form == "emerald"

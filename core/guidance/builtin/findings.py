@@ -33,8 +33,11 @@ class Findings:
         return list(dict.fromkeys(entry.word for entry in self.found[slot]))
 
     def only(self, slot: str) -> str:
-        """The slot's one word, or none."""
+        """The slot's one word, or none. Of two shapes the first: "a tall thin vase"."""
         words = self.words(slot)
+        if slot == "shape":
+            self.left_out += [entry.form for entry in self.found[slot] if entry.word != words[0]]
+            words = words[:1]
         if len(words) > 1:
             raise two_error(slot, words)
         return words[0] if words else ""

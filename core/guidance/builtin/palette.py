@@ -20,6 +20,8 @@ from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
+ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
+NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
 # surroundings that are darker than what lights a wall.
@@ -171,14 +173,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     first, other = (stated.color, stated.color_form), (stated.second, stated.second_form)
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
-        material, form = accent.material, accent.material_form
-        if not material and is_of(noun, look, stated.material):
-            material, form = stated.material, stated.material_form
-        finish, color, pattern = look.finish, look.color, look.pattern
         # The material first: a stated colour then replaces the material's own.
-        if material:
-            finish = FINISHES[material]
-            color, pattern = finish.color or color, finish.pattern
+        material, form, finish, color, pattern = _of_words(noun, look, accent, stated)
         word = (accent.color, accent.color_form)
         word = other if stated.target == name and not accent.color else word
         apart = bool(word[0] or accent.material)  # what is said of the whole is not of it
@@ -197,6 +193,22 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         yield Painted(
             name, look, color, second, finish, pattern, material, form, bool(word[0]), sheen
         )
+
+
+def _of_words(
+    noun: str, look: Look, accent: Accent, stated: Stated
+) -> tuple[str, str, Finish, Color, str]:
+    """What the words say that a part is of and the form of it, its finish, colour and pattern."""
+    material, form = accent.material, accent.material_form
+    if not material and is_of(noun, look, stated.material):
+        material, form = stated.material, stated.material_form
+    if not material:
+        return "", "", look.finish, look.color, look.pattern
+    finish = FINISHES[material]
+    color = finish.color or look.color
+    if form in ALSO_COLORS and look.material in NO_METAL:  # "silver hair"
+        return "", "", look.finish, color, look.pattern
+    return material, form, finish, color, finish.pattern
 
 
 def _value(word: tuple[str, str]) -> Color | None:

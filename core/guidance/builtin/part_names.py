@@ -18,7 +18,8 @@ FOUR_LEGS = frozenset(
 )
 
 
-ROLES = dict.fromkeys(WHOLE, "*&") | dict.fromkeys(TRIM, "+")
+# Of what most of a thing is, and of its trim; the second only where there are none of the first.
+ROLES = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
 
 
 def may_state(noun: str, part: str) -> bool:
@@ -45,8 +46,9 @@ def own_names(noun: str, part: str) -> list[str]:
     """All that the noun has of the part: of a chest's body the lid too."""
     looks = looks_of(noun)
     named = [name for name in _names(part) if name in looks]
-    roles = ROLES.get(part, "")
-    return named[:1] or [name for name, look in looks.items() if look[0] in roles]
+    roles = ROLES.get(part, ())
+    each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
+    return named[:1] or next(filter(None, each), [])
 
 
 def is_wide(noun: str, part: str) -> bool:

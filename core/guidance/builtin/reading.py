@@ -23,6 +23,7 @@ from core.guidance.builtin.words import (
     COUNTS,
     DEPICTIONS,
     FILLER,
+    GEMS,
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LEGS,
@@ -36,6 +37,7 @@ from core.guidance.builtin.words import (
 ARTICLES = ("a", "an", "the")
 LONGEST = 3  # words of a phrase
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
+MADE_OF = ("of", "from", "in", "out")
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 DONE = re.compile("[a-z]{3,}ed")  # what was done to it
 
@@ -77,10 +79,19 @@ class Reading:
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
         tokens = self._tokens[at:]
+        token = tokens[0]
+        # A tone that makes no colour word of its own: "dark red" has one.
+        if token in TOWARDS and (toned := self._color(tokens[1:])):
+            entry, count = toned
+            if look_up(" ".join(tokens[: 1 + count]), self.known) is None:
+                self._put(entry._replace(form=f"{token} {entry.form}"), at, at + 1 + count)
+                return 1 + count
         # The longest phrase first: "ice cream" must not be read as the colour "cream".
         for count in range(min(LONGEST, len(tokens)), 0, -1):
             phrase = " ".join(tokens[:count])
             entry = look_up(phrase, self.known)
+            if entry is not None and self._are_things(entry, phrase):
+                return self._leave_out(phrase, count)
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
@@ -94,15 +105,9 @@ class Reading:
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
                 return self._leave_out(phrase, count)
-        token = tokens[0]
         if token in WITHOUT:
             self._without = True
             self._end_phrase()
-        # A tone that makes no colour word of its own: "dark red" has one.
-        elif token in TOWARDS and (toned := self._color(tokens[1:])):
-            entry, count = toned
-            self._put(entry._replace(form=f"{token} {entry.form}"), at, at + 1 + count)
-            return 1 + count
         elif token in IGNORED_ADJECTIVES:
             self.got.left_out.append(token)
             # Of the thing itself: not "a child with a toy".
@@ -133,6 +138,11 @@ class Reading:
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
+
+    def _are_things(self, entry: Entry, phrase: str) -> bool:
+        """Whether a material's plural is no material: "a campfire with stones"."""
+        of = self._ended_by in MADE_OF
+        return entry.slot == "material" and phrase not in LEXICON and not of
 
     def _color(self, tokens: list[str]) -> tuple[Entry, int] | None:
         """The colour that the tokens begin with, and how many of them it takes."""
@@ -196,6 +206,9 @@ class Reading:
             entry = Entry("noun", ALONE[entry.form], entry.form)
         if entry.slot == "material" and self._is_a_part(entry):
             entry = Entry("part", entry.form, entry.form)
+        if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
+            self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
+            entry = Entry("part", "gem", entry.form)
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
             return
@@ -278,11 +291,14 @@ class Reading:
 
     def _is_a_part(self, entry: Entry) -> bool:
         """Whether what may be a material is a part of the thing: "a printer with white paper"."""
-        of = self._ended_by in ("of", "from", "in", "out")
+        of = self._ended_by in MADE_OF
         return (
             bool(self.got.found["noun"] and not of)
             and own_name(self.got.found["noun"][0].word, entry.form) == entry.form
         )
+
+    def _has_gems(self) -> bool:
+        return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])
 
     def _is_said_of(self, entry: Entry, start: int) -> bool:
         """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""
@@ -330,7 +346,7 @@ class Reading:
 
     def _taken_back(self, before: dict[str, int]) -> list[str]:
         """Take back what was read since each slot had as many words as ``before``; the forms."""
-        taken = []
+        taken, self._looks = [], []
         for slot, count in before.items():
             taken += [entry.form for entry in self.got.found[slot][count:]]
             del self.got.found[slot][count:]
@@ -339,7 +355,10 @@ class Reading:
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
         noun right before it ("desk lamp")."""
-        if self._noun_end == start and self.got.found["noun"][-1].word != noun.word:
+        # Also of "a train station clock".
+        between = len(self._pending)
+        follows = self._noun_end >= 0 and self._noun_end + between == start
+        if follows and self.got.found["noun"][-1].word != noun.word:
             form = self.got.found["noun"].pop().form
             self.got.left_out.append(form)
             self.got.qualifiers.append(form)

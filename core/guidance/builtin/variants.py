@@ -111,6 +111,7 @@ VARIANTS: dict[str, Variant] = {
     "carbon fibre": Variant("denim", (0.07, 0.07, 0.08), 0.25),
     "fiberglass": Variant("paint", None, 0.2),
     "fibreglass": Variant("paint", None, 0.2),
+    "bakelite": Variant("plastic", (0.16, 0.10, 0.07), 0.2),
     "tortoiseshell": Variant("marble", (0.36, 0.19, 0.08), 0.15),
     "chocolate": Variant("cream", (0.24, 0.12, 0.06), 0.35),
     "dark chocolate": Variant("cream", (0.13, 0.07, 0.04), 0.3),

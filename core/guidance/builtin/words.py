@@ -49,7 +49,7 @@ MATERIALS = {
     "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass, rose gold, "
     "white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
-    "fibreglass, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
+    "fibreglass, bakelite, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
     "rubber": "; silicone, latex",
     "stone": "rock; marble, granite, concrete, brick, sandstone, slate, limestone, cobblestone, "
     "alabaster, onyx, obsidian, jade, quartz, travertine, plaster, stucco, basalt, white marble, "
@@ -113,6 +113,7 @@ PART_SYNONYMS = {
     "leaves": "leaf, foliage",
     "sails": "sail",
     "icing": "frosting",
+    "syrup": "maple syrup, chocolate syrup",
     "wings": "wing",
     "fins": "fin, flippers, flipper",
     "stem": "stalk",
@@ -122,6 +123,7 @@ PART_SYNONYMS = {
     "lamps": "headlights, headlight",
     "body": "scales, scale, plumage",
     "handles": "handle, ears",
+    "gem": "gems, jewel, jewels, stone, gemstone, gemstones, rubies",
     "bill": "beak",
     "claws": "claw, pincers, pincer",
     "antlers": "antler",
@@ -137,7 +139,7 @@ PART_ALSO = {
     "blades": "blade, sails, rotor",
     "legs": "limbs, base, stand, foot, tripod, posts",
     "stand": "base, foot, stem, pole, post, tripod, mount, holder",
-    "base": "stand, foot, holder, mount, pedestal",
+    "base": "stand, foot, holder, mount, pedestal, legs, feet",
     "pedestal": "base, stand, stem, foot",
     "plinth": "base, stand",
     "stick": "handle, shaft, pole",
@@ -149,6 +151,7 @@ PART_ALSO = {
     "barrel": "tube",
     "tube": "barrel, hull",
     "deck": "board, hull",
+    "backboard": "board",
     "saddle": "seat",
     "seat": "cushion, board, back",
     "upholstery": "cushion, seat, back",
@@ -172,12 +175,15 @@ PART_ALSO = {
     "drawers": "drawer",
     "shelves": "shelf, boards",
     "cover": "lid, canopy, cap",
+    "knobs": "handles, knob, buttons",
+    "flask": "body",
+    "brew": "water, flask",
     "string": "strings, rope, chain",
     "cord": "rope, string, cable",
     "strap": "band, belt, handle",
     "band": "strap, belt, ribbon, bands",
     "ribbon": "bow, band, sash",
-    "liquid": "brew, water, body",
+    "liquid": "brew, water, flask, body",
     "frosting": "icing, topping",
     "bark": "trunk, wood",
     "trousers": "pants, legs",
@@ -199,10 +205,14 @@ PART_ALSO = {
 # What most of a thing is, whatever it calls that; and what else it has.
 WHOLE = frozenset("body case casing housing shell frame chassis bodywork exterior surface".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
+# Stones, which are the gems of a thing that has some, by their colours.
+GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
+GEMS |= {"amethyst": "purple", "topaz": "yellow"}
 # Where something else stands: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
-    down into onto below among to as out off up while where whose beside atop who being""".split()
+    down into onto below among to as out off up while where whose beside atop who being
+    like""".split()
 )
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(

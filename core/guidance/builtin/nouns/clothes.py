@@ -45,7 +45,8 @@ CLOTHES = {
         Usual(0.32, LEATHER, 0.12),
     ),
     "high heel": Noun(
-        "high heels, high heeled shoe, stiletto, pump, lady's shoe",
+        "high heels, high heeled shoe, high heeled shoes, high heel shoe, high heel shoes, "
+        "stiletto, pump, lady's shoe",
         {
             "body": "*c2182c . paint",
             "heel": "&8f1020 . paint",

@@ -242,7 +242,7 @@ PROPS = {
         Usual(2.5, STEEL, 0.0051),
     ),
     "traffic light": Noun(
-        "traffic lights, traffic signal, stoplight, stop light",
+        "traffic lights, traffic signal, stoplight, stop light; railway signal, train signal",
         {
             "body": "*2b2d30 . paint",
             "reds": "-e0241c",
