@@ -5,11 +5,13 @@ from functools import cache
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
-from core.guidance.builtin.substances import UNWORN
+from core.guidance.builtin.substances import UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Color
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
+
+SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
 def surfaces_of(words: Words) -> tuple[Surface, ...]:
@@ -20,7 +22,7 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 
 def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of, and what time has done to it."""
-    new = _as_new(words, part)
+    new = _lit(words.noun, part, _as_new(words, part))
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
     return new if new.kind in ("eye", "flame", "liquid") else new._replace(weather=tuple(lasting))
 
@@ -37,7 +39,17 @@ def _as_new(words: Words, part: Painted) -> Surface:
     if variant.color and not part.colored:
         factor = _factor(part.color, variant.color)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
-    return Surface(variant.kind, part.color, factor, roughness)
+    return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear)
+
+
+def _lit(noun: str, part: Painted, new: Surface) -> Surface:
+    """``new`` with what glows or is clear by nature; of glass, also where that is stated."""
+    if part.material and not new.clear:
+        return new
+    glow, clear = lights(noun, part.name, new.kind)
+    # Clear glass is smooth, or what is behind it is blurred.
+    smooth = new.roughness - (SMOOTH if clear and not new.clear else 0.0)
+    return new._replace(glow=glow, clear=clear or new.clear, roughness=smooth)
 
 
 def _kind(noun: str, part: Painted) -> str:

@@ -15,6 +15,7 @@ class Variant(NamedTuple):
     kind: str
     color: Color | None = None  # sRGB
     roughness: float | None = None
+    clear: float = 0.0  # how much of the light goes through it
 
 
 VARIANTS: dict[str, Variant] = {
@@ -70,6 +71,10 @@ VARIANTS: dict[str, Variant] = {
     # of leather
     "suede": Variant("velvet", (0.55, 0.38, 0.24), 0.85),
 }
+
+# Of glass; "glossy" is the only form of it that is opaque. The colour is that of a wall.
+_CLEAR = Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95)
+VARIANTS |= dict.fromkeys(("glass", "glassy", "glass like", "crystal glass", "crystalline"), _CLEAR)
 
 # Things that are built of stones, not carved from one.
 BUILDINGS = (

@@ -26,7 +26,7 @@ from core.guidance.builtin.prompt_errors import (
 )
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
-from core.guidance.builtin.words import WEATHERS
+from core.guidance.builtin.words import GLASSWARE, WEATHERS
 
 
 @dataclass(frozen=True)
@@ -143,6 +143,8 @@ def parse(
     words["weather"] = tuple(w for w in WEATHERS if w in reading.words("weather"))
     words["is_toy"] = reading.is_toy
     words["material_form"] = next((entry.form for entry in reading.found["material"]), "")
+    if not words["material"] and {entry.form for entry in reading.found["noun"]} & GLASSWARE:
+        words["material"] = words["material_form"] = "glass"
     notes = dict.fromkeys([*reading.notes, *reading.narrower(), *reading.omissions()])
     left_out = tuple(dict.fromkeys([*reading.left_out, *reading.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)

@@ -52,6 +52,14 @@ MATERIALS = {
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy",
 }
+# Names of things that say that they are of glass, where no material is stated.
+GLASSWARE = frozenset(
+    (
+        "wine glass, wineglass, glass of wine, glass of water, glass of milk, champagne flute, "
+        "champagne glass, cocktail, martini, martini glass, cocktail glass, drinking glass, pint "
+        "of beer, glass of beer, fishbowl, fish bowl, goldfish bowl, decanter"
+    ).split(", ")
+)
 # What time has done to it, which is seen at the bake.
 WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
