@@ -158,7 +158,7 @@ def test_the_glb_says_what_glows_and_what_is_clear(lit_folder: Path, folder: Pat
 
 
 def test_an_obj_takes_what_glows_along(lit_folder: Path, tmp_path: Path) -> None:
-    out = export(lit_folder, "obj", tmp_path / "out" / "ring.obj")
+    out = export(lit_folder, "obj", tmp_path / "ring.obj")
     assert "map_Ke ring_emission.png" in out.with_suffix(".mtl").read_text()
     copied = out.with_name("ring_emission.png")
     assert copied.read_bytes() == (lit_folder / "emission.png").read_bytes()

@@ -208,7 +208,7 @@ OF_A_GROUP = {
 # mesh is a closed hull; it mirrors and stays opaque.
 CLEAR = {
     0.95: (
-        "flask glass, flask rim, magnifying glass glass, hourglass glass, salt shaker body, salt "
+        "flask glass, flask rim, magnifying glass glass, salt shaker body, salt "
         "shaker base, chandelier drops, sundae glass, bottle body, potion flask, potion rim, "
         "blender jug, gem stone, ring gem, necklace stone"
     ),
@@ -216,7 +216,10 @@ CLEAR = {
         "window glass, bus stop glass, flask liquid, vacuum cleaner cup, crystal crystals, crystal "
         "shards, snowflake arms, snowflake branches, snowflake middle, jar body"
     ),
-    0.6: "staff crystal, crown gems, ufo dome, coffee machine jug, snowmobile windshield",
+    0.6: (
+        "hourglass glass, staff crystal, crown gems, ufo dome, coffee machine jug, snowmobile "
+        "windshield"
+    ),
     0.4: "fountain water, bathtub water, well water, sunglasses glasses",
     0.2: "light bulb bulb, lantern glass, street lamp lamp",
 }
