@@ -55,8 +55,9 @@ def set_video(scene: bpy.types.Scene) -> None:
 
 
 def show_through(material: bpy.types.Material) -> None:
-    """Let EEVEE show what is behind the material."""
-    material.use_raytrace_refraction = True
+    """Let EEVEE show what is behind the material, where it has the option."""
+    if "use_raytrace_refraction" in material.bl_rna.properties:
+        material.use_raytrace_refraction = True
 
 
 def has_video() -> bool:
