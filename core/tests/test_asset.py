@@ -5,12 +5,14 @@ import json
 import os
 import shutil
 import struct
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 import pytest
 import torch
 
+from core import verify
 from core.errors import UserError
 from core.geometry.mesh import Mesh, health
 from core.geometry.uv_health import uv_health
@@ -18,6 +20,7 @@ from core.io import asset as module
 from core.io import png as images
 from core.io.asset import Maps, export, inspect, place, read_asset, write_asset, write_plain_obj
 from core.io.atomic import temporary
+from core.io.job import Job
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture.bake import bake
 
@@ -163,6 +166,17 @@ def test_an_obj_takes_what_glows_along(lit_folder: Path, tmp_path: Path) -> None
     copied = out.with_name("ring_emission.png")
     assert copied.read_bytes() == (lit_folder / "emission.png").read_bytes()
     assert "map_Ke emission.png" in (lit_folder / "mesh.mtl").read_text()
+
+
+def test_verify_sees_a_map_that_one_of_the_two_lacks(
+    parts, lit_maps, folder, tmp_path, monkeypatch
+):
+    info = INFO | {"job": asdict(Job(prompt="a ring"))}
+    lit = write_asset(tmp_path / "lit", parts[0], lit_maps, info)
+    monkeypatch.setattr(verify, "prepare", lambda job: None)
+    found = verify.verify(lit, lambda run, inputs: folder)["files"]
+    assert found["emission.png"] == found["transmission.png"] == "differs"
+    assert found["mesh.obj"] == "same"
 
 
 def test_obj_stands_upright_in_the_importers_axes(folder: Path, parts) -> None:
