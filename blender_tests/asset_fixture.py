@@ -116,9 +116,14 @@ def write_asset(
     normal: np.ndarray | None = None,
     roughness: float = 0.6,
     metallic: float = 0.0,
+    emission: np.ndarray | None = None,
+    transmission: np.ndarray | None = None,
     **info,
 ) -> Path:
-    """The whole folder; ``mesh`` is what :func:`block` returns."""
+    """The whole folder; ``mesh`` is what :func:`block` returns.
+
+    ``emission`` and ``transmission``: their pictures (H,W,3), at a strength of 4 and an IOR of 1.3.
+    """
     folder.mkdir(parents=True)
     verts, faces, uv, face_uvs = mesh or block()
     write_obj(folder / "mesh.obj", verts, faces, uv, face_uvs)
@@ -156,5 +161,13 @@ def write_asset(
         "timings": {},
         "distribution": "GGX",
     }
+    more = {
+        "emission": (emission, {"color_space": "sRGB", "strength": 4.0}),
+        "transmission": (transmission, {"color_space": "Non-Color", "ior": 1.3}),
+    }
+    for role, (picture, entry) in more.items():
+        if picture is not None:
+            write_png(folder / f"{role}.png", picture)
+            data["files"][f"{role}.png"] = {"role": role} | entry
     (folder / "asset.json").write_text(json.dumps(data | info, ensure_ascii=False), "utf-8")
     return folder

@@ -60,7 +60,7 @@ from core.stages.texturing import (
 )
 from core.stages.training import Setup
 from core.stages.workload import cpu_notice
-from core.texture.look_up import maps_source
+from core.texture.look_up import emission_source, maps_source
 from core.texture.region import Region, edited, read_faces
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -196,7 +196,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = turned(verts, -run.turn) if run.turn else verts
     verts = place(verts, size_of(job)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
-    picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE)
+    picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
 
 
@@ -225,7 +225,8 @@ def reshaped_asset(run: RunFolder, inputs: Inputs) -> Path:
     assert mesh is not None and region is not None
     light = Environment.of(inputs.light, inputs.config.appearance.shading).to(inputs.device)
     seen = UvMesh.of(replace(mesh, verts=normalise(mesh.verts)[0])).to(inputs.device)
-    picture = picture_of(maps_source(region.kept), seen, light, PREVIEW_SIZE)
+    kept = region.kept
+    picture = picture_of(maps_source(kept), seen, light, PREVIEW_SIZE, emission_source(kept))
     return write_asset(run.asset, mesh, region.kept, info_of(run.job, run), picture)
 
 

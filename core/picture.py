@@ -21,7 +21,7 @@ from core.render.antialias import antialias
 from core.render.normals import render_normals
 from core.render.rasterizer import rasterize, scatter
 from core.stages.preview import over_grey
-from core.texture.look_up import maps_source
+from core.texture.look_up import emission_source, maps_source
 
 MAPS = ("shaded", "normal", "base_color", "roughness", "metallic", "mask")
 FRAMING = 3.0  # training units: the distance that shows the whole asset
@@ -95,7 +95,8 @@ def _draw(
     source = maps_source(asset.maps)
     if map == "shaded":
         environment = Environment.of(load_light(light))
-        shaded = render_shaded(mesh, source, cameras, size, environment)
+        emission = emission_source(asset.maps)
+        shaded = render_shaded(mesh, source, cameras, size, environment, emission=emission)
         return srgb_to_linear(shaded.srgb[0]), shaded.o[0]
     # A map alone, without light: the material's values, antialiased together with their coverage.
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)

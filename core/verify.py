@@ -6,7 +6,7 @@ from typing import Any
 
 from core.errors import UserError, shown
 from core.generate import prepare
-from core.io.asset import DATA_FILES, REMAKE, inspect
+from core.io.asset import REMAKE, data_files, inspect
 from core.io.job import Job
 from core.io.provenance import file_hash
 from core.io.run_folder import RunFolder
@@ -30,9 +30,12 @@ def verify(folder: Path, make: Any) -> dict[str, Any]:
         run = RunFolder.create(Path(temporary) / "run", job)
         again = make(run, prepare(job))
         files = {}
-        for name in DATA_FILES:
-            is_own = hashes.get(name) in (None, file_hash(path / name))
-            is_same = file_hash(path / name) == file_hash(again / name)
+        for name in dict.fromkeys([*data_files(path), *data_files(again)]):
+            old, new = (
+                file_hash(here / name) if (here / name).is_file() else None
+                for here in (path, again)
+            )
+            is_own, is_same = hashes.get(name) in (None, old), old == new
             files[name] = "same" if is_same else "differs" if is_own else "changed"
     now = made_by(job)
     versions = {key: [then.get(key), now[key]] for key in now if then.get(key) != now[key]}

@@ -20,6 +20,8 @@ from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
 
 # The material at P points of the surface, known by position (P,3) and uv (P,2).
 MaterialSource = Callable[[Tensor, Tensor], Material]
+# The light that leaves P points by themselves (P,3), linear, by their uv.
+EmissionSource = Callable[[Tensor], Tensor]
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,10 +115,12 @@ def render_shaded(
     size: int,
     environment: Environment,
     occlusion: Float[Tensor, "v s"] | None = None,
+    emission: EmissionSource | None = None,
 ) -> Shaded:
     """Render the mesh (Eqs. 7, 8), antialiased; gradients flow into the material.
 
-    ``occlusion``: what it hides from itself, by vertex (:meth:`VertexVisibility.occlusion`).
+    All of it is opaque. ``occlusion``: what it hides from itself, by vertex
+    (:meth:`VertexVisibility.occlusion`); ``emission``: of what glows.
     """
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)
@@ -129,6 +133,8 @@ def render_shaded(
         environment,
         None if occlusion is None else interpolate(occlusion, fragments),
     )
+    if emission:
+        color = color + emission(surface.uv)
     srgb = linear_to_srgb(saturate(color))
     # One buffer of ten channels: a single pass of antialiasing for all of them.
     smooth = surface.side * normalize(surface.normal)

@@ -59,6 +59,8 @@ class Surface(NamedTuple):
     roughness: float = 0.0
     metallic: float = 0.0
     weather: tuple[str, ...] = ()  # of core.texture.detail.weather, the lowest first
+    glow: float = 0.0  # how much of its colour it emits, in [0, 1]
+    clear: float = 0.0  # how much of what does not mirror goes through it, in [0, 1]
 
 
 class Predictions(NamedTuple):

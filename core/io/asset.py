@@ -42,6 +42,8 @@ __all__ = [
 
 VERSION = 1
 SIZE_M = 1.0  # the longest side, metres
+EMISSION_STRENGTH = 5.0  # times emission.png: the radiance
+IOR = 1.45  # of what transmission.png lets light through
 FILES: dict[str, dict[str, Any]] = {
     "mesh.obj": {"role": "mesh", "axes": "forward -Z, up Y"},
     "mesh.mtl": {"role": "material"},
@@ -56,10 +58,20 @@ FILES: dict[str, dict[str, Any]] = {
         "role": "normal", "color_space": "Non-Color", "channels": "XYZ", "convention": "OpenGL",
         "tangent_space": "MikkTSpace", "bits": 16,
     },
+    # These two only where some of the object glows, or lets light through.
+    "emission.png": {
+        "role": "emission", "color_space": "sRGB", "channels": "RGB", "bits": 8,
+        "strength": EMISSION_STRENGTH,
+    },
+    "transmission.png": {
+        "role": "transmission", "color_space": "Non-Color", "channels": "weight", "bits": 8,
+        "ior": IOR,
+    },
     "asset.glb": {"role": "glb", "axes": "forward +Z, up +Y"},
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
 DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
+OPTIONAL = ("emission", "transmission")  # roles; in the order of :class:`Maps`
 FORMATS = ("glb", "obj", "stl", "3mf")  # that are written without Blender
 REMAKE = "Name the folder that holds asset.json, or make the asset again."
 
@@ -70,6 +82,8 @@ class Maps(NamedTuple):
     base_color: Float[Tensor, "s s 3"]  # linear Rec.709, in [0, 1]
     orm: Float[Tensor, "s s 3"]  # occlusion, roughness, metallic
     normal: Float[Tensor, "s s 3"]  # unit, tangent space, OpenGL: y along growing v
+    emission: Float[Tensor, "s s 3"] | None = None  # times EMISSION_STRENGTH; None: nothing glows
+    transmission: Float[Tensor, "s s 1"] | None = None  # its weight; None: nothing is clear
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,22 +161,32 @@ def read_asset(folder: Path) -> Asset:
             raise UserError(
                 f"mesh.obj of {folder} has {got} {name}, asset.json says {stated[name]}.", REMAKE
             )
-    base_color, orm, normal = (
-        images.read_png(folder / f"{name}.png") for name in ("base_color", "orm", "normal")
-    )
-    for name, image in (("base_color", base_color), ("orm", orm), ("normal", normal)):
-        if image.shape[2] < 3 or image.shape[:2] != base_color.shape[:2]:
+    return Asset(folder, info, mesh, _read_maps(folder, info))
+
+
+def data_files(folder: Path) -> tuple[str, ...]:
+    """Those of the asset's files that its job alone decides."""
+    optional = (f"{role}.png" for role in OPTIONAL)
+    return (*DATA_FILES, *(name for name in optional if (folder / name).is_file()))
+
+
+def _read_maps(folder: Path, info: dict[str, Any]) -> Maps:
+    stated = info.get("files")
+    there = stated if isinstance(stated, dict) else {}
+    roles = [role for role in Maps._fields if role not in OPTIONAL or f"{role}.png" in there]
+    found = {role: images.read_png(folder / f"{role}.png") for role in roles}
+    for role, image in found.items():
+        least = 1 if role == "transmission" else 3
+        if image.shape[2] < least or image.shape[:2] != found["base_color"].shape[:2]:
+            channels = {1: "a channel", 3: "three channels"}[least]
             raise UserError(
-                f"{name}.png of {folder} has the shape {image.shape}, not three channels and "
+                f"{role}.png of {folder} has the shape {image.shape}, not {channels} and "
                 "the size of base_color.png.",
                 REMAKE,
             )
-    maps = Maps(
-        images.colors(base_color[..., :3]),
-        images.units(orm[..., :3]),
-        images.normals(normal[..., :3]),
-    )
-    return Asset(folder, info, mesh, maps)
+        found[role] = image[..., :least]
+    to_values = {"base_color": images.colors, "normal": images.normals, "emission": images.colors}
+    return Maps(**{role: to_values.get(role, images.units)(x) for role, x in found.items()})
 
 
 def inspect(path: Path) -> dict[str, Any]:
@@ -227,18 +251,22 @@ def _export_print(mesh: Mesh, format: str, out: Path) -> None:
 
 def _export_obj(asset: Asset, out: Path) -> None:
     roles = ("base_color", "normal", "roughness", "metallic")
-    names = {name: f"{out.stem}_{name}.png" for name in roles}
+    emission = () if asset.maps.emission is None else ("emission",)
+    names = {name: f"{out.stem}_{name}.png" for name in (*roles, *emission)}
     for name in names.values():
         check_output(out.with_name(name))
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
+    of_material = [names[name] for name in roles]
     texts = {
         out: obj_text(asset.mesh, normals, out.stem),
-        out.with_suffix(".mtl"): mtl_text(out.stem, *(names[name] for name in roles)),
+        out.with_suffix(".mtl"): mtl_text(
+            out.stem, *of_material, emission=names.get("emission", "")
+        ),
     }
     with ExitStack() as files:  # all are written before the first takes its name; the OBJ is last
         for path, content in texts.items():
             files.enter_context(atomic_file(path)).write_text(content, encoding="utf-8")
-        for name in ("base_color", "normal"):
+        for name in ("base_color", "normal", *emission):
             new = files.enter_context(atomic_file(out.with_name(names[name])))
             shutil.copyfile(asset.folder / f"{name}.png", new)
         orm = images.read_png(asset.folder / "orm.png")
@@ -251,6 +279,11 @@ def _write_pictures(folder: Path, maps: Maps, preview: Tensor | np.ndarray | Non
     images.write_png(folder / "base_color.png", images.srgb_bytes(maps.base_color))
     images.write_png(folder / "orm.png", images.unit_bytes(maps.orm))
     images.write_png(folder / "normal.png", images.normal_words(maps.normal))
+    for role, to_bytes in (("emission", images.srgb_bytes), ("transmission", images.unit_bytes)):
+        values = getattr(maps, role)
+        pixels = None if values is None else to_bytes(values)
+        if pixels is not None and pixels.any():
+            images.write_png(folder / f"{role}.png", pixels)
     if preview is not None:
         images.write_png(folder / "preview.png", preview)
 
@@ -258,13 +291,16 @@ def _write_pictures(folder: Path, maps: Maps, preview: Tensor | np.ndarray | Non
 def _write_mesh(folder: Path, mesh: Mesh, origin: dict[str, str]) -> None:
     normals = smooth_normals(mesh.verts, mesh.faces)
     tangents = corner_tangents(mesh, normals)
-    pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("base_color", "orm")}
-    pictures["normal"] = (folder / "normal.png").read_bytes()
-    glb = glb_bytes(mesh, normals, tangents, pictures, origin)
+    paths = {role: folder / f"{role}.png" for role in Maps._fields}
+    pictures = {role: path.read_bytes() for role, path in paths.items() if path.is_file()}
+    light = {"emission_strength": EMISSION_STRENGTH, "ior": IOR}
+    glb = glb_bytes(mesh, normals, tangents, pictures, origin, **light)
     with atomic_file(folder / "asset.glb") as path:
         path.write_bytes(glb)
     with atomic_file(folder / "mesh.mtl") as path:
-        path.write_text(mtl_text("mesh", "base_color.png", "normal.png"), encoding="utf-8")
+        emission = "emission.png" if "emission" in pictures else ""
+        text = mtl_text("mesh", "base_color.png", "normal.png", emission=emission)
+        path.write_text(text, encoding="utf-8")
     with atomic_file(folder / "mesh.obj") as path:
         path.write_text(obj_text(mesh, normals, "mesh"), encoding="ascii")
 
@@ -279,7 +315,7 @@ def _report(folder: Path, mesh: Mesh, info: dict[str, Any]) -> dict[str, Any]:
         "mass_kg": _mass(mesh_health["volume"], info.get("density")),
         "mesh": mesh_health | uv_health(mesh),
         "files": {name: entry for name, entry in FILES.items() if (folder / name).is_file()},
-        "hashes": {name: file_hash(folder / name) for name in DATA_FILES},
+        "hashes": {name: file_hash(folder / name) for name in data_files(folder)},
     }
     return info | here
 

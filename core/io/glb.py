@@ -20,6 +20,7 @@ from core.io.obj import to_y_up
 FLOAT, UINT = 5126, 5125  # component types
 VERTICES, INDICES = 34962, 34963  # buffer targets
 LINEAR, MIPMAPS, CLAMP = 9729, 9987, 33071  # sampler
+ROLES = ("base_color", "orm", "normal", "emission", "transmission")  # the textures, in their order
 
 
 @dataclass
@@ -59,8 +60,12 @@ def glb_bytes(
     tangents: Float[Tensor, "f 3 4"],
     pictures: dict[str, bytes],
     origin: Mapping[str, str] | None = None,
+    *,
+    emission_strength: float = 1.0,
+    ior: float = 1.5,
 ) -> bytes:
-    """The file. ``pictures`` are the PNG files "base_color", "orm" and "normal".
+    """The file. ``pictures`` are the PNG files "base_color", "orm" and "normal", and where the
+    object has them "emission", times ``emission_strength``, and "transmission", of ``ior``.
 
     ``origin`` is kept in the object's extras; its "prompt" names the object.
 
@@ -77,6 +82,7 @@ def glb_bytes(
         "TEXCOORD_0": torch.stack([u, 1 - v], -1),  # glTF's v grows downwards
         "TANGENT": torch.cat([to_y_up(tangent[:, :3]), tangent[:, 3:]], -1),
     }
+    pictures = {role: pictures[role] for role in ROLES if role in pictures}
     buffer = _Buffer()
     attributes = {
         key: buffer.array(column.numpy(), f"VEC{column.shape[1]}", VERTICES, key == "POSITION")
@@ -84,7 +90,32 @@ def glb_bytes(
     }
     indices = buffer.array(index.numpy().astype(np.uint32), "SCALAR", INDICES)
     described = _described(buffer, attributes, indices, pictures, dict(origin or {}))
+    extensions = _light(described["materials"][0], list(pictures), emission_strength, ior)
+    if extensions:
+        described |= {"extensionsUsed": extensions}
     return _packed(described, bytes(buffer.data))
+
+
+def _light(
+    material: dict[str, Any], roles: list[str], emission_strength: float, ior: float
+) -> list[str]:
+    """Add to ``material`` what glows and what is clear; the names of the extensions that it takes.
+
+    Without KHR_materials_volume a wall is thin: viewers show what is behind it straight.
+    """
+    extensions: dict[str, dict[str, Any]] = {}
+    if "emission" in roles:
+        texture = {"index": roles.index("emission")}
+        material |= {"emissiveTexture": texture, "emissiveFactor": [1, 1, 1]}
+        extensions["KHR_materials_emissive_strength"] = {"emissiveStrength": emission_strength}
+    if "transmission" in roles:
+        texture = {"index": roles.index("transmission")}
+        weight = {"transmissionFactor": 1, "transmissionTexture": texture}
+        extensions["KHR_materials_transmission"] = weight
+        extensions["KHR_materials_ior"] = {"ior": ior}
+    if extensions:
+        material["extensions"] = extensions
+    return list(extensions)
 
 
 def split_corners(
@@ -114,10 +145,9 @@ def _described(
     origin: dict[str, str],
 ) -> dict[str, Any]:
     name = origin.get("prompt", "asset")
-    roles = ("base_color", "orm", "normal")
     images = [
-        {"name": role, "mimeType": "image/png", "bufferView": buffer.view(pictures[role])}
-        for role in roles
+        {"name": role, "mimeType": "image/png", "bufferView": buffer.view(picture)}
+        for role, picture in pictures.items()
     ]
     material = {
         "name": name,
@@ -140,7 +170,7 @@ def _described(
             }
         ],
         "materials": [material],
-        "textures": [{"sampler": 0, "source": i} for i in range(len(roles))],
+        "textures": [{"sampler": 0, "source": i} for i in range(len(images))],
         "samplers": [{"magFilter": LINEAR, "minFilter": MIPMAPS, "wrapS": CLAMP, "wrapT": CLAMP}],
         "images": images,
         "accessors": buffer.accessors,

@@ -52,12 +52,20 @@ def obj_text(mesh: Mesh, normals: Float[Tensor, "v 3"], material: str) -> str:
 
 
 def mtl_text(
-    material: str, base_color: str, normal: str, roughness: str = "", metallic: str = ""
+    material: str,
+    base_color: str,
+    normal: str,
+    roughness: str = "",
+    metallic: str = "",
+    *,
+    emission: str = "",
 ) -> str:
     """A material with its maps. OBJ has no place for a packed roughness and metallic map: those
     are files of their own, or constants where they are empty.
 
-    Blender calls a normal map map_Bump, other programs norm.
+    Blender calls a normal map map_Bump, other programs norm. What lets light through is left out:
+    MTL has only the opacity's map (map_d), which takes the reflections away too, and Tf and Ni,
+    which are of the whole material.
     """
     surface = "Pr 0.5\nPm 0\n"
     if roughness and metallic:
@@ -65,6 +73,7 @@ def mtl_text(
     return (
         f"newmtl {material}\nKd 1 1 1\nillum 2\n{surface}"
         f"map_Kd {base_color}\nmap_Bump -bm 1 {normal}\nnorm {normal}\n"
+        + (f"Ke 1 1 1\nmap_Ke {emission}\n" if emission else "")
     )
 
 

@@ -10,7 +10,7 @@ from core.guidance.builtin.part_map import PARTS, part_logits
 from core.prior.colored import lumpy
 from core.prior.data import NOUNS
 from core.prior.soften import soft_pictures
-from core.prior.train import Batch, Source, TrainConfig, Training
+from core.prior.train import Batch, Source, TrainConfig, Training, arithmetic
 
 PART_NETWORK = UNetConfig(words=(len(NOUNS),), widths=(32, 48, 80, 112), code=128, picture=PARTS)
 FINDING_PARTS = TrainConfig(batch=16, learning_rate=1e-3)
@@ -40,7 +40,7 @@ def part_loss(training: Training, batch: Batch) -> Tensor:
     weights = pixel_weights(parts)
     moved = (tensor.to(training.device) for tensor in (surface, words, camera, parts, weights))
     surface, words, camera, parts, weights = moved
-    with torch.autocast(training.device.type, torch.bfloat16):
+    with arithmetic(training.device):
         logits = part_logits(training.net, surface, words[:, 0], camera)
     losses = cross_entropy(logits, parts, ignore_index=-1, reduction="none")
     return (losses * weights).sum() / weights.sum()

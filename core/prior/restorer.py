@@ -14,7 +14,7 @@ from core.guidance.builtin.restore import restored
 from core.prior.data import SIZE
 from core.prior.soft_pairs import CLOSE_PAIRS, PAIRS, Pairs, read_pairs
 from core.prior.soften import soft_pictures
-from core.prior.train import GEOMETRY, Batch, Geometry, TrainConfig, Training
+from core.prior.train import GEOMETRY, Batch, Geometry, TrainConfig, Training, arithmetic
 
 STEM = 24  # channels at full resolution: a step costs half as much again
 RESTORER = replace(GEOMETRY, stem=STEM)
@@ -39,7 +39,7 @@ def restoring_loss(training: Training, batch: Batch) -> Tensor:
     strength = torch.rand(drawn, generator=generator)
     strength[: round(drawn * EXACT)] = 0
     soft = torch.cat([soft_pictures(x[:drawn], strength, generator), solids])
-    with torch.autocast(device.type, torch.bfloat16):
+    with arithmetic(device):
         error = restored(training.net, soft, words, camera) - x
     return ((error / KNEE).square() + 1).sqrt().sub(1).mul(KNEE).mean()
 

@@ -18,7 +18,7 @@ from core.guidance.builtin.weights import load_tensors
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
 from core.prior.solid_data import SOLIDS, Solids, read_solids
 from core.prior.solid_kinds import NEAR, compared, kind_rows, kinds_of
-from core.prior.train import Batches, TrainConfig, Training
+from core.prior.train import Batches, TrainConfig, Training, arithmetic
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
 SOLID = SolidNetConfig(WORDS)
@@ -151,7 +151,7 @@ def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
     is, the code's prior."""
     volume, words, points, distances, _ = (x.to(training.device) for x in batch)
     net: Autoencoder = training.net  # pyright: ignore[reportAssignmentType]
-    with torch.autocast(training.device.type, torch.bfloat16):
+    with arithmetic(training.device):
         mean, log_variance = net.encode(volume, words)
         noise = torch.randn(mean.shape, generator=training.generator).to(mean)
         triplane = net.decoder.triplane(words, mean + noise * (log_variance / 2).exp())

@@ -20,6 +20,7 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
+from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
@@ -198,6 +199,12 @@ class Appearance(Source):
         return pictures, words, camera, surface
 
 
+def arithmetic(device: torch.device) -> torch.autocast:
+    """That of a network's steps: bfloat16, but not on a CPU without units for it, where a step of
+    the solids' takes 7.8 s in it and 1.4 s in 32 bit."""
+    return torch.autocast(device.type, torch.bfloat16, enabled=has_fast_bfloat16(device))
+
+
 def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     """The mean squared error of v at random times, with some conditions dropped."""
     x, words, camera, surface = batch
@@ -212,7 +219,7 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     alpha_bar = training.alpha_bar[t]
     z_t = add_noise(x, eps, alpha_bar)
     # The network alone: the noise and the error are computed in 32 bit.
-    with torch.autocast(device.type, torch.bfloat16):
+    with arithmetic(device):
         v = training.net(z_t, t, words[:, : len(training.net.config.words)], camera, given)
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
 

@@ -25,7 +25,7 @@ VIEWER = HERE / "model-viewer.min.js"
 MARK = b"<!doctype html>\n<!-- fantasia3d report -->"
 MAP_SIDE = 512  # pixels of a map in the page; the asset's own are in the viewer
 MAPS = {"base_color.png": "base colour", "orm.png": "occlusion, roughness, metallic"}
-MAPS |= {"normal.png": "normals"}
+MAPS |= {"normal.png": "normals", "emission.png": "emission", "transmission.png": "transmission"}
 
 
 def write_report(run: Path, out: Path | None = None) -> Path:

@@ -7,7 +7,7 @@ from pathlib import Path
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
-from core.io.asset import Asset, check_output, read_asset
+from core.io.asset import Asset, Maps, check_output, read_asset
 from core.io.atomic import atomic_file, disk_errors
 from core.io.obj import from_y_up, mtl_text, obj_text, plain_obj_text
 from core.simulation.body import Body, body_of, identifier, parts_folder
@@ -17,7 +17,7 @@ from core.simulation.urdf import urdf_text
 from core.simulation.usd_physics import usd_text
 
 ENDINGS = {"urdf": ".urdf", "mjcf": ".xml", "usd-physics": ".usda"}
-PICTURES = ("base_color.png", "normal.png")
+PICTURES = ("base_color", "normal", "emission")  # roles, for an OBJ's material
 
 
 def export_body(
@@ -56,7 +56,8 @@ def file_for(asset: Path, out: Path, ending: str) -> Path:
 
 
 def _write_parts(files: ExitStack, folder: Path, body: Body, with_meshes: bool) -> None:
-    for name in (*PICTURES, *(() if with_meshes else ("orm.png",))):
+    roles = PICTURES if with_meshes else Maps._fields
+    for name in (f"{role}.png" for role in roles if getattr(body.asset.maps, role) is not None):
         shutil.copyfile(body.asset.folder / name, files.enter_context(atomic_file(folder / name)))
     for name, text in _meshes(body).items() if with_meshes else ():
         path = files.enter_context(atomic_file(folder / name))
@@ -67,7 +68,8 @@ def _meshes(body: Body) -> dict[str, str]:
     """What is seen, with its material, and the hulls. Simulators take an OBJ's axes as they are."""
     texts = {f"hull_{i:02}.obj": _upright(hull) for i, hull in enumerate(body.hulls)}
     texts["visual.obj"] = _visual(body.asset)
-    texts["visual.mtl"] = mtl_text("visual", "base_color.png", "normal.png")
+    emission = "" if body.asset.maps.emission is None else "emission.png"
+    texts["visual.mtl"] = mtl_text("visual", "base_color.png", "normal.png", emission=emission)
     return texts
 
 

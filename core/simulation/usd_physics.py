@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.tangents import smooth_normals
+from core.io.asset import EMISSION_STRENGTH, IOR
 from core.simulation.body import Body
 
 MAPS = {  # role: the shader's input, its type, the picture's output and colour space
@@ -20,6 +21,16 @@ MAPS = {  # role: the shader's input, its type, the picture's output and colour 
     "roughness": ("roughness", "float", "g", "raw"),
     "metallic": ("metallic", "float", "b", "raw"),
     "normal": ("normal", "normal3f", "rgb", "raw"),
+    "emission": ("emissiveColor", "color3f", "rgb", "sRGB"),
+    "transmission": ("opacity", "float", "r", "raw"),
+}
+LIGHT = f"({EMISSION_STRENGTH}, {EMISSION_STRENGTH}, {EMISSION_STRENGTH}, 1)"
+# What a picture's values are for the input, as (bias, scale). A normal map's 0 to 1 stands for -1
+# to 1 (UsdPreviewSurface Specification, "normal"); opacity is what goes not through.
+SHIFTS = {
+    "normal": ("(-1, -1, -1, 0)", "(2, 2, 2, 1)"),
+    "emission": ("(0, 0, 0, 0)", LIGHT),
+    "transmission": ("(1, 1, 1, 0)", "(-1, -1, -1, 1)"),
 }
 
 
@@ -41,7 +52,7 @@ def usd_text(body: Body, folder: str) -> str:
     return (
         f'{head}def Xform "{body.name}" (\n    kind = "component"\n'
         f"    prepend apiSchemas = [{apis}]\n)\n{{\n{physics}"
-        f"{_visual(body)}{_colliders(body)}{_material(body.name, folder)}}}\n"
+        f"{_visual(body)}{_colliders(body)}{_material(body, folder)}}}\n"
     )
 
 
@@ -81,12 +92,15 @@ def _geometry(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> str:
     )
 
 
-def _material(name: str, folder: str) -> str:
-    path = f"/{name}/Looks/Material"
+def _material(body: Body, folder: str) -> str:
+    path, maps = f"/{body.name}/Looks/Material", body.asset.maps
+    roles = [role for role in MAPS if getattr(maps, role, True) is not None]
     inputs = "".join(
         f"                {kind} inputs:{socket}.connect = <{path}/{role}.outputs:{output}>\n"
-        for role, (socket, kind, output, _) in MAPS.items()
+        for role, (socket, kind, output, _) in ((role, MAPS[role]) for role in roles)
     )
+    if maps.transmission is not None:
+        inputs += f"                float inputs:ior = {IOR}\n"
     return (
         '    def Scope "Looks"\n    {\n        def Material "Material"\n        {\n'
         f"            token outputs:surface.connect = <{path}/surface.outputs:surface>\n"
@@ -96,7 +110,7 @@ def _material(name: str, folder: str) -> str:
         '            def Shader "st"\n            {\n'
         '                uniform token info:id = "UsdPrimvarReader_float2"\n'
         '                string inputs:varname = "st"\n                float2 outputs:result\n'
-        f"            }}\n{''.join(_picture(path, folder, role) for role in MAPS)}"
+        f"            }}\n{''.join(_picture(path, folder, role) for role in roles)}"
         "        }\n    }\n"
     )
 
@@ -104,13 +118,11 @@ def _material(name: str, folder: str) -> str:
 def _picture(path: str, folder: str, role: str) -> str:
     _, _, output, space = MAPS[role]
     file = "orm" if role in ("roughness", "metallic") else role
-    # A normal map's 0 to 1 stands for -1 to 1 (UsdPreviewSurface Specification, "normal").
-    shift = (
-        "                float4 inputs:bias = (-1, -1, -1, 0)\n"
-        "                float4 inputs:scale = (2, 2, 2, 1)\n"
-        if role == "normal"
-        else ""
-    )
+    shift = ""
+    if role in SHIFTS:
+        bias, scale = SHIFTS[role]
+        shift = f"                float4 inputs:bias = {bias}\n"
+        shift += f"                float4 inputs:scale = {scale}\n"
     kind = "float3" if output == "rgb" else "float"
     return (
         f'            def Shader "{role}"\n            {{\n'

@@ -9,7 +9,7 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
-from core.appearance.shaded import MaterialSource, Shaded, UvMesh, render_shaded
+from core.appearance.shaded import EmissionSource, MaterialSource, Shaded, UvMesh, render_shaded
 from core.camera import Cameras
 from core.device import sent
 from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
@@ -111,9 +111,13 @@ def _ways(
 
 @torch.no_grad()
 def picture_of(
-    source: MaterialSource, mesh: UvMesh, environment: Environment, size: int = SIZE
+    source: MaterialSource,
+    mesh: UvMesh,
+    environment: Environment,
+    size: int = SIZE,
+    emission: EmissionSource | None = None,
 ) -> UInt8[np.ndarray, "{size} {size} 3"]:
     """The asset from a fixed side, as it is lit."""
     cameras = Cameras.orbit(**VIEW).to(mesh.verts.device)
-    shaded = render_shaded(mesh, source, cameras, size, environment)
+    shaded = render_shaded(mesh, source, cameras, size, environment, emission=emission)
     return over_grey(shaded.srgb[0], shaded.o[0])

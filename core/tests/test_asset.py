@@ -5,12 +5,14 @@ import json
 import os
 import shutil
 import struct
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 import pytest
 import torch
 
+from core import verify
 from core.errors import UserError
 from core.geometry.mesh import Mesh, health
 from core.geometry.uv_health import uv_health
@@ -18,6 +20,7 @@ from core.io import asset as module
 from core.io import png as images
 from core.io.asset import Maps, export, inspect, place, read_asset, write_asset, write_plain_obj
 from core.io.atomic import temporary
+from core.io.job import Job
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture.bake import bake
 
@@ -82,6 +85,98 @@ def test_asset_json_tells_all(folder: Path, parts) -> None:
     assert told["files"]["base_color.png"]["color_space"] == "sRGB"
     assert told["files"]["normal.png"]["convention"] == "OpenGL"
     assert told["files"]["orm.png"]["channels"] == "occlusion, roughness, metallic"
+
+
+@pytest.fixture(scope="module")
+def lit_maps(parts) -> Maps:
+    """The ring's maps, its left half glowing and its right half clear."""
+    half = (torch.arange(64) < 32).float().view(1, 64, 1)
+    color = torch.tensor([1.0, 0.4, 0.1])
+    return parts[1]._replace(
+        emission=(half * color).expand(64, 64, 3), transmission=(0.8 * (1 - half)).expand(64, 64, 1)
+    )
+
+
+@pytest.fixture
+def lit_folder(parts, lit_maps, tmp_path: Path) -> Path:
+    return write_asset(tmp_path / "lit", parts[0], lit_maps, INFO)
+
+
+def test_what_glows_and_what_is_clear_reads_back_with_its_strength(lit_folder: Path, lit_maps):
+    back = read_asset(lit_folder).maps
+    for role, to_bytes in (("emission", images.srgb_bytes), ("transmission", images.unit_bytes)):
+        assert (to_bytes(getattr(back, role)) == to_bytes(getattr(lit_maps, role))).all()
+    told = json.loads((lit_folder / "asset.json").read_text())
+    emission, transmission = (told["files"][f"{role}.png"] for role in module.OPTIONAL)
+    assert (emission["color_space"], emission["strength"]) == ("sRGB", module.EMISSION_STRENGTH)
+    assert (transmission["color_space"], transmission["ior"]) == ("Non-Color", module.IOR)
+    assert {"emission.png", "transmission.png"} <= told["hashes"].keys()
+    assert images.read_png(lit_folder / "transmission.png").shape == (64, 64, 1)
+
+
+def test_where_nothing_glows_there_is_no_file_and_the_others_are_the_same(parts, folder, tmp_path):
+    """Also where the maps are there and all zero."""
+    dark = parts[1]._replace(emission=torch.zeros(64, 64, 3), transmission=torch.zeros(64, 64, 1))
+    plain = write_asset(tmp_path / "plain", parts[0], dark, INFO)
+    names = {path.name for path in plain.iterdir()}
+    assert names == {path.name for path in folder.iterdir()} - {"preview.png"}
+    for name in module.DATA_FILES:
+        assert (plain / name).read_bytes() == (folder / name).read_bytes()
+    maps = read_asset(plain).maps
+    assert maps.emission is maps.transmission is None
+
+
+def test_an_asset_from_before_these_maps_is_read_and_a_lost_one_is_refused(lit_folder: Path):
+    (lit_folder / "emission.png").unlink()
+    with pytest.raises(UserError, match="emission.png"):
+        read_asset(lit_folder)
+    told = json.loads((lit_folder / "asset.json").read_text())
+    del told["files"]
+    (lit_folder / "asset.json").write_text(json.dumps(told))
+    maps = read_asset(lit_folder).maps
+    assert maps.emission is maps.transmission is None
+
+
+def test_the_glb_says_what_glows_and_what_is_clear(lit_folder: Path, folder: Path) -> None:
+    told, data = read_glb(lit_folder / "asset.glb")
+    (material,) = told["materials"]
+    more = material["extensions"]
+    assert material["emissiveFactor"] == [1, 1, 1]
+    strength = more["KHR_materials_emissive_strength"]["emissiveStrength"]
+    assert strength == module.EMISSION_STRENGTH
+    assert more["KHR_materials_transmission"]["transmissionFactor"] == 1
+    assert more["KHR_materials_ior"]["ior"] == module.IOR
+    assert set(told["extensionsUsed"]) == set(more)
+    textures = {
+        "emission": material["emissiveTexture"],
+        "transmission": more["KHR_materials_transmission"]["transmissionTexture"],
+    }
+    for role, texture in textures.items():
+        view = told["bufferViews"][told["images"][texture["index"]]["bufferView"]]
+        start = view["byteOffset"]
+        picture = (lit_folder / f"{role}.png").read_bytes()
+        assert data[start : start + view["byteLength"]] == picture
+    plain, _ = read_glb(folder / "asset.glb")
+    assert "extensionsUsed" not in plain and "extensions" not in plain["materials"][0]
+
+
+def test_an_obj_takes_what_glows_along(lit_folder: Path, tmp_path: Path) -> None:
+    out = export(lit_folder, "obj", tmp_path / "ring.obj")
+    assert "map_Ke ring_emission.png" in out.with_suffix(".mtl").read_text()
+    copied = out.with_name("ring_emission.png")
+    assert copied.read_bytes() == (lit_folder / "emission.png").read_bytes()
+    assert "map_Ke emission.png" in (lit_folder / "mesh.mtl").read_text()
+
+
+def test_verify_sees_a_map_that_one_of_the_two_lacks(
+    parts, lit_maps, folder, tmp_path, monkeypatch
+):
+    info = INFO | {"job": asdict(Job(prompt="a ring"))}
+    lit = write_asset(tmp_path / "lit", parts[0], lit_maps, info)
+    monkeypatch.setattr(verify, "prepare", lambda job: None)
+    found = verify.verify(lit, lambda run, inputs: folder)["files"]
+    assert found["emission.png"] == found["transmission.png"] == "differs"
+    assert found["mesh.obj"] == "same"
 
 
 def test_obj_stands_upright_in_the_importers_axes(folder: Path, parts) -> None:

@@ -98,10 +98,29 @@ def test_normals_are_unit() -> None:
 
 
 def test_chunks_change_nothing(monkeypatch) -> None:
-    whole = bake(Mesh(*torus_mesh()), smooth_material, 64)
+    whole = bake(Mesh(*torus_mesh()), smooth_material, 64)[:3]
     monkeypatch.setattr(module, "CHUNK", 777)
-    for a, b in zip(whole, bake(Mesh(*torus_mesh()), smooth_material, 64), strict=True):
+    for a, b in zip(whole, bake(Mesh(*torus_mesh()), smooth_material, 64)[:3], strict=True):
         torch.testing.assert_close(a, b)
+
+
+def test_what_glows_and_what_is_clear_is_padded_as_the_others_are() -> None:
+    """Made of the base colour alone, they are it, out to the picture's corners."""
+
+    class Glow:
+        lights = True
+
+        def __init__(self, mesh: Mesh) -> None:
+            self.attributes = mesh.verts[mesh.faces]
+
+        def __call__(self, _attributes, values):
+            return torch.cat([values, values[:, :3], values[:, :1]], 1)
+
+    mesh = Mesh(*torus_mesh())
+    maps = bake(mesh, smooth_material, 64, finish=Glow(mesh))
+    assert torch.equal(maps.emission, maps.base_color)
+    assert torch.equal(maps.transmission, maps.base_color[..., :1])
+    assert maps.emission.min() > 0
 
 
 def test_progress_grows_and_can_stop() -> None:

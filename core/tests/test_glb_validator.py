@@ -46,7 +46,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     uv = torch.rand(len(verts), 2, generator=torch.Generator().manual_seed(0))
     mesh = Mesh(place(verts, 0.3), faces, uv, faces)
     flat = torch.full((8, 8, 3), 0.5)
-    maps = Maps(flat, flat, torch.tensor([0.0, 0, 1]).expand(8, 8, 3))
+    up = torch.tensor([0.0, 0, 1]).expand(8, 8, 3)
+    maps = Maps(flat, flat, up, emission=flat, transmission=flat[..., :1])
     info = {"prompt": "a red ring, größer", "seed": 1, "density": 650.0}
     return write_asset(tmp_path_factory.mktemp("ring") / "asset", mesh, maps, info)
 

@@ -20,6 +20,8 @@ from core.guidance.builtin.palette import (
 )
 from core.guidance.builtin.patterns import Place
 from core.guidance.builtin.substances import (
+    CLEAR,
+    GLOW,
     OF_A_GROUP,
     OF_A_PART,
     OF_A_THING,
@@ -29,7 +31,7 @@ from core.guidance.builtin.substances import (
 from core.guidance.builtin.surfaces import surface_of
 from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
-from core.ops import linear_to_srgb
+from core.ops import linear_to_srgb, srgb_to_linear
 from core.prior.colored import Painter, lumpy
 from core.prior.data import NOUNS, make
 from core.prior.draw import Draw
@@ -233,7 +235,7 @@ def test_each_substance_is_of_something_that_there_is_and_has_its_detail():
     pairs = {f"{noun} {part}" for noun, row in KNOWN.items() for part in row.looks}
     parts = {part for row in KNOWN.values() for part in row.looks}
     tables = ((OF_A_THING, pairs), (OF_A_PART, parts), (OF_THE_REST, set(KNOWN)))
-    for table, known in tables:
+    for table, known in (*tables, (CLEAR, pairs), (GLOW, pairs)):
         names = [name for text in table.values() for name in text.split(", ")]
         assert len(names) == len(set(names)) and not set(names) - known
     assert not set(OF_A_GROUP) - set(GROUPS)
@@ -312,3 +314,49 @@ def test_a_part_is_coloured_by_a_word_that_is_about_it():
     lamp = {part.name: part for part in painted("lamp", parse("a blue brass lamp"))}
     assert lamp["shade"].colored and not lamp["foot"].colored
     assert surface_of(parse("a blue brass lamp"), lamp["foot"]).factor != (1.0, 1.0, 1.0)
+
+
+def lights(prompt: str) -> dict[str, tuple[float, float]]:
+    """How much each part glows and is clear."""
+    words = parse(prompt)
+    found = {part.name: surface_of(words, part) for part in painted(words.noun, words)}
+    return {name: (surface.glow, surface.clear) for name, surface in found.items()}
+
+
+def test_what_is_said_to_be_of_glass_is_clear_and_what_is_glossy_is_not():
+    assert lights("a glass vase")["body"][1] > 0.9
+    assert lights("a crystalline vase")["body"][1] > 0.9
+    assert lights("a glossy vase")["body"] == lights("a vase")["body"] == (0, 0)
+    table = lights("a coffee table with a glass top")
+    assert table.pop("top")[1] > 0.9 and set(table.values()) == {(0, 0)}
+    # Its name says it; a stated material says more.
+    assert lights("a wine glass")["cup"][1] > 0.9
+    assert lights("a wooden wine glass")["cup"] == lights("a goblet")["cup"] == (0, 0)
+
+
+def test_by_nature_one_looks_through_a_flask_and_not_through_a_cars_windows():
+    assert lights("a flask")["glass"][1] > 0.9
+    for prompt, part in (("a car", "windows"), ("a laptop", "screen"), ("a camera", "lens")):
+        assert lights(prompt)[part] == (0, 0)
+    assert lights("a metal bottle")["body"] == (0, 0)  # the word says what it is of
+
+
+def test_flames_and_lamps_glow_whatever_the_rest_is_of():
+    assert lights("a golden candle")["flame"] == lights("a candle")["flame"] == (1, 0)
+    assert lights("a wooden lantern")["glass"][0] > 0
+    assert lights("a glass light bulb")["bulb"][0] > 0
+    assert lights("a stone light bulb")["bulb"] == (0, 0)
+    assert lights("a candle")["wax"] == (0, 0)
+
+
+def test_clear_glass_without_a_colour_is_white_and_a_stated_colour_tints_it():
+    def color(prompt):
+        words = parse(prompt)
+        (part,) = painted(words.noun, words)
+        factor = surface_of(words, part).factor
+        return srgb_to_linear(torch.tensor(part.color)) * torch.tensor(factor)
+
+    assert color("a glass vase").min() > 0.85
+    torch.testing.assert_close(
+        color("a red glass vase"), srgb_to_linear(torch.tensor(COLOR_VALUES["red"]))
+    )

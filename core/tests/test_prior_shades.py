@@ -5,7 +5,7 @@ import pytest
 from core.guidance.builtin.colors import COLOR_VALUES, SHADES, TOWARDS, color_value, shade
 from core.guidance.builtin.lexicon import LEXICON
 from core.guidance.builtin.palette import painted
-from core.guidance.builtin.surfaces import SHINES, surface_of
+from core.guidance.builtin.surfaces import ALL_GLOWS, PART_GLOWS, SHINES, surface_of
 from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.vocabulary import Words, parse, understood
 from core.texture.detail.kinds import KINDS
@@ -124,3 +124,21 @@ def test_a_stone_is_the_gem_of_what_has_one():
     assert parse("a crown with rubies").of_parts("color") == {"gems": "red"}
     assert parse("an emerald vase").color_form == "emerald"
     assert parse("an emerald ring").color_form == "emerald"
+
+
+def test_what_is_said_to_glow_does_and_a_part_more_than_a_whole():
+    def glow(prompt, part):
+        return surface_of(parse(prompt), parts_of(prompt)[part]).glow
+
+    assert glow("a skull with glowing green eyes", "eyes") == PART_GLOWS
+    assert glow("a skull with glowing green eyes", "bone") == 0
+    assert glow("a glowing mushroom", "cap") == ALL_GLOWS
+    assert glow("a candle with a glowing flame", "flame") == 1  # as it does by nature
+
+
+@pytest.mark.parametrize("form", ["frosted glass", "tinted glass", "clear glass", "icy"])
+def test_light_goes_through_every_glass(form):
+    prompt = f"a {form} vase"
+    surface = surface_of(parse(prompt), parts_of(prompt)["body"])
+    assert surface.kind == "glass"
+    assert surface.clear >= 0.6

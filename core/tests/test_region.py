@@ -40,7 +40,7 @@ def left_half(mesh: Mesh) -> torch.Tensor:
 def some_maps(seed: int) -> Maps:
     generator = torch.Generator().manual_seed(seed)
     a, b, c = (torch.rand(SIZE, SIZE, 3, generator=generator) for _ in range(3))
-    return Maps(a, b, normalize(c - 0.5))
+    return Maps(a, b, normalize(c - 0.5), b.flip(0), a[..., :1])
 
 
 def test_the_weight_is_the_smooth_step_of_the_distance_to_the_border():
@@ -53,6 +53,23 @@ def test_the_weight_is_the_smooth_step_of_the_distance_to_the_border():
     on = (x > 0.02) & (x < 0.98)
     torch.testing.assert_close(row[on], (t * t * (3 - 2 * t))[on], atol=0.01, rtol=0)
     assert (row[x > 0.5] == 0).all()
+
+
+@pytest.mark.parametrize("glows", ["kept", "new"])
+def test_what_glows_on_one_side_alone_is_dark_on_the_other(glows):
+    mesh, kept, new = grid(), some_maps(0), some_maps(1)
+    dark = {"emission": None, "transmission": None}
+    if glows == "kept":
+        new = new._replace(**dark)
+    else:
+        kept = kept._replace(**dark)
+    got = edited(mesh, Region(kept, left_half(mesh)), new, feather=0.05)
+    right = got.emission[:, SIZE - 20 :].any(), got.transmission[:, SIZE - 20 :].any()
+    left = got.emission[:, 12:20].any(), got.transmission[:, 12:20].any()
+    assert all(left) == (glows == "new") and any(left) == all(left)
+    assert all(right) == (glows == "kept") and any(right) == all(right)
+    plain = edited(mesh, Region(kept._replace(**dark), left_half(mesh)), new._replace(**dark), 0.05)
+    assert plain.emission is plain.transmission is None
 
 
 def test_all_other_texels_stay_bit_for_bit_and_their_padding_too():
@@ -130,7 +147,7 @@ def test_a_reshaped_region_moves_and_all_the_rest_stays_bit_for_bit(whole: Path,
     assert moved.any() and not (moved & ~free).any()
     for name in ("faces", "uv", "face_uvs"):
         assert torch.equal(getattr(before.mesh, name), getattr(after.mesh, name))
-    for old, new in zip(before.maps, after.maps, strict=True):
+    for old, new in zip(before.maps[:3], after.maps[:3], strict=True):
         assert torch.equal(old, new)
     outside = before.mesh.faces[~chosen]
     normals = [smooth_normals(a.mesh.verts, a.mesh.faces)[outside] for a in (before, after)]
@@ -151,7 +168,7 @@ def test_shape_and_material_of_a_region_change_together_and_all_the_rest_stays(
     texels = texel_points(*before.mesh.atlas, SIZE)
     outside = torch.zeros(SIZE * SIZE, dtype=torch.bool)
     outside[texels.index[~chosen[texels.face]]] = True
-    for old, new in zip(before.maps, after.maps, strict=True):
+    for old, new in zip(before.maps[:3], after.maps[:3], strict=True):
         same = (old == new).all(-1).reshape(-1)
         assert same[outside].all() and not same.all()
     # A resumed run makes no other shape than the one that it has the maps of.
@@ -195,6 +212,6 @@ def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(whole: Path, tmp_p
     outside = torch.zeros(SIZE * SIZE, dtype=torch.bool)
     outside[texels.index[texels.face >= 50]] = True
     outside = outside.view(SIZE, SIZE)
-    for old, new in zip(before.maps, after.maps, strict=True):
+    for old, new in zip(before.maps[:3], after.maps[:3], strict=True):
         assert torch.equal(old[outside], new[outside])
     assert (before.maps.base_color != after.maps.base_color).any()

@@ -14,7 +14,7 @@ import trimesh
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, place, write_asset
+from core.io.asset import IOR, Maps, place, read_asset, write_asset
 from core.simulation import body
 from core.simulation.body import identifier
 from core.simulation.export import ENDINGS, export_body
@@ -219,6 +219,26 @@ def test_what_usd_names_is_there(exported) -> None:
     assert {Path(name).name for name in named} == {"base_color.png", "orm.png", "normal.png"}
     assert all((path.parent / name).is_file() for name in named)
     assert text.count('"PhysicsCollisionAPI"') > 1
+
+
+def test_what_glows_and_what_is_clear_goes_along_where_the_format_knows_it(ring, tmp_path) -> None:
+    """UsdPreviewSurface has no transmission: what is clear is not opaque."""
+    asset = read_asset(ring)
+    half = torch.full((4, 4, 1), 0.5)
+    maps = asset.maps._replace(emission=half.expand(4, 4, 3), transmission=half)
+    folder = write_asset(tmp_path / "lit", asset.mesh, maps, asset.info)
+    usd = export_body(folder, "usd-physics", tmp_path / "x.usda", most=4)
+    text = usd.read_text("utf-8")
+    for role in ("emission", "transmission"):
+        assert f"@./x_parts/{role}.png@" in text
+        assert (tmp_path / "x_parts" / f"{role}.png").is_file()
+    assert "color3f inputs:emissiveColor.connect" in text and f"inputs:ior = {IOR}" in text
+    opacity = text[text.index('def Shader "transmission"') :]
+    assert "inputs:bias = (1, 1, 1, 0)" in opacity and "inputs:scale = (-1, -1, -1, 1)" in opacity
+    urdf = export_body(folder, "urdf", tmp_path / "y.urdf", most=4)
+    assert "map_Ke emission.png" in (tmp_path / "y_parts" / "visual.mtl").read_text()
+    names = {path.name for path in urdf.with_name("y_parts").glob("*.png")}
+    assert names == {"base_color.png", "normal.png", "emission.png"}
 
 
 def test_a_title_that_no_xml_takes_is_left_out_of_it(ring, parts_once, tmp_path) -> None:

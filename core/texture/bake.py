@@ -26,10 +26,11 @@ class TexelFinish(Protocol):
     """What becomes of a texel's means: see :class:`core.texture.finish.Finish`."""
 
     attributes: Float[Tensor, "f 3 c"]  # of the surface, by corner
+    lights: bool  # whether it adds emission (3) and transmission (1) to the values
 
     def __call__(
         self, attributes: Float[Tensor, "t c"], values: Float[Tensor, "t 8"]
-    ) -> Float[Tensor, "t 8"]: ...
+    ) -> Float[Tensor, "t w"]: ...
 
 
 @torch.no_grad()
@@ -51,14 +52,20 @@ def bake(
     Raises UserError where the uv map covers no texel.
     """
     # 1 is the occlusion, which nothing writes over.
-    maps = Maps(*(torch.ones(size * size, 3) for _ in Maps._fields))
+    maps = Maps(*(torch.ones(size * size, 3) for _ in range(3)))
+    if finish and finish.lights:
+        maps = maps._replace(
+            emission=torch.zeros(size * size, 3), transmission=torch.zeros(size * size, 1)
+        )
     covered = torch.zeros(size * size, dtype=torch.bool)
     for texels in texel_bands(*mesh.atlas, size, samples):
         if len(texels.index):
             where, mean = _means(mesh, texels, material, finish)
             maps.base_color[where] = mean[:, :3]
             maps.orm[where, 1:] = mean[:, 3:5]
-            maps.normal[where] = normalize(mean[:, 5:])
+            maps.normal[where] = normalize(mean[:, 5:8])
+            if maps.emission is not None and maps.transmission is not None:
+                maps.emission[where], maps.transmission[where] = mean[:, 8:].split([3, 1], 1)
             covered[where] = True
             if progress:
                 # The last tenth is the padding.
@@ -66,11 +73,13 @@ def bake(
     hit = covered.view(size, size)
     # One search serves all maps.
     nearest = nearest_covered(hit)
-    for image in maps:  # in place: at 8192² a map is 0.8 GB
-        pad(image.view(size, size, 3), hit, nearest)
+    square = Maps(*(x if x is None else x.view(size, size, -1) for x in maps))
+    for image in square:
+        if image is not None:  # in place: at 8192² a map is 0.8 GB
+            pad(image, hit, nearest)
     if progress:
         progress(1.0)
-    return Maps(*(image.view(size, size, 3) for image in maps))
+    return square
 
 
 def _means(
@@ -78,7 +87,7 @@ def _means(
     texels: Texels,
     material: Callable[[Float[Tensor, "n 3"]], Material],
     finish: TexelFinish | None,
-) -> tuple[Int[Tensor, " t"], Float[Tensor, "t 8"]]:
+) -> tuple[Int[Tensor, " t"], Float[Tensor, "t w"]]:
     """The covered texels and, for each, the mean of kd, roughness, metallic and kn, finished."""
     # A texel's points follow each other, so no sort is needed.
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)

@@ -13,7 +13,7 @@ from core.appearance.shaded import UvMesh
 from core.geometry.mesh import face_areas
 from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
-from core.texture.detail.detail import Coat, Detail, Spots
+from core.texture.detail.detail import Coat, Detail, Spots, lit
 from core.texture.detail.grain import convexity, lengths
 from core.texture.detail.noise import Noise
 from core.texture.detail.parts import ByArea, ByColor
@@ -39,6 +39,7 @@ class Finish:
     ) -> None:
         """``areas``: those that the detail is told apart by."""
         self.fine, self.detail, self.areas = fine, detail, areas
+        self.lights = bool(detail and detail.lights)
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
         # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
         grain = detail.grain if detail else None
@@ -48,14 +49,15 @@ class Finish:
 
     def __call__(
         self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
-    ) -> Float[Tensor, "t 8"]:
-        """``values``: kd, roughness, metallic and kn, the means of each texel."""
+    ) -> Float[Tensor, "t w"]:
+        """``values``: kd, roughness, metallic and kn, the means of each texel; then emission and
+        transmission too, where some of the detail ``lights``."""
         parts = zip(attributes.split(CHUNK), values.split(CHUNK), strict=True)
         return torch.cat([self._finished(*part) for part in parts])
 
     def _finished(
         self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
-    ) -> Float[Tensor, "t 8"]:
+    ) -> Float[Tensor, "t w"]:
         point, normal, tangent, length, edge = attributes.split([3, 3, 4, 3, 1], 1)
         coat = Coat(*values[:, :5].split([3, 1, 1], 1))
         # What was learnt, in the object's frame, on the coarse surface.
@@ -69,7 +71,8 @@ class Finish:
             coat, slope = self.detail(Spots(point * self.scale, shape, length, edge, area), coat)
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
-        return torch.cat([*coat, in_tangent_space(bumpy, normal, tangent)], 1)
+        learnt, light = coat[:3], coat[3:] if self.lights else ()
+        return torch.cat([*learnt, in_tangent_space(bumpy, normal, tangent), *light], 1)
 
 
 def detail_of(
@@ -84,7 +87,8 @@ def detail_of(
 ) -> Detail | None:
     """The detail of the ``areas``, or where they are not known of ``surfaces``, on ``mesh``, whose
     learnt material is ``material``; None where there is none to make."""
-    if not surfaces or strength == 0:
+    each = tuple(one.surface for one in areas.each) if areas else surfaces
+    if not surfaces or (strength == 0 and not lit(each)):
         return None
     finish = Finish(mesh)
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
@@ -97,8 +101,7 @@ def detail_of(
     spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, edge, area)
     noise = Noise(seed, footprint(mesh, size) * finish.scale)
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
-    by_area = ByArea(tuple(one.surface for one in areas.each)) if areas else None
-    parts = by_area or ByColor.of(surfaces, coat.kd)
+    parts = ByArea(each) if areas else ByColor.of(surfaces, coat.kd)
     return replace(Detail.of(parts, noise, strength, spots, coat), grain=grain)
 
 

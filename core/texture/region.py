@@ -62,12 +62,14 @@ def edited(mesh: Mesh, region: Region, new: Maps, feather: float, samples: int =
         # Not left to arithmetic: outside it is the very same number, inside the new one's.
         return torch.where(weight == 0, kept, torch.where(weight == 1, other, mixed))
 
-    kept = region.kept
-    return Maps(
-        between(kept.base_color, new.base_color),
-        between(kept.orm, new.orm),
-        between(kept.normal, new.normal, unit=True),
-    )
+    mixed = {}
+    for role in Maps._fields:
+        kept, other = getattr(region.kept, role), getattr(new, role)
+        there = kept if other is None else other
+        if there is not None:
+            both = (torch.zeros_like(there) if x is None else x for x in (kept, other))
+            mixed[role] = between(*both, unit=role == "normal")
+    return Maps(**mixed)
 
 
 @torch.no_grad()

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,6 +22,8 @@ MAX_BYTES = 8 << 20  # asset.json is a few kilobytes
 MAX_PIXELS = 1 << 27  # of a map; the core's largest has half of that
 PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
+OPTIONAL = ("emission", "transmission")  # roles of what glows, and of what lets light through
+STRENGTH, IOR = 5.0, 1.45  # of these maps, where an asset does not say
 DISTRIBUTIONS = ("GGX", "MULTI_GGX")
 REMAKE = "Resume its run, or generate it again."  # the fix for anything incomplete
 
@@ -32,6 +34,16 @@ class Picture:
 
     path: Path
     color_space: str  # "sRGB" or "Non-Color"
+
+
+class Light(NamedTuple):
+    """What a material's optional maps are to be taken with."""
+
+    strength: float = STRENGTH  # times the emission: the radiance
+    ior: float = IOR  # of what the transmission lets through
+
+
+USUAL = Light()
 
 
 @dataclass(frozen=True)
@@ -55,6 +67,14 @@ class AssetFolder:
         """The microfacet distribution that the maps were learned with."""
         return str(self.info.get("distribution", "GGX"))
 
+    @property
+    def light(self) -> Light:
+        """What its optional maps are to be taken with."""
+        entries = [entry for entry in self.info["files"].values() if isinstance(entry, dict)]
+        by_role = {entry.get("role"): entry for entry in entries}
+        strength = by_role.get("emission", {}).get("strength", STRENGTH)
+        return Light(strength, by_role.get("transmission", {}).get("ior", IOR))
+
 
 def read_asset(folder: Path) -> AssetFolder:
     """The asset in ``folder``, which may also be the run folder around it.
@@ -77,14 +97,20 @@ def read_asset(folder: Path) -> AssetFolder:
         )
     verts, faces, corner_uv = read_obj(files["mesh"][0])
     _check_counts(folder, info, len(verts), len(faces))
-    for role in ROLES:
-        _check_png(files[role][0])
-    pictures = {
-        role: Picture(path, str(entry.get("color_space", "Non-Color")))
-        for role, (path, entry) in files.items()
-        if role in ROLES
-    }
-    return AssetFolder(folder, info, verts, faces, corner_uv, pictures)
+    maps = {role: files[role] for role in (*ROLES, *OPTIONAL) if role in files}
+    pictures = {}
+    for role, (path, entry) in maps.items():
+        _check_png(path)
+        pictures[role] = Picture(path, str(entry.get("color_space", "Non-Color")))
+    asset = AssetFolder(folder, info, verts, faces, corner_uv, pictures)
+    for number in asset.light:
+        # bool is an int, and JSON's NaN is false here.
+        if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < 1e4:
+            raise AssetError(
+                f"asset.json of {folder} has the strength or ior {number!r} of a map.",
+                "It takes a number from 0 to 10000.",
+            )
+    return asset
 
 
 def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, dict[str, Any]]]:
@@ -99,7 +125,7 @@ def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, 
                 f"asset.json of {folder} names {name!r}, which is no file name.", REMAKE
             )
         files[entry["role"]] = (folder / name, entry)
-    for role in ("mesh", *ROLES):
+    for role in ("mesh", *ROLES, *(role for role in OPTIONAL if role in files)):
         if role not in files:
             raise AssetError(f"asset.json of {folder} names no {role.replace('_', ' ')}.", REMAKE)
         if not files[role][0].is_file():

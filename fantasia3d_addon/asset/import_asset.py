@@ -89,7 +89,7 @@ def _make_material(
     images = _load_images(asset, asset.prompt, made)
     material = bpy.data.materials.new(name)
     made.append(material)
-    build_material(material, images, asset.distribution, uv_map)
+    build_material(material, images, asset.distribution, uv_map, asset.light)
     set_origin(material, asset.info)
     return material
 

@@ -1,4 +1,4 @@
-"""The nodes of an asset's Principled material, with its three maps."""
+"""The nodes of an asset's Principled material, with its maps."""
 
 from __future__ import annotations
 
@@ -7,9 +7,16 @@ from collections.abc import Mapping
 import bpy
 
 from ..blender import compat
+from .asset_folder import USUAL, Light
 
 UV_MAP = "UVMap"
-LABELS = {"base_color": "Base Color", "orm": "Occlusion, Roughness, Metallic", "normal": "Normal"}
+LABELS = {
+    "base_color": "Base Color",
+    "orm": "Occlusion, Roughness, Metallic",
+    "normal": "Normal",
+    "emission": "Emission",
+    "transmission": "Transmission",
+}
 
 
 def build_material(
@@ -17,11 +24,13 @@ def build_material(
     images: Mapping[str, bpy.types.Image],
     distribution: str,
     uv_map: str = UV_MAP,
+    light: Light = USUAL,
 ) -> None:
     """Create the nodes of the new ``material``.
 
     ``images`` by role: ``base_color``; ``orm`` (R occlusion, which a path tracer computes itself
-    and which stays unconnected, G roughness, B metallic); ``normal`` (tangent space, OpenGL).
+    and which stays unconnected, G roughness, B metallic); ``normal`` (tangent space, OpenGL); and
+    where there are these, ``emission`` and ``transmission``, taken with ``light``.
     """
     tree = compat.empty_nodes(material)
     output = _node(tree, "ShaderNodeOutputMaterial", 300, 0)
@@ -29,7 +38,7 @@ def build_material(
     bsdf.distribution = distribution
     _link(tree, bsdf, "BSDF", output, "Surface")
 
-    maps = _add_pictures(tree, images, uv_map)
+    maps = add_pictures(tree, images, uv_map)
     _link(tree, maps["base_color"], "Color", bsdf, "Base Color")
 
     # The layout of glTF: green is roughness, blue is metallic.
@@ -45,10 +54,28 @@ def build_material(
     compat.set_opengl_convention(bump)
     _link(tree, maps["normal"], "Color", bump, "Color")
     _link(tree, bump, "Normal", bsdf, "Normal")
+    connect_light(material, bsdf, maps, light)
     compat.deselect_nodes(tree)
 
 
-def _add_pictures(
+def connect_light(
+    material: bpy.types.Material,
+    bsdf: bpy.types.Node,
+    maps: Mapping[str, bpy.types.Node],
+    light: Light,
+) -> None:
+    """Connect the picture nodes of what glows and of what is clear, where ``maps`` has them."""
+    tree = material.node_tree
+    if "emission" in maps:
+        _link(tree, maps["emission"], "Color", bsdf, "Emission Color")
+        bsdf.inputs["Emission Strength"].default_value = light.strength
+    if "transmission" in maps:
+        _link(tree, maps["transmission"], "Color", bsdf, "Transmission Weight")
+        bsdf.inputs["IOR"].default_value = light.ior
+        compat.show_through(material)
+
+
+def add_pictures(
     tree: bpy.types.NodeTree, images: Mapping[str, bpy.types.Image], uv_map: str
 ) -> dict[str, bpy.types.Node]:
     """The picture nodes by role, over the UV map ``uv_map``."""
@@ -57,6 +84,8 @@ def _add_pictures(
     uv.uv_map = uv_map
     maps = {}
     for row, (role, label) in enumerate(LABELS.items()):
+        if role not in images:
+            continue
         maps[role] = _node(tree, "ShaderNodeTexImage", -700, 100 - 300 * row)
         maps[role].image = images[role]
         maps[role].label = label

@@ -54,6 +54,12 @@ def set_video(scene: bpy.types.Scene) -> None:
     ffmpeg.constant_rate_factor, ffmpeg.audio_codec = "HIGH", "NONE"
 
 
+def show_through(material: bpy.types.Material) -> None:
+    """Let EEVEE show what is behind the material, where it has the option."""
+    if "use_raytrace_refraction" in material.bl_rna.properties:
+        material.use_raytrace_refraction = True
+
+
 def has_video() -> bool:
     """Whether this build writes MP4."""
     return bool(bpy.app.build_options.codec_ffmpeg)

@@ -21,8 +21,8 @@ ROOM = 1 << 16  # bytes: a disk with less is full
 NEW = 60.0  # seconds: a folder that was just made may not be locked yet
 
 ASSET_FILES = (  # of an asset folder
-    "asset.json", "mesh.obj", "mesh.mtl", "base_color.png", "orm.png", "normal.png", "asset.glb",
-    "preview.png",
+    "asset.json", "mesh.obj", "mesh.mtl", "base_color.png", "orm.png", "normal.png", "emission.png",
+    "transmission.png", "asset.glb", "preview.png",
 )  # fmt: skip
 
 _in_use: set[Path] = set()  # the temporary files and folders of this process

@@ -66,8 +66,10 @@ def export_for(obj: bpy.types.Object, folder: Path, engine: str, size: int = 0) 
     path = Path(folder).expanduser().absolute() / f"{name}.{preset.kind.lower()}"
     export.check_format(path, False)
     with temporary_output(path) as temporary:
-        paths = _pictures(maps.maps_of(obj, size), temporary.parent, name, engine)
-        with export.plain_copy(obj, paths) as copy, _models(copy, name, preset) as models:
+        found = maps.maps_of(obj, size)
+        paths = _pictures(found, temporary.parent, name, engine)
+        copied = export.plain_copy(obj, paths, found.light)
+        with copied as copy, _models(copy, name, preset) as models:
             _write(models, temporary, preset)
         if preset.kind == "GLB":  # which holds them
             for picture in paths.values():
@@ -99,6 +101,12 @@ def _pictures(found: maps.Maps, folder: Path, name: str, engine: str) -> dict[st
     write_png(paths["base_color"], to_bytes(found.base_color))
     write_png(paths["normal"], to_bytes(normal, 16))
     write_png(paths.pop("packed"), to_bytes(packed))
+    optional = {"emission": found.emission, "transmission": found.transmission}
+    for role, values in optional.items():
+        if values is not None:
+            word = f"T_{name}_{role[0].upper()}" if engine == "unreal" else f"{name}_{role.title()}"
+            paths[role] = folder / f"{word}.png"
+            write_png(paths[role], to_bytes(np.atleast_3d(values) * np.ones(3)))
     return paths
 
 

@@ -17,7 +17,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from ..asset.material_nodes import build_material
+from ..asset.asset_folder import OPTIONAL, Light
+from ..asset.material_nodes import build_material, connect_light
 from ..asset.origin import copy_origin
 from ..blender import compat
 from ..blender.mesh_arrays import acting, baked_mesh, mesh_object
@@ -51,10 +52,10 @@ def export_object(
     with temporary_output(path) as temporary:
         textures = temporary.with_name(f"{path.stem}_textures")
         textures.mkdir()
-        paths = maps.save_images(
-            maps.maps_of(obj, size), textures, path.stem, flip_normal_y, split=kind != "GLB"
-        )
-        with plain_copy(obj, paths) as copy:
+        found = maps.maps_of(obj, size)
+        split = kind != "GLB"
+        paths = maps.save_images(found, textures, path.stem, flip_normal_y, split=split)
+        with plain_copy(obj, paths, found.light) as copy:
             _write(copy, temporary, kind)
         if kind != "OBJ":  # the others hold their pictures, or have written them again
             shutil.rmtree(textures)
@@ -84,14 +85,16 @@ def check_format(path: Path, flip_normal_y: bool) -> None:
 
 
 @contextlib.contextmanager
-def plain_copy(obj: bpy.types.Object, paths: Mapping[str, Path]) -> Iterator[bpy.types.Object]:
+def plain_copy(
+    obj: bpy.types.Object, paths: Mapping[str, Path], light: Light
+) -> Iterator[bpy.types.Object]:
     """A copy of ``obj`` with the same name, no modifiers, and the files ``paths`` as its maps."""
     own = obj, obj.data, obj.material_slots[0].material
     names = [datablock.name for datablock in own]
     distribution = principled(own[2]).distribution
     images = maps.load_images(paths, pack=False)
     material = bpy.data.materials.new("copy")
-    _connect(material, images, obj.data.uv_layers.active.name, distribution)
+    _connect(material, images, obj.data.uv_layers.active.name, distribution, light)
     copy = bpy.data.objects.new("copy", baked_mesh(obj))
     copy_origin(obj, copy)
     mesh = copy.data
@@ -117,10 +120,12 @@ def _connect(
     images: dict[str, bpy.types.Image],
     uv_map: str,
     distribution: str,
+    light: Light,
 ) -> None:
     """One picture for each socket; ``orm`` by its channels, as in glTF."""
     if "orm" in images:
-        build_material(material, images, distribution, uv_map)  # what Blender's exporter knows
+        # What Blender's exporter knows.
+        build_material(material, images, distribution, uv_map, light)
         return
     tree = compat.empty_nodes(material)
     output = tree.nodes.new("ShaderNodeOutputMaterial")
@@ -129,8 +134,9 @@ def _connect(
     tree.links.new(bsdf.outputs["BSDF"], output.inputs["Surface"])
     uv = tree.nodes.new("ShaderNodeUVMap")
     uv.uv_map = uv_map
+    pictures = {}
     for role, image in images.items():
-        picture = tree.nodes.new("ShaderNodeTexImage")
+        pictures[role] = picture = tree.nodes.new("ShaderNodeTexImage")
         picture.image = image
         tree.links.new(uv.outputs["UV"], picture.inputs["Vector"])
         if role == "normal":
@@ -138,8 +144,9 @@ def _connect(
             bump.uv_map = uv_map
             tree.links.new(picture.outputs["Color"], bump.inputs["Color"])
             tree.links.new(bump.outputs["Normal"], bsdf.inputs["Normal"])
-        else:
+        elif role not in OPTIONAL:
             tree.links.new(picture.outputs["Color"], bsdf.inputs[maps.SOCKETS[role]])
+    connect_light(material, bsdf, pictures, light)
 
 
 def _write(obj: bpy.types.Object, path: Path, kind: str) -> None:

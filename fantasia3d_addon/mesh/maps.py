@@ -11,6 +11,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from ..asset.asset_folder import OPTIONAL, USUAL, Light
 from ..background.thread import ReportProgress, ignore_progress
 from ..blender import compat
 from ..blender.mesh_arrays import acting
@@ -18,7 +19,14 @@ from ..blender.png import to_bytes, write_png
 from ..errors import AddonError
 from ..material.edit import edit_nodes, factor, image_of, principled
 
-SOCKETS = {"base_color": "Base Color", "roughness": "Roughness", "metallic": "Metallic"}
+SOCKETS = {
+    "base_color": "Base Color",
+    "roughness": "Roughness",
+    "metallic": "Metallic",
+    "emission": "Emission Color",
+    "transmission": "Transmission Weight",
+}
+COLORS = ("base_color", "emission")
 EXTRUSION = 0.002  # of the object's size, for a bake of an object onto itself
 FLAT = (0.5, 0.5, 1.0)  # the normal map of a smooth surface
 
@@ -31,6 +39,9 @@ class Maps:
     roughness: np.ndarray  # (H,W) linear
     metallic: np.ndarray  # (H,W) linear
     normal: np.ndarray  # (H,W,3) tangent space, OpenGL
+    emission: np.ndarray | None = None  # (H,W,3) sRGB; None: nothing glows
+    transmission: np.ndarray | None = None  # (H,W) linear; None: nothing is clear
+    light: Light = USUAL  # what these two are taken with
 
     @property
     def orm(self) -> np.ndarray:
@@ -57,10 +68,37 @@ def maps_of(obj: bpy.types.Object, size: int = 0) -> Maps:
     size = size or max((max(image.size) for image in _images(bsdfs)), default=1024)
     if len(bsdfs) > 1:  # each face shows one of them: only a bake joins them
         return bake_maps(obj, obj, size, EXTRUSION)
-    given = {name: _read(obj, bsdfs[0], name, size) for name in (*SOCKETS, "normal")}
+    given = {name: _read(obj, bsdfs[0], name, size) for name in channels_of(bsdfs)}
     wanted = [name for name, value in given.items() if value is None]
     baked = bake_channels(obj, obj, size, EXTRUSION, wanted) if wanted else {}
-    return Maps(**{name: _resized(v, size) for name, v in (given | baked).items()})
+    found = {name: _resized(v, size) for name, v in (given | baked).items()}
+    return Maps(**found, light=light_of(bsdfs))
+
+
+def channels_of(bsdfs: list[bpy.types.Node]) -> list[str]:
+    """The fields of :class:`Maps` that these nodes have."""
+    absent = {role for role in OPTIONAL if not any(_has(bsdf, role) for bsdf in bsdfs)}
+    return [name for name in (*SOCKETS, "normal") if name not in absent]
+
+
+def _has(bsdf: bpy.types.Node, role: str) -> bool:
+    """Whether any of the node's surface may glow, or be clear."""
+    socket = bsdf.inputs[SOCKETS[role]]
+    if role == "emission":
+        strength = bsdf.inputs["Emission Strength"]
+        on = bool(strength.links) or strength.default_value > 0
+        return on and (bool(socket.links) or any(socket.default_value[:3]))
+    return bool(socket.links) or socket.default_value > 0
+
+
+def light_of(bsdfs: list[bpy.types.Node]) -> Light:
+    """The greatest strength of the nodes that glow, and the IOR of the first that is clear."""
+    glowing = [bsdf.inputs["Emission Strength"] for bsdf in bsdfs if _has(bsdf, "emission")]
+    clear = [bsdf.inputs["IOR"].default_value for bsdf in bsdfs if _has(bsdf, "transmission")]
+    # What feeds a strength is baked into the map.
+    strengths = [1.0 if socket.links else socket.default_value for socket in glowing]
+    given = {"strength": max(strengths, default=None), "ior": next(iter(clear), None)}
+    return Light(**{name: value for name, value in given.items() if value is not None})
 
 
 def bake_maps(
@@ -75,11 +113,12 @@ def bake_maps(
     ``extrusion``: the greatest distance of the two surfaces, as a fraction of the object's size.
     ``progress`` is called before each map.
     """
-    found, channels = {}, [*SOCKETS, "normal"]
+    bsdfs = [principled(slot.material) for slot in source.material_slots]
+    found, channels = {}, channels_of(bsdfs)
     for number, channel in enumerate(channels):
         progress(channel, number / len(channels))
         found |= bake_channels(source, target, size, extrusion, [channel])
-    return Maps(**found)
+    return Maps(**found, light=light_of(bsdfs))
 
 
 def bake_channels(
@@ -105,7 +144,7 @@ def bake_channels(
             with _emitting(source, SOCKETS[channel]):
                 _bake(source, receiver, "EMIT", reach)
             values = _pixels(image)
-            found[channel] = to_srgb(values) if channel == "base_color" else values[..., 0]
+            found[channel] = to_srgb(values) if channel in COLORS else values[..., 0]
         return found
 
 
@@ -125,6 +164,10 @@ def save_images(
         pictures["metallic"] = to_bytes(np.repeat(maps.metallic[..., None], 3, -1))
     else:
         pictures["orm"] = to_bytes(maps.orm)
+    if maps.emission is not None:
+        pictures["emission"] = to_bytes(maps.emission)
+    if maps.transmission is not None:
+        pictures["transmission"] = to_bytes(np.repeat(maps.transmission[..., None], 3, -1))
     paths = {role: folder / f"{name}_{role}.png" for role in pictures}
     for role, picture in pictures.items():
         write_png(paths[role], picture)
@@ -136,7 +179,7 @@ def load_images(paths: Mapping[str, Path], pack: bool) -> dict[str, bpy.types.Im
     images = {}
     for role, path in paths.items():
         image = bpy.data.images.load(str(path), check_existing=False)
-        if role == "base_color":
+        if role in COLORS:
             image.colorspace_settings.name = "sRGB"
         else:
             image.colorspace_settings.is_data = True
@@ -159,7 +202,8 @@ def to_linear(srgb: np.ndarray) -> np.ndarray:
 
 def _images(bsdfs: list[bpy.types.Node]) -> Iterator[bpy.types.Image]:
     for bsdf in bsdfs:
-        for name in (*SOCKETS.values(), "Normal"):
+        names = [SOCKETS.get(name, "Normal") for name in channels_of(bsdfs)]
+        for name in names:
             found = image_of(bsdf.inputs[name])
             if found:
                 yield found[0]
@@ -170,13 +214,15 @@ def _read(obj: bpy.types.Object, bsdf: bpy.types.Node, name: str, size: int) -> 
     if name == "normal":
         return _read_normal(bsdf.inputs["Normal"], size)
     socket, scale = bsdf.inputs[SOCKETS[name]], _scale(obj, name)
+    if name == "emission" and bsdf.inputs["Emission Strength"].links:
+        return None
     found = image_of(socket)
     if found:
         return _read_picture(found, name, scale)
     constant = _constant(socket)
     if constant is None:
         return None
-    if name == "base_color":
+    if name in COLORS:
         color = to_srgb(np.array(constant[:3]) * scale)
         return np.full((size, size, 3), color, np.float32)
     return np.full((size, size), np.clip(constant * scale, 0, 1), np.float32)
@@ -194,7 +240,7 @@ def _read_normal(socket: bpy.types.NodeSocket, size: int) -> np.ndarray | None:
 def _read_picture(found: tuple[bpy.types.Image, str], name: str, scale: np.ndarray) -> np.ndarray:
     image, channel = found
     values = _pixels(image)
-    if name == "base_color":
+    if name in COLORS:
         is_linear = image.is_float or image.colorspace_settings.is_data
         linear = values if is_linear else to_linear(values)
         # Without a tint, an 8 bit picture is copied exactly: no rounding through linear light.
@@ -233,7 +279,7 @@ def _plain_normal_map(node: bpy.types.Node) -> bool:
 
 def _scale(obj: bpy.types.Object, name: str) -> np.ndarray:
     nodes = edit_nodes(obj.material_slots[0].material)
-    if not nodes:
+    if not nodes or name in OPTIONAL:
         return np.float64(1.0)
     value = factor(nodes[list(SOCKETS).index(name)]).default_value
     return np.array(value[:3]) if name == "base_color" else np.float64(value)
@@ -288,6 +334,7 @@ def _receiver(
 def _emitting(obj: bpy.types.Object, socket: str) -> Iterator[None]:
     """Let ``obj`` emit what feeds ``socket`` of its Principled nodes."""
     own = [slot.material for slot in obj.material_slots]
+    strongest = light_of([principled(material) for material in own]).strength
     # Copies, so that an error leaves the user's materials as they were.
     copies = [material.copy() for material in own]
     for slot, material in zip(obj.material_slots, copies, strict=True):
@@ -301,6 +348,11 @@ def _emitting(obj: bpy.types.Object, socket: str) -> Iterator[None]:
             value = source.default_value
             grey = not hasattr(value, "__len__")
             emission.inputs["Color"].default_value = (value, value, value, 1) if grey else value
+        if socket == SOCKETS["emission"]:
+            given, factor = bsdf.inputs["Emission Strength"], emission.inputs["Strength"]
+            factor.default_value = given.default_value / strongest
+            if given.links:
+                tree.links.new(given.links[0].from_socket, factor)
         for link in list(bsdf.outputs["BSDF"].links):
             tree.links.new(emission.outputs["Emission"], link.to_socket)
     try:

@@ -13,6 +13,7 @@ import numpy as np
 from ..asset.asset_folder import ROLES, VERSION, AssetFolder
 from ..asset.export_shape import asset_obj_text
 from ..asset.import_asset import load_images
+from ..asset.material_nodes import add_pictures, connect_light
 from ..asset.origin import origin_of, set_origin
 from ..blender.mesh_arrays import reason_against_mesh, triangles, values
 from ..environment.files import write_text
@@ -20,12 +21,20 @@ from ..errors import AddonError
 from ..material.edit import image_of, keep_materials, principled
 
 IN_GROUP = 0.5  # a vertex of this weight or more belongs to the part
-INPUTS = {"base_color": "Base Color", "orm": "Roughness", "normal": "Normal"}  # of the Principled
+INPUTS = {  # of the Principled, by role
+    "base_color": "Base Color",
+    "orm": "Roughness",
+    "normal": "Normal",
+    "emission": "Emission Color",
+    "transmission": "Transmission Weight",
+}
 FILES = {
     "mesh.obj": {"role": "mesh"},
     "base_color.png": {"role": "base_color", "color_space": "sRGB"},
     "orm.png": {"role": "orm", "color_space": "Non-Color"},
     "normal.png": {"role": "normal", "color_space": "Non-Color", "convention": "OpenGL"},
+    "emission.png": {"role": "emission", "color_space": "sRGB"},
+    "transmission.png": {"role": "transmission", "color_space": "Non-Color"},
 }
 
 
@@ -39,12 +48,12 @@ class Look:
 
 
 def look_of(obj: bpy.types.Object) -> Look | None:
-    """The maps of the first of its materials that has all three; None where none has."""
+    """The maps of the first of its materials that has them; None where none has."""
     for number, slot in enumerate(obj.material_slots):
         bsdf = principled(slot.material)
         found = {role: image_of(bsdf.inputs[name]) for role, name in INPUTS.items()} if bsdf else {}
         images = {role: pair[0] for role, pair in found.items() if pair}
-        if len(images) == len(ROLES) and bsdf:
+        if bsdf and images.keys() >= set(ROLES):
             uv_map = getattr(bsdf.inputs["Normal"].links[0].from_node, "uv_map", "")
             return Look(number, images, uv_map)
     return None
@@ -125,7 +134,9 @@ def write_kept(obj: bpy.types.Object, folder: Path) -> dict[str, Path]:
     look = look_of(obj)
     assert look is not None  # reason_against was asked
     folder.mkdir(parents=True, exist_ok=True)
-    paths = {name: folder / name for name in FILES}
+    shown = {"mesh", *look.images}
+    files = {name: entry for name, entry in FILES.items() if entry["role"] in shown}
+    paths = {name: folder / name for name in files}
     for role, image in look.images.items():
         paths[f"{role}.png"].write_bytes(_png(image))
     mesh = obj.data.copy()  # in Edit Mode the mesh itself hides its UVs
@@ -134,7 +145,7 @@ def write_kept(obj: bpy.types.Object, folder: Path) -> dict[str, Path]:
     finally:
         bpy.data.meshes.remove(mesh)
     origin = origin_of(obj) or origin_of(obj.material_slots[look.slot].material)
-    info = {"version": VERSION, "files": FILES, "mesh": {"verts": verts, "faces": faces}}
+    info = {"version": VERSION, "files": files, "mesh": {"verts": verts, "faces": faces}}
     write_text(folder / "asset.json", json.dumps(info | {"prompt": origin.get("prompt", "")}))
     return paths | {"asset.json": folder / "asset.json"}
 
@@ -183,10 +194,20 @@ def show_maps(obj: bpy.types.Object, asset: AssetFolder, name: str) -> bpy.types
     old = obj.material_slots[look.slot].material
     material = old.copy()
     set_origin(material, asset.info)
-    new = {look.images[role]: image for role, image in images.items()}
-    for node in material.node_tree.nodes:
+    new = {image: images.get(role) for role, image in look.images.items()}
+    for node in list(material.node_tree.nodes):
         if node.type == "TEX_IMAGE" and node.image in new:
-            node.image = new[node.image]
+            if new[node.image]:
+                node.image = new[node.image]
+            else:
+                material.node_tree.nodes.remove(node)
+    bsdf = principled(material)
+    if "emission" in look.images and "emission" not in images:
+        bsdf.inputs["Emission Strength"].default_value = 0
+    added = {role: image for role, image in images.items() if role not in look.images}
+    if added:
+        nodes = add_pictures(material.node_tree, added, look.uv_map)
+        connect_light(material, bsdf, nodes, asset.light)
     keep_materials(obj)
     obj.material_slots[look.slot].material = material
     return material

@@ -193,6 +193,7 @@ def _bake_material(
         images = maps.load_images(paths, pack=True)
     for role, image in images.items():
         image.name = data_name(target.name, f" {role.replace('_', ' ')}")
-    build_material(material, images, own[0].distribution, target.data.uv_layers.active.name)
+    uv_map = target.data.uv_layers.active.name
+    build_material(material, images, own[0].distribution, uv_map, found.light)
     target.data.materials.clear()
     target.data.materials.append(material)

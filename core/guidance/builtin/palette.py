@@ -163,6 +163,7 @@ class Painted(NamedTuple):
     material_form: str = ""  # as it was written
     colored: bool = False  # by a word, and not by its material
     sheen: tuple[str, ...] = ()  # the words that say how it shines
+    apart: bool = False  # whether something is said of it alone
 
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
@@ -191,7 +192,17 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         elif stated.pattern and look.role in "*&" and not (two_tone or apart):
             pattern = stated.pattern
         yield Painted(
-            name, look, color, second, finish, pattern, material, form, bool(word[0]), sheen
+            name,
+            look,
+            color,
+            second,
+            finish,
+            pattern,
+            material,
+            form,
+            bool(word[0]),
+            sheen,
+            bool(apart or accent.sheen),
         )
 
 

@@ -203,6 +203,41 @@ OF_A_GROUP = {
     "Plants": "leaf",
 }
 
+# How much of the light goes through a part that is of glass by nature: what one looks through. All
+# other glass (a car's windows, a screen, a camera's lens) has nothing behind it to be seen, since a
+# mesh is a closed hull; it mirrors and stays opaque.
+CLEAR = {
+    0.95: (
+        "flask glass, flask rim, magnifying glass glass, salt shaker body, salt "
+        "shaker base, chandelier drops, sundae glass, bottle body, potion flask, potion rim, "
+        "blender jug, gem stone, ring gem, necklace stone"
+    ),
+    0.85: (
+        "window glass, bus stop glass, flask liquid, vacuum cleaner cup, crystal crystals, crystal "
+        "shards, snowflake arms, snowflake branches, snowflake middle, jar body"
+    ),
+    0.6: (
+        "hourglass glass, staff crystal, crown gems, ufo dome, coffee machine jug, snowmobile "
+        "windshield"
+    ),
+    0.4: "fountain water, bathtub water, well water, sunglasses glasses",
+    0.2: "light bulb bulb, lantern glass, street lamp lamp",
+}
+# How much of its colour a part emits; of any thing's flames all of it. A lamp's colour is light
+# already, and is burnt out to white where it is more.
+GLOW = {
+    1.0: "lightsaber blade, sun disc, sun glints",
+    0.6: "brazier embers, ufo lights",
+    0.4: (
+        "light bulb bulb, lantern glass, street lamp lamp, flashlight lens, lighthouse lantern, "
+        "jukebox lights, mech visor, golem eyes, staff crystal"
+    ),
+    0.15: (
+        "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "
+        "shade"
+    ),
+}
+
 # What is not worn as things are: what lives, grows, or is eaten, and what has no shape of its own.
 UNWORN = frozenset(
     """eye hair fur feathers scales hide skin chitin leaf foliage petal peel flesh crust crumb cream
@@ -215,6 +250,20 @@ def substance(noun: str, part: str) -> str:
     of_things, of_parts, of_rest, of_groups = _by_name()
     found = (of_things.get(f"{noun} {part}"), of_parts.get(part), of_rest.get(noun))
     return next(filter(None, found), of_groups.get(noun, ""))
+
+
+def lights(noun: str, part: str, kind: str) -> tuple[float, float]:
+    """How much the noun's ``part``, of its natural ``kind``, glows and is clear."""
+    glow, clear = (table.get(f"{noun} {part}", 0.0) for table in _lights())
+    return 1.0 if kind == "flame" and not glow else glow, clear
+
+
+@cache
+def _lights() -> tuple[dict[str, float], ...]:
+    return tuple(
+        {name: much for much, text in table.items() for name in text.split(", ")}
+        for table in (GLOW, CLEAR)
+    )
 
 
 @cache

@@ -5,7 +5,7 @@ from functools import cache
 import torch
 
 from core.guidance.builtin.palette import FINISHES, Painted, painted
-from core.guidance.builtin.substances import UNWORN
+from core.guidance.builtin.substances import UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Color
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
@@ -14,6 +14,10 @@ from core.ops import srgb_to_linear
 # Roughness by the word; of a metal no less than what is polished has.
 SHINES = {"matte": 0.8, "satin": 0.4, "glossy": 0.1}
 METAL_SHINE = 0.12
+GLOWING = "glowing"
+# How much of its colour it emits that is said to glow: a part, or all of a thing.
+PART_GLOWS, ALL_GLOWS = 0.8, 0.25
+SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
 def surfaces_of(words: Words) -> tuple[Surface, ...]:
@@ -24,11 +28,7 @@ def surfaces_of(words: Words) -> tuple[Surface, ...]:
 
 def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of, and what time has done to it."""
-    new = _as_new(words, part)
-    shine = next((SHINES[word] for word in part.sheen if word in SHINES), None)
-    if shine is not None and new.kind not in UNWORN:
-        wanted = max(shine, METAL_SHINE) if part.finish.metallic > 0.5 else shine
-        new = new._replace(roughness=wanted - part.finish.roughness)
+    new = _shining(part, _lit(words.noun, part, _as_new(words, part)))
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
     return new if new.kind in ("eye", "flame", "liquid") else new._replace(weather=tuple(lasting))
 
@@ -45,7 +45,28 @@ def _as_new(words: Words, part: Painted) -> Surface:
     if variant.color and not part.colored:
         factor = _factor(part.color, variant.color)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
-    return Surface(variant.kind, part.color, factor, roughness)
+    return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear)
+
+
+def _lit(noun: str, part: Painted, new: Surface) -> Surface:
+    """``new`` with what glows or is clear by nature; of glass, also where that is stated."""
+    if part.material and not new.clear:
+        return new
+    glow, clear = lights(noun, part.name, new.kind)
+    # Clear glass is smooth, or what is behind it is blurred.
+    smooth = new.roughness - (SMOOTH if clear and not new.clear else 0.0)
+    return new._replace(glow=glow, clear=clear or new.clear, roughness=smooth)
+
+
+def _shining(part: Painted, new: Surface) -> Surface:
+    """``new`` as the words say that it shines."""
+    if GLOWING in part.sheen:
+        new = new._replace(glow=max(new.glow, PART_GLOWS if part.apart else ALL_GLOWS))
+    shine = next((SHINES[word] for word in part.sheen if word in SHINES), None)
+    if shine is None or new.kind in UNWORN:
+        return new
+    wanted = max(shine, METAL_SHINE) if part.finish.metallic > 0.5 else shine
+    return new._replace(roughness=wanted - part.finish.roughness)
 
 
 def _kind(noun: str, part: Painted) -> str:

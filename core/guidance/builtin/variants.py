@@ -15,6 +15,7 @@ class Variant(NamedTuple):
     kind: str
     color: Color | None = None  # sRGB
     roughness: float | None = None
+    clear: float = 0.0  # how much of the light goes through it
 
 
 VARIANTS: dict[str, Variant] = {
@@ -140,10 +141,25 @@ VARIANTS: dict[str, Variant] = {
         ("of bone", "of bones", "made of bone", "made of bones"),
         Variant("bone", (0.89, 0.84, 0.73), 0.45),
     ),
-    # of glass
-    "frosted glass": Variant("glass", None, 0.5),
-    "tinted glass": Variant("glass", (0.20, 0.26, 0.26), 0.06),
-    **dict.fromkeys(("of ice", "made of ice", "icy"), Variant("glass", (0.80, 0.92, 0.97), 0.15)),
+    # of glass: the colour is that of a wall
+    **dict.fromkeys(
+        (
+            "glass",
+            "glassy",
+            "glass like",
+            "clear glass",
+            "crystal glass",
+            "crystalline",
+            "of crystal",
+        ),
+        Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
+    ),
+    "frosted glass": Variant("glass", (0.96, 0.98, 0.98), 0.5, 0.85),
+    "tinted glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
+    "stained glass": Variant("glass", None, 0.08, 0.7),
+    **dict.fromkeys(
+        ("of ice", "made of ice", "icy"), Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6)
+    ),
     # of copper
     "bronze": Variant("copper", (0.66, 0.47, 0.27), 0.35),
     "polished copper": Variant("polished metal", None, 0.12),

@@ -27,7 +27,7 @@ from core.guidance.builtin.prompt_errors import (
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.words import WEATHERS
+from core.guidance.builtin.words import GLASSWARE, WEATHERS
 
 
 @dataclass(frozen=True)
@@ -159,6 +159,8 @@ def parse(
     words["sheen"] = tuple(got.words("sheen"))
     words["is_toy"] = got.is_toy
     words["material_form"] = next((entry.form for entry in got.found["material"]), "")
+    if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
+        words["material"] = words["material_form"] = "glass"
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)

@@ -67,6 +67,14 @@ MATERIALS = {
     "jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, fleece, "
     "paper, cardboard, papier mache, paper mache",
 }
+# Names of things that say that they are of glass, where no material is stated.
+GLASSWARE = frozenset(
+    (
+        "wine glass, wineglass, glass of wine, glass of water, glass of milk, champagne flute, "
+        "champagne glass, cocktail, martini, martini glass, cocktail glass, drinking glass, pint "
+        "of beer, glass of beer, fishbowl, fish bowl, goldfish bowl, decanter"
+    ).split(", ")
+)
 # What time has done to it, which is seen at the bake.
 WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "

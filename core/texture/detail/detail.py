@@ -21,6 +21,9 @@ STEP = 0.5  # texels, over which a slope is measured
 KD_RANGE = (0.002, 0.98)
 ROUGHNESS_RANGE = (0.04, 1.0)
 GAIN = (0.5, 2.0)  # bounds of what brings the mean colour back
+# A colour is what one sees by light that came through several walls: one wall's is its root.
+THIN = 0.6
+DEEP = 1.7  # power of a colour that glows: what is bright is seen burnt out towards white
 
 
 class Coat(NamedTuple):
@@ -29,6 +32,10 @@ class Coat(NamedTuple):
     kd: Float[Tensor, "n 3"]  # linear
     roughness: Float[Tensor, "n 1"]
     metallic: Float[Tensor, "n 1"]
+    emission: Float[Tensor, "n 3"] | None = (
+        None  # linear; None: not known yet, as of what is learnt
+    )
+    transmission: Float[Tensor, "n 1"] | None = None
 
 
 class Spots(NamedTuple):
@@ -76,7 +83,8 @@ class Detail:
         """The material with its detail, and the gradient of the relief along the surface."""
         weights = self.parts.weights(coat.kd, at.area)
         kd, roughness, metallic = torch.zeros_like(coat.kd), coat.roughness, coat.metallic
-        slope = torch.zeros_like(at.point)
+        slope, emission = torch.zeros_like(at.point), torch.zeros_like(coat.kd)
+        transmission = torch.zeros_like(metallic)
         for k, surface in enumerate(self.parts.surfaces):
             here = (weights[:, k] > LEAST).nonzero().squeeze(1)
             if not len(here):
@@ -87,6 +95,13 @@ class Detail:
             color = gain * _colored(coat.kd[here], layer, surface, self.strength)
             more = self.strength * _column(layer.roughness) + surface.roughness
             metal = self.strength * _column(layer.metallic) + surface.metallic
+            # What is told by its colour alone has a little of all; that does not glow.
+            shown = (2 * w - 1).clamp(min=0) * (1 - self.strength * _column(layer.cover)).clamp(0)
+            emission = emission.index_add(0, here, surface.glow * shown * color**DEEP)
+            if surface.clear:
+                clear = surface.clear * shown
+                transmission = transmission.index_add(0, here, clear)
+                color = color ** (1 - THIN * clear)
             kd = kd.index_add(0, here, w * color)
             roughness = roughness.index_add(0, here, w * more)
             metallic = metallic.index_add(0, here, w * metal)
@@ -94,8 +109,14 @@ class Detail:
         # What no surface was looked at for stays as it was learnt.
         left = 1 - (weights * (weights > LEAST)).sum(1, keepdim=True)
         kd = (kd + left * coat.kd).clamp(*KD_RANGE)
-        made = Coat(kd, roughness.clamp(*ROUGHNESS_RANGE), metallic.clamp(0, 1))
+        rough, metal = roughness.clamp(*ROUGHNESS_RANGE), metallic.clamp(0, 1)
+        made = Coat(kd, rough, metal, emission.clamp(0, 1), transmission.clamp(0, 1))
         return made, self.strength * slope
+
+    @property
+    def lights(self) -> bool:
+        """Whether anything of it glows or is clear."""
+        return lit(self.parts.surfaces)
 
     def _as_new(self, k: int, at: Spots) -> tuple[Place, Layer]:
         along, edge = at.lengths.argmax(1), at.edge[:, 0].numpy()
@@ -122,6 +143,11 @@ class Detail:
         length = gradient.norm(dim=1, keepdim=True).clamp(min=1e-9)
         gradient = gradient * (STEEPEST / length).clamp(max=1)
         return Layer(*(x[:count] for x in layer)), gradient
+
+
+def lit(surfaces: tuple[Surface, ...]) -> bool:
+    """Whether any of them glows or is clear."""
+    return any(surface.glow or surface.clear for surface in surfaces)
 
 
 def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:

@@ -39,7 +39,7 @@ HOUSEHOLD = {
         Usual(0.25, CERAMIC, 0.2),
     ),
     "bowl": Noun(
-        "; fishbowl",
+        "; fishbowl, fish bowl, goldfish bowl",
         {"body": "*d8d2c4", "foot": "&b9a98c"},
         Usual(0.16, CERAMIC, 0.5),
     ),
