@@ -21,8 +21,10 @@ from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
+from core.prior.things.dwellings import DWELLINGS
 from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
+from core.prior.things.fauna import FAUNA
 from core.prior.things.figures import FIGURES
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
@@ -31,12 +33,15 @@ from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
 from core.prior.things.insects import INSECTS
+from core.prior.things.kitchen import KITCHEN
 from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.leisure import LEISURE
 from core.prior.things.machines import MACHINES
 from core.prior.things.market import MARKET
 from core.prior.things.nature import NATURE
+from core.prior.things.novelties import NOVELTIES
 from core.prior.things.office import OFFICE
+from core.prior.things.parlour import PARLOUR
 from core.prior.things.people import PEOPLE
 from core.prior.things.plants import PLANTS
 from core.prior.things.playground import PLAYGROUND
@@ -45,6 +50,7 @@ from core.prior.things.props import PROPS
 from core.prior.things.relics import RELICS
 from core.prior.things.rides import RIDES
 from core.prior.things.roadside import ROADSIDE
+from core.prior.things.roles import ROLES
 from core.prior.things.sites import SITES
 from core.prior.things.sky import SKY
 from core.prior.things.small_things import SMALL_THINGS
@@ -58,6 +64,7 @@ from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 from core.prior.things.wild_animals import WILD_ANIMALS
 from core.prior.things.wild_creatures import WILD_CREATURES
 from core.prior.things.wildlife import WILDLIFE
+from core.prior.things.worn import WORN
 from core.prior.things.yard import YARD
 
 TAPS = ((1, -1, -1), (-1, -1, 1), (-1, 1, -1), (1, 1, 1))  # the corners of a tetrahedron
@@ -144,6 +151,13 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | MARKET
     | EVERYDAY
     | WILDLIFE
+    | KITCHEN
+    | PARLOUR
+    | NOVELTIES
+    | ROLES
+    | FAUNA
+    | DWELLINGS
+    | WORN
 )
 
 

@@ -31,7 +31,7 @@ EVERYDAY = {
     "an office chair": ("office chair", []),
     "a wine bottle": ("bottle", ["wine"]),
     "a pirate hat": ("hat", []),
-    "a desk lamp": ("lamp", ["desk"]),
+    "a desk lamp": ("desk lamp", []),
     "a kitchen table": ("table", ["kitchen"]),
     "a wooden rocking chair": ("rocking chair", []),
     "a police car": ("car", ["police"]),
@@ -71,8 +71,8 @@ EVERYDAY = {
     "an ostrich": ("ostrich", []),
     "a computer mouse": ("", []),
     "a small sea horse": ("seahorse", []),
-    "a starfish": ("star", []),
-    "a bird house": ("house", ["bird"]),
+    "a starfish": ("starfish", []),
+    "a bird house": ("birdhouse", []),
     "a lumpy grey rock": ("boulder", ["lumpy"]),
     "rocks": ("boulder", []),
     "a table of stone": ("table", []),
@@ -114,7 +114,7 @@ def test_four_of_five_things_that_people_ask_for_are_known():
         ("a beach chair, red", Words("chair", color="red")),
         ("a striped beach ball without a handle", None),  # the refusal of parts stays
         ("a new okapi striped chair", Words("chair", pattern="striped")),
-        ("a desk lamp with a red shade", Words("lamp", second="red", target="shade")),
+        ("a hallway lamp with a red shade", Words("lamp", second="red", target="shade")),
     ],
 )
 def test_the_rest_of_a_compounds_prompt_is_read_as_ever(prompt, words):
@@ -204,10 +204,10 @@ def test_a_part_of_the_thing_is_no_compound():
         ("a pony", "pony: made as a horse."),
         ("woks", "wok: made as a pan."),
         ("a gate", "gate: made as an arch."),
-        ("a piggy bank", "piggy bank: made as a pig."),
+        ("a wild boar", "wild boar: made as a pig."),
         ("a grizzly", "grizzly: made as a bear."),
         ("a school desk", "school desk: made as a desk."),
-        ("a skyscraper", "skyscraper: made as a tower."),
+        ("a turret", "turret: made as a tower."),
         ("an iphone", "iphone: made as a phone."),
         ("a vinyl chair", "vinyl: made as plastic."),
         ("a tartan sofa", "tartan: drawn as checkered."),
@@ -219,7 +219,8 @@ def test_a_narrower_word_is_reported(prompt, note):
 
 
 @pytest.mark.parametrize(
-    "prompt", ["an oak chair", "a teal mug", "a couch", "an automobile", "a grey bunny", "a cup"]
+    "prompt",
+    ["an oak chair", "a teal mug", "a doughnut", "a couch", "an automobile", "a grey bunny"],
 )
 def test_a_true_synonym_is_not(prompt):
     assert parse(prompt).notes == ()
@@ -360,7 +361,7 @@ def test_the_groups_hold_every_offered_word_once():
     for slot in ("shape", "color", "material", "pattern", "part"):
         assert by_kind[slot] == list(known[slot])
     assert all(group["of"][part] for group in groups if "of" in group for part in group["words"])
-    assert max(len(group["words"]) for group in groups) < 55  # three columns of a menu
+    assert max(len(group["words"]) for group in groups) < 60  # three columns of a menu
 
 
 def test_unknown_words_may_be_ignored_in_a_report():

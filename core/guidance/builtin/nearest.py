@@ -58,7 +58,7 @@ REAL = frozenset(
     claim claims clamp cleaner cleaners clearer cleave clever click clicks clone clones close
     closed closer closes closest clot cloudy coal coast coasts cock cocks colin collide collier
     collin collins colton combo comin commuter commuters compute computed condo condom condoms
-    condos coney confer confines cong connor connors conor contained conte controlled cook cooke
+    condos coney confer confines cong connor connors conor contained conte controlled cooke
     cooked cookery cooks cooler cooper cope copied copies cora core cornea corner corners corny
     coroner corral corset coulter counted countess coup couple couples coven cowell cracked
     craft crafts cram crap crater craven creamy create creates creek crew crews crock crocker

@@ -21,7 +21,7 @@ from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_
 CHUNK = 1 << 16  # points at a time
 PER_THREAD = 1 << 14  # of them on a CPU: what the layers make of more leaves its cache
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
-TABLES = ("own.weight", "kind.weight")
+TABLES = ("base.weight", "words.3.weight", "own.weight", "kind.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole
 LEAST_SWELL = 0.01  # training units

@@ -46,19 +46,27 @@ ROUGHNESS = {
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
-    "bark": "acorn cap",
-    "bone": "egg shell, feather shaft",
+    "bark": "acorn cap, sloth branch",
+    "bone": "egg shell, feather shaft, sloth claws",
     "cast iron": "bench legs, bomb body",
     "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",
     "chitin": "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell",
     "clay": "snowman buttons",
-    "cream": "sushi fish, popsicle top, ramen whites",
-    "crust": "croissant folds",
+    "cream": (
+        "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man "
+        "eyes, gingerbread man bow, donut sprinkles, donut strands, donut drops, "
+        "snow globe snow, snow globe flakes"
+    ),
+    "crust": "croissant folds, fried egg edge",
     "fabric": "glove band, jeep seats, baseball cap badge, hot air balloon balloon",
-    "feathers": "peacock eyes, angel wings, feather vane, feather tip",
+    "feathers": "peacock eyes, angel wings, feather vane, feather tip, griffin wings",
+    "felt": "cowboy hat",
     "flesh": "grill food",
-    "foliage": "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves",
-    "fur": "raccoon mask",
+    "foliage": (
+        "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
+        "tree leaves"
+    ),
+    "fur": "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks",
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
         "panels"
@@ -66,13 +74,14 @@ OF_A_THING = {
     "hide": (
         "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
         "wings, dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, "
-        "beaver lines, bat arms"
+        "beaver lines, bat arms, eagle legs, gorilla face"
     ),
     "leaf": "palm nuts, island grass, eggplant cap",
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
-        "chestplate lining"
+        "chestplate lining, belt holes"
     ),
+    "liquid": "teacup tea",
     "metal": (
         "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
         "meter needle, screwdriver collar, blender collar, coffee machine collar, ninja sword, "
@@ -89,7 +98,7 @@ OF_A_THING = {
     ),
     "peel": "snowman nose, avocado skin, mushroom cap",
     "petal": "fairy wings",
-    "plain": "guitar hole, ukulele hole, violin holes, pencil lead",
+    "plain": "guitar hole, ukulele hole, violin holes, pencil lead, birdhouse hole",
     "plastic": (
         "duck body, duck wings, duck bill, toothbrush grip, vacuum cleaner grip, security camera "
         "hood, sunglasses arms, office chair arms"
@@ -98,10 +107,16 @@ OF_A_THING = {
         "pistol grip, boxing glove band, camera grip, binoculars rims, traffic cone body, "
         "saxophone mouthpiece"
     ),
-    "skin": "monkey face, demon mouth, zombie mouth, yeti face, mouse tail, mouse ears, bat ears",
+    "skin": (
+        "monkey face, demon mouth, zombie mouth, yeti face, mouse tail, mouse ears, bat ears, "
+        "minotaur body"
+    ),
     "wet skin": "brain folds, yeti mouth",
-    "wicker": "crossbow string, bow string",
-    "wooden": "pickaxe grip, window sill, rolling pin collars, potion cork, well roof",
+    "wicker": "crossbow string, bow string, barn hay",
+    "wooden": (
+        "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
+        "trim, log cabin roof"
+    ),
 }
 # A part, whatever it is of.
 OF_A_PART = {
@@ -155,26 +170,32 @@ OF_THE_REST = {
     "bone": "skeleton, seashell, bone",
     "cast iron": "dumbbell, kettlebell",
     "ceramic": "bathtub, sink, toilet, bowl, mug, teapot, plate, salt shaker",
-    "chitin": "ant, ladybug, scorpion, crab, dragonfly",
-    "clay": "vase",
+    "chitin": "ant, ladybug, scorpion, crab, dragonfly, lobster",
+    "clay": "vase, flower pot",
     "cream": (
         "ice cream, sundae, cheese, chocolate bar, lollipop, candy cane, popsicle, snowman, "
-        "candle, cloud"
+        "candle, cloud, fried egg"
     ),
     "crumb": "cake, popcorn",
-    "crust": "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, torus, fries",
+    "crust": (
+        "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, torus, fries,"
+        " donut, gingerbread man"
+    ),
     "fabric": "armchair, rug, parachute",
-    "feathers": "bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock",
+    "feathers": "bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, parrot, eagle",
     "felt": "bee, spider, butterfly, wizard hat, sheep, ghost, hat",
     "flesh": "steak, chicken drumstick, hot dog",
-    "hide": "pig, elephant, rhino, hippo, turtle",
+    "hide": "pig, elephant, rhino, hippo, turtle, starfish",
     "leaf": "corn, leaf",
     "leather": "suitcase, handbag, boot",
     "paint": "bowling pin, slide, basketball hoop, carousel",
-    "paper": "scroll, envelope, book, stack of books, paper cup, toilet paper, gift",
+    "paper": (
+        "scroll, envelope, book, stack of books, paper cup, toilet paper, gift, cardboard box"
+    ),
     "peel": (
-        "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, orange "
-        "fruit, banana, pumpkin, carrot, potato, avocado, onion, coconut, pineapple"
+        "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, "
+        "orange fruit, banana, pumpkin, carrot, potato, avocado, onion, coconut, pineapple, "
+        "watermelon slice"
     ),
     "plastic": "ball, balloon",
     "scales": (
@@ -182,7 +203,7 @@ OF_THE_REST = {
         "mermaid"
     ),
     "skin": "hand, eyeball, brain, tooth, goblin",
-    "soil": "volcano, mountain, igloo",
+    "soil": "volcano, mountain, igloo, sandcastle",
     "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
     "wicker": "basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",

@@ -310,7 +310,12 @@ ROLES = frozenset(
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
 ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant", "straw": "hay bale"}
-ALONE |= {"cobblestone": "boulder", "quartz": "crystal", "cardboard": "crate", "driftwood": "log"}
+ALONE |= {
+    "cobblestone": "boulder",
+    "quartz": "crystal",
+    "cardboard": "cardboard box",
+    "driftwood": "log",
+}
 ALONE |= dict.fromkeys(("pine", "spruce", "cedar"), "tree")
 ALONE |= dict.fromkeys(("birch", "maple", "beech"), "oak tree")
 ALONE |= dict.fromkeys(("chocolate", "white chocolate", "dark chocolate"), "chocolate bar")
@@ -327,6 +332,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "stool": ("one leg", "three legs", "four legs"),
     "bench": ("backrest", "no backrest"),
     "mug": ("handle", "no handle"),
+    "teacup": ("handle", "no handle"),
     "bucket": ("handle", "no handle"),
     "candle": ("handle", "no handle"),
     "bottle": ("cap", "no cap"),

@@ -68,21 +68,31 @@ def table(draw: Draw) -> Parts:
 
 
 def chair(draw: Draw) -> Parts:
-    x, y = draw(0.57, 0.66), draw(0.55, 0.63)
-    seat, thick, plate = draw(0.7, 0.88), draw(0.1, 0.125), draw(0.08, 0.1)
-    top, board = seat + draw(0.75, 0.98), draw(0.08, 0.1)
+    """Slim legs with bars between them, and a back of boards, of slats, or of one panel."""
+    x, y, thick = draw(0.5, 0.57), draw(0.48, 0.54), draw(0.075, 0.09)
+    seat, plate = draw(0.78, 0.92), draw(0.07, 0.085)
+    top, a, b = seat + draw(0.85, 1.05), x - thick, y - thick
+    high = (top - seat) / 2
+    posts = [box((side * a, b, seat + high), (thick, thick, high), 0.015) for side in (-1, 1)]
+    rail = box((0, b, top - 0.13), (a, 0.065, 0.13), 0.02)
+    style = int(draw(0, 3))
+    boards = [box((0, b, seat + k * high), (a, 0.06, 0.085), 0.015) for k in (0.5, 1.05)]
+    slats = [box((k * a, b, seat + high), (0.07, 0.055, high * 0.9), 0.015) for k in (-0.5, 0, 0.5)]
+    panel = [box((0, b, seat + high * 1.15), (a, 0.06, high * 0.75), 0.015)]
+    bars = [box((side * a, 0, seat * 0.4), (0.06, b, 0.06), 0.01) for side in (-1, 1)]
     parts = {
-        "seat": box((0, 0, seat), (x, y, plate), 0.04),
-        "back": box((0, y - board, (seat + top) / 2), (x, board, (top - seat) / 2 + plate), 0.04),
-        "legs": _legs(x, y, seat, thick, draw.chance(0.4)),
+        "seat": box((0, 0, seat), (x, y, plate), 0.03),
+        "back": join(*posts, rail, *(boards, slats, panel)[style]),
+        "legs": join(_legs(x, y, seat, thick, False), *bars),
     }
     if not draw.has("armrests", 0.12):
         return parts
-    rest, post = draw(0.34, 0.42), x - 0.1
-    rail = box((post, 0, seat + rest), (0.1, y, 0.08), 0.03)
-    return parts | {
-        "arms": both(join(rail, box((post, 0.12 - y, seat + rest / 2), (0.1, 0.1, rest / 2))))
-    }
+    rest = seat + draw(0.36, 0.44)
+    arm = join(
+        box((a, 0, rest), (0.075, y, 0.06), 0.02),
+        box((a, thick - y, (seat + rest) / 2), (0.065, 0.065, (rest - seat) / 2), 0.01),
+    )
+    return parts | {"arms": both(arm)}
 
 
 def armchair(draw: Draw) -> Parts:

@@ -136,27 +136,27 @@ def toilet_paper(draw: Draw) -> Parts:
 
 
 def stack_of_books(draw: Draw) -> Parts:
-    """Five books that lie on one another, each turned a little, their backs to the front."""
+    """Four books that lie on one another, each smaller than the one below and turned a little."""
     layout = draw.arranged(3)
     groups: dict[str, list[Solid]] = {"books": [], "tomes": [], "volumes": []}
     pages, bands = [], []
-    z = 0.0
-    for k in range(5):
-        x, y, high = draw(0.92, 1.15) - 0.05 * k, draw(0.66, 0.78) - 0.02 * k, draw(0.19, 0.27)
-        turn, thick = layout(-16, 16), 0.075
+    sizes = [(1.02, 0.74, 0.26), (0.88, 0.66, 0.21), (0.8, 0.6, 0.28), (0.64, 0.5, 0.22)]
+    z, thick = 0.0, 0.075
+    for k, size in enumerate(sizes):
+        x, y, high = (half * draw(0.94, 1.06) for half in size)
+        # The second one's back is behind.
+        turn = layout(4, 15) * (1, -1, 1, -1)[k] + 180 * (k == 1)
         at = (layout(-0.08, 0.08), layout(-0.05, 0.05), z + high)
 
         def laid(solid: Solid, turn: float = turn, at: tuple = at) -> Solid:
             return moved(turned(solid, 2, turn), at)
 
-        cover = join(
-            *(box((0, 0, s * (high - thick)), (x, y, thick), 0.02) for s in (-1, 1)),
-            box((0, -y + 0.02, 0), (x, 0.1, high), 0.05),
-        )
-        list(groups.values())[(0, 1, 2, 0, 1)[k]].append(laid(cover))
-        pages.append(laid(box((0, 0.02, 0), (x - 0.09, y - 0.08, high - thick))))
-        bands.append(laid(both(box((x * 0.62, -y - 0.06, 0), (0.08, 0.06, high * 0.86), 0.02))))
-        z += 2 * high - 0.01
+        boards = [box((0, 0, s * (high - thick)), (x, y, thick)) for s in (-1, 1)]
+        cover = join(*boards, box((0, -y + thick, 0), (x, thick, high)))
+        list(groups.values())[k % 3].append(laid(cover))
+        pages.append(laid(box((0, 0, 0), (x - 0.08, y - 0.08, high - thick))))
+        bands.append(laid(both(box((x * 0.62, -y, 0), (0.075, 0.04, high)))))
+        z += 2 * high
     return {
         **{name: join(*solids) for name, solids in groups.items()},
         "pages": join(*pages),

@@ -1,11 +1,13 @@
 """Furniture, kitchen, light and dress."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
-    blend,
     both,
     box,
     capsule,
@@ -92,22 +94,27 @@ def bed(draw: Draw) -> Parts:
 
 
 def bookshelf(draw: Draw) -> Parts:
-    """Boards with books, open to the front."""
-    x, y, high, shelves = draw(0.62, 0.85), draw(0.3, 0.38), draw(1.9, 2.2), 3 + draw.chance(0.4)
-    wall, gap = 0.09, (high - 0.18) / shelves
-    inside = (
-        box((0, -0.2, 0.09 + gap * (k + 0.5)), (x - 2 * wall, y, gap / 2 - 0.08), 0.01)
+    """Boards with books of three colours, some of them leaning room to the right."""
+    x, y, high, wall = draw(0.68, 0.85), draw(0.3, 0.36), draw(1.9, 2.2), 0.08
+    shelves = 3
+    gap, wide = (high - wall) / shelves, 2 * (x - 2 * wall)
+    rooms = (
+        box((0, -0.14, wall + gap * k + (gap - wall) / 2), (wide / 2, y, (gap - wall) / 2), 0.01)
         for k in range(shelves)
     )
-    books = []
+    rows: list[list[Solid]] = [[], [], []]
+    order, thick = draw.arranged(3), wide / 6
     for k in range(shelves):
-        left, width = draw(-0.9, -0.6) * (x - 0.2), draw(0.55, 0.8) * (x - 0.2)
-        tall = (gap - 0.16) * draw(0.6, 0.85) / 2
-        floor = 0.17 + gap * k
-        books.append(box((left + width, -0.04, floor + tall), (width, y - 0.15, tall), 0.02))
+        for book in range(int(order(4, 5.99))):
+            tall = (gap - wall) * order(0.62, 0.9) / 2
+            at = (-wide / 2 + thick * (book + 0.5), -0.02, wall + gap * k + tall)
+            one = box(at, (thick * 0.46, y - 0.12, tall), 0.01)
+            rows[(book + 2 * k) % 3].append(one)
     return {
-        "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *inside),
-        "books": join(*books),
+        "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *rooms),
+        "books": join(*rows[0]),
+        "volumes": join(*rows[1]),
+        "tomes": join(*rows[2]),
     }
 
 
@@ -257,33 +264,62 @@ def bell(draw: Draw) -> Parts:
 
 
 def bust(draw: Draw) -> Parts:
-    """Head and shoulders of a person on a pedestal."""
-    head, wide, low = draw(0.36, 0.41), draw(0.66, 0.76), draw(0.42, 0.52)
-    neck, top = low + draw(0.58, 0.64), low + draw(1.28, 1.36)
-    face = -head * 0.93
-    torso = blend(
-        0.2,
-        egg((0, 0.03, low + 0.36), (wide, 0.36, 0.36)),
-        taper((0, 0.02, low + 0.1), (0, 0.02, low + 0.45), 0.36, 0.33),
-        tube((0, 0.02, neck - 0.25), (0, 0.02, top - 0.1), draw(0.18, 0.22)),
+    """A bearded head with curls on shoulders that are cut off, on a turned plinth."""
+    head, wide, low = draw(0.38, 0.43), draw(0.62, 0.7), draw(0.46, 0.54)
+    neck = low + draw(0.66, 0.72)
+    z = neck + head * 1.2
+    face, brow = -head * 0.92, z + head * 0.2
+    chest = egg((0, 0, low + 0.3), (wide, 0.4, 0.46))
+    sliced = cut(
+        chest, box((0, 0, low - 1.0 + 0.08), (2, 2, 1)), both(box((wide + 0.9, 0, low), (1, 2, 2)))
     )
-    shoulders = cut(torso, box((0, 0, low - 0.9), (2, 2, 1)))
-    skull = join(
-        egg((0, 0, top), (head * 0.9, head, head * 1.2)),
-        taper((0, face, top + 0.02), (0, face - 0.1, top - 0.13), 0.06, 0.085),
-        both(ball((head * 0.9, 0.03, top - 0.02), 0.1)),
-        box((0, face * 0.82, top - 0.27), (0.13, 0.06, 0.035), 0.03),
-    )
-    hair = cut(
-        egg((0, 0.06, top + 0.1), (head, head * 1.1, head * 1.16)),
-        box((0, -head, top - 0.55), (1, head * 0.85, 0.78)),
-        box((0, 0, top - 1.1), (1, 1, 0.9)),
-    )
+    ears = both(egg((head * 0.94, 0.04, z - 0.04), (0.1, 0.12, 0.16)))
+    sockets = both(ball((head * 0.38, face - 0.04, z + 0.04), 0.12))
+    skull = egg((0, 0, z), (head * 0.92, head, head * 1.16))
+    curls = [
+        ball((head * 0.86 * math.sin(a), -head * 0.72 * math.cos(a), z + head * 0.82), 0.15)
+        for a in (0.0, 0.62, 1.24)
+    ]
+    beard = [(0.08, z - head * 1.62), (head * 0.6, z - head * 1.1), (head * 0.78, z - head * 0.5)]
     return {
-        "body": join(shoulders, skull),
-        "hair": hair,
-        "base": join(
-            lathe([(0.46, 0.0), (0.46, 0.12), (0.24, 0.24), (0.24, low + 0.1)], 0.02),
+        "body": join(
+            sliced,
+            tube((0, 0.02, low + 0.3), (0, 0.02, z - 0.2), head * 0.58),
+            cut(skull, sockets),
+            prism(
+                [(face + 0.1, z + 0.1), (face - 0.16, z - 0.16), (face + 0.1, z - 0.18)], 0, 0.085
+            ),
+            both(capsule((0.1, face + 0.0, brow), (head * 0.6, face + 0.1, brow), 0.075)),
+            both(ball((head * 0.38, face + 0.1, z + 0.04), 0.11)),
+            ears,
+        ),
+        "hair": join(
+            cut(
+                egg((0, 0.06, z + 0.08), (head * 1.06, head * 1.1, head * 1.2)),
+                box((0, -head * 1.2, z - 0.4), (1, head, head * 0.7 + 0.4)),
+                box((0, 0, z - head * 0.5 - 1), (2, 2, 1)),
+            ),
+            both(join(*curls)),
+            lathe(smooth_curve(beard), 0.03, (0, -head * 0.34)),
+            both(
+                capsule(
+                    (0.07, face - 0.08, z - head * 0.54),
+                    (0.26, face + 0.02, z - head * 0.66),
+                    0.085,
+                )
+            ),
+        ),
+        "base": lathe(
+            [
+                (0.46, 0.0),
+                (0.46, 0.16),
+                (0.3, 0.2),
+                (0.22, 0.34),
+                (0.3, low),
+                (0.34, low),
+                (0.34, low + 0.1),
+            ],
+            0.01,
         ),
     }
 

@@ -3,6 +3,7 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
     blend,
@@ -148,21 +149,30 @@ def cactus(draw: Draw) -> Parts:
 
 
 def flower(draw: Draw) -> Parts:
-    """A blossom that looks to the front, on a stalk with two leaves, in a pot."""
-    z, petal, count = draw(1.75, 1.95), draw(0.23, 0.28), 5 + 2 * draw.chance(0.5)
-    y = -0.2
-    blossom = around(count, egg((petal * 1.6, 0, 0), (petal * 1.25, petal * 0.95, 0.1)), 90)
-    leaf = egg((0.32, 0, 0.0), (0.34, 0.14, 0.1))
-    parts = {
-        "petals": moved(turned(blossom, 0, 90), (0, y, z)),
-        "heart": egg((0, y - 0.06, z), (0.23, 0.16, 0.23)),
+    """A single blossom that looks to the front: clear petals about a disc, a stalk, two leaves."""
+    z, petal, count = draw(1.6, 1.75), draw(0.36, 0.42), 6 + 2 * draw.chance(0.5)
+    heart, y, lean = draw(0.25, 0.29), -0.2, draw(12, 20)
+    half = petal * (0.62 if count == 6 else 0.48)
+    tongue = [(heart * 0.6, half * 0.45), (heart + petal * 0.5, half), (heart + petal, half * 0.92)]
+    tongue += [(heart + petal * 1.3, half * 0.5), (heart + petal * 1.42, 0)]
+    side = smooth_curve(tongue, 3)
+    outline = [*side, *((u, -v) for u, v in reversed(side[:-1]))]
+    blossom = around(count, turned(prism(outline, 2, 0.085), 1, -8), 90)
+    blade = smooth_curve([(0, 0), (0.26, 0.19), (0.5, 0.17), (0.8, 0)], 3)
+    blade = prism([*blade, *((u, -v) for u, v in reversed(blade[1:-1]))], 2, 0.08)
+
+    def turned_up(solid: Solid) -> Solid:
+        return moved(turned(solid, 0, 90 - lean), (0, y, z))
+
+    return {
+        "petals": turned_up(blossom),
+        "heart": turned_up(egg((0, 0, 0.06), (heart, heart, 0.16))),
         "stalk": join(
-            capsule((0, 0, 0.3), (0, 0, z - 0.15), 0.1),
-            capsule((0, 0, z - 0.15), (0, y + 0.06, z), 0.1),
-            both(moved(turned(leaf, 1, -35), (0.02, 0, draw(0.7, 0.85)))),
+            capsule((0, 0.04, 0.09), (0, 0, z - 0.3), 0.09),
+            capsule((0, 0, z - 0.3), (0, y + 0.06, z), 0.09),
+            both(moved(turned(blade, 1, -38), (0.02, 0.04, draw(0.3, 0.42)))),
         ),
     }
-    return parts | _planter(draw)
 
 
 def palm(draw: Draw) -> Parts:

@@ -8,9 +8,11 @@ from core.prior.solids import (
     both,
     box,
     capsule,
+    cut,
     join,
     moved,
     prism,
+    smooth_curve,
     taper,
     tube,
     turned,
@@ -18,21 +20,25 @@ from core.prior.solids import (
 
 
 def hammer(draw: Draw) -> Parts:
-    """Upright, its face to the left, its claw to the right."""
-    high, grip, face = draw(1.7, 1.95), draw(0.11, 0.13), draw(0.2, 0.24)
-    claw = join(
-        taper((0.1, 0, high), (0.45, 0, high + 0.02), 0.17, 0.13),
-        taper((0.45, 0, high + 0.02), (0.72, 0, high - 0.22), 0.13, 0.07),
-    )
-    head = join(
-        tube((-0.34, 0, high), (0.15, 0, high), 0.16),
-        tube((-0.62, 0, high), (-0.3, 0, high), face, 0.04),
-    )
-    wood = join(
-        taper((0, 0, 0.1), (0, 0, high * 0.5), grip * 1.25, grip),
-        capsule((0, 0, high * 0.5), (0, 0, high + 0.12), grip),
-    )
-    return {"head": join(head, claw, box((0, 0, high), (0.18, 0.18, 0.19), 0.03)), "handle": wood}
+    """Upright, its face to the left, its claw, which is bent down and split, to the right."""
+    high, grip, face = draw(1.75, 1.95), draw(0.11, 0.13), draw(0.23, 0.27)
+    reach, drop, y = draw(0.78, 0.9), draw(0.24, 0.34), 0.2
+    z = high
+    over = [(0.1, z + 0.17), (reach * 0.55, z + 0.11), (reach, z - drop)]
+    under = [(reach - 0.12, z - drop - 0.06), (reach * 0.5, z - 0.13), (0.1, z - 0.17)]
+    slit = [(0.36, 0.0), (1.2, 0.13), (1.2, -0.13)]
+    return {
+        "head": join(
+            tube((-0.64, 0, z), (-0.4, 0, z), face, 0.04),
+            tube((-0.45, 0, z), (-0.1, 0, z), face * 0.68),
+            box((0, 0, z), (0.2, y, 0.21), 0.03),
+        ),
+        "handle": join(
+            tube((0, 0, 0), (0, 0, high * 0.46), grip * 1.35, 0.06),
+            tube((0, 0, high * 0.4), (0, 0, high + 0.28), grip),
+        ),
+        "claw": cut(prism([*smooth_curve(over), *smooth_curve(under)], 1, y), prism(slit, 2, 3)),
+    }
 
 
 def axe(draw: Draw) -> Parts:

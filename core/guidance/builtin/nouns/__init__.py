@@ -21,9 +21,17 @@ from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
+from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
 from core.guidance.builtin.nouns.leisure import GADGETS, GAMES, RIDES, SHOTS
 from core.guidance.builtin.nouns.noun import Noun
+from core.guidance.builtin.nouns.novelties import (
+    NOVELTY_ANIMALS,
+    NOVELTY_ARMS,
+    NOVELTY_CLOTHES,
+    NOVELTY_TOYS,
+)
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.parlour import PARLOUR_PLANTS, PARLOUR_THINGS
 from core.guidance.builtin.nouns.people import JEWELLERY, PEOPLE
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
@@ -40,21 +48,21 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD,
+    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS,
     "Props": PROPS | HARDWARE,
-    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS,
-    "Food": FOOD | EVERYDAY_FOOD,
-    "Plants": PLANTS | EVERYDAY_PLANTS,
+    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS,
+    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD,
+    "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
     "Characters": CHARACTERS | PEOPLE | LEGENDS,
     "Animals": ANIMALS,
-    "Wild Animals": WILD_ANIMALS | WILDLIFE,
+    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
     "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS,
     "Buildings": BUILDINGS | STREET | ROADSIDE,
     "Electronics": DEVICES | GADGETS | MACHINES,
-    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES,
+    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES,
     "Sport": SPORT | GAMES,
-    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS,
+    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

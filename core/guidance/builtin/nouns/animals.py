@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, FLESH, SNOW, STEEL, Noun, U
 
 ANIMALS = {
     "pig": Noun(
-        "piggy; piglet, piggy bank, boar, wild boar, hog, warthog",
+        "piggy; piglet, boar, wild boar, hog, warthog",
         {"body": "*eda3a6", "snout": "+d97f86", "eyes": "-151212"},
         Usual(1.2, FLESH, 0.68),
     ),
@@ -25,7 +25,7 @@ ANIMALS = {
         Usual(0.4, FLESH),
     ),
     "duck": Noun(
-        "rubber duck, bath duck; duckling, mallard",
+        "; duckling, mallard",
         {"body": "*f7cf1f", "wings": "&f2bd14", "bill": "-ee7a14", "eyes": "-131313"},
         Usual(0.4, FLESH, 0.15),
     ),
@@ -110,7 +110,7 @@ ANIMALS = {
         Usual(2.3, FLESH, 0.54),
     ),
     "sheep": Noun(
-        "; lamb, ewe, alpaca, llama",
+        "; lamb, ewe",
         {"wool": "*ece7da", "head": "+3a3431", "legs": "+3a3431", "eyes": "-f0f0f0"},
         Usual(1.2, FLESH, 0.28),
     ),
@@ -169,15 +169,12 @@ ANIMALS = {
         Usual(12.0, FLESH, 0.11),
     ),
     "person": Noun(
-        (
-            "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, "
-            "figure, doll, princess, prince, queen, empress, human being, businessman, doctor, "
-            "nurse, policeman, police officer, firefighter, teacher, chef, farmer, cowboy, "
-            "viking, samurai, gladiator, monk, athlete, dancer, ballerina, robber, detective, "
-            "worker, construction worker, sailor, student, mannequin, mannikin, villager, "
-            "peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, toddler, npc, "
-            "character model, waiter, angel statue, scientist, baker, diver, scuba diver"
-        ),
+        "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, figure, "
+        "doll, prince, human being, businessman, doctor, nurse, policeman, police officer, "
+        "firefighter, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
+        "detective, worker, construction worker, sailor, student, mannequin, mannikin, villager, "
+        "peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, toddler, npc, "
+        "character model, waiter, angel statue, scientist, diver, scuba diver",
         {
             "shirt": "*c23b34 . fabric",
             "skin": "-e0ac86",
@@ -189,8 +186,8 @@ ANIMALS = {
         Usual(1.75, FLESH, 0.38),
     ),
     "knight": Noun(
-        "; paladin, crusader, suit of armor, suit of armour, warrior, soldier, templar, "
-        "guard, royal guard, spartan, centurion, hoplite, sentinel",
+        "; paladin, crusader, suit of armor, suit of armour, warrior, templar, guard, royal "
+        "guard, spartan, centurion, hoplite, sentinel",
         {
             "armour": "*a8adb4 . metal",
             "visor": "-141416",
@@ -201,19 +198,15 @@ ANIMALS = {
         Usual(1.9, STEEL, 0.03),
     ),
     "monkey": Noun(
-        "; ape, chimp, chimpanzee, gorilla, orangutan, baboon, gibbon, king kong, lemur",
+        "; chimp, chimpanzee, orangutan, baboon, gibbon, lemur",
         {"body": "*6b452a", "face": "+dcb58c", "eyes": "-111111"},
         Usual(0.9, FLESH, 0.32),
     ),
     "bird": Noun(
-        (
-            "songbird, birdie; sparrow, crow, raven, eagle, hawk, falcon, parrot, parakeet, "
-            "macaw, pigeon, dove, seagull, robin, bluebird, blackbird, canary, finch, "
-            "woodpecker, hummingbird, magpie, vulture, cockatoo, kingfisher, cardinal, blue "
-            "jay, cuckoo, swallow, starling, toucan, puffin, pelican, songbird nest, phoenix,"
-            " nightingale, budgie, budgerigar, lovebird, albatross, condor, osprey, bird of "
-            "prey"
-        ),
+        "songbird, birdie; sparrow, crow, raven, pigeon, dove, seagull, robin, bluebird, "
+        "blackbird, canary, finch, woodpecker, hummingbird, magpie, kingfisher, cardinal, blue "
+        "jay, cuckoo, swallow, starling, puffin, pelican, songbird nest, phoenix, nightingale, "
+        "albatross",
         {
             "body": "*4f83bd",
             "belly": "+e0a066",
@@ -328,7 +321,7 @@ ANIMALS = {
         Usual(0.02, FLESH, 0.24),
     ),
     "crab": Noun(
-        "; king crab, hermit crab, lobster, crayfish, lobsters, prawn, shrimp",
+        "; king crab, hermit crab, prawn, shrimp",
         {
             "body": "*d2432a",
             "claws": "&d2432a",

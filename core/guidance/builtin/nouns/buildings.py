@@ -4,9 +4,8 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 
 BUILDINGS = {
     "house": Noun(
-        "home; barn, shed, villa, mansion, farmhouse, garage, school, dollhouse, "
-        "townhouse, doghouse, birdhouse, hospital, police station, fire station, kennel, "
-        "outhouse, stable, building",
+        "home; shed, villa, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
+        "hospital, police station, fire station, kennel, outhouse, building",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",
@@ -17,8 +16,8 @@ BUILDINGS = {
         Usual(8.0, STONE, 0.15),
     ),
     "cottage": Noun(
-        "; hut, cabin, shack, fairy house, mushroom house, gingerbread house, hobbit "
-        "house, tavern, inn, saloon, chalet, bothy",
+        "; hut, shack, fairy house, mushroom house, gingerbread house, hobbit house, tavern, inn,"
+        " saloon, chalet, bothy",
         {
             "walls": "*f0e6d0",
             "roof": "+8a5f2f thatch",
@@ -29,8 +28,7 @@ BUILDINGS = {
         Usual(7.0, STONE, 0.15),
     ),
     "tower": Noun(
-        "castle tower, watchtower; skyscraper, turret, office building, apartment "
-        "building, apartment block, hotel, apartment",
+        "castle tower, watchtower; turret",
         {"walls": "*a29c90 bricks stone", "door": "+5d3a1f", "windows": "-33302c"},
         Usual(20.0, STONE, 0.3),
     ),
@@ -79,7 +77,7 @@ BUILDINGS = {
         Usual(16.0, STONE, 0.2),
     ),
     "castle": Noun(
-        "medieval castle; fortress, fort, citadel, stronghold, palace, sandcastle, gatehouse",
+        "medieval castle; fortress, fort, citadel, stronghold, palace, gatehouse",
         {
             "walls": "*b3ab9c bricks stone",
             "roof": "+3f5f93",

@@ -66,7 +66,7 @@ CLOTHES = {
         Usual(0.33, PLASTIC, 0.087),
     ),
     "baseball cap": Noun(
-        "cap, ball cap; visor, trucker hat, snapback, beanie, beret",
+        "cap, ball cap; visor, trucker hat, snapback, beret",
         {
             "cap": "*2a56a8 . fabric",
             "brim": "+c9302a . fabric",

@@ -113,6 +113,26 @@ EVERYDAY_CLOTHES = {
         },
         Usual(0.4, FABRIC, 0.025),
     ),
+    "belt": Noun(
+        "belts, leather belt, waist belt; utility belt, champion belt, gun belt, buckle belt",
+        {
+            "strap": "*6b4226 . leather",
+            "buckle": "+d9ab48 . golden",
+            "keeper": "&5a3620 . leather",
+            "holes": "-1c120c",
+        },
+        Usual(0.35, LEATHER, 0.15),
+    ),
+    "scarf": Noun(
+        "scarves, winter scarf, wool scarf, woolen scarf, knitted scarf; shawl, neckerchief",
+        {
+            "wool": "*bd2a2e . fabric",
+            "stripes": "+f4efe4 . fabric",
+            "fringes": "+f4efe4 . fabric",
+            "knot": "&a82428 . fabric",
+        },
+        Usual(0.6, FABRIC, 0.03),
+    ),
 }
 EVERYDAY_THINGS = {
     "paper cup": Noun(

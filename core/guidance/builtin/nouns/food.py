@@ -64,7 +64,7 @@ FOOD = {
         Usual(0.1, PLANT),
     ),
     "watermelon": Noun(
-        "water melon; melon, watermelon slice, cantaloupe, honeydew",
+        "water melon; melon, cantaloupe, honeydew",
         {"rind": "+2f7d36", "flesh": "*e2343f", "seeds": "-1f1512"},
         Usual(0.3, PLANT),
     ),

@@ -16,7 +16,7 @@ FURNITURE = {
             "legs": "*754a26 grain",
             "arms": "*754a26 grain",
         },
-        Usual(0.9, WOOD, 0.14),
+        Usual(0.9, WOOD, 0.27),
     ),
     "armchair": Noun(
         "; recliner, easy chair, club chair, wing chair, wingback chair",
@@ -56,7 +56,7 @@ FURNITURE = {
     ),
     "bookshelf": Noun(
         "bookcase, bookshelves, book shelf; book case, library shelf",
-        {"frame": "*8a5a30 grain", "books": "-b03a30 spines"},
+        {"frame": "*8a5a30 grain", "books": "-b03a30", "volumes": "-2f6a4a", "tomes": "-2b4a86"},
         Usual(1.9, WOOD, 0.12),
     ),
     "lamp": Noun(

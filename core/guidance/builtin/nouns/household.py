@@ -17,13 +17,12 @@ from core.guidance.builtin.nouns.noun import (
 
 HOUSEHOLD = {
     "mug": Noun(
-        "cup, coffee cup, coffee mug; teacup, tea cup, cup and saucer, beer mug, stein, "
-        "tankard, beer, pint of beer, glass of beer",
+        "cup, coffee cup, coffee mug; beer mug, stein, tankard, beer, pint of beer, glass of beer",
         {"body": "*e0dbd1", "handle": "&e0dbd1"},
         Usual(0.1, CERAMIC, 0.98),
     ),
     "vase": Noun(
-        "; urn, amphora, clay pot, pottery, ewer, pitcher, jug",
+        "; urn, amphora, pottery, ewer, pitcher, jug",
         {"body": "*b8613d band"},
         Usual(0.3, CERAMIC, 0.12),
     ),
@@ -259,8 +258,8 @@ HOUSEHOLD = {
         Usual(0.4, PLASTIC, 0.35),
     ),
     "chandelier": Noun(
-        "crystal chandelier; candelabra, candelabrum, ceiling lamp, hanging lamp, ceiling"
-        " light, pendant lamp, pendant light",
+        "crystal chandelier; ceiling lamp, hanging lamp, ceiling light, pendant lamp, pendant "
+        "light",
         {
             "stem": "*d0a040 . golden",
             "arms": "*d0a040 . golden",

@@ -115,6 +115,78 @@ PEOPLE = {
         },
         Usual(1.75, FLESH, 0.3),
     ),
+    "samurai": Noun(
+        "samurais, samurai warrior; shogun, ronin, samurai armor, samurai armour, daimyo",
+        {
+            "armour": "*a3241f . paint",
+            "helmet": "&2b2a30 . paint",
+            "crest": "+e0b03a . golden",
+            "clothes": "-2a2e44 . fabric",
+            "skin": _SKIN,
+            "katana": "-ccd1d6 . metal",
+        },
+        Usual(1.8, FLESH, 0.2),
+    ),
+    "viking": Noun(
+        "vikings, viking warrior, norseman; barbarian, norse warrior, berserker",
+        {
+            "tunic": "*3f648c . fabric",
+            "fur": "+5f432c",
+            "helmet": "-a9aeb4 . metal",
+            "horns": "-eadfc4",
+            "beard": "-b5602a",
+            "skin": _SKIN,
+        },
+        Usual(1.85, FLESH, 0.17),
+    ),
+    "princess": Noun(
+        "princesses; queen, empress, duchess, cinderella, rapunzel",
+        {
+            "dress": "*e37fb0 . fabric",
+            "trim": "+f8e6ee . fabric",
+            "skin": _SKIN,
+            "hair": "-6e3f20",
+            "crown": "-ecbd45 . golden",
+            "eyes": _EYES,
+        },
+        Usual(1.65, FLESH, 0.09),
+    ),
+    "chef": Noun(
+        "chefs, cook, master chef; baker, pizza chef, pastry chef",
+        {
+            "coat": "*f1f0ec",
+            "hat": "&f6f5f1",
+            "apron": "+b5302b . fabric",
+            "skin": _SKIN,
+            "hair": "-2e1f17",
+            "trousers": "-3b3f48 . fabric",
+        },
+        Usual(1.8, FLESH, 0.27),
+    ),
+    "soldier": Noun(
+        "soldiers, infantryman; trooper, marine, army man, commando, army soldier",
+        {
+            "uniform": "*66703f . fabric",
+            "helmet": "&4a5430 . paint",
+            "pack": "+7d6a45 . fabric",
+            "boots": "-2c231d . leather",
+            "skin": _SKIN,
+            "rifle": "-26272a . metal",
+        },
+        Usual(1.8, FLESH, 0.14),
+    ),
+    "cowboy": Noun(
+        "cowboys, gunslinger; cowgirl, sheriff, rancher, outlaw",
+        {
+            "shirt": "*c9ab78 . fabric",
+            "vest": "+5b3823 . leather",
+            "hat": "+8f6237",
+            "scarf": "+b82c2a . fabric",
+            "jeans": "-33527e . fabric",
+            "skin": _SKIN,
+        },
+        Usual(1.85, FLESH, 0.16),
+    ),
 }
 JEWELLERY = {
     "ring": Noun(

@@ -9,8 +9,7 @@ PLANTS = {
         Usual(0.1, PLANT, 0.4),
     ),
     "tree": Noun(
-        "fir, conifer, fir tree, pine tree; christmas tree, cypress, evergreen, spruce tree, "
-        "cedar tree",
+        "fir, conifer, fir tree, pine tree; cypress, evergreen, spruce tree, cedar tree",
         {"leaves": "*216b29", "trunk": "+613d21"},
         Usual(6.0, PLANT, 0.011),
     ),
@@ -20,8 +19,8 @@ PLANTS = {
         Usual(0.4, PLANT),
     ),
     "flower": Noun(
-        "daisy, potted flower; blossom, wildflower, daffodil, poppy, orchid, lotus",
-        {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36", "pot": "-b8623b"},
+        "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid, lotus",
+        {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36"},
         Usual(0.4, PLANT, 0.036),
     ),
     "palm": Noun(
@@ -35,8 +34,8 @@ PLANTS = {
         Usual(1.2, PLANT, 0.05),
     ),
     "potted plant": Noun(
-        "house plant, houseplant, plant in a pot, pot plant, plant; fern, aloe, flower "
-        "pot, flowerpot, planter, monstera, succulent, pot of flowers, aloe vera, ficus",
+        "house plant, houseplant, plant in a pot, pot plant, plant; fern, aloe, monstera, "
+        "succulent, pot of flowers, aloe vera, ficus",
         {"leaves": "*3c8f3a", "pot": "+b8623b", "soil": "-3c281a"},
         Usual(0.6, PLANT, 0.4),
     ),

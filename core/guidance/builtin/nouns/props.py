@@ -60,7 +60,7 @@ PROPS = {
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "shipping crate; packing case, cardboard box, ammo box",
+        "shipping crate; packing case, ammo box",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),
@@ -127,7 +127,7 @@ PROPS = {
         Usual(0.35, WOOD, 0.16),
     ),
     "cauldron": Noun(
-        "witch cauldron, kettle pot; crucible, cooking pot, stew pot",
+        "witch cauldron, kettle pot; crucible",
         {
             "pot": "*2e3033 . metal",
             "brew": "+5ac23a",
@@ -271,8 +271,8 @@ PROPS = {
         Usual(0.7, PLASTIC, 0.05),
     ),
     "pistol": Noun(
-        "handgun, hand gun; gun, revolver, firearm, toy gun, water gun, ray gun, blaster,"
-        " glock, desert eagle, six shooter, flintlock, raygun, phaser, uzi",
+        "handgun, hand gun; gun, firearm, toy gun, water gun, ray gun, blaster, glock, desert "
+        "eagle, flintlock, raygun, phaser, uzi",
         {
             "barrel": "*4a4d52 . metal",
             "frame": "&33363a . metal",

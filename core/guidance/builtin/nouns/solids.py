@@ -4,8 +4,8 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun,
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; globe, football, soccer ball, basketball, beach ball, planet, "
-        "volleyball, baseball, snowball",
+        "sphere, orb; football, soccer ball, basketball, beach ball, planet, volleyball, "
+        "baseball, snowball",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),
@@ -15,8 +15,7 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "donut, doughnut; bagel, inner tube, bracelet, wreath, "
-        "lifebuoy, life preserver, steering wheel",
+        "; inner tube, bracelet, wreath, lifebuoy, life preserver, steering wheel",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),
     ),
@@ -36,8 +35,7 @@ SOLIDS = {
         Usual(0.2, PLASTIC, 0.3),
     ),
     "star": Noun(
-        "five pointed star; sheriff star, sheriff badge, starfish, star fish, sea star, "
-        "star shape, shuriken",
+        "five pointed star; sheriff star, sheriff badge, star shape, shuriken",
         {"body": "*f4bf26"},
         Usual(0.2, PLASTIC, 0.3),
     ),

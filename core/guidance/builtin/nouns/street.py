@@ -1,6 +1,6 @@
 """What stands at a street, in a yard, on a playground and at a fair."""
 
-from core.guidance.builtin.nouns.noun import STEEL, WOOD, Noun, Usual
+from core.guidance.builtin.nouns.noun import STEEL, STONE, WOOD, Noun, Usual
 
 STREET = {
     "ferris wheel": Noun(
@@ -82,5 +82,51 @@ STREET = {
             "horses": "+f6f2ea",
         },
         Usual(9.0, WOOD, 0.1),
+    ),
+    "barn": Noun(
+        "barns, red barn, farm barn; stable, horse stable, cow shed",
+        {
+            "walls": "*a62a22",
+            "roof": "+5d5a58",
+            "trim": "+f4f1ea",
+            "door": "&84211b",
+            "hay": "-e0b54c",
+        },
+        Usual(14.0, WOOD, 0.04),
+    ),
+    "log cabin": Noun(
+        "log cabins, cabin, log house, wooden cabin; log hut, hunting lodge, woodcutters hut",
+        {
+            "logs": "*96602f . wooden",
+            "roof": "+4c3a30",
+            "chimney": "-85817a . stone",
+            "door": "-5a351d . wooden",
+            "window": "-9fd0ea . glass",
+            "frame": "+f0e6d0 . wooden",
+        },
+        Usual(8.0, WOOD, 0.2),
+    ),
+    "skyscraper": Noun(
+        "skyscrapers, high rise, highrise; office building, office tower, apartment building, "
+        "apartment block, empire state building, tower block, hotel, apartment",
+        {
+            "walls": "*d3c5a6",
+            "windows": "-2f5f8c . glass",
+            "base": "&8d8578 . stone",
+            "door": "-2a2c30 . metal",
+            "spire": "-c3c8cd . metal",
+        },
+        Usual(150.0, STONE, 0.12),
+    ),
+    "sandcastle": Noun(
+        "sandcastles, sand castle; castle of sand",
+        {
+            "towers": "*e4c684",
+            "cones": "&d2ab66",
+            "gate": "-8a6538",
+            "heap": "&dcba76",
+            "flag": "+d6322b . fabric",
+        },
+        Usual(0.6, STONE, 0.6),
     ),
 }

@@ -38,11 +38,22 @@ VEHICLES = {
         Usual(7.0, STEEL, 0.016),
     ),
     "boat": Noun(
-        "sailboat, sailing boat; ship, yacht, rowboat, rowing boat, fishing boat, "
-        "speedboat, motorboat, lifeboat, tugboat, ferry, steamboat, battleship, warship, "
-        "catamaran, dinghy, raft, ocean liner, titanic, aircraft carrier",
+        "; ship, rowboat, rowing boat, fishing boat, speedboat, motorboat, lifeboat, tugboat, "
+        "ferry, steamboat, battleship, warship, raft, ocean liner, titanic, aircraft carrier",
         {"hull": "*a3552a", "sails": "+f3efe4", "mast": "-7c4f2b"},
         Usual(8.0, WOOD, 0.3),
+    ),
+    "sailboat": Noun(
+        "sailing boat, sail boat, sailboats; yacht, sailing yacht, catamaran, dinghy",
+        {
+            "hull": "*b3281f",
+            "deck": "-c89a5e . wooden",
+            "mast": "-8a5a32",
+            "sails": "+f8f5ec",
+            "stripe": "+f4f1ea",
+            "flag": "+f0b428",
+        },
+        Usual(9.0, WOOD, 0.1),
     ),
     "train": Noun(
         "locomotive, steam engine, steam train; railway engine, train engine, subway",

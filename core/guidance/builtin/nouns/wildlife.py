@@ -2,6 +2,8 @@
 
 from core.guidance.builtin.nouns.noun import FLESH, Noun, Usual
 
+_EYES = "-14100e"
+
 WILDLIFE = {
     "leopard": Noun(
         "; cheetah, jaguar, panther, snow leopard, ocelot, leopard cub, cheetah cub, black panther",
@@ -62,6 +64,65 @@ WILDLIFE = {
         },
         Usual(0.15, FLESH, 0.2),
     ),
+    "parrot": Noun(
+        "parrots, macaw; parakeet, cockatoo, budgie, budgerigar, lovebird, toucan, ara",
+        {
+            "body": "*d1261f",
+            "wings": "+2459b5",
+            "coverts": "+f0bf2a",
+            "face": "-f6f2ea",
+            "bill": "-34302e",
+            "eyes": _EYES,
+        },
+        Usual(0.8, FLESH, 0.02),
+    ),
+    "eagle": Noun(
+        "bald eagle, eagles; hawk, falcon, vulture, condor, osprey, bird of prey, golden eagle",
+        {
+            "body": "*4a3020",
+            "wings": "&3d281b",
+            "head": "-f4f1ea",
+            "bill": "-f2b526",
+            "legs": "-e8a626",
+            "eyes": _EYES,
+        },
+        Usual(1.2, FLESH, 0.03),
+    ),
+    "gorilla": Noun(
+        "gorillas, silverback; ape, king kong, mountain gorilla, silverback gorilla",
+        {
+            "body": "*2f2c30",
+            "face": "+7d7276",
+            "back": "+9a9a9c",
+            "eyes": "-100b09",
+            "nostrils": "-19171a",
+        },
+        Usual(1.6, FLESH, 0.22),
+    ),
+    "llama": Noun(
+        "llamas; alpaca, vicuna, guanaco, baby llama",
+        {
+            "wool": "*efe3c8",
+            "face": "+c9a67a",
+            "blanket": "+c42a3c . fabric",
+            "fringe": "+f0b62e . fabric",
+            "hooves": "-3a2c26",
+            "eyes": _EYES,
+        },
+        Usual(1.8, FLESH, 0.25),
+    ),
+    "sloth": Noun(
+        "sloths, three toed sloth; baby sloth, two toed sloth",
+        {
+            "body": "*8f7a5e",
+            "face": "+e9dab8",
+            "marks": "-4a3527",
+            "claws": "-f0e6cc",
+            "branch": "-6b472c",
+            "eyes": _EYES,
+        },
+        Usual(0.8, FLESH, 0.1),
+    ),
 }
 LEGENDS = {
     "centaur": Noun(
@@ -87,5 +148,29 @@ LEGENDS = {
             "eyes": "-16120e",
         },
         Usual(1.9, FLESH, 0.09),
+    ),
+    "griffin": Noun(
+        "gryphon, griffon, griffins; hippogriff, baby griffin",
+        {
+            "body": "*c8963e",
+            "feathers": "+f3ede0",
+            "wings": "+8a5c30",
+            "bill": "-f0b428",
+            "tuft": "-6b4222",
+            "eyes": _EYES,
+        },
+        Usual(2.4, FLESH, 0.3),
+    ),
+    "minotaur": Noun(
+        "minotaurs, bull man; bull demon, minotaur warrior",
+        {
+            "body": "*a8714a",
+            "fur": "&4b2e1e",
+            "horns": "-ece0c4",
+            "loincloth": "+6e2f1e . leather",
+            "axe": "-b4b9bf . metal",
+            "eyes": _EYES,
+        },
+        Usual(2.5, FLESH, 0.21),
     ),
 }
