@@ -21,7 +21,8 @@ from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_
 CHUNK = 1 << 16  # points at a time
 PER_THREAD = 1 << 14  # of them on a CPU: what the layers make of more leaves its cache
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
-TABLES = ("base.weight", "words.3.weight", "own.weight", "kind.weight")
+TABLES = ("own.weight", "kind.weight")  # of features
+ROWS = ("base.weight", "words.3.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole
 LEAST_SWELL = 0.01  # training units
@@ -134,11 +135,13 @@ def _grid() -> TetGrid:
 
 
 def save_solid_net(path: Path, net: SolidNet) -> None:
-    """The shipped form: half precision, and bytes for the tables of features, its bulk."""
+    """The shipped form: half precision, and bytes for its bulk."""
     tensors = {}
     for name, tensor in net.state_dict().items():
         if name in TABLES:  # a group is a channel of a plane
             tensors |= in_bytes(name, tensor, tensor.numel() // (2 * BASE) ** 2)
+        elif name in ROWS:
+            tensors |= in_bytes(name, tensor, len(tensor))
         else:
             tensors[name] = tensor if tensor.dtype == torch.bool else tensor.half()
     write_tensors(path, tensors, {"config": json.dumps(asdict(net.config))})
