@@ -6,8 +6,9 @@ from typing import Any
 
 from core.errors import UserError, shown
 from core.generate import prepare
-from core.io.asset import REMAKE, data_files, inspect
+from core.io.asset import data_files, inspect
 from core.io.job import Job
+from core.io.maps import REMAKE
 from core.io.provenance import file_hash
 from core.io.run_folder import RunFolder
 from core.provenance import FILES, made_by

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -29,6 +29,15 @@ from core.io.atomic import (
 from core.io.glb import glb_bytes
 from core.io.input_file import check_file, own_file
 from core.io.json_file import read_object
+from core.io.maps import (
+    EMISSION_STRENGTH,
+    IOR,
+    OPTIONAL,
+    REMAKE,
+    Maps,
+    read_maps,
+    write_maps,
+)
 from core.io.mesh_file import load_mesh
 from core.io.obj import mtl_text, obj_text, read_obj, write_plain_obj
 from core.io.png import add_text
@@ -42,8 +51,6 @@ __all__ = [
 
 VERSION = 1
 SIZE_M = 1.0  # the longest side, metres
-EMISSION_STRENGTH = 5.0  # times emission.png: the radiance
-IOR = 1.45  # of what transmission.png lets light through
 FILES: dict[str, dict[str, Any]] = {
     "mesh.obj": {"role": "mesh", "axes": "forward -Z, up Y"},
     "mesh.mtl": {"role": "material"},
@@ -71,19 +78,7 @@ FILES: dict[str, dict[str, Any]] = {
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
 DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
-OPTIONAL = ("emission", "transmission")  # roles; in the order of :class:`Maps`
 FORMATS = ("glb", "obj", "stl", "3mf")  # that are written without Blender
-REMAKE = "Name the folder that holds asset.json, or make the asset again."
-
-
-class Maps(NamedTuple):
-    """A square texture set; row 0 is the top. All values linear."""
-
-    base_color: Float[Tensor, "s s 3"]  # linear Rec.709, in [0, 1]
-    orm: Float[Tensor, "s s 3"]  # occlusion, roughness, metallic
-    normal: Float[Tensor, "s s 3"]  # unit, tangent space, OpenGL: y along growing v
-    emission: Float[Tensor, "s s 3"] | None = None  # times EMISSION_STRENGTH; None: nothing glows
-    transmission: Float[Tensor, "s s 1"] | None = None  # its weight; None: nothing is clear
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +122,9 @@ def write_asset(
     mesh = Mesh(verts.float(), faces, uv.float(), face_uvs)
 
     def fill(new: Path) -> None:
-        _write_pictures(new, maps, preview)
+        write_maps(new, maps)
+        if preview is not None:
+            images.write_png(new / "preview.png", preview)
         origin = summary(info)
         for path in new.glob("*.png"):
             add_text(path, {key.title().replace("_", " "): text for key, text in origin.items()})
@@ -161,32 +158,13 @@ def read_asset(folder: Path) -> Asset:
             raise UserError(
                 f"mesh.obj of {folder} has {got} {name}, asset.json says {stated[name]}.", REMAKE
             )
-    return Asset(folder, info, mesh, _read_maps(folder, info))
+    return Asset(folder, info, mesh, read_maps(folder, info))
 
 
 def data_files(folder: Path) -> tuple[str, ...]:
     """Those of the asset's files that its job alone decides."""
     optional = (f"{role}.png" for role in OPTIONAL)
     return (*DATA_FILES, *(name for name in optional if (folder / name).is_file()))
-
-
-def _read_maps(folder: Path, info: dict[str, Any]) -> Maps:
-    stated = info.get("files")
-    there = stated if isinstance(stated, dict) else {}
-    roles = [role for role in Maps._fields if role not in OPTIONAL or f"{role}.png" in there]
-    found = {role: images.read_png(folder / f"{role}.png") for role in roles}
-    for role, image in found.items():
-        least = 1 if role == "transmission" else 3
-        if image.shape[2] < least or image.shape[:2] != found["base_color"].shape[:2]:
-            channels = {1: "a channel", 3: "three channels"}[least]
-            raise UserError(
-                f"{role}.png of {folder} has the shape {image.shape}, not {channels} and "
-                "the size of base_color.png.",
-                REMAKE,
-            )
-        found[role] = image[..., :least]
-    to_values = {"base_color": images.colors, "normal": images.normals, "emission": images.colors}
-    return Maps(**{role: to_values.get(role, images.units)(x) for role, x in found.items()})
 
 
 def inspect(path: Path) -> dict[str, Any]:
@@ -273,19 +251,6 @@ def _export_obj(asset: Asset, out: Path) -> None:
         for channel, name in ((1, "roughness"), (2, "metallic")):
             new = files.enter_context(atomic_file(out.with_name(names[name])))
             images.write_png(new, orm[..., [channel] * 3])
-
-
-def _write_pictures(folder: Path, maps: Maps, preview: Tensor | np.ndarray | None) -> None:
-    images.write_png(folder / "base_color.png", images.srgb_bytes(maps.base_color))
-    images.write_png(folder / "orm.png", images.unit_bytes(maps.orm))
-    images.write_png(folder / "normal.png", images.normal_words(maps.normal))
-    for role, to_bytes in (("emission", images.srgb_bytes), ("transmission", images.unit_bytes)):
-        values = getattr(maps, role)
-        pixels = None if values is None else to_bytes(values)
-        if pixels is not None and pixels.any():
-            images.write_png(folder / f"{role}.png", pixels)
-    if preview is not None:
-        images.write_png(folder / "preview.png", preview)
 
 
 def _write_mesh(folder: Path, mesh: Mesh, origin: dict[str, str]) -> None:

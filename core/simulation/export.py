@@ -7,8 +7,9 @@ from pathlib import Path
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
-from core.io.asset import Asset, Maps, check_output, read_asset
+from core.io.asset import Asset, check_output, read_asset
 from core.io.atomic import atomic_file, disk_errors
+from core.io.maps import Maps
 from core.io.obj import from_y_up, mtl_text, obj_text, plain_obj_text
 from core.simulation.body import Body, body_of, identifier, parts_folder
 from core.simulation.hulls import MAX_HULLS, Hull

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.tangents import smooth_normals
-from core.io.asset import EMISSION_STRENGTH, IOR
+from core.io.maps import EMISSION_STRENGTH, IOR
 from core.simulation.body import Body
 
 MAPS = {  # role: the shader's input, its type, the picture's output and colour space

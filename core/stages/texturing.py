@@ -14,7 +14,7 @@ from core.config import Config, TextureConfig
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.guidance.guidance import Areas, Surface
-from core.io.asset import Maps
+from core.io.maps import Maps
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ranks import Ranks

@@ -13,8 +13,9 @@ import numpy as np
 import torch
 
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, write_asset
+from core.io.asset import write_asset
 from core.io.exr import write_exr
+from core.io.maps import Maps
 
 SOME_FILES = ("asset.json", "mesh.obj", "orm.png", "asset.glb")  # of an asset, one of each kind
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)

@@ -18,9 +18,10 @@ from core.geometry.mesh import Mesh, health
 from core.geometry.uv_health import uv_health
 from core.io import asset as module
 from core.io import png as images
-from core.io.asset import Maps, export, inspect, place, read_asset, write_asset, write_plain_obj
+from core.io.asset import export, inspect, place, read_asset, write_asset, write_plain_obj
 from core.io.atomic import temporary
 from core.io.job import Job
+from core.io.maps import Maps
 from core.tests.texture_shapes import smooth_material, torus, torus_uv
 from core.texture.bake import bake
 

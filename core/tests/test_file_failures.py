@@ -14,11 +14,12 @@ import torch
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, export, place, write_asset
+from core.io.asset import export, place, write_asset
 from core.io.atomic import check_target, left_over, temporary
 from core.io.exr import write_exr
 from core.io.job import EventWriter, Job, read_events, write_text
 from core.io.lock import run_lock
+from core.io.maps import Maps
 from core.io.png import write_png
 from core.io.run_folder import RunFolder
 from core.stages.preview import write_shape

@@ -17,7 +17,8 @@ import pytest
 import torch
 
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, place, write_asset
+from core.io.asset import place, write_asset
+from core.io.maps import Maps
 from core.tests.meshes import torus
 
 VARIABLE = "FANTASIA3D_GLTF_VALIDATOR"

@@ -6,7 +6,7 @@ from core.appearance.environment import Environment, load_light
 from core.appearance.shaded import UvMesh, render_shaded
 from core.camera import Cameras
 from core.geometry.mesh import Mesh, normalise
-from core.io.asset import EMISSION_STRENGTH, Maps
+from core.io.maps import EMISSION_STRENGTH, Maps
 from core.ops import srgb_to_linear
 from core.tests.texture_shapes import torus, torus_uv
 from core.texture.look_up import emission_source, maps_source

@@ -10,7 +10,8 @@ from core.command_line import carry_out, main, parse
 from core.errors import UserError
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
-from core.io.asset import Maps, read_asset, write_asset
+from core.io.asset import read_asset, write_asset
+from core.io.maps import Maps
 from core.ops import normalize
 from core.stages.reshape import free_verts
 from core.tests.tiny_runs import OPTIONS

@@ -16,8 +16,9 @@ from PIL import Image
 from core.command_line import main
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps, place, write_asset
+from core.io.asset import place, write_asset
 from core.io.job import Job
+from core.io.maps import Maps
 from core.io.run_folder import RunFolder
 from core.report.facts import facts_of
 from core.report.lights import COLUMNS, ROWS, lamp, lights_of, packed, rgbe

@@ -14,7 +14,8 @@ import trimesh
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh
-from core.io.asset import IOR, Maps, place, read_asset, write_asset
+from core.io.asset import place, read_asset, write_asset
+from core.io.maps import IOR, Maps
 from core.simulation import body
 from core.simulation.body import identifier
 from core.simulation.export import ENDINGS, export_body

@@ -13,7 +13,7 @@ from torch import Tensor
 
 from core.appearance.material import Material
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps
+from core.io.maps import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
 from core.texture.texels import Texels, texel_bands

@@ -6,7 +6,7 @@ from torch import Tensor
 
 from core.appearance.material import Material
 from core.appearance.shaded import EmissionSource, MaterialSource
-from core.io.asset import EMISSION_STRENGTH, Maps
+from core.io.maps import EMISSION_STRENGTH, Maps
 from core.ops import normalize
 
 

@@ -11,8 +11,8 @@ from torch import Tensor
 
 from core.errors import UserError, shown
 from core.geometry.mesh import Mesh
-from core.io.asset import Maps
 from core.io.input_file import check_file, check_size
+from core.io.maps import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
 from core.texture.texels import texel_bands

@@ -159,15 +159,14 @@ def save_images(
     # 1 - y turns the green channel around.
     normal = maps.normal * (1, -1, 1) + (0, 1, 0) if flip_normal_y else maps.normal
     pictures = {"base_color": to_bytes(maps.base_color), "normal": to_bytes(normal, 16)}
-    if split:
-        pictures["roughness"] = to_bytes(np.repeat(maps.roughness[..., None], 3, -1))
-        pictures["metallic"] = to_bytes(np.repeat(maps.metallic[..., None], 3, -1))
-    else:
+    if not split:
         pictures["orm"] = to_bytes(maps.orm)
     if maps.emission is not None:
         pictures["emission"] = to_bytes(maps.emission)
-    if maps.transmission is not None:
-        pictures["transmission"] = to_bytes(np.repeat(maps.transmission[..., None], 3, -1))
+    for role in ("roughness", "metallic", "transmission"):
+        values = getattr(maps, role)
+        if values is not None and (split or role in OPTIONAL):
+            pictures[role] = to_bytes(np.repeat(values[..., None], 3, -1))
     paths = {role: folder / f"{name}_{role}.png" for role in pictures}
     for role, picture in pictures.items():
         write_png(paths[role], picture)

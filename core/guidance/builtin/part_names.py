@@ -19,7 +19,7 @@ FOUR_LEGS = frozenset(
 
 
 # Of what most of a thing is, and of its trim; the second only where there are none of the first.
-ROLES = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
+WIDE = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
 
 
 def may_state(noun: str, part: str) -> bool:
@@ -46,14 +46,14 @@ def own_names(noun: str, part: str) -> list[str]:
     """All that the noun has of the part: of a chest's body the lid too."""
     looks = looks_of(noun)
     named = [name for name in _names(part) if name in looks]
-    roles = ROLES.get(part, ())
+    roles = WIDE.get(part, ())
     each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
     return named[:1] or next(filter(None, each), [])
 
 
 def is_wide(noun: str, part: str) -> bool:
     """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
-    return part in ROLES and part not in looks_of(noun)
+    return part in WIDE and part not in looks_of(noun)
 
 
 def always_has(noun: str, part: str) -> bool:

@@ -162,9 +162,7 @@ class Reading:
         beside = self._late or self._ended_by != "and"  # "a chair and an okapi" are two things
         if self.got.found["noun"] and self._noun_end < 0 and beside:
             # "a car, exposed copper pipes": of something else, which goes with the thing.
-            # But "black bakelite" may be a material.
-            many = self._strange and self.got.left_out[-1].endswith("s")
-            if many or (self._strange and self._ended_by in ARTICLES):
+            if self._strange:
                 self.got.left_out += self._taken_back(self._begun)
         else:
             self.got.refused += self._pending

@@ -4,9 +4,10 @@ from functools import cache
 
 import torch
 
+from core.guidance.builtin.colors import Color
 from core.guidance.builtin.palette import FINISHES, Painted, painted
 from core.guidance.builtin.substances import UNWORN, lights
-from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Color
+from core.guidance.builtin.variants import BUILDINGS, VARIANTS
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear

@@ -6,7 +6,7 @@ detail, and, where no colour is stated, its own colour; roughness too.
 
 from typing import NamedTuple
 
-Color = tuple[float, float, float]
+from core.guidance.builtin.colors import Color
 
 
 class Variant(NamedTuple):
@@ -18,29 +18,24 @@ class Variant(NamedTuple):
     clear: float = 0.0  # how much of the light goes through it
 
 
-VARIANTS: dict[str, Variant] = {
+_ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of them
     # of wooden
-    "oak": Variant("wooden", (0.66, 0.48, 0.29)),
-    "walnut": Variant("wooden", (0.36, 0.22, 0.13)),
+    "oak, oak wood": Variant("wooden", (0.66, 0.48, 0.29)),
+    "walnut, walnut wood": Variant("wooden", (0.36, 0.22, 0.13)),
     "mahogany": Variant("wooden", (0.42, 0.17, 0.10), 0.4),
     "bamboo": Variant("wooden", (0.80, 0.67, 0.42), 0.45),
     "wicker": Variant("wicker", (0.62, 0.46, 0.27), 0.8),
     "rattan": Variant("wicker", (0.68, 0.52, 0.32), 0.75),
-    "pine": Variant("wooden", (0.80, 0.62, 0.40)),
-    "pinewood": Variant("wooden", (0.80, 0.62, 0.40)),
+    "pine, pinewood": Variant("wooden", (0.80, 0.62, 0.40)),
     "spruce": Variant("wooden", (0.84, 0.69, 0.47)),
     "birch": Variant("wooden", (0.86, 0.76, 0.58)),
     "maple": Variant("wooden", (0.82, 0.64, 0.42)),
-    "cherry wood": Variant("wooden", (0.58, 0.29, 0.17), 0.4),
-    "cherrywood": Variant("wooden", (0.58, 0.29, 0.17), 0.4),
+    "cherry wood, cherrywood": Variant("wooden", (0.58, 0.29, 0.17), 0.4),
     "rosewood": Variant("wooden", (0.33, 0.14, 0.10), 0.35),
     "ebony": Variant("wooden", (0.13, 0.10, 0.09), 0.3),
     "teak": Variant("wooden", (0.55, 0.36, 0.20), 0.5),
     "cedar": Variant("wooden", (0.62, 0.36, 0.23)),
-    "beech": Variant("wooden", (0.78, 0.58, 0.40)),
-    "beechwood": Variant("wooden", (0.78, 0.58, 0.40)),
-    "oak wood": Variant("wooden", (0.66, 0.48, 0.29)),
-    "walnut wood": Variant("wooden", (0.36, 0.22, 0.13)),
+    "beech, beechwood": Variant("wooden", (0.78, 0.58, 0.40)),
     "plywood": Variant("wooden", (0.80, 0.65, 0.45), 0.65),
     "driftwood": Variant("wooden", (0.60, 0.55, 0.48), 0.85),
     "reclaimed wood": Variant("wooden", (0.45, 0.34, 0.24), 0.8),
@@ -50,15 +45,12 @@ VARIANTS: dict[str, Variant] = {
     "white wood": Variant("wooden", (0.88, 0.84, 0.76)),
     "lacquered wood": Variant("wooden", (0.40, 0.18, 0.10), 0.12),
     "straw": Variant("wicker", (0.85, 0.71, 0.38), 0.85),
-    "thatch": Variant("thatch", (0.70, 0.56, 0.32), 0.95),
-    "thatched": Variant("thatch", (0.70, 0.56, 0.32), 0.95),
+    "thatch, thatched": Variant("thatch", (0.70, 0.56, 0.32), 0.95),
     # of metal
-    "stainless steel": Variant("brushed metal", (0.78, 0.79, 0.80), 0.28),
-    "stainless": Variant("brushed metal", (0.78, 0.79, 0.80), 0.28),
-    "galvanized": Variant("metal", (0.66, 0.69, 0.71), 0.45),
-    "galvanised": Variant("metal", (0.66, 0.69, 0.71), 0.45),
-    "galvanized steel": Variant("metal", (0.66, 0.69, 0.71), 0.45),
-    "galvanised steel": Variant("metal", (0.66, 0.69, 0.71), 0.45),
+    "stainless steel, stainless": Variant("brushed metal", (0.78, 0.79, 0.80), 0.28),
+    "galvanized, galvanised, galvanized steel, galvanised steel": Variant(
+        "metal", (0.66, 0.69, 0.71), 0.45
+    ),
     "tin": Variant("metal", (0.74, 0.74, 0.73), 0.35),
     "zinc": Variant("metal", (0.68, 0.70, 0.72), 0.4),
     "pewter": Variant("metal", (0.56, 0.56, 0.56), 0.4),
@@ -70,22 +62,16 @@ VARIANTS: dict[str, Variant] = {
     "gunmetal": Variant("metal", (0.24, 0.26, 0.29), 0.4),
     "dark metal": Variant("metal", (0.24, 0.25, 0.27), 0.4),
     "black metal": Variant("metal", (0.12, 0.12, 0.13), 0.45),
-    "chromed": Variant("polished metal", (0.78, 0.79, 0.80), 0.06),
-    "chrome plated": Variant("polished metal", (0.78, 0.79, 0.80), 0.06),
-    "brushed metal": Variant("brushed metal", None, 0.38),
-    "brushed steel": Variant("brushed metal", None, 0.38),
-    "brushed aluminium": Variant("brushed metal", (0.80, 0.81, 0.82), 0.4),
-    "brushed aluminum": Variant("brushed metal", (0.80, 0.81, 0.82), 0.4),
-    "polished metal": Variant("polished metal", None, 0.1),
+    "chromed, chrome plated, chrome": Variant("polished metal", (0.78, 0.79, 0.80), 0.06),
+    "brushed metal, brushed steel": Variant("brushed metal", None, 0.38),
+    "brushed aluminium, brushed aluminum": Variant("brushed metal", (0.80, 0.81, 0.82), 0.4),
+    "polished metal, polished steel": Variant("polished metal", None, 0.1),
     "shiny metal": Variant("polished metal", None, 0.12),
-    "polished steel": Variant("polished metal", None, 0.1),
-    "chrome": Variant("polished metal", (0.78, 0.79, 0.80), 0.06),
     "silver": Variant("polished metal", (0.86, 0.85, 0.82), 0.2),
     "iron": Variant("cast iron", (0.42, 0.41, 0.41), 0.5),
     "cast iron": Variant("cast iron", (0.25, 0.25, 0.26), 0.6),
     # of golden
-    "gold leaf": Variant("gold leaf", None, 0.3),
-    "gilded": Variant("gold leaf", None, 0.3),
+    "gold leaf, gilded": Variant("gold leaf", None, 0.3),
     "brass": Variant("metal", (0.88, 0.74, 0.42), 0.3),
     "polished brass": Variant("polished metal", (0.88, 0.74, 0.42), 0.12),
     "rose gold": Variant("golden", (0.90, 0.62, 0.52), 0.2),
@@ -108,10 +94,8 @@ VARIANTS: dict[str, Variant] = {
     "plaster": Variant("concrete", (0.90, 0.88, 0.84), 0.95),
     "stucco": Variant("concrete", (0.84, 0.78, 0.68), 0.95),
     # of plastic
-    "carbon fiber": Variant("denim", (0.07, 0.07, 0.08), 0.25),
-    "carbon fibre": Variant("denim", (0.07, 0.07, 0.08), 0.25),
-    "fiberglass": Variant("paint", None, 0.2),
-    "fibreglass": Variant("paint", None, 0.2),
+    "carbon fiber, carbon fibre": Variant("denim", (0.07, 0.07, 0.08), 0.25),
+    "fiberglass, fibreglass": Variant("paint", None, 0.2),
     "bakelite": Variant("plastic", (0.16, 0.10, 0.07), 0.2),
     "tortoiseshell": Variant("marble", (0.36, 0.19, 0.08), 0.15),
     "chocolate": Variant("cream", (0.24, 0.12, 0.06), 0.35),
@@ -121,60 +105,39 @@ VARIANTS: dict[str, Variant] = {
     # of rubber
     "latex": Variant("rubber", None, 0.35),
     "silicone": Variant("rubber", None, 0.6),
+    # of stone
     "marble": Variant("marble", (0.90, 0.89, 0.87), 0.16),
     "granite": Variant("granite", (0.52, 0.50, 0.49), 0.35),
     "concrete": Variant("concrete", (0.60, 0.59, 0.57), 0.9),
+    # of rubber
     "brick": Variant("brick", (0.58, 0.30, 0.22), 0.9),
     "sandstone": Variant("concrete", (0.76, 0.62, 0.43), 0.9),
     "slate": Variant("stone", (0.29, 0.31, 0.34), 0.7),
     # of ceramic
     "clay": Variant("clay", (0.72, 0.42, 0.29), 0.85),
-    "terracotta": Variant("clay", (0.72, 0.38, 0.25), 0.85),
-    "terra cotta": Variant("clay", (0.72, 0.38, 0.25), 0.85),
+    "terracotta, terra cotta": Variant("clay", (0.72, 0.38, 0.25), 0.85),
     "earthenware": Variant("clay", (0.62, 0.40, 0.28), 0.7),
     "stoneware": Variant("clay", (0.66, 0.60, 0.52), 0.5),
-    "enamel": Variant("paint", None, 0.12),
-    "enameled": Variant("paint", None, 0.12),
-    "enamelled": Variant("paint", None, 0.12),
+    "enamel, enameled, enamelled": Variant("paint", None, 0.12),
     "mother of pearl": Variant("marble", (0.92, 0.89, 0.87), 0.12),
-    **dict.fromkeys(
-        ("of bone", "of bones", "made of bone", "made of bones"),
-        Variant("bone", (0.89, 0.84, 0.73), 0.45),
-    ),
+    "of bone, of bones, made of bone, made of bones": Variant("bone", (0.89, 0.84, 0.73), 0.45),
+    # of stone
+    "glass": Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
     # of glass: the colour is that of a wall
-    **dict.fromkeys(
-        (
-            "glass",
-            "glassy",
-            "glass like",
-            "clear glass",
-            "crystal glass",
-            "crystalline",
-            "of crystal",
-        ),
-        Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
+    "glassy, glass like, clear glass, crystal glass, crystalline, of crystal": Variant(
+        "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),
     "frosted glass": Variant("glass", (0.96, 0.98, 0.98), 0.5, 0.85),
     "tinted glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
     "stained glass": Variant("glass", None, 0.08, 0.7),
-    **dict.fromkeys(
-        ("of ice", "made of ice", "icy"), Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6)
-    ),
+    "of ice, made of ice, icy": Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6),
     # of copper
     "bronze": Variant("copper", (0.66, 0.47, 0.27), 0.35),
     "polished copper": Variant("polished metal", None, 0.12),
     # of fabric
-    "felt": Variant("felt"),
-    "wool": Variant("felt"),
-    "woollen": Variant("felt"),
-    "woolen": Variant("felt"),
+    "felt, wool, woollen, woolen, plush, fleece, cashmere": Variant("felt"),
     "velvet": Variant("velvet"),
-    "plush": Variant("felt"),
-    "fur": Variant("fur"),
-    "furry": Variant("fur"),
-    "fluffy": Variant("fur"),
-    "fleece": Variant("felt"),
-    "cashmere": Variant("felt"),
+    "fur, furry, fluffy": Variant("fur"),
     "sheepskin": Variant("fur", (0.90, 0.86, 0.77)),
     "linen": Variant("fabric", (0.80, 0.74, 0.63)),
     "burlap": Variant("wicker", (0.66, 0.53, 0.35), 0.95),
@@ -183,15 +146,16 @@ VARIANTS: dict[str, Variant] = {
     "corduroy": Variant("denim"),
     "silk": Variant("velvet", None, 0.35),
     "paper": Variant("paper", (0.93, 0.91, 0.86), 0.85),
-    "papier mache": Variant("paper", (0.86, 0.83, 0.76), 0.9),
-    "paper mache": Variant("paper", (0.86, 0.83, 0.76), 0.9),
+    "papier mache, paper mache": Variant("paper", (0.86, 0.83, 0.76), 0.9),
     "cardboard": Variant("paper", (0.70, 0.53, 0.35), 0.9),
+    # of plastic
     "denim": Variant("denim", (0.20, 0.29, 0.45)),
     # of leather
     "patent leather": Variant("leather", None, 0.12),
     "snakeskin": Variant("scales", (0.45, 0.38, 0.26), 0.35),
     "suede": Variant("velvet", (0.55, 0.38, 0.24), 0.85),
 }
+VARIANTS = {form: row for forms, row in _ROWS.items() for form in forms.split(", ")}
 
 # Things that are built of stones, not carved from one.
 BUILDINGS = (

@@ -32,9 +32,8 @@ class Coat(NamedTuple):
     kd: Float[Tensor, "n 3"]  # linear
     roughness: Float[Tensor, "n 1"]
     metallic: Float[Tensor, "n 1"]
-    emission: Float[Tensor, "n 3"] | None = (
-        None  # linear; None: not known yet, as of what is learnt
-    )
+    # Of what is learnt alone these are not known.
+    emission: Float[Tensor, "n 3"] | None = None  # linear
     transmission: Float[Tensor, "n 1"] | None = None
 
 
