@@ -18,6 +18,7 @@ from core.guidance.builtin.nouns.everyday import (
     EVERYDAY_THINGS,
 )
 from core.guidance.builtin.nouns.food import FOOD
+from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
@@ -53,6 +54,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Props": PROPS | HARDWARE,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD,
+    "Fruit and Vegetables": FRUIT,
     "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
     "Characters": CHARACTERS | PEOPLE | LEGENDS,
     "Animals": ANIMALS,

@@ -1,6 +1,6 @@
-"""Food; fruit and vegetables are among it."""
+"""Food that is made."""
 
-from core.guidance.builtin.nouns.noun import FLESH, GLASS, PLANT, SNOW, STEEL, Noun, Usual
+from core.guidance.builtin.nouns.noun import FLESH, GLASS, SNOW, STEEL, Noun, Usual
 
 FOOD = {
     "hamburger": Noun(
@@ -13,100 +13,10 @@ FOOD = {
         {"scoop": "*f6c6cc", "cone": "+c98a45 waffle", "cherry": "-b8121f"},
         Usual(0.18, 600.0, 0.63),
     ),
-    "pineapple": Noun(
-        "",
-        {"body": "*dd9a26 scales", "leaves": "+3c7d33"},
-        Usual(0.3, PLANT, 0.46),
-    ),
-    "apple": Noun(
-        "",
-        {"body": "*c4201f", "stalk": "-523219", "leaf": "+4d9a35"},
-        Usual(0.08, 800.0),
-    ),
-    "carrot": Noun(
-        "",
-        {"body": "*ee7415", "leaves": "+3f9433"},
-        Usual(0.2, 1000.0, 0.5),
-    ),
     "cupcake": Noun(
         "cup cake; muffin, fairy cake",
         {"icing": "*f3a9c4", "cup": "+8a5a3a", "cherry": "-b8121f"},
         Usual(0.08, 400.0),
-    ),
-    "pumpkin": Noun(
-        "; jack o lantern, gourd, squash",
-        {"body": "*e27414", "stalk": "+5c6b2c"},
-        Usual(0.35, PLANT, 0.6),
-    ),
-    "banana": Noun(
-        "bananas; plantain",
-        {"peel": "*f4cf2e", "ends": "+5a4422"},
-        Usual(0.19, PLANT, 0.72),
-    ),
-    "pear": Noun(
-        "",
-        {"body": "*b7c23a", "stalk": "-523219", "leaf": "+4d9a35"},
-        Usual(0.12, PLANT, 0.75),
-    ),
-    "strawberry": Noun(
-        "strawberries; raspberry, berry, blackberry",
-        {"body": "*d3182a", "leaves": "+4a9636", "seeds": "-f0d27a"},
-        Usual(0.05, PLANT),
-    ),
-    "cherry": Noun(
-        "cherries",
-        {"fruits": "*b40f22", "stalks": "-6d7a2e", "leaf": "+4d9a35"},
-        Usual(0.08, PLANT, 0.31),
-    ),
-    "lemon": Noun(
-        "; lime fruit, citrus, citron",
-        {"body": "*f4d92b", "leaf": "+4a9636"},
-        Usual(0.1, PLANT),
-    ),
-    "watermelon": Noun(
-        "water melon; melon, cantaloupe, honeydew",
-        {"rind": "+2f7d36", "flesh": "*e2343f", "seeds": "-1f1512"},
-        Usual(0.3, PLANT),
-    ),
-    "grapes": Noun(
-        "grape, bunch of grapes",
-        {"grapes": "*5f2a78", "stalk": "-6a4a28", "leaf": "+4f9238"},
-        Usual(0.18, PLANT, 0.8),
-    ),
-    "avocado": Noun(
-        "; guacamole",
-        {"skin": "+2f4a24", "flesh": "*c9d46a", "stone": "-7a4a22"},
-        Usual(0.11, PLANT),
-    ),
-    "corn": Noun(
-        "maize, corn cob, corncob, corn on the cob",
-        {"kernels": "*f2c52e", "husk": "+6fa23c"},
-        Usual(0.25, PLANT, 0.19),
-    ),
-    "broccoli": Noun(
-        "; cauliflower",
-        {"florets": "*2f7a30", "stem": "+8fb860"},
-        Usual(0.18, PLANT, 0.6),
-    ),
-    "eggplant": Noun(
-        "aubergine",
-        {"body": "*3f1d4f", "cap": "+5a8a3a"},
-        Usual(0.22, PLANT, 0.57),
-    ),
-    "pepper": Noun(
-        "bell pepper, paprika, capsicum; chili, chilli, jalapeno",
-        {"body": "*cf1f1a", "stalk": "+4f8a32"},
-        Usual(0.12, PLANT, 0.4),
-    ),
-    "onion": Noun(
-        "; garlic, shallot, garlic bulb, turnip, radish, beet, beetroot",
-        {"body": "*c98a45", "roots": "-e3d3b0"},
-        Usual(0.09, PLANT),
-    ),
-    "peach": Noun(
-        "; nectarine, apricot, plum, mango",
-        {"body": "*f2a065", "stalk": "-5c3a1e", "leaf": "+4d9a35"},
-        Usual(0.08, PLANT, 0.75),
     ),
     "bread": Noun(
         "loaf, loaf of bread, bread loaf; toast, baguette, sourdough, bun, bread roll, brioche",
@@ -232,28 +142,6 @@ FOOD = {
             "wafer": "-d19a50 waffle",
         },
         Usual(0.2, FLESH, 0.43),
-    ),
-    "tomato": Noun(
-        "; cherry tomato, persimmon",
-        {"body": "*d4261c", "leaves": "+3f8a32", "stalk": "-4f7a34"},
-        Usual(0.08, PLANT, 0.69),
-    ),
-    "orange fruit": Noun(
-        "oranges, orange slice, sliced orange, fresh orange, ripe orange; tangerine, mandarin, "
-        "clementine, grapefruit, citrus fruit, satsuma",
-        {
-            "body": "*f0861a",
-            "pith": "-f8ecd0",
-            "flesh": "+f59a22",
-            "stalk": "-5c6b2c",
-            "leaf": "-4d9a35",
-        },
-        Usual(0.14, PLANT, 0.69),
-    ),
-    "coconut": Noun(
-        "coco nut; coconut shell, half coconut",
-        {"shell": "*6b4526", "flesh": "+f7f4ec", "water": "-b9d9e4 . glass", "eyes": "-2a1a10"},
-        Usual(0.22, PLANT, 0.8),
     ),
     "steak": Noun(
         "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, "
