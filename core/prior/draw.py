@@ -6,12 +6,22 @@ from core.guidance.builtin.words import LEGS
 
 
 class Draw:
-    """Random numbers for proportions, from one generator; ``part_state`` is of ``PARTS`` or ""."""
+    """Random numbers for proportions, from one generator; ``part_state`` is of ``PARTS`` or "".
+
+    ``choices`` is what was drawn of few: what tells a family's objects apart at sight.
+    """
 
     def __init__(
         self, generator: torch.Generator, part_state: str = "", adjective: str = ""
     ) -> None:
         self.generator, self.part_state, self.adjective = generator, part_state, adjective
+        self.choices: list[int] = []
+
+    def formed(self, adjective: str) -> "Draw":
+        """The same draw for an object of this form; the choices are one list."""
+        own = Draw(self.generator, self.part_state, adjective)
+        own.choices = self.choices
+        return own
 
     def __call__(self, low: float, high: float) -> float:
         """Uniform in [low, high)."""
@@ -19,21 +29,29 @@ class Draw:
 
     def chance(self, probability: float) -> bool:
         """True with this probability."""
-        return self(0, 1) < probability
+        return bool(self._chosen(self(0, 1) < probability))
+
+    def which(self, count: int) -> int:
+        """One of ``count`` variants, from 0."""
+        return self._chosen(int(self(0, count)))
 
     def arranged(self, count: int = 3) -> "Draw":
         """One of ``count`` draws that are the same in every object, for an arrangement: where each
         object has its own, as the tufts of a bush, what is learnt is the mean of all, a lump."""
-        return Draw(torch.Generator().manual_seed(int(self(0, count))))
+        return Draw(torch.Generator().manual_seed(self.which(count)))
 
     def has(self, part: str, probability: float) -> bool:
         """Whether the thing has ``part``: as the caption states, or by chance."""
         # Drawn in any case: the draws that follow do not depend on the caption.
-        by_chance = self.chance(probability)
+        by_chance = self(0, 1) < probability
         stated = self.part_state in (part, f"no {part}")
-        return self.part_state == part if stated else by_chance
+        return bool(self._chosen(self.part_state == part if stated else by_chance))
 
     def legs(self, *counts: int) -> int:
         """How many legs: as the caption states, or one of ``counts`` by chance."""
         by_chance = counts[int(self(0, len(counts)))]
-        return LEGS.get(self.part_state, by_chance)
+        return self._chosen(LEGS.get(self.part_state, by_chance))
+
+    def _chosen(self, choice: int) -> int:
+        self.choices.append(int(choice))
+        return choice

@@ -167,7 +167,7 @@ def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
     """
     factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
-    parts = FAMILIES[noun](Draw(draw.generator, draw.part_state, adjective))
+    parts = FAMILIES[noun](draw.formed(adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
         factors = (x, y, z)

@@ -8,6 +8,7 @@ import multiprocessing
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
+from zlib import crc32
 
 import torch
 from jaxtyping import Float, Int
@@ -46,6 +47,7 @@ class Solids:
     words: (
         Tensor  # (N, 3) int16: noun, adjective, state of the parts; indices of ``core.prior.data``
     )
+    choices: Tensor  # (N,) int64: of what the families choose by chance, a number for each outcome
 
     def __len__(self) -> int:
         return len(self.words)
@@ -84,6 +86,7 @@ def _object(noun: int, draw: Draw) -> Solids:
         points=(points / EXTENT * 32767).round().to(torch.int16),
         distances=torch.cat([distances, none], 1).half(),
         words=torch.tensor([noun, adjective, state], dtype=torch.int16),
+        choices=torch.tensor(crc32(bytes(own.choices))),
     )
 
 

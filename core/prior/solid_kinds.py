@@ -1,6 +1,8 @@
 """The kinds of each noun's solids: clusters of their volumes, found before the training.
 
 Tables of one leg and of four are both tables, and what is learnt of them together is their mean.
+What a family chooses by chance, a round top or an oblong one, counts for more than its proportions,
+though these may move more of the volume.
 """
 
 from pathlib import Path
@@ -18,6 +20,7 @@ from core.prior.solid_data import REACH, SIDE, SOLIDS, Solids, read_solids
 
 FILES = 30  # that the kinds are found in
 NAME = "kinds.safetensors"
+OWN = 0.3  # how much counts by which an object differs from those of the same choices
 NEAR = 0.1  # training units: volumes are compared within this of their surfaces
 SEED = 0
 
@@ -35,11 +38,20 @@ def kinds_of(folder: Path) -> Float[Tensor, "n k c"]:
 
 def _clusters(solids: Solids, noun: int) -> Float[Tensor, "k c"]:
     """By k-means; a cluster that stays empty keeps its first member."""
-    found = compared(solids.grid[solids.words[:, 0] == noun])
+    found = _volumes(solids, solids.words[:, 0] == noun)
     if len(found) <= KINDS:
         return found[torch.arange(KINDS) % max(len(found), 1)] if len(found) else _nothing()
     middles, _ = kmeans2(found.numpy(), KINDS, minit="++", seed=SEED)
     return torch.from_numpy(middles)
+
+
+def _volumes(solids: Solids, which: Tensor) -> Float[Tensor, "n c"]:
+    """As compared, and drawn towards the mean of those of the same choices."""
+    own = compared(solids.grid[which])
+    choices, of = solids.choices[which].unique(return_inverse=True)
+    count = of.bincount(minlength=len(choices))
+    means = torch.zeros(len(choices), own.shape[1]).index_add(0, of, own) / count[:, None]
+    return torch.lerp(means[of], own, OWN)
 
 
 def _nothing() -> Float[Tensor, "k c"]:
@@ -56,7 +68,7 @@ def kind_rows(solids: Solids, middles: Float[Tensor, "n k c"]) -> Int[Tensor, " 
     rows = torch.zeros(len(solids), dtype=torch.long)
     for noun in solids.words[:, 0].unique().tolist():
         index = (solids.words[:, 0] == noun).nonzero()[:, 0]
-        away = torch.cdist(compared(solids.grid[index]), middles[noun])
+        away = torch.cdist(_volumes(solids, index), middles[noun])
         rows[index] = 1 + KINDS * noun + away.argmin(1)
     return rows
 

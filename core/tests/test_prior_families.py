@@ -291,6 +291,20 @@ def test_an_arrangement_is_one_of_few_and_the_same_in_every_object():
     assert len(seen) == 3
 
 
+def test_what_a_family_chooses_is_noted_but_not_its_proportions():
+    draw = _draw(3, "handle")
+    drawn = [draw(0, 1), draw.chance(0.5), draw.which(4), draw.has("handle", 0.0), draw.legs(3, 4)]
+    assert draw.choices == drawn[1:]
+    shaped = draw.formed("round")
+    draw.arranged(5)
+    assert (shaped.adjective, shaped.part_state, shaped.choices) == (
+        "round",
+        "handle",
+        draw.choices,
+    )
+    assert len(draw.choices) == 5
+
+
 def test_a_ring_has_a_hole_and_a_cut_removes():
     p = torch.tensor([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     torch.testing.assert_close(ring((0, 0, 0), 1.0, 0.3)(p), torch.tensor([0.7, -0.3]))

@@ -75,7 +75,7 @@ def chair(draw: Draw) -> Parts:
     high = (top - seat) / 2
     posts = [box((side * a, b, seat + high), (thick, thick, high), 0.015) for side in (-1, 1)]
     rail = box((0, b, top - 0.13), (a, 0.065, 0.13), 0.02)
-    style = int(draw(0, 3))
+    style = draw.which(3)
     boards = [box((0, b, seat + k * high), (a, 0.06, 0.085), 0.015) for k in (0.5, 1.05)]
     slats = [box((k * a, b, seat + high), (0.07, 0.055, high * 0.9), 0.015) for k in (-0.5, 0, 0.5)]
     panel = [box((0, b, seat + high * 1.15), (a, 0.06, high * 0.75), 0.015)]

@@ -93,7 +93,7 @@ def ufo(draw: Draw) -> Parts:
         draw(1.1, 1.3),
         draw(0.2, 0.26),
         draw(0.45, 0.56),
-        6 + 2 * int(draw(0, 2)),
+        6 + 2 * draw.which(2),
     )
     rise, z = draw(0.4, 0.62), 0.7
     shape = [

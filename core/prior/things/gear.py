@@ -91,7 +91,7 @@ def pickaxe(draw: Draw) -> Parts:
 def saw(draw: Draw) -> Parts:
     """A handsaw along x, its teeth down, its handle to the right."""
     left, right, high, tip = -1.2, 0.62, draw(0.62, 0.75), draw(0.25, 0.35)
-    teeth, low = 7 + int(draw(0, 3)), 0.16
+    teeth, low = 7 + draw.which(3), 0.16
     step = (right - left) / teeth
     edge = []
     for k in range(teeth):

@@ -29,7 +29,7 @@ def bridge(draw: Draw) -> Parts:
     xs = [long * (k / 6 - 1) for k in range(13)]
     rise = [low + hump * math.cos(x / long * math.pi / 2) for x in xs]
     top = list(zip(xs, rise, strict=True))
-    count = 1 + int(draw(0, 3))
+    count = 1 + draw.which(3)
     spans = (((0.0, 0.8),), ((-0.62, 0.5), (0.62, 0.5)), ((-0.86, 0.32), (0, 0.44), (0.86, 0.32)))
     # One span is a flat arch: the middle of its circle is below the ground.
     down = 0.16 if count == 1 else 0.0
@@ -166,7 +166,7 @@ def pyramid(draw: Draw) -> Parts:
             ),
             "door": box((0, y, door), (door, 0.16, door)),
         }
-    steps, shrine = 5 + int(draw(0, 2)), draw(0.26, 0.32)
+    steps, shrine = 5 + draw.which(2), draw(0.26, 0.32)
     levels = [
         box((0, 0, high * (k + 0.5) / steps), (s, s, high / steps / 2 + 0.01), 0.02)
         for k in range(steps)

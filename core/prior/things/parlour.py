@@ -44,7 +44,7 @@ LANDS = (
 
 def globe(draw: Draw) -> Parts:
     """The world on a leaning axis, held by a half ring on a turned foot."""
-    r, lean, first = draw(0.72, 0.78), draw(21, 25), (75, -15, -95)[int(draw(0, 3))]
+    r, lean, first = draw(0.72, 0.78), draw(21, 25), (75, -15, -95)[draw.which(3)]
     low, foot = draw(0.5, 0.58), draw(0.48, 0.56)
     bow = r + 0.16
     z = low + bow

@@ -33,7 +33,7 @@ def factory(draw: Draw) -> Parts:
                    y + 0.06) for k in range(3)]  # fmt: skip
     back = y + 0.1
     stacks = [(x * 0.2, high), (x * 0.72, high - 0.32), (-x * 0.36, high - 0.16)]
-    stacks = stacks[: 1 + int(draw(0, 3))]
+    stacks = stacks[: 1 + draw.which(3)]
     return {
         "hall": join(
             box((0, 0, eave / 2), (x, y, eave / 2)),

@@ -37,7 +37,7 @@ def _shaded_lamp(x: float, y: float, z: float, r: float) -> tuple[Solid, Solid]:
 
 def street_lamp(draw: Draw) -> Parts:
     """A lantern on its post; or a bell on a bent arm to the front, or one at each side."""
-    kind, thick, foot = int(draw(0, 3)), draw(0.1, 0.14), draw(0.26, 0.42)
+    kind, thick, foot = draw.which(3), draw(0.1, 0.14), draw(0.26, 0.42)
     neck, wide, r = draw(1.7, 2.15), draw(0.3, 0.42), draw(0.3, 0.42)
     parts = {
         "post": tube((0, 0, 0.1), (0, 0, neck), thick),
@@ -214,7 +214,7 @@ def wind_turbine(draw: Draw) -> Parts:
              (0.05, 0.1)]  # fmt: skip
     stripe = box((reach, -0.06, 0), (draw(0.16, 0.4), wide, 0.13), 0.02)
 
-    turn = 60 * int(draw(0, 2))
+    turn = 60 * draw.which(2)
 
     def turning(solid: Solid) -> Solid:
         return moved(turned(_third(solid, turn), 0, 90), (0, front, high))

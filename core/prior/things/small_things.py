@@ -261,7 +261,7 @@ def finger_ring(draw: Draw) -> Parts:
         tube((0, -2, r + thick), (0, 2, r + thick), r - 0.06),
     )
     top = 2 * (r + thick) - 0.06
-    kind = int(draw(0, 3))
+    kind = draw.which(3)
     if kind == 2:
         plate = tube((0, 0, top - 0.14), (0, 0, top + 0.14), draw(0.42, 0.52), 0.05)
         gem = tube((0, 0, top), (0, 0, top + 0.24), 0.3, 0.03)

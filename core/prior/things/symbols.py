@@ -76,7 +76,7 @@ def crescent_moon(draw: Draw) -> Parts:
 
 def gear(draw: Draw) -> Parts:
     """Upright, its axis to the front."""
-    count, r, y = 8 + 2 * int(draw(0, 3)), draw(0.8, 0.88), draw(0.17, 0.26)
+    count, r, y = 8 + 2 * draw.which(3), draw(0.8, 0.88), draw(0.17, 0.26)
     low, top = 2 * r / count * draw(1.0, 1.1), 2 * r / count * draw(0.62, 0.75)
     tooth = prism([(r - 0.1, -low), (r + 0.22, -top), (r + 0.22, top), (r - 0.1, low)], 2, y)
     hub, hole = draw(0.34, 0.4), draw(0.17, 0.22)

@@ -157,7 +157,7 @@ def saxophone(draw: Draw) -> Parts:
 
 def xylophone(draw: Draw) -> Parts:
     """Bars of falling length on two rails, with a mallet on top."""
-    count, pitch, long, short = 6 + int(draw(0, 3)), 0.3, draw(0.7, 0.85), draw(0.36, 0.46)
+    count, pitch, long, short = 6 + draw.which(3), 0.3, draw(0.7, 0.85), draw(0.36, 0.46)
     x = count * pitch / 2
     bars = [
         box(((k + 0.5) * pitch - x, 0, 0.3), (0.11, long + (short - long) * k / count, 0.09), 0.03)
@@ -264,7 +264,7 @@ def puzzle_cube(draw: Draw) -> Parts:
                 center.insert(axis, sign * size)
                 halves = [half, half]
                 halves.insert(axis, 0.05)
-                by_chance = int(draw(0, 5))
+                by_chance = draw.which(5)
                 color = min(side, 4) if solved or a == b == 0 else by_chance
                 faces[color].append(box(tuple(center), tuple(halves), 0.02))
     names = ("reds", "blues", "greens", "whites", "yellows")

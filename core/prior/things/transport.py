@@ -170,7 +170,7 @@ def _van(draw: Draw, top: float, y: float, panes: int) -> Parts:
 
 def van(draw: Draw) -> Parts:
     """A van with one, two or three side windows."""
-    return _van(draw, draw(1.2, 1.4), draw(1.1, 1.25), 1 + int(draw(0, 3)))
+    return _van(draw, draw(1.2, 1.4), draw(1.1, 1.25), 1 + draw.which(3))
 
 
 def ambulance(draw: Draw) -> Parts:
