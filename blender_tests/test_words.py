@@ -44,6 +44,8 @@ def test_a_prompt_is_reported_once_it_rests():
 def test_a_part_with_a_color_is_named_once():
     report = words.ask(CORE, ("a blue mug with a red handle", False))
     assert words.summary(report) == "mug, blue, red handle"
+    report["part_sheens"] = {"handle": "glowing"}
+    assert words.summary(report) == "mug, blue, glowing red handle"
 
 
 def test_the_words_are_known_before_the_installation_by_blenders_own_python(tmp_path):

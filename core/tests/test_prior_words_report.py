@@ -148,8 +148,6 @@ def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
     [
         ("a couch with red pillows", Words("sofa"), "red pillow"),
         ("a vase of red flowers, blue", Words("vase", color="blue"), "red flower"),
-        ("a bucket of water", Words("bucket"), "water"),
-        ("a torus with pink icing", Words("torus"), "pink icing"),
         ("a yellow robot holding a wooden sword", Words("robot", color="yellow"), "wooden sword"),
         ("table with lamp", Words("table"), "lamp"),
     ],
@@ -159,6 +157,40 @@ def test_what_goes_with_a_thing_is_left_out_with_its_colours_and_reported(prompt
     assert found == words
     assert f"{aside}: left out, as one thing is made at a time." in found.notes
     assert " ".join(found.left_out) == aside
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words", "part"),
+    [
+        ("a torus with pink icing", Words("torus"), "pink icing"),
+        ("a bucket of water", Words("bucket"), "water"),
+        ("a black robot with a red glow", Words("robot", color="black"), "red glow"),
+    ],
+)
+def test_a_part_that_the_thing_has_not_is_left_out_and_said_so(prompt, words, part):
+    found = parse(prompt)
+    assert found == words
+    assert found.notes == (f"{part}: left out, as a {words.noun} has none here.",)
+    assert " ".join(found.left_out) == part
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colors"),
+    [
+        ("a lantern with a green flame", {"glass": "green"}),
+        ("a campfire with blue flames", {"flame": "blue"}),
+        ("a torch with green fire", {"flame": "green"}),
+        ("a spaceship with a blue glow", {"flames": "blue"}),
+    ],
+)
+def test_what_burns_and_what_glows_is_found_by_either_name(prompt, colors):
+    assert understood(prompt)["part_colours"] == colors
+
+
+def test_the_report_has_what_each_part_is_of_and_how_it_shines():
+    found = understood("a teal toaster with matte chrome trim")
+    assert found["part_materials"] == {"lever": "chrome", "knob": "chrome"}
+    assert found["part_sheens"] == {"lever": "matte", "knob": "matte"}
 
 
 def test_an_unknown_word_in_what_goes_with_a_thing_is_left_out_and_reported():
@@ -282,6 +314,7 @@ def test_what_is_understood_is_plain_data():
         "colours": ["red", "white"],
         "part_colours": {},
         "part_materials": {},
+        "part_sheens": {},
         "weather": [],
         "sheen": [],
         "materials": ["oak"],

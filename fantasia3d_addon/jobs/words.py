@@ -106,7 +106,7 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 def summary(report: Report) -> str:
     """What is understood, in the order of the prompt's grammar: "chair, red, wooden"."""
     words = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
-    told = (report.get("part_colours", {}), report.get("part_materials", {}))
+    told = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
     own = dict.fromkeys(part for of_parts in told for part in of_parts)
     parts = [part for part in report["parts"] if part not in own]
     looks = [" ".join([*(of[part] for of in told if part in of), part]) for part in own]

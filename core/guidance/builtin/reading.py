@@ -332,12 +332,13 @@ class Reading:
             if noun and there and not may_state(noun, part) and not always_has(noun, part):
                 self.got.parts.remove(stated)
                 of = material.form if material else ""
-                self._leave_aside(" ".join(filter(None, (tone or color, of, form))))
+                why = f"{with_article('noun', noun)} has none here"
+                self._leave_aside(" ".join(filter(None, (tone or color, of, form))), why)
 
-    def _leave_aside(self, form: str) -> None:
+    def _leave_aside(self, form: str, why: str = "one thing is made at a time") -> None:
         left = [*self._of_accessory(), form]
         self.got.aside += left
-        self.got.notes.append(f"{' '.join(left)}: left out, as one thing is made at a time.")
+        self.got.notes.append(f"{' '.join(left)}: left out, as {why}.")
 
     def _of_accessory(self) -> list[str]:
         """Take back the colours and the like that were read in a phrase about an accessory, since

@@ -57,7 +57,7 @@ class Words:
         return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
 
     def of_parts(self, what: str) -> dict[str, str]:
-        """The "color" or the "material" of each part that has its own."""
+        """The "color", the "material" or the "sheen" of each part that has its own."""
         found = {self.target: self.second} if self.target and what == "color" else {}
         own = {accent.part: getattr(accent, what) for accent in self.accents}
         return found | {part: word for part, word in own.items() if word}
@@ -65,6 +65,12 @@ class Words:
     def named_material(self) -> str:
         """The material as it was written, where it gets its own detail; else its word."""
         return self.material_form if self.material_form in VARIANTS else self.material
+
+    def part_materials(self) -> dict[str, str]:
+        """The material of each part that has its own, as :meth:`named_material`."""
+        forms = {accent.part: accent.material_form for accent in self.accents}
+        own = self.of_parts("material")
+        return {part: forms[part] if forms[part] in VARIANTS else own[part] for part in own}
 
     def part_shades(self) -> dict[str, str]:
         """The colour of each part that has its own, as it was written."""
@@ -100,7 +106,8 @@ def understood(
         "parts": [words.part] if words.part else [],
         "colours": [color for color in (words.color_form or words.color, second) if color],
         "part_colours": words.part_shades(),
-        "part_materials": words.of_parts("material"),
+        "part_materials": words.part_materials(),
+        "part_sheens": words.of_parts("sheen"),
         "materials": [words.named_material()] if words.material else [],
         "pattern": words.pattern or None,
         "weather": list(words.weather),

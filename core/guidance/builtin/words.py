@@ -135,6 +135,7 @@ PART_SYNONYMS = {
     "bill": "beak",
     "claws": "claw, pincers, pincer",
     "antlers": "antler",
+    "flame": "flames",
 }
 # What else a thing may call a part, the likeliest first: a fan's base is its stand.
 PART_ALSO = {
@@ -170,6 +171,9 @@ PART_ALSO = {
     "glass": "glasses, windows, window, lens, screen, dome",
     "windshield": "windows, window, cockpit",
     "display": "screen",
+    "flame": "fire, glass, lamp, embers",
+    "fire": "flame, flames, embers, glass",
+    "glow": "flame, flames, lights, light, lamp, lamps, glass, bulb, shade, crystal, embers",
     "skin": "body, fur, peel, rind",
     "fur": "coat, wool, body",
     "hide": "body, skin",
