@@ -230,9 +230,12 @@ def _value(word: tuple[str, str]) -> Color | None:
 def is_of(noun: str, look: Look, material: str) -> bool:
     """Whether a material that is stated of the noun is one of such a part: not the metal fittings
     of what is no metal, such as a wooden chest's bands (of a wooden sword the guard too); nor a
-    golden medal's ribbon."""
+    golden medal's ribbon; nor, where the thing is of it by nature, what else it has, such as a
+    glass bottle's cap."""
     if look.role != "+" or not material:
         return look.role != "-"
+    if any(other.role == "*" and other.material == material for other in looks(noun).values()):
+        return look.material == material
     if look.finish.metallic < 0.5:
         return look.material not in SOFT or material not in HARD
     main = [other.finish.metallic for other in looks(noun).values() if other.role == "*"]
