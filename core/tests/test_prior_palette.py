@@ -92,7 +92,7 @@ def test_a_metal_is_a_metal_and_a_wood_has_grain():
 def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
     golden = coat("car", Caption("", "golden"), _draw())
     metallic = dict(zip(looks("car"), golden.metallic[:, 0].tolist(), strict=True))
-    assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1}
+    assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1, "hubs": 1}
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)

@@ -25,15 +25,16 @@ from core.prior.solids import (
 def drawers(
     middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
 ) -> tuple[Solid, Solid]:
-    """Drawer fronts on the plane ``y`` over ``middle`` ± ``half``, and their knobs."""
+    """Drawer fronts that stand out from the plane ``y`` over ``middle`` ± ``half``, and bars."""
     step, width = (high - low) / rows, half / columns
     cells = [
         (middle - half + width * (2 * c + 1), low + step * (r + 0.5))
         for r in range(rows)
         for c in range(columns)
     ]
-    fronts = (box((u, y, v), (width - 0.04, 0.07, step / 2 - 0.035), 0.02) for u, v in cells)
-    return join(*fronts), join(*(ball((u, y - 0.11, v), 0.09) for u, v in cells))
+    fronts = (box((u, y - 0.04, v), (width - 0.05, 0.1, step / 2 - 0.06), 0.02) for u, v in cells)
+    bars = (box((u, y - 0.16, v), (width * 0.36, 0.09, 0.05), 0.02) for u, v in cells)
+    return join(*fronts), join(*bars)
 
 
 def feet(x: float, y: float, high: float, radius: float) -> Solid:
@@ -42,20 +43,22 @@ def feet(x: float, y: float, high: float, radius: float) -> Solid:
 
 
 def desk(draw: Draw) -> Parts:
-    """A board on one or two sets of drawers."""
-    x, y, high, half = draw(1.15, 1.4), draw(0.55, 0.68), draw(1.1, 1.3), draw(0.32, 0.4)
-    right, deep = x - half - 0.06, y - 0.06
-    fronts, knobs = drawers(right, -deep, 0.08, high - 0.1, half, 3)
+    """A board on one or two chests of drawers, slim legs where there is but one."""
+    x, y, high, half = draw(1.1, 1.3), draw(0.58, 0.68), draw(1.15, 1.3), draw(0.35, 0.4)
+    right, deep, leg = x - half - 0.05, y - 0.2, x / 15
+    fronts, bars = drawers(right, -deep, 0.08, high - 0.09, half - 0.02, 3)
     side = box((right, 0, high / 2), (half, deep, high / 2), 0.02)
-    panel = box((0, deep - 0.1, high * 0.66), (x - 0.2, 0.08, high * 0.34))
+    panel = box((0, deep - 0.1, high * 0.7), (x - 0.1, leg, high * 0.3))
     if draw.chance(0.4):
-        fronts, knobs, side = both(fronts), both(knobs), both(side)
-    leg = box((-x + 0.16, 0, high / 2), (0.1, deep, high / 2), 0.02)
+        fronts, bars, side = both(fronts), both(bars), both(side)
+    else:
+        post = box((0.05 + leg - x, deep - leg, high / 2), (leg, leg, high / 2), 0.02)
+        side = join(side, both(post, 1))
     return {
-        "top": box((0, 0, high + 0.06), (x, y, draw(0.09, 0.11)), 0.03),
-        "body": join(side, leg, panel),
+        "top": box((0, 0, high + 0.06), (x, y, 0.085), 0.03),
+        "body": join(side, panel),
         "drawers": fronts,
-        "handles": knobs,
+        "handles": bars,
     }
 
 
@@ -211,18 +214,20 @@ def bunk_bed(draw: Draw) -> Parts:
 
 
 def coffee_table(draw: Draw) -> Parts:
-    """Low: an oblong or a round board, a shelf below."""
-    x, y, high, leg = draw(1.0, 1.3), draw(0.6, 0.75), draw(0.6, 0.8), draw(0.1, 0.12)
+    """Low: an oblong or a round board on slim legs, a shelf between them."""
+    x, y, high, slim = draw(1.0, 1.25), draw(0.6, 0.72), draw(0.6, 0.75), draw(0.065, 0.071)
     if draw.chance(0.3):
-        x = y = draw(0.9, 1.1)
-        u = v = x * 0.62
-        top = tube((0, 0, high - 0.08), (0, 0, high + 0.1), x, 0.04)
-        shelf = tube((0, 0, high * 0.3 - 0.08), (0, 0, high * 0.3 + 0.08), x * 0.78, 0.03)
+        x = draw(0.9, 1.1)
+        plate, low, u = x * slim, high * 0.28, x * 0.52
+        v = u
+        top = tube((0, 0, high - plate), (0, 0, high + plate), x, 0.03)
+        shelf = tube((0, 0, low - plate), (0, 0, low + plate), x * 0.7, 0.02)
     else:
-        u, v = x - 0.16, y - 0.16
-        top = box((0, 0, high), (x, y, 0.1), 0.03)
-        shelf = box((0, 0, high * 0.3), (u, v, 0.085), 0.02)
-    legs = both(box((u, v, high / 2), (leg, leg, high / 2), 0.02), 0, 1)
+        plate, low = x * slim, high * 0.28
+        u, v = x - plate - 0.08, y - plate - 0.08
+        top = box((0, 0, high), (x, y, plate), 0.02)
+        shelf = box((0, 0, low), (u, v, plate), 0.02)
+    legs = both(box((u, v, high / 2), (plate, plate, high / 2), 0.02), 0, 1)
     return {"top": top, "legs": legs, "shelf": shelf}
 
 

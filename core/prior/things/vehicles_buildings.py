@@ -1,8 +1,11 @@
 """Vehicles and buildings."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
     both,
@@ -10,13 +13,16 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
+    grown,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     taper,
     tube,
     turned,
+    within,
 )
 
 
@@ -26,23 +32,48 @@ def _wheels(x: float, ys: tuple[float, ...], radius: float, thick: float = 0.12)
     return both(join(*pairs))
 
 
+def _rimmed(x: float, y: float, radius: float, half: float = 0.11) -> tuple[Solid, Solid]:
+    """A tyre on an axle along x, on the floor, its outer side hollow, and the hub in it."""
+    face = x + half
+    hollow = tube((face - 0.06, y, radius), (face + 1, y, radius), radius * 0.66)
+    tyre = cut(tube((x - half, y, radius), (face, y, radius), radius, 0.04), hollow)
+    return tyre, tube((x, y, radius), (face - 0.02, y, radius), radius * 0.5, 0.03)
+
+
 def car(draw: Draw) -> Parts:
-    """A small car, its lamps to the front."""
-    x, y, wheel = draw(0.55, 0.63), draw(1.1, 1.25), draw(0.25, 0.29)
-    hood, roof = draw(0.72, 0.8), draw(1.18, 1.32)
-    front, back = -y * draw(0.4, 0.5), y * draw(0.7, 0.82)
-    cabin = [(front, hood - 0.1), (back, hood - 0.1), (back - 0.2, roof), (front + 0.34, roof)]
-    glass = [(front + 0.02, hood + 0.02), (back - 0.0, hood + 0.02), (back - 0.16, roof - 0.12)]
-    glass += [(front + 0.32, roof - 0.12)]
-    pane = prism([(b * 0.86 + 0.03, c) for b, c in glass], 0, x * 0.94)
+    """A car with a hood, a cabin and a short boot, its wheels in arches."""
+    x, y, wheel = draw(0.58, 0.64), draw(1.26, 1.38), draw(0.27, 0.3)
+    belt, roof, edge = draw(0.72, 0.77), draw(1.13, 1.2), 0.07
+    front, back = -y * draw(0.34, 0.4), y * draw(0.76, 0.84)
+    axles, nose = (-y * 0.6, y * 0.6), draw(0.58, 0.62)
+    # The outlines are grown by ``edge``, which rounds them.
+    side = [(-y + 0.1, 0.27), (-y + 0.07, nose - 0.1), (-y + 0.2, nose), (front, belt - edge)]
+    side += [(y - 0.14, belt - edge), (y - 0.07, belt - 0.24), (y - 0.1, 0.27)]
+    plan = [(0, -y), (x * 0.78, -y), (x, -y * 0.78), (x, y * 0.82), (x * 0.82, y), (0, y)]
+    hull = within(grown(prism(side, 0, x - edge), edge), prism(mirrored(plan), 2, 2))
+    bumpers = both(box((0, y - 0.04, 0.3), (x * 0.78, 0.1, 0.09), 0.04), 1)
+    arches = (tube((x * 0.5, v, wheel), (2, v, wheel), wheel + 0.06) for v in axles)
+    cabin = [(front - 0.05, belt - 0.1), (front + 0.42, roof - edge)]
+    cabin += [(back - 0.46, roof - edge), (back - 0.02, belt - 0.1)]
+    across = [(x * 0.9 - edge, belt - 0.1), (x * 0.7 - edge, roof - edge)]
+    roofline = grown(prism(cabin, 0, 1), edge)
+    walls = grown(prism(mirrored(across), 1, 2), edge)
+    low, high, post = belt + 0.04, roof - 0.1, (front + back) / 2 + 0.02
+    lights = (
+        [(front + 0.14, low), (front + 0.42, high), (post - 0.06, high), (post - 0.06, low)],
+        [(post + 0.06, low), (post + 0.06, high), (back - 0.45, high), (back - 0.16, low)],
+    )
+    shields = prism(mirrored([(x * 0.78, low), (x * 0.6, high)]), 1, 2)
+    tyres, hubs = zip(*(_rimmed(x - 0.06, v, wheel) for v in axles), strict=True)
     return {
-        "body": join(
-            box((0, 0, (hood + 0.24) / 2), (x, y, (hood - 0.24) / 2), 0.12),
-            prism(cabin, 0, x * 0.86),
+        "body": join(cut(hull, both(join(*arches))), bumpers, within(roofline, walls)),
+        "windows": join(
+            within(shields, grown(roofline, 0.02)),
+            *(within(prism(light, 0, 1), grown(walls, 0.02)) for light in lights),
         ),
-        "windows": join(pane, prism(glass, 0, x * 0.74)),
-        "wheels": _wheels(x * 0.95, (-y * 0.6, y * 0.6), wheel),
-        "lamps": both(ball((x * 0.62, -y + 0.02, hood - 0.24), 0.12)),
+        "wheels": both(join(*tyres)),
+        "lamps": both(box((x * 0.62, -y + 0.08, nose - 0.12), (0.14, 0.12, 0.085), 0.04)),
+        "hubs": both(join(*hubs)),
     }
 
 
@@ -133,26 +164,36 @@ def boat(draw: Draw) -> Parts:
 
 def train(draw: Draw) -> Parts:
     """A steam engine, its boiler to the front."""
-    radius, y, floor = draw(0.34, 0.4), draw(1.1, 1.25), draw(0.42, 0.48)
-    z, cab = floor + radius, draw(0.32, 0.38)
-    plough = [(-y - 0.05, 0.4), (-y - 0.38, 0.06), (-y + 0.1, 0.06), (-y + 0.1, 0.4)]
-    big, small = draw(0.27, 0.31), 0.2
-    wheels = [
-        tube((0.36, v, r), (0.56, v, r), r, 0.03)
-        for v, r in ((-0.8, small), (-0.2, big), (0.45, big))
-    ]
+    radius, y, floor = draw(0.35, 0.4), draw(1.12, 1.24), draw(0.44, 0.5)
+    z, half, big, small = floor + radius, draw(0.38, 0.44), draw(0.29, 0.32), 0.22
+    roof, rear = z + radius + draw(0.42, 0.5), y - half
+    # The plough is a ramp with a prow.
+    ramp = [(-y - 0.42, 0.05), (-y + 0.12, 0.05), (-y + 0.12, 0.5), (-y - 0.05, 0.5)]
+    prow = mirrored([(0.1, -y - 0.44), (0.46, -y + 0.04), (0.46, -y + 0.2)])
+    window = box((0, rear, roof - 0.3), (2, half - 0.19, 0.2), 0.02)
+    arc = [(0.62 * math.sin(a), roof + 0.26 * math.cos(a)) for a in (0, 0.4, 0.8, 1.2, 1.57)]
+    pairs = (_rimmed(0.56, v, r) for v, r in ((-y * 0.6, small), (-0.02, big), (rear, big)))
+    rod = box((0.64, rear / 2, big), (0.1, rear / 2 + 0.12, 0.09), 0.02)
     return {
         "boiler": join(
-            tube((0, -y + 0.05, z), (0, y - 2 * cab + 0.1, z), radius, 0.06),
-            ball((0, 0.0, z + radius * 0.85), 0.2),
+            tube((0, -y + 0.05, z), (0, rear - half + 0.1, z), radius, 0.03),
+            tube((0, -y - 0.02, z), (0, -y + 0.1, z), radius * 0.62, 0.04),
+            tube((0, -y + 0.16, z), (0, -y + 0.34, z), radius + 0.04, 0.02),
+            capsule((0, 0.02, z), (0, 0.02, z + radius + 0.08), 0.17),
         ),
         "cab": join(
-            box((0, y - cab, z + 0.22), (0.5, cab, radius + 0.16)),
-            box((0, y - cab, z + radius + 0.44), (0.6, cab + 0.1, 0.08), 0.03),
+            cut(box((0, rear, (floor + roof) / 2), (0.48, half, (roof - floor) / 2)), window),
+            prism(mirrored([*arc, (0.62, roof - 0.14)]), 1, half + 0.12, rear),
         ),
-        "chimney": lathe([(0.14, z), (0.14, z + 0.62), (0.24, z + 0.86)], 0.02, (0, -y + 0.4)),
-        "frame": join(box((0, 0, floor - 0.06), (0.44, y, 0.09)), prism(plough, 0, 0.4)),
-        "wheels": both(join(*wheels, tube((0.36, y - cab, big), (0.56, y - cab, big), big, 0.03))),
+        "chimney": lathe(
+            [(0.14, z), (0.14, z + radius + 0.16), (0.25, z + radius + 0.42)], 0.02, (0, -y + 0.42)
+        ),
+        "frame": join(
+            box((0, 0, floor - 0.08), (0.46, y, 0.1)),
+            within(prism(ramp, 0, 1), prism(prow, 2, 2)),
+            both(rod),
+        ),
+        "wheels": both(join(*(solid for pair in pairs for solid in pair))),
     }
 
 

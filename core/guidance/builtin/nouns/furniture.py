@@ -6,7 +6,7 @@ FURNITURE = {
     "table": Noun(
         "; altar",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
-        Usual(1.4, WOOD, 0.24),
+        Usual(1.4, WOOD, 0.2),
     ),
     "chair": Noun(
         "dining chair",
@@ -37,7 +37,7 @@ FURNITURE = {
     "stool": Noun(
         "; bar stool, barstool",
         {"seat": "&a06a38 grain", "legs": "*70472a grain"},
-        Usual(0.6, WOOD, 0.21),
+        Usual(0.6, WOOD, 0.34),
     ),
     "bench": Noun(
         "park bench; pew, church pew",
@@ -151,7 +151,7 @@ FURNITURE = {
     "coffee table": Noun(
         "low table; side table, tea table",
         {"top": "*96602f grain", "legs": "*70472a grain", "shelf": "&85552b grain"},
-        Usual(1.1, WOOD, 0.26),
+        Usual(1.1, WOOD, 0.29),
     ),
     "cabinet": Noun(
         "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv "

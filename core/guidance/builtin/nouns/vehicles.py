@@ -13,8 +13,9 @@ VEHICLES = {
             "windows": "-26323c . glass",
             "wheels": "-1c1c1e . rubber",
             "lamps": "+f7eec2",
+            "hubs": "+d8dadd . metal",
         },
-        Usual(4.2, STEEL, 0.015),
+        Usual(4.2, STEEL, 0.026),
     ),
     "bus": Noun(
         "coach; school bus, double decker",
@@ -64,7 +65,7 @@ VEHICLES = {
             "frame": "-2e2e31",
             "wheels": "-9c2a22",
         },
-        Usual(12.0, STEEL, 0.051),
+        Usual(12.0, STEEL, 0.047),
     ),
     "bicycle": Noun(
         "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle, "
@@ -137,9 +138,10 @@ VEHICLES = {
             "windows": GLASS_LOOK,
             "wheels": TYRES_LOOK,
             "lamps": "-f7eec2",
+            "hubs": "+d8dadd . metal",
             "sign": "+f4f2ea",
         },
-        Usual(4.5, STEEL, 0.015),
+        Usual(4.5, STEEL, 0.021),
     ),
     "fire truck": Noun(
         "fire engine, firetruck; fire brigade truck",
