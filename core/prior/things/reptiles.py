@@ -43,14 +43,14 @@ def _spine(stops: Sequence[tuple[float, float, float]], steps: int = 4) -> list:
     return balls
 
 
-def _spike(at: Vector, high: float, lean: float = 0.0, long: float = 0.15) -> Solid:
+def _spike(at: Vector, high: float, lean: float = 0.0) -> Solid:
     """A pyramid that stands on ``at``, turned about x by ``lean`` degrees, its tip to the back."""
-    side = prism([(-long, -0.12), (long, -0.12), (long * 0.75, high)], 0, 0.14)
+    side = prism([(-0.15, -0.12), (0.15, -0.12), (0.11, high)], 0, 0.14)
     front = prism([(-0.15, -0.12), (0.15, -0.12), (0.04, high), (-0.04, high)], 1, 0.3)
     return tilted(within(side, front), lean, at)
 
 
-def _membrane(root: Vector, wrist: tuple[float, float], ends: Outline) -> Outline:
+def _membrane(root: tuple[float, float], wrist: tuple[float, float], ends: Outline) -> Outline:
     """A wing's outline (out, up): its arm, and hollows between its fingers' ends."""
     edge = [ends[0]]
     for (ax, ay), (bx, by) in pairwise(ends):
@@ -60,21 +60,21 @@ def _membrane(root: Vector, wrist: tuple[float, float], ends: Outline) -> Outlin
         for t in (0.25, 0.5, 0.75, 1.0):
             a, c, b = (1 - t) ** 2, 2 * t * (1 - t), t * t
             edge.append((a * ax + c * cx + b * bx, a * ay + c * cy + b * by))
-    return [(root[0], root[2]), wrist, *edge]
+    return [root, wrist, *edge]
 
 
 def _wing(draw: Draw, up: float) -> tuple[Solid, Solid]:
-    """The right wing's skin, its lower edge scalloped, and the bones that carry it."""
+    """The right wing's skin, its lower edge scalloped, and the arm that carries it."""
     span, high = draw(1.5, 1.75), draw(1.0, 1.16)
     wrist = (0.55, up + high)
     tip = (span, up + high * draw(0.75, 0.9))
     ends = [tip, (span * 0.88, up), (span * 0.52, up - 0.24), (0.15, up - 0.16)]
-    skin = prism(_membrane((0.15, 0, up + 0.12), wrist, ends), 1, 0.1)
+    skin = prism(_membrane((0.15, up + 0.12), wrist, ends), 1, 0.1)
     a, b, c = (0.15, 0, up), (wrist[0], 0, wrist[1]), (tip[0], 0, tip[1])
-    fingers = [taper(b, (u, 0, v), 0.12, 0.11) for u, v in ends[1:3]]
+    fingers = [taper(b, (u, 0, v), 0.15, 0.12) for u, v in ends[1:3]]
     claw = taper(b, (wrist[0] - 0.04, 0, wrist[1] + 0.26), 0.13, 0.08)
-    bones = join(limb([a, b, c], 0.16, 0.12), claw, *fingers)
-    return turned(skin, 2, 24), turned(bones, 2, 24)
+    arm = join(limb([a, b, c], 0.16, 0.12), claw)
+    return turned(join(skin, *fingers), 2, 24), turned(arm, 2, 24)
 
 
 def _dragon_head(y: float, z: float) -> tuple[Solid, Solid, Solid]:
@@ -122,12 +122,12 @@ def dragon(draw: Draw) -> Parts:
         for at in (fore, hind) for s in (-0.1, 0.1)
     ]  # fmt: skip
     skull, horns, eyes = _dragon_head(y - 0.06, z + 0.04)
-    skin, bones = _wing(draw, hip + 0.22)
+    skin, arm = _wing(draw, hip + 0.22)
     spade = prism([(e - 0.28, tip - 0.05), (e, tip + 0.08), (e + 0.28, tip - 0.05),
                    (e + 0.04, tip + 0.5)], 0, 0.11)  # fmt: skip
     throat = chain(((0, b[1] - r * 0.45, b[2] - r * 0.1), r * 0.8) for b, r in neck[2:13])
     return {
-        "body": join(trunk, chain(neck), chain(tail), both(legs), skull, both(bones)),
+        "body": join(trunk, chain(neck), chain(tail), both(legs), skull, both(arm)),
         "belly": join(throat, egg((0, 0, hip - 0.1), (wide * 0.8, long * 1.05, wide * 0.9))),
         "wings": join(both(skin), spade),
         "horns": join(horns, both(join(*claws)), *_ridge(neck, tail, long, hip + wide)),
@@ -156,13 +156,13 @@ def crocodile(draw: Draw) -> Parts:
         [((0, 0.4, z), 0.26), ((0, 0.95, z - 0.06), 0.22), ((bend * 0.3, 1.4, 0.24), 0.16),
          ((bend, 1.9, 0.2), 0.1)]
     )  # fmt: skip
-    half = [(0.27, 0.2), (0.19, -snout * 0.55), (0.22, -snout * 0.8), (0.13, -snout)]
+    half = [(0.27, 0.2), (0.21, -snout * 0.55), (0.25, -snout * 0.8), (0.17, -snout)]
     upper, lower = (
         tilted(prism([(s * u, s * v) for u, v in mirrored(half)], 2, 0.1), lean, (0, y - 0.1, at))
         for s, lean, at in ((1, -10, z + 0.13), (0.92, 4, z - 0.14))
     )
-    saw = [(-snout * (0.2 + 0.1 * k), -0.06 - 0.2 * (k % 2)) for k in range(9)]
-    teeth = tilted(prism(saw, 0, 0.09, 0.13), -10, (0, y - 0.1, z + 0.13))
+    saw = [(-snout * (0.16 + 0.1 * k), -0.06 - 0.2 * (k % 2)) for k in range(9)]
+    teeth = tilted(prism(saw, 0, 0.09, 0.12), -10, (0, y - 0.1, z + 0.13))
     legs, nose = [], (0.1, y - 0.06 - snout * 0.88, z + 0.13 + snout * 0.16 + 0.1)
     for at, back in ((-0.5, 0.06), (0.52, 0.14)):
         x = wide + 0.26
