@@ -48,6 +48,7 @@ from core.prior.things.playground import PLAYGROUND
 from core.prior.things.premises import PREMISES
 from core.prior.things.props import PROPS
 from core.prior.things.relics import RELICS
+from core.prior.things.reptiles import REPTILES
 from core.prior.things.rides import RIDES
 from core.prior.things.roadside import ROADSIDE
 from core.prior.things.roles import ROLES
@@ -158,6 +159,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | FAUNA
     | DWELLINGS
     | WORN
+    | REPTILES
 )
 
 

@@ -4,21 +4,24 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
+    Vector,
     ball,
     blend,
     both,
     box,
-    capsule,
     cut,
     egg,
     join,
     lathe,
     limb,
     mirrored,
+    moved,
     prism,
     ring,
+    smooth_curve,
     taper,
     tube,
+    within,
 )
 from core.prior.things.animals import Beast, fitted
 
@@ -110,32 +113,6 @@ def corgi(draw: Draw) -> Parts:
     }
 
 
-def dragon(draw: Draw) -> Parts:
-    """Bat's wings, horns, a long neck and tail."""
-    b = Beast(draw, 0.38, 0.62, 0.4, 0.27, (0.1, 0.8))
-    y, z, long = b.y, b.z, b.long
-    up, span = b.belly + 0.2, draw(1.3, 1.6)
-    tail = join(
-        taper((0, long * 0.6, b.belly), (0, long + 0.45, 0.25), 0.28, 0.17),
-        taper((0, long + 0.45, 0.25), (0, long + 0.85, draw(0.3, 0.6)), 0.17, 0.1),
-    )
-    wing = prism(
-        [(0.1, up - 0.1), (0.5, up + 0.8), (span, up + draw(0.75, 1.1)), (span * 0.92, up + 0.1),
-         (span * 0.72, up + 0.3), (span * 0.55, up - 0.1), (0.45, up + 0.12)],
-        1, 0.075, 0.05,
-    )  # fmt: skip
-    spikes = [ball((0, long * t, b.belly + b.wide * 0.9), 0.13) for t in (-0.25, 0.1, 0.45)]
-    horn = taper((0.13, y, z + 0.18), (0.24, y + 0.4, z + draw(0.45, 0.6)), 0.11, 0.05)
-    throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.2), 0.22, 0.13)
-    return {
-        "body": join(b.trunk(0.2), tail, b.muzzle(0.3, 0.17)),
-        "belly": join(egg((0, -0.12, b.belly - 0.08), (b.wide * 0.8, long * 0.95, 0.36)), throat),
-        "wings": both(wing),
-        "horns": join(both(horn), *spikes),
-        "eyes": both(ball((0.16, y - 0.2, z + 0.12), 0.085)),
-    }
-
-
 def dinosaur(draw: Draw) -> Parts:
     """T. rex: a huge head, tiny arms, a heavy tail."""
     hip, wide, head = draw(0.75, 0.95), draw(0.36, 0.46), draw(0.3, 0.38)
@@ -200,38 +177,66 @@ def person(draw: Draw) -> Parts:
     }
 
 
+def _heater(middle: Vector, wide: float, high: float) -> tuple[Solid, Solid]:
+    """A shield with a flat top and a pointed foot, and the cross on its front."""
+    curve = smooth_curve([(wide, 0.0), (wide * 0.8, -high * 0.4), (0.01, -high)])
+    plate = prism(mirrored([(wide, high * 0.55), *curve]), 1, 0.1)
+    cross = join(
+        box((0, -0.09, -high * 0.16), (0.1, 0.08, high * 0.62)),
+        box((0, -0.09, high * 0.12), (wide * 0.86, 0.08, 0.1)),
+    )
+    return moved(plate, middle), moved(cross, middle)
+
+
+def _helm(head: float, z: float) -> tuple[Solid, Solid]:
+    """A great helm with a dark slit across its front, a ridge below it and a brow above."""
+    r = head
+    pot = lathe([(r * 0.9, z - 0.4), (r, z - 0.05), (r, z + 0.3), (r * 0.62, z + 0.47)])
+    ridge = box((0, -r, z - 0.2), (0.09, 0.09, 0.2))
+    brow = tube((0, 0, z + 0.17), (0, 0, z + 0.31), r + 0.05)
+    slit = tube((0, 0, z), (0, 0, z + 0.18), r + 0.02)
+    return join(pot, ridge, brow), within(slit, box((0, -r, z), (r * 0.95, r * 0.85, 0.3)))
+
+
 def knight(draw: Draw) -> Parts:
-    """In armour, with plume, shield and sword."""
-    leg, wide, head = draw(0.7, 0.9), draw(0.38, 0.46), draw(0.3, 0.35)
-    top, x, a = leg + draw(0.7, 0.82), wide + 0.12, wide * 0.58
-    z, hand = top + head, (wide + 0.4, -0.4, top - 0.54)
-    armour = join(
-        lathe([(wide * 0.8, leg - 0.1), (wide, top - 0.3), (wide * 0.8, top)]),
-        both(ball((x, 0, top - 0.14), 0.25)),
-        both(capsule((x, 0, top - 0.2), hand, 0.15)),
-        both(capsule((a, 0, leg), (a, 0, 0.2), 0.19)),
-        both(box((a, -0.1, 0.11), (0.2, 0.31, 0.12), 0.03)),
-        tube((0, 0, top - 0.06), (0, 0, z + 0.1), head),
-        ball((0, 0, z + 0.1), head),
+    """In plate armour and a great helm, with plume, shield and an upright sword."""
+    leg, wide, head = draw(0.74, 0.88), draw(0.38, 0.44), draw(0.36, 0.4)
+    top, x, a = leg + draw(0.74, 0.84), wide + 0.16, wide * 0.66
+    z, hand = top + 0.36, (wide + 0.46, -0.42, top - 0.5)
+    cuirass = lathe(
+        [(wide * 1.12, leg - 0.22), (wide * 0.78, leg + 0.14), (wide * 0.8, leg + 0.2),
+         (wide * 1.1, top - 0.28), (wide * 0.95, top - 0.1), (wide * 0.5, top)]
+    )  # fmt: skip
+    shoulder = lathe(
+        [(0.31, top - 0.3), (0.3, top - 0.14), (0.2, top + 0.02), (0.06, top + 0.07)], 0, (x, 0)
     )
-    sx, sy, sz = -hand[0], -0.56, top - 0.46
-    half = [(0.34, 0.4), (0.34, -0.15), (0.01, -0.6)]
-    shield = prism([(sx + u, sz + v) for u, v in mirrored(half)], 1, 0.1, sy)
-    tip = draw(1.15, 1.45)
-    half = [(0.12, -0.2), (0.12, tip - 0.2), (0.01, tip)]
-    blade = prism([(hand[0] + u, hand[2] + v) for u, v in mirrored(half)], 1, 0.09, hand[1])
-    guard = box((hand[0], hand[1], hand[2] + 0.24), (0.26, 0.12, 0.09))
-    slit = join(
-        box((0, -head * 0.75, z + 0.08), (head * 0.6, head * 0.4, 0.09)),
-        box((0, -head * 0.75, z - 0.1), (0.08, head * 0.4, 0.16)),
+    limbs = [
+        limb([(x, 0, top - 0.2), (x + 0.08, 0.02, top - 0.52), hand], 0.14, 0.14),
+        taper((x + 0.14, -0.16, hand[2]), hand, 0.14, 0.19),
+        tube((a, 0, 0.05), (a, 0, leg), 0.18),
+        tube((a, 0, 0.3), (a, 0, 0.46), 0.22),
+        box((a, -0.12, 0.12), (0.19, 0.33, 0.13), 0.05),
+    ]
+    helm, slit = _helm(head, z)
+    plate, cross = _heater((-hand[0] - 0.02, hand[1] - 0.2, top - 0.46), 0.42, draw(0.7, 0.8))
+    tip = draw(1.25, 1.45)
+    half = [(0.12, -0.1), (0.12, tip - 0.24), (0.01, tip)]
+    sword = join(
+        prism([(hand[0] + u, hand[2] + v) for u, v in mirrored(half)], 1, 0.09, hand[1]),
+        box((hand[0], hand[1], hand[2] + 0.26), (0.3, 0.1, 0.09)),
+        ball((hand[0], hand[1], hand[2] - 0.28), 0.13),
     )
-    crest = z + draw(0.24, 0.34)
+    c = z + 0.4
+    feather = [
+        *[(-0.24, c), (-0.3, c + 0.22), (-0.1, c + 0.42), (0.26, c + 0.44), (0.56, c + 0.2)],
+        *[(0.72, c - 0.3), (0.66, c - 0.62), (0.5, c - 0.36), (0.36, c - 0.1), (0.1, c)],
+    ]
     return {
-        "armour": armour,
+        "armour": join(cuirass, both(join(shoulder, *limbs)), helm, cross),
         "visor": slit,
-        "plume": tube((-0.1, 0.14, crest), (0.1, 0.14, crest), head),
-        "shield": shield,
-        "sword": join(blade, guard),
+        "plume": prism(smooth_curve(feather), 0, 0.11),
+        "shield": plate,
+        "sword": sword,
     }
 
 
@@ -269,7 +274,6 @@ BEASTS = {
     "unicorn": fitted(unicorn),
     "deer": fitted(deer),
     "corgi": fitted(corgi),
-    "dragon": fitted(dragon),
     "dinosaur": fitted(dinosaur),
     "person": fitted(person),
     "knight": fitted(knight),

@@ -30,47 +30,6 @@ from core.prior.things.animals import fitted
 from core.prior.things.wild_animals import bulk, nails
 
 
-def crocodile(draw: Draw) -> Parts:
-    """Long and low: a flat snout full of teeth, ridges along back and tail, bent legs."""
-    wide, snout, tip = draw(0.36, 0.43), draw(0.62, 0.74), draw(0.12, 0.4)
-    z, y = 0.42, -0.72
-    nose = y - snout
-    trunk = blend(
-        0.12,
-        egg((0, 0, z), (wide, 0.86, 0.29)),
-        taper((0, 0.55, z), (0, 1.25, 0.26), 0.27, 0.17),
-        taper((0, -0.5, z), (0, y, z + 0.06), 0.28, 0.26),
-    )
-    tail = taper((0, 1.25, 0.26), (0.0, 1.7, 0.14 + tip), 0.17, 0.1)
-    jaw = [(-0.26, y + 0.06), (0.26, y + 0.06), (0.22, nose + 0.1), (0.12, nose), (-0.12, nose),
-           (-0.22, nose + 0.1)]  # fmt: skip
-    upper, lower = prism(jaw, 2, 0.11, z + 0.17), prism(jaw, 2, 0.09, z - 0.16)
-    legs = [
-        limb([(wide * 0.7, at, z - 0.06), (wide + 0.22, at + 0.04, z - 0.1),
-              (wide + 0.24, at - 0.02, 0.1)], 0.17, 0.12)
-        for at in (-0.46, 0.46)
-    ]  # fmt: skip
-    paws = [egg((wide + 0.26, at - 0.1, 0.09), (0.19, 0.22, 0.09)) for at in (-0.46, 0.46)]
-    ridge = []
-    for k in range(9):
-        at = -0.5 + 0.26 * k
-        top = z + 0.2 if at < 0.5 else z + 0.2 - (at - 0.5) * 0.24
-        top += max(at - 1.25, 0) / 0.55 * (tip - 0.1)
-        ridge.append(taper((0, at, top), (0, at + 0.05, top + 0.16), 0.13, 0.06))
-    teeth = [
-        tube((0.19, nose + s * snout, z - 0.12), (0.19, nose + s * snout, z + 0.1), 0.09)
-        for s in (0.18, 0.52, 0.86)
-    ]
-    bumps = join(ball((0.17, y - 0.02, z + 0.26), 0.15), ball((0.1, nose + 0.08, z + 0.22), 0.09))
-    return {
-        "body": join(trunk, tail, upper, lower, both(join(*legs, *paws, bumps))),
-        "belly": egg((0, 0, z - 0.08), (wide * 0.9, 0.84, 0.27)),
-        "crest": join(*ridge),
-        "teeth": both(join(*teeth)),
-        "eyes": both(ball((0.23, y - 0.09, z + 0.31), 0.09)),
-    }
-
-
 def jellyfish(draw: Draw) -> Parts:
     """A bell with a scalloped rim, long tentacles, thick arms in the middle."""
     wide, high, long = draw(0.68, 0.8), draw(0.58, 0.72), draw(0.85, 1.1)
@@ -373,7 +332,6 @@ def _top(spine: list[tuple[Vector, float]], y: float) -> float:
 
 
 WILD_CREATURES = {
-    "crocodile": fitted(crocodile),
     "jellyfish": fitted(jellyfish),
     "flamingo": fitted(flamingo),
     "hedgehog": fitted(hedgehog),

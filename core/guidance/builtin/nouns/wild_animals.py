@@ -121,7 +121,7 @@ WILD_ANIMALS = {
             "teeth": "-f6f2e2",
             "eyes": "-f0c42c",
         },
-        Usual(4.0, FLESH, 0.25),
+        Usual(4.0, FLESH, 0.295),
     ),
     "jellyfish": Noun(
         "jelly fish; moon jelly",
