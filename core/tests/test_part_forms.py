@@ -5,6 +5,7 @@ import json
 import pytest
 import torch
 
+from core.geometry.mesh import Mesh
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_forms import part_forms_table
@@ -110,3 +111,17 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     assert drawn.solid is not None
     found = parts.distances(drawn.solid.mesh[0]).argmin(1)
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle
+
+
+def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
+    drawn = load_builtin("cpu").prompted("a chair without legs", "").of_object(0)
+    legs = list(NOUNS["chair"].looks).index("legs")
+    assert drawn.solid is not None and drawn.solid.absent == (legs,)
+    verts, faces = drawn.solid.mesh
+    low, high = verts.amin(0), verts.amax(0)
+    assert high[2] - low[2] < 1.6 * (high[0] - low[0])  # with its legs twice as high as wide
+    bent = drawn.in_proportion(Mesh(verts, faces), 0.5, 0.02)
+    for one in (drawn, bent):
+        parts = one.parts()
+        assert parts is not None
+        assert legs not in parts.distances(verts).argmin(1).unique().tolist()

@@ -45,7 +45,7 @@ def bent(
     stiffness = stiffness_of(strength, flatness)
     # By its mesh: the solid's own distances are too short where the box is uneven.
     bend = bend_to(SolidMesh(verts, faces).sdf, guide_shape(guide, least).sdf, stiffness)
-    return BentSolid(solid.net, solid.triplane, fitted.frame, solid.swell, bend)
+    return BentSolid(solid.net, solid.triplane, fitted.frame, solid.swell, solid.absent, bend=bend)
 
 
 def in_box(solid: Solid, guide: Float[Tensor, "v 3"], least: float) -> Solid:

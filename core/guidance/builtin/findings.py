@@ -6,7 +6,7 @@ from typing import Any
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
-from core.guidance.builtin.part_names import always_has
+from core.guidance.builtin.part_names import always_has, can_lack, lacked
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import OPTIONS
 
@@ -94,15 +94,30 @@ class Findings:
     def part(self, noun: str) -> str:
         """The one word of ``PARTS`` that is stated of the noun, or none."""
         states = []
-        for part, there, *_ in self.parts:
+        for part, there, form, *_ in self.parts:
             state = part if there else f"no {part}"
             if state in self.options(noun):
                 states.append(state)
-            elif noun and not (there and always_has(noun, part)):
-                raise part_error(noun, part, there, self.options(noun))
+            elif noun and there and not always_has(noun, part):
+                raise part_error(noun, form, there, self.options(noun))
         if len(set(states)) > 1:
             raise two_error("part", states)
         return states[0] if states else ""
+
+    def absent(self, noun: str) -> tuple[str, ...]:
+        """The parts that the noun is to be made without."""
+        names = []
+        for part, there, form, *_ in self.parts:
+            if there or not noun:
+                continue
+            if name := lacked(noun, part, form):
+                names.append(name)
+                if not can_lack(noun, names):
+                    raise part_error(noun, form, there, self.options(noun))
+            elif f"no {part}" not in self.options(noun):
+                self.aside.append(f"without {form}")
+                self.notes.append(f"without {form}: left out, as that is no part by itself here.")
+        return tuple(dict.fromkeys(names))
 
 
 def with_article(slot: str, word: str) -> str:

@@ -33,7 +33,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import FINISHES, Finish, painted
+from core.guidance.builtin.palette import FINISHES, Finish, looks, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
@@ -158,7 +158,8 @@ class PromptedBuiltin(PromptedGuidance):
         formed = (words.noun, words.shape) in FORMS
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
-        solid = Solid.drawn(net, rows, torch.Generator().manual_seed(seed))
+        absent = tuple(list(looks(words.noun)).index(part) for part in words.absent)
+        solid = Solid.drawn(net, rows, torch.Generator().manual_seed(seed), absent)
         solid = solid.placed("" if formed else words.shape)
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 

@@ -1,8 +1,11 @@
 """What a thing calls its parts, and which it always has. Standard library only."""
 
+from collections.abc import Collection
+
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.words import (
+    ALIVE,
     LEGS,
     OPTIONS,
     PART_ALSO,
@@ -51,6 +54,11 @@ def own_names(noun: str, part: str) -> list[str]:
     return named[:1] or next(filter(None, each), [])
 
 
+def is_own(noun: str, form: str) -> bool:
+    """Whether the noun itself calls a part so, or its plural: a tiger's stripes."""
+    return form in looks_of(noun) or f"{form}s" in looks_of(noun)
+
+
 def is_wide(noun: str, part: str) -> bool:
     """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
     return part in WIDE and part not in looks_of(noun)
@@ -65,11 +73,27 @@ def always_has(noun: str, part: str) -> bool:
     return bool(own_names(noun, part))
 
 
-def _names(part: str) -> list[str]:
-    """What a noun may call the part."""
+def lacked(noun: str, part: str, form: str) -> str:
+    """The noun's part that is meant where it is said to lack one, as written in ``form``; "" where
+    it has none that is called so. Of a robot without arms the limbs stay."""
+    looks = looks_of(noun)
+    return next((name for name in [form, *_names(part, also=False)] if name in looks), "")
+
+
+def can_lack(noun: str, parts: Collection[str]) -> bool:
+    """Whether the noun is still something without these parts: with a main part, or, as a tree
+    without leaves, with some part where none that is gone bore it."""
+    left = {name: look for name, look in looks_of(noun).items() if name not in parts}
+    main = any(look[0] == "*" for look in left.values())
+    alive = any(noun in GROUPS[group] for group in ALIVE)
+    return main or bool(left and not alive and not WHOLE.intersection(parts))
+
+
+def _names(part: str, also: bool = True) -> list[str]:
+    """What a noun may call the part; ``also``: the likes of it too."""
     forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
-    also = forms_of(PART_ALSO.get(part, ""))
-    names = [part, PART_FORMS.get(part, part), *forms, *also]
+    names = [part, PART_FORMS.get(part, part), *forms]
+    names += forms_of(PART_ALSO.get(part, "")) if also else []
     return [form for name in names for form in (name, f"{name}s")]
 
 

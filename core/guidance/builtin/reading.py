@@ -9,6 +9,7 @@ from core.guidance.builtin.findings import Findings, with_article
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
+    SLOTS,
     Entry,
     Vocabulary,
     corrected,
@@ -16,7 +17,14 @@ from core.guidance.builtin.lexicon import (
     singulars,
 )
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import always_has, as_part, is_wide, may_state, own_name
+from core.guidance.builtin.part_names import (
+    always_has,
+    as_part,
+    is_own,
+    is_wide,
+    may_state,
+    own_name,
+)
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
@@ -35,6 +43,7 @@ from core.guidance.builtin.words import (
 )
 
 ARTICLES = ("a", "an", "the")
+EITHER = ("or", "nor")
 LONGEST = 3  # words of a phrase
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 MADE_OF = ("of", "from", "in", "out")
@@ -90,6 +99,8 @@ class Reading:
         for count in range(min(LONGEST, len(tokens)), 0, -1):
             phrase = " ".join(tokens[:count])
             entry = look_up(phrase, self.known)
+            if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
+                entry = Entry("part", phrase, phrase)
             if entry is not None and self._are_things(entry, phrase):
                 return self._leave_out(phrase, count)
             if entry is not None:
@@ -118,6 +129,7 @@ class Reading:
             self.got.left_out.append(token)
         elif token in PHRASE_ENDS:
             self._without &= token in ARTICLES
+            self._without |= self._lacks_more(tokens)
             # "a statue of a lion": the article says nothing new.
             word = self._ended_by if token in ARTICLES else token
             if self.got.found["noun"] and (token in GOES_WITH or self._accessory is not None):
@@ -204,8 +216,6 @@ class Reading:
         self._strange = False  # what was unknown before it described it
         if self._alone and entry.form in ALONE and not self.got.found["noun"] and self._stands(end):
             entry = Entry("noun", ALONE[entry.form], entry.form)
-        if entry.slot == "material" and self._is_a_part(entry):
-            entry = Entry("part", entry.form, entry.form)
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
@@ -228,6 +238,8 @@ class Reading:
             slot, word = ("part", part) if part else (slot, word)
             if slot == "noun" and self._late and self._noun_end < 0 and self._accessory is None:
                 self._accessory = self._begun  # ", green silk curtains"
+            if slot == "noun" and self._without:  # "a cake without candles"
+                slot = "part"
             if slot == "noun" and self._accessory is not None:
                 self._leave_aside(entry.form)
                 return
@@ -289,13 +301,25 @@ class Reading:
         self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
         return True
 
-    def _is_a_part(self, entry: Entry) -> bool:
-        """Whether what may be a material is a part of the thing: "a printer with white paper"."""
-        of = self._ended_by in MADE_OF
+    def _lacks_more(self, tokens: list[str]) -> bool:
+        """Whether a list of what is lacking goes on: "without wheels or windows", "without wheels
+        and windows", but not "without wheels and a red roof"."""
+        before, after = self.got.parts[-1:], tokens[1] if tokens[1:] else ""
+        if not before or before[0].there or tokens[0] not in (*EITHER, "and"):
+            return False
+        entry = look_up(after, self.known)
         return (
-            bool(self.got.found["noun"] and not of)
-            and own_name(self.got.found["noun"][0].word, entry.form) == entry.form
+            tokens[0] in EITHER
+            or self._is_own(after)
+            or (entry is not None and entry.slot == "part")
         )
+
+    def _is_own(self, form: str) -> bool:
+        """Whether the thing has a part of this name, whatever it means elsewhere: "a printer with
+        white paper", "a tiger with blue stripes", "a hot dog with mustard"."""
+        if not self.got.found["noun"] or self._ended_by in MADE_OF or form in SLOTS["color"]:
+            return False
+        return is_own(self.got.found["noun"][0].word, form)
 
     def _has_gems(self) -> bool:
         return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])

@@ -25,6 +25,7 @@ TABLES = ("own.weight", "kind.weight")  # of features
 ROWS = ("base.weight", "words.3.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole
+FAR = 2 * EXTENT  # from every point of the cube: where what is not there lies
 LEAST_SWELL = 0.01  # training units
 RARE = 0.05  # fraction of a noun's objects below which a kind is too little known
 # Adjectives that make another thing of a noun than a stretched one. The network knows these.
@@ -39,9 +40,16 @@ class Solid:
     triplane: Triplane
     frame: Frame = IN_PLACE
     swell: float = 0.0  # how far the surface is moved outwards, training units
+    absent: tuple[int, ...] = ()  # parts, by their place among the noun's, that it is without
 
     @classmethod
-    def drawn(cls, net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> "Solid":
+    def drawn(
+        cls,
+        net: SolidNet,
+        words: Int[Tensor, "1 3"],
+        generator: torch.Generator,
+        absent: tuple[int, ...] = (),
+    ) -> "Solid":
         """A random one: of one of the noun's kinds, and of a code, which are normal.
 
         A thin wall may come out torn, which shows as handles and pieces; of a shape with many of
@@ -52,7 +60,7 @@ class Solid:
         for _ in range(DRAWINGS):
             code = torch.randn(1, net.config.latent, generator=generator).to(words.device)
             with torch.no_grad():
-                found.append(cls(net, net.triplane(row, code)))
+                found.append(cls(net, net.triplane(row, code), absent=absent))
             if found[-1].complexity <= SIMPLE:
                 break
         return min(found, key=lambda solid: solid.complexity)
@@ -115,6 +123,7 @@ class Solid:
         chunks = (local.to(device) / EXTENT).split(min(CHUNK, most))
         found = [self.net.at(self.triplane, chunk[None]) for chunk in chunks]
         distances = torch.cat(found, 1)[0] * (min(self.frame.scale) / SCALE) - self.swell
+        distances[:, list(self.absent)] = FAR
         return distances.to(points.device)
 
 

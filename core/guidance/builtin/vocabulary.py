@@ -49,6 +49,7 @@ class Words:
     color_form: str = ""  # the first colour's shade, where that has a name of its own
     second_form: str = ""
     material_form: str = field(default="", compare=False)  # the material as it was written
+    absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
@@ -61,6 +62,11 @@ class Words:
         found = {self.target: self.second} if self.target and what == "color" else {}
         own = {accent.part: getattr(accent, what) for accent in self.accents}
         return found | {part: word for part, word in own.items() if word}
+
+    def stated_parts(self) -> list[str]:
+        """What the thing is to have, and "no ..." of what it is to lack."""
+        lacked = [f"no {part}" for part in self.absent]
+        return list(dict.fromkeys([*filter(None, [self.part]), *lacked]))
 
     def named_material(self) -> str:
         """The material as it was written, where it gets its own detail; else its word."""
@@ -103,7 +109,7 @@ def understood(
         "prompt": prompt,
         "thing": words.noun,
         "shape": words.shape or None,
-        "parts": [words.part] if words.part else [],
+        "parts": words.stated_parts(),
         "colours": [color for color in (words.color_form or words.color, second) if color],
         "part_colours": words.part_shades(),
         "part_materials": words.part_materials(),
@@ -161,6 +167,7 @@ def parse(
     # The part last: what may be stated of it depends on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
+    words["absent"] = got.absent(words["noun"])
     # In the table's order: snow lies on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))

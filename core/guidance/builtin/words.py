@@ -232,11 +232,11 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece wearing holding new classic modern traditional elegant
-    lovely pretty statuette carving replica pose posed warm cool""".split()
+    lovely pretty statuette carving replica pose posed warm cool or nor""".split()
 )
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
-    """a an the of in on with and is it its made from out has have which that wearing
+    """a an the of in on with and or nor is it its made from out has have which that wearing
     holding""".split()
 )
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
