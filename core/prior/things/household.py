@@ -97,20 +97,21 @@ def bed(draw: Draw) -> Parts:
 
 def bookshelf(draw: Draw) -> Parts:
     """Boards with books of three colours, some of them leaning room to the right."""
-    x, y, high, wall = draw(0.68, 0.85), draw(0.3, 0.36), draw(1.9, 2.2), 0.08
+    x, y, high, wall = draw(0.72, 0.85), draw(0.3, 0.36), draw(1.9, 2.2), 0.12
     shelves = 3
-    gap, wide = (high - wall) / shelves, 2 * (x - 2 * wall)
+    gap, wide = (high - wall) / shelves, 2 * (x - wall)
     rooms = (
         box((0, -0.14, wall + gap * k + (gap - wall) / 2), (wide / 2, y, (gap - wall) / 2), 0.01)
         for k in range(shelves)
     )
     rows: list[list[Solid]] = [[], [], []]
-    order, thick = draw.arranged(3), wide / 6
+    order, thick = draw.arranged(3), wide / 5
     for k in range(shelves):
-        for book in range(int(order(4, 5.99))):
-            tall = (gap - wall) * order(0.62, 0.9) / 2
-            at = (-wide / 2 + thick * (book + 0.5), -0.02, wall + gap * k + tall)
-            one = box(at, (thick * 0.46, y - 0.12, tall), 0.01)
+        for book in range(int(order(3, 4.99))):
+            tall = (gap - wall) * order(0.66, 0.9) / 2
+            # A little sunk into the boards: of what only touches, the surfaces lie in each other.
+            at = (-wide / 2 + thick * (book + 0.48), 0, wall + gap * k + tall - 0.03)
+            one = box(at, (thick / 2, y - 0.1, tall), 0.02)
             rows[(book + 2 * k) % 3].append(one)
     return {
         "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *rooms),
