@@ -174,6 +174,9 @@ def test_what_is_no_part_by_itself_is_not_left_away_and_all_of_a_thing_neither()
         words = parse(prompt)
         assert (words.absent, words.left_out) == ((), (f"without {form}",))
         assert words.notes == (f"without {form}: left out, as that is no part by itself here.",)
+    # What may be stated is learnt, whatever the part is called.
+    words = parse("a candle without a handle")
+    assert (words.part, words.absent, words.notes) == ("no handle", (), ())
     with pytest.raises(UserError, match="cannot make a mug without body"):
         parse("a mug without a body")
     with pytest.raises(UserError, match="cannot make a princess without dress"):
@@ -194,6 +197,9 @@ def test_what_the_thing_itself_calls_a_part_is_one_whatever_it_means_elsewhere(p
     words = parse(prompt)
     assert words.part_shades() == colors
     assert not (words.color or words.pattern or words.material or words.left_out)
+    # But not as what it is made of, or a colour of all of it.
+    assert parse("an island made of stones").material == "stone"
+    assert parse("an eyeball, white").color == "white"
 
 
 def test_a_part_may_go_by_the_name_that_the_thing_has_for_it():
