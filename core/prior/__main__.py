@@ -14,6 +14,7 @@ from pathlib import Path
 
 import torch
 
+from core.allocator import keep_freed_memory
 from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
@@ -276,6 +277,7 @@ def paint_summary(scores: list[PaintScore]) -> None:
 
 
 if __name__ == "__main__":
+    keep_freed_memory()
     try:
         main(sys.argv[1:])
     except UserError as error:

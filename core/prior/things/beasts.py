@@ -113,6 +113,32 @@ def corgi(draw: Draw) -> Parts:
     }
 
 
+def dragon(draw: Draw) -> Parts:
+    """Bat's wings, horns, a long neck and tail."""
+    b = Beast(draw, 0.38, 0.62, 0.4, 0.27, (0.1, 0.8))
+    y, z, long = b.y, b.z, b.long
+    up, span = b.belly + 0.2, draw(1.3, 1.6)
+    tail = join(
+        taper((0, long * 0.6, b.belly), (0, long + 0.45, 0.25), 0.28, 0.17),
+        taper((0, long + 0.45, 0.25), (0, long + 0.85, draw(0.3, 0.6)), 0.17, 0.1),
+    )
+    wing = prism(
+        [(0.1, up - 0.1), (0.5, up + 0.8), (span, up + draw(0.75, 1.1)), (span * 0.92, up + 0.1),
+         (span * 0.72, up + 0.3), (span * 0.55, up - 0.1), (0.45, up + 0.12)],
+        1, 0.075, 0.05,
+    )  # fmt: skip
+    spikes = [ball((0, long * t, b.belly + b.wide * 0.9), 0.13) for t in (-0.25, 0.1, 0.45)]
+    horn = taper((0.13, y, z + 0.18), (0.24, y + 0.4, z + draw(0.45, 0.6)), 0.11, 0.05)
+    throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.2), 0.22, 0.13)
+    return {
+        "body": join(b.trunk(0.2), tail, b.muzzle(0.3, 0.17)),
+        "belly": join(egg((0, -0.12, b.belly - 0.08), (b.wide * 0.8, long * 0.95, 0.36)), throat),
+        "wings": both(wing),
+        "horns": join(both(horn), *spikes),
+        "eyes": both(ball((0.16, y - 0.2, z + 0.12), 0.085)),
+    }
+
+
 def dinosaur(draw: Draw) -> Parts:
     """T. rex: a huge head, tiny arms, a heavy tail."""
     hip, wide, head = draw(0.75, 0.95), draw(0.36, 0.46), draw(0.3, 0.38)
@@ -274,6 +300,7 @@ BEASTS = {
     "unicorn": fitted(unicorn),
     "deer": fitted(deer),
     "corgi": fitted(corgi),
+    "dragon": fitted(dragon),
     "dinosaur": fitted(dinosaur),
     "person": fitted(person),
     "knight": fitted(knight),

@@ -25,6 +25,20 @@ from core.prior.solids import (
 def drawers(
     middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
 ) -> tuple[Solid, Solid]:
+    """Drawer fronts on the plane ``y`` over ``middle`` ± ``half``, and their knobs."""
+    step, width = (high - low) / rows, half / columns
+    cells = [
+        (middle - half + width * (2 * c + 1), low + step * (r + 0.5))
+        for r in range(rows)
+        for c in range(columns)
+    ]
+    fronts = (box((u, y, v), (width - 0.04, 0.07, step / 2 - 0.035), 0.02) for u, v in cells)
+    return join(*fronts), join(*(ball((u, y - 0.11, v), 0.09) for u, v in cells))
+
+
+def barred_drawers(
+    middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
+) -> tuple[Solid, Solid]:
     """Drawer fronts that stand out from the plane ``y`` over ``middle`` ± ``half``, and bars."""
     step, width = (high - low) / rows, half / columns
     cells = [
@@ -46,7 +60,7 @@ def desk(draw: Draw) -> Parts:
     """A board on one or two chests of drawers, slim legs where there is but one."""
     x, y, high, half = draw(1.1, 1.3), draw(0.58, 0.68), draw(1.15, 1.3), draw(0.35, 0.4)
     right, deep, leg = x - half - 0.05, y - 0.2, x / 15
-    fronts, bars = drawers(right, -deep, 0.08, high - 0.09, half - 0.02, 3)
+    fronts, bars = barred_drawers(right, -deep, 0.08, high - 0.09, half - 0.02, 3)
     side = box((right, 0, high / 2), (half, deep, high / 2), 0.02)
     panel = box((0, deep - 0.1, high * 0.7), (x - 0.1, leg, high * 0.3))
     if draw.chance(0.4):

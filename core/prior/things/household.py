@@ -44,18 +44,16 @@ def sofa(draw: Draw) -> Parts:
 
 
 def stool(draw: Draw) -> Parts:
-    """A round seat on three or four slim legs with a ring about them, or on one foot."""
-    seat, top, thick, slim = draw(0.5, 0.58), draw(1.2, 1.45), draw(0.09, 0.11), draw(0.037, 0.041)
-    count, leg, low, high = draw.legs(3, 4, 4, 1), top * slim, seat * 0.95, seat * 0.62
+    """A round seat on three or four legs, or on one foot."""
+    seat, top, thick, leg = draw(0.52, 0.62), draw(1.15, 1.5), draw(0.12, 0.17), draw(0.1, 0.125)
+    count = draw.legs(3, 4, 4, 1)
     if count == 1:
-        foot = tube((0, 0, 0), (0, 0, 0.12), seat * 0.85, 0.04)
-        legs = join(tube((0, 0, 0), (0, 0, top), leg * 1.3), foot)
+        foot = tube((0, 0, 0), (0, 0, 0.13), seat * 0.85, 0.04)
+        legs = join(tube((0, 0, 0), (0, 0, top), leg * 1.15), foot)
     else:
-        at = draw(0.3, 0.36)
-        tie = ring((0, 0, top * at), low + (high - low) * at, leg * 0.95)
-        bars = around(count, capsule((low, 0, leg), (high, 0, top), leg), 45 if count == 4 else -90)
-        legs = join(bars, tie)
-    return {"seat": tube((0, 0, top - thick), (0, 0, top + thick), seat, 0.05), "legs": legs}
+        low, high = seat * draw(0.88, 1.1), seat * 0.66
+        legs = around(count, capsule((low, 0, leg), (high, 0, top), leg), 45 if count == 4 else -90)
+    return {"seat": tube((0, 0, top - thick), (0, 0, top + thick), seat, 0.08), "legs": legs}
 
 
 def bench(draw: Draw) -> Parts:

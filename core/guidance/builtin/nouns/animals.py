@@ -160,7 +160,7 @@ ANIMALS = {
             "horns": "-e6dcc0",
             "eyes": "-f2c21c",
         },
-        Usual(6.0, FLESH, 0.19),
+        Usual(6.0, FLESH, 0.23),
     ),
     "dinosaur": Noun(
         "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla, "

@@ -6,7 +6,7 @@ FURNITURE = {
     "table": Noun(
         "; altar",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
-        Usual(1.4, WOOD, 0.2),
+        Usual(1.4, WOOD, 0.24),
     ),
     "chair": Noun(
         "dining chair",
@@ -37,7 +37,7 @@ FURNITURE = {
     "stool": Noun(
         "; bar stool, barstool",
         {"seat": "&a06a38 grain", "legs": "*70472a grain"},
-        Usual(0.6, WOOD, 0.34),
+        Usual(0.6, WOOD, 0.21),
     ),
     "bench": Noun(
         "park bench; pew, church pew",
