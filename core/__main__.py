@@ -9,10 +9,8 @@ if __name__ == "__main__":
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, lambda *_: os._exit(130))
 
-    from core.allocator import keep_freed_memory
     from core.command_line import main
     from core.terminal import end, open_streams
 
-    keep_freed_memory()
     open_streams()
     end(lambda: main(sys.argv[1:]))

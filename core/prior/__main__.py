@@ -14,7 +14,6 @@ from pathlib import Path
 
 import torch
 
-from core.allocator import keep_freed_memory
 from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
@@ -23,6 +22,7 @@ from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.weights import load_weights, ship_weights
 from core.io.atomic import disk_errors
 from core.io.input_file import check_file
+from core.prior.allocator import keep_freed_memory
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, write_samples, write_shards
 from core.prior.evaluate import (
     CHANCE,

@@ -22,7 +22,7 @@ from core.texture.packing import FEW, charts_of, pack, triangle_areas
 
 MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
-REPAIR_ROUNDS = 4  # rounds of cutting out what would not lie flat
+REPAIR_ROUNDS = 12  # at most, of cutting out what would not lie flat
 SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
 OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
 OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two

@@ -1,7 +1,8 @@
 """The C library's allocator: freed memory is kept for what comes next. Standard library only.
 
 glibc gives a large block back to the system when it is freed, and gets its pages anew, each by a
-fault and filled with zeros, for the next tensor of the same size.
+fault and filled with zeros, for the next tensor of the same size. In a training of the solids that
+was a third of the time. A run that makes an asset has a sixtieth as many faults, and is left alone.
 """
 
 import ctypes

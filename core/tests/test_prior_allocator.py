@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 FAULTS = """
 import resource
 import numpy as np
-from core.allocator import keep_freed_memory
+from core.prior.allocator import keep_freed_memory
 if {kept}:
     keep_freed_memory()
 def faults():
@@ -34,7 +34,7 @@ def test_large_blocks_are_not_given_back_between_two_uses():
 
 @pytest.mark.parametrize("loaded", [AttributeError, OSError, TypeError])
 def test_another_c_library_is_left_as_it_is(monkeypatch, loaded):
-    from core import allocator
+    from core.prior import allocator
 
     class Library:
         def __init__(self, name: None) -> None:
