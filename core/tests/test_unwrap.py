@@ -6,21 +6,32 @@ from unittest import mock
 import numpy as np
 import pytest
 import torch
+import trimesh
 from scipy.ndimage import distance_transform_edt
 
 from core.benchmarks.bench_texture import shape
 from core.errors import Cancelled, UserError
 from core.geometry.mesh import Mesh
+from core.geometry.union import union
 from core.geometry.uv_health import uv_health
 from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
 from core.texture import packing
 from core.texture import unwrap as module
+from core.texture.charts import charts
 from core.texture.flatten import at_rest
-from core.texture.packing import triangle_areas
+from core.texture.packing import FEW, triangle_areas
 from core.texture.simplify import simplify
 from core.texture.texels import texel_points, uv_faults
-from core.texture.unwrap import FILL, PADDING, flat_charts, overlapping, squashed, unwrap
+from core.texture.unwrap import (
+    FILL,
+    PADDING,
+    at_unit_size,
+    flat_charts,
+    overlapping,
+    squashed,
+    unwrap,
+)
 
 SIZE = 256
 
@@ -145,6 +156,22 @@ def coiled_steps() -> tuple[torch.Tensor, torch.Tensor]:
     return torch.stack(rails, 1).view(-1, 3), faces
 
 
+def bookcase() -> tuple[torch.Tensor, torch.Tensor]:
+    """Boards and books, in small faces: more corners than one chart can have."""
+    boxes = [((x, 0.0, 0.9), (0.06, 0.3, 0.9)) for x in (-0.7, 0.7)]
+    boxes += [((0.0, 0.0, z), (0.7, 0.3, 0.06)) for z in (0.06, 0.62, 1.18, 1.74)]
+    boxes += [((0.0, 0.27, 0.9), (0.7, 0.03, 0.9))]
+    for shelf in range(3):
+        for book in range(4):
+            tall = 0.17 + 0.02 * ((book + shelf) % 4)
+            at = (-0.52 + 0.27 * book, 0.02, 0.1 + 0.56 * shelf + tall)
+            boxes.append((at, (0.135, 0.24, tall)))
+    made = [trimesh.creation.box(2 * np.array(half)).apply_translation(at) for at, half in boxes]
+    tensors = [(torch.tensor(m.vertices), torch.tensor(m.faces)) for m in made]
+    verts, faces = union(tensors, 0.0)
+    return tuple(map(torch.tensor, trimesh.remesh.subdivide_to_size(verts, faces, 0.12)))
+
+
 def inside_out() -> tuple[torch.Tensor, torch.Tensor]:
     """Half of the faces look inwards."""
     verts, faces = sphere(3)
@@ -173,6 +200,14 @@ def test_any_mesh_gets_a_sound_uv(mesh: tuple, monkeypatch) -> None:
     told = uv_health(Mesh(*mesh, *atlas))
     assert told["uv_stretch"] < 1.15
     assert told["uv_flat"] == 0
+
+
+def test_a_chart_is_cut_until_it_does_not_lie_over_itself() -> None:
+    verts, faces = bookcase()
+    p, f = at_unit_size(verts.double().numpy()), faces.long().numpy()
+    uv, face_uvs, chart = flat_charts(p, f, charts(p, f), lambda _: None)
+    assert not overlapping(uv, face_uvs, chart).any()
+    assert chart.max() < FEW
 
 
 def test_faces_without_area_are_no_fault() -> None:

@@ -22,7 +22,8 @@ from core.texture.packing import FEW, charts_of, pack, triangle_areas
 
 MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
-REPAIR_ROUNDS = 12  # at most, of cutting out what would not lie flat
+REPAIR_ROUNDS = 4  # of cutting out what would not lie flat
+FOLD_ROUNDS = 8  # more, at most, of cutting those of few charts that still lie over themselves
 SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
 OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
 OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two
@@ -140,12 +141,18 @@ def flat_charts(
     """uv, uv indices and charts; charts that would not lie flat are cut until they do."""
     adjacent, centre = neighbours(faces), verts[faces].mean(1)
     area = triangle_areas(at_rest(verts[faces]))
-    for round_ in range(REPAIR_ROUNDS):
-        progress(round_ / REPAIR_ROUNDS)
+    rounds = REPAIR_ROUNDS + FOLD_ROUNDS
+    for round_ in range(rounds):
+        progress(round_ / rounds)
         uv, face_uvs = flatten(verts, faces, chart)
         bad, folded = squashed(uv[face_uvs], area), overlapping(uv, face_uvs, chart)
+        # Of a noisy surface all would be cut up in the end, and have no room.
+        enough = round_ >= REPAIR_ROUNDS - 1
+        bad &= not enough
         # In the last round nothing more is cut: each chart returned has its uv.
-        if round_ == REPAIR_ROUNDS - 1 or not (bad.any() or folded.any()):
+        if round_ == rounds - 1 or (enough and chart.max() >= FEW):
+            break
+        if not (bad.any() or folded.any()):
             break
         # A chart that is squashed as a whole has nothing to be cut out of.
         whole = np.bincount(chart, bad) == np.bincount(chart)
