@@ -6,7 +6,7 @@ from typing import Any
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
-from core.guidance.builtin.part_names import always_has, can_lack, lacked
+from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import OPTIONS
 
@@ -111,7 +111,7 @@ class Findings:
             if there or not noun:
                 continue
             if name := lacked(noun, part, form):
-                names.append(name)
+                names += [name, *borne(noun, name)]
                 if not can_lack(noun, names):
                     raise part_error(noun, form, there, self.options(noun))
             elif f"no {part}" not in self.options(noun):

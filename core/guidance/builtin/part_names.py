@@ -6,6 +6,7 @@ from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
 from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.words import (
     ALIVE,
+    BORNE,
     LEGS,
     OPTIONS,
     PART_ALSO,
@@ -78,6 +79,11 @@ def lacked(noun: str, part: str, form: str) -> str:
     it has none that is called so. Of a robot without arms the limbs stay."""
     looks = looks_of(noun)
     return next((name for name in [form, *_names(part, also=False)] if name in looks), "")
+
+
+def borne(noun: str, part: str) -> list[str]:
+    """The noun's parts that are gone with ``part``: the hubs with the wheels."""
+    return [name for name in forms_of(BORNE.get(part, "")) if name in looks_of(noun)]
 
 
 def can_lack(noun: str, parts: Collection[str]) -> bool:

@@ -212,6 +212,12 @@ PART_ALSO = {
     "costume": "suit, coat, robe, tunic, dress, shirt, armour",
     "uniform": "suit, coat, tunic, shirt",
 }
+# What stands on a part alone, and is gone with it.
+BORNE = {
+    "wheels": "hubs",
+    "icing": "sprinkles, strands, drops",
+    "head": "eyes, bill, aerial",
+}
 # What most of a thing is, whatever it calls that; and what else it has.
 WHOLE = frozenset("body case casing housing shell frame chassis bodywork exterior surface".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
