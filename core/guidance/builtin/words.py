@@ -215,6 +215,7 @@ PART_ALSO = {
 # What stands on a part alone, and is gone with it.
 BORNE = {
     "wheels": "hubs",
+    "roof": "chimney",
     "icing": "sprinkles, strands, drops",
     "head": "eyes, bill, aerial",
 }
