@@ -155,34 +155,6 @@ def test_what_goes_with_a_thing_is_left_out_with_its_colours_and_reported(prompt
     assert " ".join(found.left_out) == aside
 
 
-@pytest.mark.parametrize(
-    ("prompt", "words", "part"),
-    [
-        ("a torus with pink icing", Words("torus"), "pink icing"),
-        ("a bucket of water", Words("bucket"), "water"),
-        ("a black robot with a red glow", Words("robot", color="black"), "red glow"),
-    ],
-)
-def test_a_part_that_the_thing_has_not_is_left_out_and_said_so(prompt, words, part):
-    found = parse(prompt)
-    assert found == words
-    assert found.notes == (f"{part}: left out, as a {words.noun} has none here.",)
-    assert " ".join(found.left_out) == part
-
-
-@pytest.mark.parametrize(
-    ("prompt", "colors"),
-    [
-        ("a lantern with a green flame", {"glass": "green"}),
-        ("a campfire with blue flames", {"flame": "blue"}),
-        ("a torch with green fire", {"flame": "green"}),
-        ("a spaceship with a blue glow", {"flames": "blue"}),
-    ],
-)
-def test_what_burns_and_what_glows_is_found_by_either_name(prompt, colors):
-    assert understood(prompt)["part_colours"] == colors
-
-
 def test_the_report_has_what_each_part_is_of_and_how_it_shines():
     found = understood("a teal toaster with matte chrome trim")
     assert found["part_materials"] == {"lever": "chrome", "knob": "chrome"}

@@ -1,7 +1,6 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
 import re
-import unicodedata
 
 from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.colors import TOWARDS, shade
@@ -25,6 +24,7 @@ from core.guidance.builtin.part_names import (
     may_state,
     own_name,
 )
+from core.guidance.builtin.tokens import tokens_of
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
@@ -73,7 +73,7 @@ class Reading:
         self._late = False  # whether a comma has ended the clause that has the thing
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
-        self._tokens, self._breaks = _tokens(prompt)
+        self._tokens, self._breaks = tokens_of(prompt)
         at = 0
         while at < len(self._tokens):
             if at in self._breaks:
@@ -391,17 +391,3 @@ class Reading:
         self.got.left_out += parts
         self.got.qualifiers += [*parts, *self._pending]
         self._pending, self._before, self._noun_end = [], [], end
-
-
-def _tokens(prompt: str) -> tuple[list[str], set[int]]:
-    """The words of a prompt in lower case, and the indices of those that punctuation precedes."""
-    tokens: list[str] = []
-    breaks: set[int] = set()
-    # The s of a possessive is no word.
-    plain = unicodedata.normalize("NFKC", prompt).lower().replace("'s", " ")
-    for token in re.findall(r"[^\W_]+|[,;:.!?()]", plain):
-        if token[0].isalnum():
-            tokens.append(token)
-        else:
-            breaks.add(len(tokens))
-    return tokens, breaks
