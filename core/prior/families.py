@@ -17,6 +17,7 @@ from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
 from core.prior.things.characters import CHARACTERS
+from core.prior.things.chests import CHESTS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
@@ -113,6 +114,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | GEAR
     | FOOD
     | HOME
+    | CHESTS
     | HOME_FITTINGS
     | BEASTS
     | PLANTS

@@ -72,6 +72,11 @@ def test_a_thing_is_made_without_any_of_its_parts(prompt, absent):
     assert understood(prompt)["parts"][-len(absent) :] == [f"no {part}" for part in absent]
 
 
+def test_one_or_another_is_no_choice_and_that_is_said():
+    assert parse("a red or blue car").left_out == ("or",)
+    assert not parse("a car without wheels or windows").left_out
+
+
 def test_what_is_no_part_by_itself_is_not_left_away_and_all_of_a_thing_neither():
     for prompt, form in (
         ("a mug without a spout", "spout"),

@@ -36,6 +36,10 @@ def test_a_tone_moves_any_colour_towards_black_or_white():
         end = sum(TOWARDS[form.split()[0]][0])
         plain = sum(color_value("purple", form.split()[1]))
         assert abs(sum(color_value("purple", form)) - end) < abs(plain - end)
+    lavender = color_value("purple", "lavender")
+    assert color_value("purple", "dark lavender") == pytest.approx([0.5 * c for c in lavender])
+    pale = [0.45 * c + 0.55 for c in lavender]
+    assert color_value("purple", "pale lavender") == pytest.approx(pale)
     assert color_value("navy", "dark blue") == COLOR_VALUES["navy"]  # a word of its own
     assert color_value("dark green", "dark green") == COLOR_VALUES["dark green"]
     assert parse("a dark wooden chair").color == ""

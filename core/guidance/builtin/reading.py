@@ -130,6 +130,8 @@ class Reading:
         elif token in PHRASE_ENDS:
             self._without &= token in ARTICLES
             self._without |= self._lacks_more(tokens)
+            if token in EITHER and not self._without:  # "red or blue": it is both
+                self.got.left_out.append(token)
             # "a statue of a lion": the article says nothing new.
             word = self._ended_by if token in ARTICLES else token
             if self.got.found["noun"] and (token in GOES_WITH or self._accessory is not None):

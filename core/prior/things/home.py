@@ -3,7 +3,6 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
     around,
     ball,
     both,
@@ -20,60 +19,7 @@ from core.prior.solids import (
     tube,
     turned,
 )
-
-
-def drawers(
-    middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
-) -> tuple[Solid, Solid]:
-    """Drawer fronts on the plane ``y`` over ``middle`` ± ``half``, and their knobs."""
-    step, width = (high - low) / rows, half / columns
-    cells = [
-        (middle - half + width * (2 * c + 1), low + step * (r + 0.5))
-        for r in range(rows)
-        for c in range(columns)
-    ]
-    fronts = (box((u, y, v), (width - 0.04, 0.07, step / 2 - 0.035), 0.02) for u, v in cells)
-    return join(*fronts), join(*(ball((u, y - 0.11, v), 0.09) for u, v in cells))
-
-
-def barred_drawers(
-    middle: float, y: float, low: float, high: float, half: float, rows: int, columns: int = 1
-) -> tuple[Solid, Solid]:
-    """Drawer fronts that stand out from the plane ``y`` over ``middle`` ± ``half``, and bars."""
-    step, width = (high - low) / rows, half / columns
-    cells = [
-        (middle - half + width * (2 * c + 1), low + step * (r + 0.5))
-        for r in range(rows)
-        for c in range(columns)
-    ]
-    fronts = (box((u, y - 0.04, v), (width - 0.05, 0.1, step / 2 - 0.06), 0.02) for u, v in cells)
-    bars = (box((u, y - 0.16, v), (width * 0.36, 0.09, 0.05), 0.02) for u, v in cells)
-    return join(*fronts), join(*bars)
-
-
-def feet(x: float, y: float, high: float, radius: float) -> Solid:
-    """Four round legs from the floor."""
-    return both(taper((x, y, radius * 0.8), (x, y, high), radius * 0.8, radius), 0, 1)
-
-
-def desk(draw: Draw) -> Parts:
-    """A board on one or two chests of drawers, slim legs where there is but one."""
-    x, y, high, half = draw(1.1, 1.3), draw(0.58, 0.68), draw(1.15, 1.3), draw(0.35, 0.4)
-    right, deep, leg = x - half - 0.05, y - 0.2, x / 15
-    fronts, bars = barred_drawers(right, -deep, 0.08, high - 0.09, half - 0.02, 3)
-    side = box((right, 0, high / 2), (half, deep, high / 2), 0.02)
-    panel = box((0, deep - 0.1, high * 0.7), (x - 0.1, leg, high * 0.3))
-    if draw.chance(0.4):
-        fronts, bars, side = both(fronts), both(bars), both(side)
-    else:
-        post = box((0.05 + leg - x, deep - leg, high / 2), (leg, leg, high / 2), 0.02)
-        side = join(side, both(post, 1))
-    return {
-        "top": box((0, 0, high + 0.06), (x, y, 0.085), 0.03),
-        "body": join(side, panel),
-        "drawers": fronts,
-        "handles": bars,
-    }
+from core.prior.things.chests import feet
 
 
 def office_chair(draw: Draw) -> Parts:
@@ -150,59 +96,6 @@ def throne(draw: Draw) -> Parts:
     }
 
 
-def wardrobe(draw: Draw) -> Parts:
-    """Two high doors, a ledge above, perhaps a drawer below."""
-    x, y, high = draw(0.75, 0.95), draw(0.38, 0.48), draw(2.1, 2.5)
-    low = 0.62 if draw.has("drawer", 0.5) else 0.2
-    door = box((x / 2, -y, (low + high - 0.1) / 2), (x / 2 - 0.06, 0.07, (high - 0.1 - low) / 2))
-    body = box((0, 0, high / 2 + 0.06), (x, y, high / 2 - 0.06), 0.02)
-    ledge = box((0, -0.03, high), (x + 0.09, y + 0.1, draw(0.09, 0.13)), 0.03)
-    fronts, knobs = both(door), both(ball((0.15, -y - 0.1, high * 0.52), 0.1))
-    if low > 0.5:
-        fronts = join(fronts, box((0, -y, 0.36), (x - 0.06, 0.07, 0.18)))
-        knobs = join(knobs, both(ball((x / 2, -y - 0.1, 0.36), 0.1)))
-    return {
-        "body": join(body, ledge),
-        "doors": fronts,
-        "handles": knobs,
-        "feet": both(box((x - 0.14, y - 0.14, 0.1), (0.13, 0.13, 0.1), 0.03), 0, 1),
-    }
-
-
-def dresser(draw: Draw) -> Parts:
-    """A chest of three or four rows of drawers."""
-    x, y, leg = draw(0.8, 1.15), draw(0.42, 0.5), draw(0.14, 0.36)
-    rows = 3 + draw.chance(0.45)
-    high = leg + rows * draw(0.42, 0.48)
-    fronts, knobs = drawers(0, -y, leg + 0.06, high - 0.04, x - 0.04, rows, 2)
-    return {
-        "body": join(
-            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
-        ),
-        "drawers": fronts,
-        "handles": knobs,
-        "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.13),
-    }
-
-
-def nightstand(draw: Draw) -> Parts:
-    """A small table with one or two drawers."""
-    x, y, leg = draw(0.55, 0.68), draw(0.46, 0.54), draw(0.3, 0.65)
-    rows = 1 + draw.chance(0.6)
-    high = leg + 0.12 + rows * draw(0.36, 0.44)
-    fronts, knobs = drawers(0, -y, leg + 0.06, high - 0.04, x - 0.04, rows)
-    return {
-        "body": join(
-            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.09, y + 0.1, 0.08), 0.03),
-        ),
-        "drawers": fronts,
-        "handles": knobs,
-        "legs": feet(x - 0.12, y - 0.12, leg + 0.1, 0.115),
-    }
-
-
 def bunk_bed(draw: Draw) -> Parts:
     """Two beds, one above the other, and a ladder."""
     x, y, low, high = draw(0.6, 0.7), draw(1.15, 1.3), draw(0.42, 0.5), draw(1.45, 1.65)
@@ -243,34 +136,6 @@ def coffee_table(draw: Draw) -> Parts:
         shelf = box((0, 0, low), (u, v, plate), 0.02)
     legs = both(box((u, v, high / 2), (plate, plate, high / 2), 0.02), 0, 1)
     return {"top": top, "legs": legs, "shelf": shelf}
-
-
-def cabinet(draw: Draw) -> Parts:
-    """Low and wide with two or four doors on short legs."""
-    x, y, leg, high = draw(0.85, 1.25), draw(0.4, 0.5), draw(0.2, 0.35), draw(1.1, 1.5)
-    pairs = 2 if x > 1.05 else 1
-    width, middle = x / pairs, (leg + high) / 2
-    doors = [
-        box((width * (k + 0.5), -y, middle), (width / 2 - 0.05, 0.07, (high - leg) / 2 - 0.08))
-        for k in range(pairs)
-    ]
-    knobs = [
-        box(
-            (width * (2 * (k // 2) + (1 if k else 0)) + (0.14, -0.14)[k % 2], -y - 0.08, middle),
-            (0.07, 0.09, 0.17),
-            0.03,
-        )
-        for k in range(pairs)
-    ]
-    return {
-        "body": join(
-            box((0, 0, middle), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
-        ),
-        "doors": both(join(*doors)),
-        "handles": both(join(*knobs)),
-        "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.12),
-    }
 
 
 def mirror(draw: Draw) -> Parts:
@@ -425,16 +290,11 @@ def crib(draw: Draw) -> Parts:
 
 
 HOME = {
-    "desk": desk,
     "office chair": office_chair,
     "rocking chair": rocking_chair,
     "throne": throne,
-    "wardrobe": wardrobe,
-    "dresser": dresser,
-    "nightstand": nightstand,
     "bunk bed": bunk_bed,
     "coffee table": coffee_table,
-    "cabinet": cabinet,
     "mirror": mirror,
     "floor lamp": floor_lamp,
     "fireplace": fireplace,
