@@ -28,7 +28,7 @@ from core.guidance.builtin.substances import (
     OF_THE_REST,
     ROUGHNESS,
 )
-from core.guidance.builtin.surfaces import surface_of
+from core.guidance.builtin.surfaces import SMOOTH, surface_of
 from core.guidance.builtin.vocabulary import parse
 from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb, srgb_to_linear
@@ -305,6 +305,17 @@ def test_the_metal_fittings_of_what_is_no_metal_stay_of_metal():
     assert finishes("a chest with wooden bands")["bands"] == FINISHES["wooden"]
 
 
+def test_a_material_that_a_thing_is_of_by_nature_says_nothing_of_what_else_it_has():
+    for prompt, part, own in (
+        ("a glass bottle", "cap", "plastic"),
+        ("a metal cannon", "carriage", "wooden"),
+        ("a wooden pirate ship", "sails", "fabric"),
+    ):
+        words = parse(prompt)
+        of = {part.name: part.material or part.look.material for part in painted(words.noun, words)}
+        assert of[part] == own and words.material in of.values()
+
+
 def test_a_golden_medal_has_a_ribbon_of_cloth():
     medal = {part.name: part.finish for part in painted("medal", parse("a golden medal"))}
     assert medal["ribbon"].metallic == 0 and 1 in {finish.metallic for finish in medal.values()}
@@ -347,6 +358,12 @@ def test_flames_and_lamps_glow_whatever_the_rest_is_of():
     assert lights("a glass light bulb")["bulb"][0] > 0
     assert lights("a stone light bulb")["bulb"] == (0, 0)
     assert lights("a candle")["wax"] == (0, 0)
+
+
+def test_a_wall_of_clear_glass_is_smoother_than_what_mirrors():
+    words = parse("a bottle")
+    (body, cap) = (surface_of(words, part) for part in painted("bottle", words))
+    assert (body.roughness, cap.roughness) == (-SMOOTH, 0.0)
 
 
 def test_clear_glass_without_a_colour_is_white_and_a_stated_colour_tints_it():
