@@ -366,6 +366,14 @@ def test_a_wall_of_clear_glass_is_smoother_than_what_mirrors():
     assert (body.roughness, cap.roughness) == (-SMOOTH, 0.0)
 
 
+def test_no_snow_lies_on_a_flame_nor_dust_on_an_eye():
+    for prompt, part in (("a snow covered candle", "flame"), ("a dusty dragon", "eyes")):
+        words = parse(prompt)
+        weather = {one.name: surface_of(words, one).weather for one in painted(words.noun, words)}
+        assert weather.pop(part) == ()
+        assert set(weather.values()) == {words.weather} and words.weather
+
+
 def test_clear_glass_without_a_colour_is_white_and_a_stated_colour_tints_it():
     def color(prompt):
         words = parse(prompt)
