@@ -2,7 +2,6 @@
 
 import pytest
 
-from core.errors import UserError
 from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.vocabulary import Words, parse
 
@@ -14,8 +13,10 @@ def test_a_colour_before_a_part_is_of_that_part_alone():
     words = parse("a red chair with blue legs and a green seat")
     assert words.of_parts("color") == {"legs": "blue", "seat": "green"}
     assert (words.color, words.target) == ("red", "legs")
-    with pytest.raises(UserError, match="got 'blue' and 'green'"):
-        parse("a chair with blue legs, green legs")
+    words = parse("a chair with blue legs, green legs")
+    assert (words.of_parts("color"), words.left_out) == ({"legs": "blue"}, ("green legs",))
+    words = parse("a cactus in a terracotta pot with a pink flower")
+    assert (words.part_materials(), words.color) == ({"pot": "terracotta"}, "")
 
 
 def test_a_pattern_has_the_second_colour_and_a_part_keeps_its_own():
@@ -52,8 +53,9 @@ def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts,
     )
     if form == "steel" and not material:
         assert "steel: made as metal." in words.notes
-    with pytest.raises(UserError, match="takes one material"):
-        parse("a chair with leather legs, metal legs")
+    words = parse("a chair with leather legs, metal legs")
+    assert words.part_materials() == {"legs": "leather"}
+    assert "metal legs: left out, as one colour and one material of a part is taken." in words.notes
 
 
 def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():

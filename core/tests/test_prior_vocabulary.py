@@ -299,11 +299,34 @@ def test_a_prompt_without_a_thing_is_refused(prompt):
         parse(prompt)
 
 
-def test_two_things_and_three_colours_are_refused():
-    with pytest.raises(UserError, match="one noun .* 'chair' and 'table'"):
+def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count():
+    with pytest.raises(UserError, match="one thing .* 'chair' and 'table'"):
         parse("a chair and a table")
-    with pytest.raises(UserError, match="one colour .* 'red' and 'blue' and 'green'"):
-        parse("a red, blue and green ball")
+    words = parse("a red, blue and green ball")
+    assert (words.color, words.second, words.left_out) == ("red", "blue", ("green",))
+    assert "green: left out, as two colours are taken." in words.notes
+    words = parse("a wooden and metal chair")
+    assert (words.material, words.left_out) == ("wooden", ("metal",))
+    assert "metal: left out, as one material is taken." in words.notes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("a stop sign bent at the pole", Words("signpost")),
+        ("a rolled up rug, lilac", Words("rug", color="purple")),
+        ("a coral cluster", Words("coral")),
+        ("a bathtub 1950s", Words("bathtub")),
+        ("a mermaid sitting on a rock combing her hair", Words("mermaid")),
+        ("a tree with snow on the branches", Words("tree", weather=("snowy",))),
+        ("an old dog", Words("dog")),
+        ("an old stone lion", Words("lion", material="stone", weather=("worn",))),
+    ],
+)
+def test_what_is_said_around_a_thing_does_not_refuse_it_or_change_it(prompt, words):
+    read = parse(prompt)
+    assert (read.noun, read.color, read.material) == (words.noun, words.color, words.material)
+    assert read.weather == words.weather
 
 
 def test_a_negative_prompt_needs_no_noun_but_only_known_words():

@@ -187,7 +187,7 @@ def test_a_part_alone_is_no_thing():
 
 
 def test_two_things_are_refused_and_what_is_listed_after_the_thing_is_left_out():
-    with pytest.raises(UserError, match="one noun"):
+    with pytest.raises(UserError, match="one thing"):
         parse("a table and a lamp")
     words = parse("a red chair, a green lamp")
     assert (words.noun, words.color, words.left_out) == ("chair", "red", ("green", "lamp"))

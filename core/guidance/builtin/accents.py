@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from core.guidance.builtin.lexicon import Entry
 from core.guidance.builtin.part_names import is_wide, own_names
-from core.guidance.builtin.prompt_errors import two_error
 
 
 class StatedPart(NamedTuple):
@@ -32,30 +31,36 @@ class Accent(NamedTuple):
     sheen: str = ""
 
 
-def accents_of(parts: Iterable[StatedPart], noun: str) -> list[Accent]:
-    """What is said of each of the noun's parts, once each.
-
-    Raises ``UserError`` for two colours or two materials of one part.
-    """
+def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], list[str]]:
+    """What is said of each of the noun's parts, once each; and what is said of one that has such
+    a word already: of "beige keys and a red escape key" the red."""
     accents: dict[str, Accent] = {}
+    again: list[str] = []
     # What is said of the trim is not of the part of it that something else is said of.
     for part in sorted(parts, key=lambda part: is_wide(noun, part.name)):
         if not (part.color or part.material or part.sheen):
             continue
         for name in own_names(noun, part.name):
             if name not in accents or not is_wide(noun, part.name):
-                accents[name] = _joined(accents.get(name, Accent(name)), part)
-    return list(accents.values())
+                before = accents.get(name, Accent(name))
+                accents[name] = _joined(before, part)
+                again += _second(before, part)
+    return list(accents.values()), list(dict.fromkeys(again))
 
 
 def _joined(before: Accent, part: StatedPart) -> Accent:
-    """What was said of a part, and now."""
+    """What was said of a part first, and what that left open."""
     word, form = part.material[1:] if part.material else ("", "")
-    for slot, old, new in (
-        ("color", before.color_form or before.color, part.color_form or part.color),
-        ("material", before.material, word),
-    ):
-        if old and new and old != new:
-            raise two_error(slot, [old, new])
-    own = Accent(before.part, part.color, part.color_form, word, form, part.sheen)
-    return Accent(*(new or old for old, new in zip(before, own, strict=True)))
+    color = before[1:3] if before.color else (part.color, part.color_form)
+    material = before[3:5] if before.material else (word, form)
+    return Accent(before.part, *color, *material, before.sheen or part.sheen)
+
+
+def _second(before: Accent, part: StatedPart) -> list[str]:
+    """The colour and the material that would be a part's second ones, with its name."""
+    word, form = part.material[1:] if part.material else ("", "")
+    said = (
+        (before.color_form or before.color, part.color_form or part.color, part.color),
+        (before.material, form, word),
+    )
+    return [f"{form} {part.form}" for old, form, new in said if old and new and old != new]

@@ -6,7 +6,6 @@ from core.guidance.builtin.lexicon import LEXICON, Vocabulary, nearest_words
 ELSEWHERE = (
     "For any other wording use Stable Diffusion: --guidance FOLDER, where FOLDER holds its weights."
 )
-SLOT_NAMES = {"color": "colour", "second": "second colour"}  # in a sentence
 
 
 class PromptError(UserError):
@@ -40,7 +39,7 @@ def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) 
 def two_error(slot: str, words: list[str]) -> UserError:
     """The error for more than one word where a slot takes one."""
     return PromptError(
-        f"The built-in model takes one {SLOT_NAMES.get(slot, slot)} in a prompt and got "
+        f"The built-in model takes one {slot} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
         f"Keep one of them. {ELSEWHERE}",
     )

@@ -39,6 +39,7 @@ from core.guidance.builtin.words import (
     PHRASE_ENDS,
     ROLES,
     TOYS,
+    WHOLE,
     WITHOUT,
 )
 
@@ -48,7 +49,8 @@ LONGEST = 3  # words of a phrase
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 MADE_OF = ("of", "from", "in", "out")
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
-DONE = re.compile("[a-z]{3,}ed")  # what was done to it
+DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
+NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
 class Reading:
@@ -99,6 +101,8 @@ class Reading:
         for count in range(min(LONGEST, len(tokens)), 0, -1):
             phrase = " ".join(tokens[:count])
             entry = look_up(phrase, self.known)
+            if entry is not None and self._is_part_of_look(entry, tokens[:count]):
+                continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
                 entry = Entry("part", phrase, phrase)
             if entry is not None and self._are_things(entry, phrase):
@@ -147,14 +151,27 @@ class Reading:
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
-        elif token not in FILLER and self.got.found["noun"] and DONE.fullmatch(token):
-            self.got.left_out.append(token)  # "a raccoon dressed up"
+        elif token not in FILLER and (DONE.fullmatch(token) or NUMBER.fullmatch(token)):
+            self.got.left_out.append(token)  # "a raccoon dressed up", "a rolled up mat", "1950s"
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
 
+    def _is_part_of_look(self, entry: Entry, tokens: list[str]) -> bool:
+        """Whether another thing's name is a part of the thing and how it looks: "a cactus in a
+        terracotta pot"."""
+        *looks, last = tokens
+        nouns = self.got.found["noun"]
+        if not looks or entry.slot != "noun" or not nouns or not is_own(nouns[0].word, last):
+            return False
+        known = [look_up(word, self.known) for word in looks]
+        return all(one is not None and one.slot in LOOKS for one in known)
+
     def _are_things(self, entry: Entry, phrase: str) -> bool:
-        """Whether a material's plural is no material: "a campfire with stones"."""
+        """Whether a material's plural is no material, "a campfire with stones"; or a word for most
+        of the thing is about another: "a mug full of paint"."""
+        if self._of_another and entry.word in WHOLE:
+            return True
         of = self._ended_by in MADE_OF
         return entry.slot == "material" and phrase not in LEXICON and not of
 
@@ -221,6 +238,9 @@ class Reading:
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
+        if self._is_beside(entry, start, end):  # "a mermaid on a rock"
+            self._leave_aside(entry.form)
+            return
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
             return
@@ -282,8 +302,15 @@ class Reading:
         moss", but "orange and blue", "in orange"."""
         if self._ended_by in ("and", "in", "with"):
             return False
-        ends = PHRASE_ENDS - {"and"}
-        return end in (*self._breaks, len(self._tokens)) or self._tokens[end] in ends
+        if end in (*self._breaks, len(self._tokens)):
+            return True
+        after = self._tokens[end]
+        return after in PHRASE_ENDS - {"and"} or DOING.fullmatch(after) is not None
+
+    def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
+        """Whether a material or a colour is another thing, which goes with the thing."""
+        stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
+        return stands and self._accessory is not None and self._tokens[start - 1] in ARTICLES
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a

@@ -27,7 +27,7 @@ from core.guidance.builtin.prompt_errors import (
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.words import GLASSWARE, WEATHERS
+from core.guidance.builtin.words import GLASSWARE
 
 
 @dataclass(frozen=True)
@@ -146,8 +146,8 @@ def parse(
     """Read a prompt into slots; ``known`` are the words that may be asked for.
 
     Raises ``UserError`` that names every word it does not know with the nearest it does (unless
-    ``ignore_unknown``), two words for one slot, a part that the thing cannot lack or have, and a
-    missing noun unless ``noun_needed`` is false (a negative prompt).
+    ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
+    unless ``noun_needed`` is false (a negative prompt).
     """
     got = Reading(prompt, known).got
     if noun_needed and not got.found["noun"]:
@@ -168,8 +168,7 @@ def parse(
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
-    # In the table's order: snow lies on dirt.
-    words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
+    words["weather"] = got.weather(words["noun"], words["material"])
     words["sheen"] = tuple(got.words("sheen"))
     words["is_toy"] = got.is_toy
     words["material_form"] = next((entry.form for entry in got.found["material"]), "")

@@ -81,9 +81,12 @@ WEATHERS = {
     "distressed",
     "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
     "dusty": "dust covered, covered in dust, covered with dust",
-    "mossy": "moss covered, overgrown, covered in moss, covered with moss",
-    "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty",
+    "mossy": "moss covered, overgrown, covered in moss, covered with moss, with moss, moss on",
+    "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty, with snow, "
+    "snow on, snow dusted, dusted with snow, snow topped",
 }
+# Of them what is said of the living too, whose surface does not show it.
+AGES = frozenset(("old", "ancient"))
 # How a surface shines, or that it is lit; also of a part alone.
 SHEENS = {
     "matte": "matt, dull, unglazed, unpolished",
@@ -220,7 +223,9 @@ BORNE = {
     "head": "eyes, bill, aerial",
 }
 # What most of a thing is, whatever it calls that; and what else it has.
-WHOLE = frozenset("body case casing housing shell frame chassis bodywork exterior surface".split())
+WHOLE = frozenset(
+    "body case casing housing shell frame chassis bodywork exterior surface paint paintwork".split()
+)
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
@@ -265,7 +270,8 @@ OF_ANOTHER = (
 # How many there are. One is made, and a note says so.
 COUNTS = frozenset(
     """two three four five six seven eight nine ten twelve dozen dozens several many few couple
-    multiple various set pile heap stack group row collection pack bundle""".split()
+    multiple various set pile heap stack group row collection pack bundle cluster clump
+    assortment""".split()
 )
 # How the picture or the mesh is wanted, of which a shape and its materials know nothing.
 STYLES = frozenset(
@@ -298,7 +304,7 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
-    ornament cut sliced used aged battered stained""".split()
+    ornament cut sliced used aged battered stained bent torn crooked percent""".split()
 ) | {
     "old fashioned",
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
