@@ -1,7 +1,8 @@
 """Files of weights: safetensors, with the network's sizes and words in the metadata.
 
 The shipped form is in half precision, and its bulk in bytes: a tensor ``NAME`` of int8 is to be
-multiplied, group by group, by the steps ``NAME.step``.
+multiplied, group by group, by the steps ``NAME.step``. One of uint8 has numbers of six bits, four in
+three bytes.
 """
 
 import json
@@ -11,7 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int8, UInt8
 from safetensors.torch import load_file, save_file
 from torch import Tensor, nn
 from torch.overrides import TorchFunctionMode
@@ -26,6 +27,7 @@ Net = TypeVar("Net", bound=nn.Module)
 # How torch's layers start their weights.
 DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
 STEP = ".step"
+SIX_BITS = 31  # the largest number, in steps
 BULK = 1 << 14  # numbers of a layer, from which on it is kept in bytes
 
 
@@ -68,12 +70,26 @@ def _same(name: str, old: dict[str, Tensor], new: Tensor) -> bool:
     return before.shape == new.shape and torch.equal(before.half(), new.half())
 
 
-def in_bytes(name: str, tensor: Tensor, groups: int) -> dict[str, Tensor]:
-    """A tensor as bytes, and the step of each of its ``groups`` of numbers that lie together."""
+def in_bytes(name: str, tensor: Tensor, groups: int, most: int = 127) -> dict[str, Tensor]:
+    """A tensor as whole numbers of at most ``most`` steps, 127 or ``SIX_BITS``; and the step of
+    each of its ``groups`` of numbers that lie together."""
     rows = tensor.detach().reshape(groups, -1)
-    step = (rows.abs().amax(1, keepdim=True) / 127).clamp_min(1e-6)
-    whole_steps = (rows / step).round().to(torch.int8)
-    return {name: whole_steps.view(tensor.shape), f"{name}{STEP}": step[:, 0].half()}
+    step = (rows.abs().amax(1, keepdim=True) / most).clamp_min(1e-6)
+    steps = (rows / step).round().to(torch.int8).view(tensor.shape)
+    return {name: packed(steps) if most == SIX_BITS else steps, f"{name}{STEP}": step[:, 0].half()}
+
+
+def packed(numbers: Int8[Tensor, "n a"]) -> UInt8[Tensor, "n b"]:
+    """Numbers in ±31, a multiple of four in a row, as six bits each."""
+    a, b, c, d = (numbers + 32).to(torch.uint8).view(len(numbers), -1, 4).unbind(-1)
+    return torch.stack([a | b << 6, b >> 2 | c << 4, c >> 4 | d << 2], -1).view(len(numbers), -1)
+
+
+def unpacked(data: UInt8[Tensor, "n b"]) -> Int8[Tensor, "n a"]:
+    """What :func:`packed` has packed."""
+    a, b, c = data.view(len(data), -1, 3).unbind(-1)
+    numbers = torch.stack([a & 63, a >> 6 | b << 2 & 63, b >> 4 | c << 4 & 63, c >> 2], -1)
+    return numbers.to(torch.int8).view(len(data), -1) - 32
 
 
 def whole(tensors: dict[str, Tensor]) -> dict[str, Float[Tensor, "..."]]:
@@ -81,11 +97,13 @@ def whole(tensors: dict[str, Tensor]) -> dict[str, Float[Tensor, "..."]]:
 
     They are copies: a file that is mapped into memory could not be replaced on Windows.
     """
-    found = {
-        name: tensor.clone() if tensor.dtype == torch.bool else tensor.to(torch.float, copy=True)
-        for name, tensor in tensors.items()
-        if not name.endswith(STEP)
-    }
+    found = {}
+    for name, tensor in tensors.items():
+        if tensor.dtype == torch.bool:
+            found[name] = tensor.clone()
+        elif not name.endswith(STEP):
+            numbers = unpacked(tensor) if tensor.dtype == torch.uint8 else tensor
+            found[name] = numbers.to(torch.float, copy=True)
     for name in found:
         if name + STEP in tensors:
             step = tensors[name + STEP].float()[:, None]
