@@ -47,6 +47,11 @@ class Draw:
         stated = self.part_state in (part, f"no {part}")
         return bool(self._chosen(self.part_state == part if stated else by_chance))
 
+    def shaped(self, adjective: str, probability: float) -> bool:
+        """Whether the thing has this form: as the caption states, or by chance."""
+        by_chance = self(0, 1) < probability
+        return bool(self._chosen(by_chance or self.adjective == adjective))
+
     def legs(self, *counts: int) -> int:
         """How many legs: as the caption states, or one of ``counts`` by chance."""
         by_chance = counts[int(self(0, len(counts)))]

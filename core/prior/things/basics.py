@@ -51,20 +51,23 @@ def _legs(x: float, y: float, top: float, thick: float, round_legs: bool) -> Sol
 
 
 def table(draw: Draw) -> Parts:
-    x, top, thick = draw(0.9, 1.2), draw(0.9, 1.2), draw(0.11, 0.14)
-    y = x * draw(0.6, 0.95)
-    plate, disc = draw(0.07, 0.1), draw.adjective == "round" or draw.chance(0.15)
+    """An oblong or a round board on slim legs with a frame between them, or on one foot."""
+    x, top, slim = draw(0.95, 1.15), draw(0.95, 1.15), draw(0.068, 0.073)
+    y, disc = x * draw(0.6, 0.8), draw.shaped("round", 0.25)
     if disc:
         x = y = (x + y) / 2
-    slab = tube((0, 0, top), (0, 0, top + 2 * plate), x, 0.03)
-    if draw.legs(4, 4, 4, 4, 4, 1) == 1:
+    thick = max(x, top / 2) * slim
+    if draw.legs(4, 4, 4, 1) == 1:
         legs = join(
-            tube((0, 0, 0), (0, 0, top), thick * 1.2), tube((0, 0, 0), (0, 0, 0.15), x * 0.6, 0.03)
+            tube((0, 0, 0), (0, 0, top), thick * 1.4), tube((0, 0, 0), (0, 0, 0.14), x * 0.55, 0.03)
         )
     else:
-        reach = 0.76 if disc else 1.0  # a disc has no corners
-        legs = _legs(x * reach, y * reach, top + plate, thick, draw.chance(0.4))
-    return {"top": slab if disc else box((0, 0, top + plate), (x, y, plate), 0.03), "legs": legs}
+        # A disc has no corners.
+        a, b = (x * 0.6, y * 0.6) if disc else (x - 0.05, y - 0.05)
+        frame = box((0, 0, top - 0.05), (a - thick, b - thick, 0.1))
+        legs = join(_legs(a, b, top + thick, thick, disc), frame)
+    slab = tube((0, 0, top), (0, 0, top + 2 * thick), x, 0.03)
+    return {"top": slab if disc else box((0, 0, top + thick), (x, y, thick), 0.02), "legs": legs}
 
 
 def chair(draw: Draw) -> Parts:

@@ -59,15 +59,18 @@ def log_cabin(draw: Draw) -> Parts:
     rise, over, step = draw(0.6, 0.74), 0.24, 2 * 0.13
     top = rows * step
     sides = [
-        tube((wide, 0, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r, 0.03)
+        tube((wide, -0.2, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r, 0.03)
         for k in range(rows - 1)
     ]
     fronts = [
-        tube((0, deep, r + k * step), (wide + over, deep, r + k * step), r, 0.03)
+        tube((-0.2, deep, r + k * step), (wide + over, deep, r + k * step), r, 0.03)
         for k in range(rows)
     ]
     half = deep + over + 0.1
-    gable = prism([(-deep, top), (deep, top), (0, top + rise)], 0, wide + 0.06)
+    # Up into the roof: a gap under it would be a slit.
+    eaves = top + 0.08 + rise - (rise + 0.18) * deep / half
+    gable = [(-deep, top - 0.1), (deep, top - 0.1), (deep, eaves), (0, top + rise + 0.08)]
+    gable = prism([*gable, (-deep, eaves)], 0, wide + 0.06)
     slope = [(0.0, top + rise + 0.2), (half, top - 0.02), (half, top - 0.18), (0.0, top + rise)]
     logs = both(join(*fronts, *sides), 0, 1)
     x, y = draw(0.3, 0.44), -deep - r
