@@ -1,8 +1,8 @@
 """Files of weights: safetensors, with the network's sizes and words in the metadata.
 
 The shipped form is in half precision, and its bulk in bytes: a tensor ``NAME`` of int8 is to be
-multiplied, group by group, by the steps ``NAME.step``. One of uint8 has numbers of six bits, four in
-three bytes.
+multiplied, group by group, by the steps ``NAME.step``. One of uint8 has numbers of six bits, four
+in three bytes.
 """
 
 import json
