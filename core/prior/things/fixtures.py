@@ -16,7 +16,6 @@ from core.prior.solids import (
     join,
     lathe,
     limb,
-    mirrored,
     moved,
     prism,
     ring,
@@ -46,8 +45,8 @@ def faucet(draw: Draw) -> Parts:
             tube((0, back, z), (0.44, back, z), 0.19, 0.04),
             taper((0.42, back, z), (0.5, back - 0.1, z + 0.62), 0.12, 0.1),
         )
-        spots = [(0.09, back - 0.27, 0.5), (-0.09, back - 0.27, 0.5)]
-        marks = [ball((u, v + 0.02, w), 0.1) for u, v, w in spots]
+        spots = [(0.14, back - 0.26, 0.46), (-0.14, back - 0.26, 0.46)]
+        marks = [ball((u, v, w), 0.11) for u, v, w in spots]
         column = lathe([(0.3, 0.1), (0.26, z + 0.26), (0.2, z + 0.34)], 0.0, (0, back))
         base = lathe([(0.5, 0.0), (0.5, 0.1), (0.4, 0.16)], 0.02, (0, back))
     else:
@@ -76,7 +75,7 @@ def faucet(draw: Draw) -> Parts:
 def radiator(draw: Draw) -> Parts:
     """Columns side by side between two pipes, on four feet, a valve at its right end."""
     count, pitch, high = 5 + draw.which(3), 0.37, draw(1.4, 1.6)
-    y, low, thick = draw(0.16, 0.2), 0.26, draw(0.14, 0.15)
+    y, low, thick = draw(0.16, 0.2), 0.38, draw(0.14, 0.15)
     end = pitch * (count - 1) / 2
     places = [pitch * k - end for k in range(count)]
 
@@ -85,7 +84,7 @@ def radiator(draw: Draw) -> Parts:
         heads = [capsule((x, -y, z), (x, y, z), thick + 0.02) for z in (low, high)]
         return join(posts, *heads)
 
-    leg = taper((end, y, low), (end, y + 0.03, 0.09), 0.14, 0.1)
+    leg = taper((end, y, low), (end, y + 0.1, 0.1), 0.15, 0.12)
     out = end + 0.5
     return {
         "columns": join(*map(section, places)),
@@ -101,11 +100,11 @@ def radiator(draw: Draw) -> Parts:
 
 def ironing_board(draw: Draw) -> Parts:
     """A board with a pointed end to the left, on crossed legs, a rest at its right end."""
-    long, wide, high = draw(1.2, 1.3), draw(0.36, 0.42), draw(1.2, 1.36)
+    long, wide, high = draw(1.2, 1.3), draw(0.36, 0.42), draw(1.36, 1.56)
     half = [(long, wide * 0.86), (long - 0.08, wide), (-long * 0.45, wide)]
     half += [(-long * 0.82, wide * 0.7), (-long * 0.97, wide * 0.34), (-long, 0.0)]
     outline = [*half, *((u, -v) for u, v in reversed(half[:-1]))]
-    reach, foot = draw(0.74, 0.84), wide * 0.9
+    reach, foot = draw(0.66, 0.78), wide * 0.9
 
     def leg(sign: float, y: float) -> Solid:
         return both(capsule((-sign * reach, y, 0.1), (sign * reach, y, high), 0.085), 1)
@@ -131,7 +130,7 @@ def ironing_board(draw: Draw) -> Parts:
 
 def clothes_hanger(draw: Draw) -> Parts:
     """Two sloping shoulders, a bar between their ends, a hook above."""
-    wide, drop, y = draw(1.15, 1.28), draw(0.5, 0.62), draw(0.11, 0.13)
+    wide, drop, y = draw(1.15, 1.28), draw(0.56, 0.7), draw(0.11, 0.13)
     bar, size = draw(0.46, 0.56), draw(0.25, 0.29)
     top = bar + drop
     stops = [(0.0, top), (0.2, top - 0.04), (wide * 0.6, bar + drop * 0.42), (wide, bar)]
@@ -153,8 +152,8 @@ def clothes_hanger(draw: Draw) -> Parts:
 
 def high_chair(draw: Draw) -> Parts:
     """A small seat with a tray before it, on four long legs that stand apart, with a footrest."""
-    seat, x, top = draw(1.24, 1.38), draw(0.42, 0.48), draw(0.72, 0.84)
-    foot, y = draw(0.66, 0.76), draw(0.4, 0.46)
+    seat, x, top = draw(1.1, 1.26), draw(0.48, 0.54), draw(0.78, 0.9)
+    foot, y = draw(0.68, 0.78), draw(0.42, 0.48)
     leg = taper((x * 0.8, y * 0.72, seat), (foot, foot * 0.92, 0.08), 0.1, 0.09)
     back = box((0, y - 0.02, seat + top / 2), (x, 0.09, top / 2), 0.08)
     pad = tilted(back, -6, (0, 0, 0))
@@ -338,22 +337,22 @@ def birdcage(draw: Draw) -> Parts:
 
 def remote_control(draw: Draw) -> Parts:
     """Upright and leaning back: a red key on top, a round pad, rows of keys."""
-    x, y, high = draw(0.4, 0.46), draw(0.16, 0.19), draw(2.0, 2.2)
+    x, y, high = draw(0.4, 0.46), draw(0.16, 0.19), draw(2.2, 2.36)
     soft, pad = draw(0.06, 0.14), draw(0.25, 0.28)
-    rows, key = 3 + draw.chance(0.5), 0.08
-    middle = high * draw(0.6, 0.64) if rows == 3 else high * 0.64
+    rows, key = 3, 0.08
+    middle = high * 0.52
     pitch, face = x * 0.6, -y
 
     def lean(solid: Solid) -> Solid:
         return tilted(solid, -12, (0, 0, 0))
 
-    low, step = 0.24, (middle - pad - 0.36) / (rows - 1)
+    low, step = 0.22, (middle - pad - 0.4) / (rows - 1)
     keys = [
         box((pitch * k, face, low + step * row), (key + 0.01, 0.06, key), 0.03)
         for k in (-1, 0, 1)
         for row in range(rows)
     ]
-    up = middle + pad + 0.17
+    up = (middle + pad + high - 0.3) / 2
     return {
         "body": lean(box((0, 0, high / 2), (x, y, high / 2), soft)),
         "power": lean(
@@ -362,31 +361,32 @@ def remote_control(draw: Draw) -> Parts:
         "pad": lean(tube((0, face - 0.06, middle), (0, 0, middle), pad, 0.02)),
         "button": lean(tube((0, face - 0.11, middle), (0, 0, middle), 0.125, 0.02)),
         "keys": lean(join(*keys, box((pitch, face, high - 0.18), (0.1, 0.06, 0.08), 0.03))),
-        "bars": lean(both(capsule((pitch, face, up - 0.02), (pitch, face, up + 0.14), 0.085))),
+        "bars": lean(both(capsule((pitch, face, up - 0.07), (pitch, face, up + 0.07), 0.085))),
     }
 
 
 def air_conditioner(draw: Draw) -> Parts:
     """A wide indoor unit, round below: its outlet with a flap, a display, slits on top."""
     x, deep, high = draw(1.1, 1.22), draw(0.44, 0.52), draw(0.74, 0.84)
-    soft, low = draw.chance(0.5), 0.1
-    front = [(deep * 0.55, 0.0), (-deep * 0.3, 0.0), (-deep * 0.86, high * 0.3)]
-    front += [(-deep, high * 0.55), (-deep, high * 0.86), (-deep * 0.8, high)]
-    boxy = [(deep * 0.55, 0.0), (-deep * 0.5, 0.0), (-deep, high * 0.26), (-deep, high)]
-    outline = [(deep * 0.55, high), *(front if soft else boxy)]
-    inner = [(v - 0.0, w) for v, w in outline]
-    ends = both(prism([(v * 1.06, (w - high / 2) * 1.06 + high / 2) for v, w in inner], 0, 0.1, x))
-    slope, y, z = (-58 if soft else -62), -deep * 0.62, high * 0.16
+    soft = draw.chance(0.5)
+    front = [(-deep * 0.1, 0.0), (-deep * 0.86, high * 0.34), (-deep, high * 0.56)]
+    front += [(-deep, high * 0.84), (-deep * 0.78, high)]
+    boxy = [(-deep * 0.2, 0.0), (-deep, high * 0.38), (-deep, high)]
+    outline = [(deep * 0.55, high), (deep * 0.55, 0.0), *(front if soft else boxy)]
+    wider = [(v * 1.06, (w - high / 2) * 1.06 + high / 2) for v, w in outline]
+    # The outlet lies in the slope below, and its flap is hinged at the lower edge.
+    (y0, z0), (y1, z1) = outline[2:4]
+    slope = math.degrees(math.atan2(y0 - y1, z1 - z0))
+    vent = box((0, 0, 0), (x * 0.84, 0.06, math.dist((y0, z0), (y1, z1)) * 0.4))
+    flap = box((0, 0, -0.17), (x * 0.84, 0.075, 0.2), 0.03)
     return {
         "body": prism(outline, 0, x),
-        "ends": ends,
-        "vent": tilted(box((0, 0, 0), (x * 0.84, 0.05, 0.16)), slope, (0, y, z)),
-        "flap": tilted(
-            box((0, 0, 0), (x * 0.84, 0.075, 0.17), 0.03), -100, (0, y - 0.22, z - 0.06)
-        ),
+        "ends": both(prism(wider, 0, 0.1, x)),
+        "vent": tilted(vent, slope, (0, (y0 + y1) / 2, (z0 + z1) / 2)),
+        "flap": tilted(flap, -draw(62, 74), (0, y0 - 0.06, z0 + 0.02)),
         "display": box((x * 0.62, -deep, high * 0.68), (0.2, 0.06, 0.1), 0.02),
         "slits": join(
-            *(box((0, deep * 0.5 - 0.1 - 0.24 * k, high), (x * 0.8, 0.075, 0.06)) for k in range(3))
+            *(box((0, deep * 0.24 - 0.34 * k, high), (x * 0.8, 0.08, 0.06)) for k in range(2))
         ),
     }
 

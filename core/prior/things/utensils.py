@@ -13,18 +13,17 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
+    grown,
     join,
     lathe,
     limb,
     mirrored,
-    moved,
     prism,
     ring,
     smooth_curve,
     taper,
     tilted,
     tube,
-    turned,
     within,
 )
 
@@ -36,9 +35,9 @@ def _faceted(sides: int, profile: list[tuple[float, float]]) -> Solid:
 
 
 def colander(draw: Draw) -> Parts:
-    """A half round bowl with two rows of holes, on a foot, an ear at either side."""
-    r, deep, wall = draw(0.84, 0.92), draw(0.78, 0.9), 0.15
-    count, hole, low = 10 + 2 * draw.chance(0.5), draw(0.105, 0.115), 0.16
+    """Half a ball, white inside, with two rows of holes, on a foot, an ear at either side."""
+    r, deep, wall = draw(0.84, 0.92), draw(0.82, 0.96), 0.17
+    count, hole, low = 8 + 2 * draw.chance(0.5), draw(0.115, 0.125), 0.12
     top, ear = low + deep, draw(0.2, 0.25)
     shell = cut(egg((0, 0, top), (r, r, deep)), box((0, 0, top + 1), (2, 2, 1)))
     inside = egg((0, 0, top + 0.02), (r - wall, r - wall, deep - wall))
@@ -52,7 +51,7 @@ def colander(draw: Draw) -> Parts:
         return around(count, tube(start, end, size), first)
 
     step, z = 360 / count, top - 0.03
-    holes = join(row(20, 0, hole), row(44, step / 2, hole))
+    holes = join(row(25, 0, hole), row(50, step / 2, hole if count == 8 else 0.1))
     out = r + ear + 0.06
     loop = join(
         capsule((r - 0.02, -0.3, z), (out, -0.22, z), 0.085),
@@ -60,7 +59,8 @@ def colander(draw: Draw) -> Parts:
         capsule((out, -0.22, z), (out, 0.22, z), 0.085),
     )
     return {
-        "bowl": cut(shell, inside, holes),
+        "bowl": cut(shell, egg((0, 0, top + 0.02), (r - 0.09, r - 0.09, deep - 0.09)), holes),
+        "lining": cut(within(grown(inside, 0.1), box((0, 0, top - 1), (2, 2, 1))), inside, holes),
         "rim": ring((0, 0, top), r - 0.03, 0.095),
         "handles": both(loop),
         "foot": cut(
@@ -73,19 +73,19 @@ def colander(draw: Draw) -> Parts:
 
 def whisk(draw: Draw) -> Parts:
     """Its balloon of wires up, a collar, a handle with grips and a ring to hang it by."""
-    wide, long, count = draw(0.56, 0.64), draw(1.2, 1.36), 6 + 2 * draw.chance(0.4)
+    wide, long, count = draw(0.68, 0.78), draw(1.3, 1.46), 6 + 2 * draw.chance(0.6)
     thick, high, r = 0.08, draw(0.8, 0.92), draw(0.15, 0.18)
     low = high + 0.3
     half = [(0.06, low - 0.1), (wide * 0.5, low + long * 0.28), (wide * 0.96, low + long * 0.58)]
     half += [(wide * 0.86, low + long * 0.84), (wide * 0.5, low + long * 0.97), (0.0, low + long)]
     wire = limb([(u, 0, v) for u, v in smooth_curve(half, 3)], thick, thick)
-    bands = [ring((0, 0, high * f), r - 0.01, 0.07) for f in (0.3, 0.52, 0.74)]
+    bands = [ring((0, 0, high * f), r - 0.01, 0.07) for f in (0.34, 0.68)]
     return {
         "wires": around(count, wire),
         "collar": lathe([(r + 0.05, high - 0.08), (r + 0.05, low - 0.14), (0.13, low + 0.1)], 0.02),
         "handle": lathe(smooth_curve([(r * 0.8, 0.0), (r + 0.03, high * 0.4), (r * 0.9, high)])),
         "grips": join(*bands),
-        "ring": ring((0, 0, -0.1), 0.16, 0.08, axis=1),
+        "ring": ring((0, 0, -0.18), 0.2, 0.085, axis=1),
     }
 
 
@@ -185,7 +185,7 @@ def jug(draw: Draw) -> Parts:
         return min(curve, key=lambda stop: abs(stop[1] - z))[0]
 
     middle = curve[5]  # the belly's widest
-    band = [(r + 0.045, z) for r, z in curve if abs(z - middle[1]) < 0.32]
+    band = [(r + 0.045, z) for r, z in curve if abs(z - middle[1]) < 0.26]
     return {
         "body": cut(join(lathe(curve), lip), inside, groove, above),
         "handle": cut(ear, lathe([(r - 0.06, z) for r, z in curve])),
@@ -200,7 +200,7 @@ def moka_pot(draw: Draw) -> Parts:
     base, waist, top = draw(0.66, 0.74), draw(0.44, 0.5), draw(0.6, 0.7)
     low, high = draw(0.72, 0.84), draw(1.62, 1.8)
     upper, lift = low + 0.12, draw(0.18, 0.26)
-    spout = [(-top + 0.1, high - 0.44), (-top - 0.3, high - 0.02), (-top + 0.2, high)]
+    spout = [(-top + 0.1, high - 0.44), (-top - 0.4, high - 0.02), (-top + 0.2, high)]
     out = top + draw(0.4, 0.5)
     arm = [(top * 0.8, high - 0.12), (out, high - 0.12), (out + 0.06, high - 0.2)]
     arm += [(out + 0.12, low + 0.12), (out - 0.1, low + 0.12), (out - 0.16, high - 0.34)]
@@ -211,7 +211,7 @@ def moka_pot(draw: Draw) -> Parts:
         "boiler": _faceted(8, [(base, 0.0), (base * 0.97, 0.1), (waist + 0.04, low)]),
         "pot": join(
             _faceted(8, [(waist, upper - 0.06), (waist + 0.01, upper + 0.06), (top, high)]),
-            prism(spout, 1, 0.2),
+            prism(spout, 1, 0.17),
         ),
         "handle": prism(arm, 1, 0.12),
         "lid": _faceted(8, lid),
@@ -241,7 +241,7 @@ def perfume(draw: Draw) -> Parts:
         cuts = [(x * 0.62, 0.0), (x, high * 0.34), (x * 0.86, high * 0.8), (0.3, high + 0.06)]
         glass = _faceted(8, cuts)
         label = within(
-            box((0, -x, high * 0.4), (x * 0.26, 0.3, high * 0.2)),
+            box((0, -x, high * 0.56), (x * 0.28, 0.4, high * 0.19)),
             _faceted(8, [(r + 0.06, z) for r, z in cuts]),
         )
         stopper = _faceted(

@@ -2,7 +2,6 @@
 
 from core.guidance.builtin.nouns.noun import (
     CERAMIC,
-    COPPER,
     GLASS,
     PLASTIC,
     STEEL,
@@ -148,6 +147,7 @@ FIXTURES = {
         "vegetable strainer; salad spinner, steamer basket, rice strainer",
         {
             "bowl": "*d9483b . paint",
+            "lining": "+f6f2e8 . paint",
             "rim": "&f1ece0 . paint",
             "handles": "+f1ece0 . paint",
             "foot": "&b93a2f . paint",
