@@ -74,7 +74,7 @@ def faucet(draw: Draw) -> Parts:
 
 def radiator(draw: Draw) -> Parts:
     """Columns side by side between two pipes, on four feet, a valve at its right end."""
-    count, pitch, high = 5 + draw.which(3), 0.37, draw(1.4, 1.6)
+    count, pitch, high = 5 + draw.which(3), 0.35, draw(1.4, 1.6)
     y, low, thick = draw(0.16, 0.2), 0.38, draw(0.14, 0.15)
     end = pitch * (count - 1) / 2
     places = [pitch * k - end for k in range(count)]
@@ -86,7 +86,7 @@ def radiator(draw: Draw) -> Parts:
 
     leg = taper((end, y, low), (end, y + 0.1, 0.1), 0.15, 0.12)
     out = end + 0.5
-    return {
+    parts = {
         "columns": join(*map(section, places)),
         "pipes": join(
             *(tube((-end - 0.2, 0, z), (end + 0.2, 0, z), 0.12, 0.03) for z in (low, high)),
@@ -96,15 +96,17 @@ def radiator(draw: Draw) -> Parts:
         "valve": tube((out, 0, low - 0.14), (out, 0, low + 0.18), 0.16, 0.03),
         "knob": tube((out, 0, low + 0.14), (out, 0, low + 0.46), 0.19, 0.06),
     }
+    # The valve makes it longer to the right.
+    return {name: moved(solid, (-0.27, 0, 0)) for name, solid in parts.items()}
 
 
 def ironing_board(draw: Draw) -> Parts:
     """A board with a pointed end to the left, on crossed legs, a rest at its right end."""
-    long, wide, high = draw(1.2, 1.3), draw(0.36, 0.42), draw(1.36, 1.56)
+    long, wide, high = draw(1.02, 1.1), draw(0.34, 0.39), draw(1.2, 1.38)
     half = [(long, wide * 0.86), (long - 0.08, wide), (-long * 0.45, wide)]
     half += [(-long * 0.82, wide * 0.7), (-long * 0.97, wide * 0.34), (-long, 0.0)]
     outline = [*half, *((u, -v) for u, v in reversed(half[:-1]))]
-    reach, foot = draw(0.66, 0.78), wide * 0.9
+    reach, foot = draw(0.58, 0.68), wide * 0.9
 
     def leg(sign: float, y: float) -> Solid:
         return both(capsule((-sign * reach, y, 0.1), (sign * reach, y, high), 0.085), 1)
@@ -155,23 +157,15 @@ def high_chair(draw: Draw) -> Parts:
     seat, x, top = draw(1.1, 1.26), draw(0.48, 0.54), draw(0.78, 0.9)
     foot, y = draw(0.68, 0.78), draw(0.42, 0.48)
     leg = taper((x * 0.8, y * 0.72, seat), (foot, foot * 0.92, 0.08), 0.1, 0.09)
-    back = box((0, y - 0.02, seat + top / 2), (x, 0.09, top / 2), 0.08)
-    pad = tilted(back, -6, (0, 0, 0))
+    pad = tilted(box((0, 0, top / 2 - 0.06), (x, 0.09, top / 2 + 0.06), 0.08), -8, (0, y, seat))
     tray, front = seat + 0.42, -y - 0.12
     rail = both(capsule((x, y - 0.1, tray - 0.06), (x, front, tray - 0.06), 0.085))
     step = draw(0.44, 0.52)
     out = x * 0.8 + (foot - x * 0.8) * (1 - step / seat)
     rest = box((0, -out * 0.92 - 0.1, step), (out + 0.06, 0.17, 0.085), 0.03)
     soft = join(
-        box((0, -0.06, seat + 0.16), (x - 0.08, y - 0.08, 0.09), 0.06),
-        moved(
-            tilted(
-                box((0, y - 0.14, seat + top * 0.56), (x - 0.1, 0.09, top * 0.38), 0.07),
-                -6,
-                (0, 0, 0),
-            ),
-            (0, 0, 0),
-        ),
+        box((0, -0.06, seat + 0.14), (x - 0.08, y - 0.08, 0.11), 0.06),
+        tilted(box((0, -0.1, top * 0.56), (x - 0.1, 0.09, top * 0.36), 0.07), -8, (0, y, seat)),
     )
     dish = box((0, front, tray), (x + 0.2, 0.32, 0.1), 0.08)
     hollow = box((0, front, tray + 0.13), (x + 0.06, 0.19, 0.1), 0.04)
@@ -315,7 +309,7 @@ def birdcage(draw: Draw) -> Parts:
         thick,
     )
     z = low + (wall - low) * 0.42
-    body, head = z + 0.3, z + 0.58
+    body, head = z + 0.27, z + 0.56
     bird = join(
         taper((0, 0.02, body), (0, 0, body + 0.12), 0.25, 0.2),
         ball((0, -0.06, head), 0.19),
@@ -323,7 +317,7 @@ def birdcage(draw: Draw) -> Parts:
         taper((0, -0.2, head), (0, -0.36, head - 0.03), 0.1, 0.05),
     )
     return {
-        "bars": around(count, bar, 180 / count),
+        "bars": around(count, bar),
         "hoops": join(ring((0, 0, wall), r, 0.085), ring((0, 0, low + 0.06), r, 0.085)),
         "tray": lathe([(r + 0.02, 0.0), (r + 0.14, 0.06), (r + 0.14, low), (r, low + 0.02)], 0.02),
         "ring": join(
