@@ -27,6 +27,7 @@ from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
 from core.prior.things.fauna import FAUNA
 from core.prior.things.figures import FIGURES
+from core.prior.things.fixtures import FIXTURES
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
@@ -62,6 +63,7 @@ from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.treats import TREATS
+from core.prior.things.utensils import UTENSILS
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 from core.prior.things.wild_animals import WILD_ANIMALS
 from core.prior.things.wild_creatures import WILD_CREATURES
@@ -162,6 +164,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | DWELLINGS
     | WORN
     | REPTILES
+    | FIXTURES
+    | UTENSILS
 )
 
 

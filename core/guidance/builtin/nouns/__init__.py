@@ -17,6 +17,7 @@ from core.guidance.builtin.nouns.everyday import (
     EVERYDAY_RELICS,
     EVERYDAY_THINGS,
 )
+from core.guidance.builtin.nouns.fixtures import FIXTURES
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
@@ -49,7 +50,7 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS,
+    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS,
     "Props": PROPS | HARDWARE,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS,

@@ -166,7 +166,7 @@ DEVICES = {
     ),
     "coffee machine": Noun(
         "coffee maker, coffeemaker, coffee brewer, filter coffee machine, drip coffee maker; "
-        "espresso machine, espresso maker, percolator",
+        "espresso machine, espresso maker",
         {
             "body": "*b8322c",
             "jug": "-4a2414 . glass",

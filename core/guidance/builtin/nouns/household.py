@@ -22,7 +22,7 @@ HOUSEHOLD = {
         Usual(0.1, CERAMIC, 0.98),
     ),
     "vase": Noun(
-        "; urn, amphora, pottery, ewer, pitcher, jug",
+        "; urn, amphora, pottery",
         {"body": "*b8613d band"},
         Usual(0.3, CERAMIC, 0.12),
     ),

@@ -134,7 +134,7 @@ TOOLS_AND_TOYS = {
         Usual(0.2, STEEL, 0.071),
     ),
     "spoon": Noun(
-        "teaspoon, tablespoon; ladle, spatula",
+        "teaspoon, tablespoon; ladle",
         {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
         Usual(0.18, STEEL, 0.11),
     ),

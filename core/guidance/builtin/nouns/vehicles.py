@@ -221,8 +221,8 @@ VEHICLES = {
         Usual(30.0, WOOD, 0.1),
     ),
     "wagon": Noun(
-        "cart, covered wagon, horse cart; carriage, hand cart, handcart, shopping "
-        "trolley, minecart, stagecoach, chariot, pram, stroller, pushchair, buggy pram",
+        "cart, covered wagon, horse cart; carriage, hand cart, handcart, "
+        "minecart, stagecoach, chariot, pram, stroller, pushchair, buggy pram",
         {
             "body": "*94602f grain",
             "wheels": "&6b4220 grain",
