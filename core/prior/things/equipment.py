@@ -21,6 +21,7 @@ from core.prior.solids import (
     prism,
     ring,
     smooth_curve,
+    taper,
     tilted,
     tube,
     turned,
@@ -67,7 +68,7 @@ def vr_headset(draw: Draw) -> Parts:
         tube((-1, 0, z), (1, 0, z), inner + 0.08),
         box((0, 0, z - 2), (2, 2, 2)),
     )
-    lens = tube((wide * 0.6, front - 0.12, z), (wide * 0.6, 0, z), 0.17, 0.03)
+    lens = tube((wide * 0.6, front - 0.12, z), (wide * 0.6, y, z), 0.17, 0.03)
     return {
         "visor": cut(box((0, y, z), (wide, deep, high), 0.14), nose),
         "foam": cut(
@@ -172,7 +173,7 @@ def gumball_machine(draw: Draw) -> Parts:
     top = z + r
     lid = [(0.4, top - 0.12), (0.42, top - 0.02), (0.3, top + 0.1), (0.0, top + 0.16)]
     colors: list[list[Solid]] = [[], [], []]
-    count, first = 46, draw.arranged(3)(0, math.tau)
+    count, first = 58, draw.arranged(3)(0, math.tau)
     for k in range(count):
         up = 1 - 2 * (k + 0.5) / count
         if -0.74 < up < 0.8:
@@ -199,12 +200,12 @@ def gumball_machine(draw: Draw) -> Parts:
 
 def satellite_dish(draw: Draw) -> Parts:
     """A bowl that looks up to the front, its receiver on arms before it, on a mast with a foot."""
-    r, deep, wall = draw(0.92, 1.04), draw(0.42, 0.52), 0.13
-    lean, z, large = draw(46, 58), draw(1.06, 1.2), draw.chance(0.5)
+    r, deep, wall = draw(0.92, 1.04), draw(0.44, 0.54), 0.13
+    lean, z, large = draw(38, 50), draw(1.3, 1.5), draw.chance(0.5)
     shares = [k / 6 for k in range(7)]
     outer = [(r * s, deep * s * s - wall) for s in shares]
     inner = [(r * s, deep * s * s) for s in reversed(shares)]
-    focus = draw(0.62, 0.72)
+    focus = draw(0.8, 0.94)
     arm = capsule((r * 0.8, 0, deep * 0.6), (0.06, 0, focus), 0.068)
     # The single arm is at the lower side; three stand evenly.
     arms = around(3, arm, -90) if large else capsule((0, -r * 0.9, 0.2), (0, 0, focus), 0.085)
@@ -222,7 +223,7 @@ def satellite_dish(draw: Draw) -> Parts:
     yoke = both(box((0.24, 0.26, z - 0.22), (0.08, 0.18, 0.26), 0.03))
     return {
         "dish": aimed(lathe([*outer, *inner])),
-        "rim": aimed(ring((0, 0, deep - wall / 2), r - 0.01, 0.078)),
+        "rim": aimed(ring((0, 0, deep - wall / 2), r - 0.01, 0.07)),
         "receiver": aimed(horn),
         "arms": aimed(arms),
         "mast": join(tower if large else pole, aimed(tube((0, 0, -0.34), (0, 0, 0), 0.24, 0.03))),
@@ -262,26 +263,25 @@ def stethoscope(draw: Draw) -> Parts:
 def pliers(draw: Draw) -> Parts:
     """Open, upright: toothed jaws above a bolt, and long grips of rubber that bow out."""
     long, wide, reach = draw(0.72, 0.92), draw(0.3, 0.36), draw(0.46, 0.56)
-    z, gap, y = draw(1.34, 1.46), draw(0.13, 0.18), 0.15
-    tip, up = draw(0.15, 0.2), z + long
-    jaw = [(0.0, z - 0.2), (wide * 0.8, z - 0.12), (wide, z + 0.12), (wide * 0.98, z + 0.32)]
-    jaw += [(gap + tip, up), (gap, up), (0.0, z + 0.18)]
-    grip = [(reach * 0.72, z - 0.56), (reach, z - 0.84), (reach * 1.02, 0.56), (reach * 0.76, 0.15)]
-    teeth = []
-    for k in range(3):
-        share = (k + 0.9) / 3.2
-        teeth.append(
-            box((gap * share, 0, z + 0.18 + (long - 0.18) * share), (0.06, y + 0.02, 0.07))
-        )
-    low = (reach * 0.76, 0, 0.15)
-    neck = [(0.1, 0, z), (0.17, 0, z - 0.26), (reach * 0.74, 0, z - 0.6)]
+    z, gap, y = draw(1.5, 1.64), draw(0.24, 0.32), 0.15
+    tip, up = draw(0.12, 0.16), z + long
+    jaw = [(0.0, z - 0.2), (wide * 0.8, z - 0.12), (wide, z + 0.12), (wide * 1.06, z + 0.32)]
+    jaw += [(gap + tip, up), (gap, up), (0.06, z + 0.22), (0.0, z + 0.2)]
+    high = z - 0.54
+    grip = [(reach * 0.7, high), (reach, high * 0.72), (reach * 1.06, high * 0.4)]
+    path = [(u, 0, v) for u, v in smooth_curve([*grip, (reach * 0.86, 0.14)], 3)]
+    shares = [(k + 1) / 3.4 for k in range(3)]
+    places = [(gap * share + 0.06, 0, z + 0.22 + (long - 0.22) * share) for share in shares]
+    neck = [(0.1, 0, z), (0.17, 0, z - 0.26), (reach * 0.72, 0, high - 0.04)]
     return {
         "jaws": both(grown(prism(jaw, 1, y - 0.03), 0.03)),
-        "handles": both(limb([(u, 0, v) for u, v in smooth_curve(grip, 3)], 0.15, 0.15)),
+        "handles": both(limb(path, 0.15, 0.15)),
         "necks": both(limb(neck, 0.2, 0.11)),
         "bolt": tube((0, -y - 0.08, z), (0, y + 0.08, z), 0.2, 0.03),
-        "teeth": both(join(*teeth)),
-        "ends": both(join(ball((reach * 0.72, 0, z - 0.56), 0.19), ball(low, 0.17))),
+        "teeth": both(join(*(box(at, (0.06, y + 0.05, 0.07)) for at in places))),
+        "ends": both(
+            taper((reach * 0.68, 0, high + 0.04), (reach * 0.78, 0, high - 0.1), 0.2, 0.18)
+        ),
     }
 
 

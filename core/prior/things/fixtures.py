@@ -94,15 +94,15 @@ def ship_wheel(draw: Draw) -> Parts:
 
 def notice_board(draw: Draw) -> Parts:
     """Cork in a frame of wood, with notes of three colours that hang from round pins."""
-    wide, high, y = draw(1.0, 1.16), draw(0.7, 0.82), 0.07
-    layout, rim = draw.arranged(3), 0.1
+    wide, high, y = draw(1.0, 1.14), draw(0.78, 0.9), 0.07
+    layout, rim = draw.arranged(3), 0.075
     colors: list[list[Solid]] = [[], [], []]
     pins = []
     for column_ in range(3):
         for row in range(2):
-            u = (column_ - 1) * (wide - rim) * 0.63 + layout(-0.05, 0.05)
-            v = high + (row - 0.5) * (high - rim) * 0.94 + layout(-0.03, 0.03)
-            half_u, half_v = layout(0.2, 0.26), layout(0.2, 0.25)
+            u = (column_ - 1) * (wide - rim) * 0.62 + layout(-0.05, 0.05)
+            v = high + (row - 0.5) * (high - rim) * 0.92 + layout(-0.03, 0.03)
+            half_u, half_v = layout(0.17, 0.22), layout(0.17, 0.23)
             sheet = turned(box((0, 0, 0), (half_u, 0.06, half_v)), 1, layout(-9, 9))
             colors[(column_ + 2 * row) % 3].append(moved(sheet, (u, -y - 0.02, v)))
             pins.append(ball((u, -y - 0.11, v + half_v * 0.62), 0.075))

@@ -6,6 +6,7 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
+    around,
     ball,
     both,
     box,
@@ -81,8 +82,8 @@ def jacket(draw: Draw) -> Parts:
 
 
 def sandal(draw: Draw) -> Parts:
-    """A sole like a foot, toes to the front, under thongs, two broad straps or a closed toe."""
-    long, wide, thick, kind = draw(0.98, 1.08), draw(0.4, 0.45), draw(0.2, 0.3), draw.which(3)
+    """A sole like a foot, toes to the front, under a thong or two broad straps."""
+    long, wide, thick, kind = draw(0.98, 1.08), draw(0.4, 0.45), draw(0.2, 0.3), draw.which(2)
     side = [(0.0, -long), (wide * 0.8, -long * 0.86), (wide, -long * 0.5)]
     side += [(wide * 0.74, long * 0.1), (wide * 0.78, long * 0.6), (wide * 0.5, long * 0.94)]
     side += [(0.0, long)]
@@ -110,19 +111,11 @@ def sandal(draw: Draw) -> Parts:
         thong += [(wide * 0.86, long * 0.2, top - 0.08)]
         straps = both(limb(thong, 0.1, 0.12))
         buckles = join(ball((0, -long * 0.52, top + 0.16), 0.13), both(ball(thong[-1], 0.14)))
-    elif kind == 1:
+    else:
         straps = join(strap(-long * 0.46, wide * 0.98, 0.2), strap(long * 0.02, wide * 0.84, 0.17))
         pin = turned(box((0, 0, 0), (0.07, 0.15, 0.15), 0.02), 1, -24)
         places = ((-long * 0.46, wide + 0.06), (long * 0.02, wide * 0.9))
         buckles = join(*(moved(pin, (r * 0.9, at, thick + r * 0.46)) for at, r in places))
-    else:
-        shell = cut(
-            egg((0, -long * 0.46, thick), (wide + 0.05, long * 0.56, 0.46)),
-            egg((0, -long * 0.3, thick), (wide - 0.1, long * 0.56, 0.32)),
-            box((0, 0, thick - 1), (2, 2, 1)),
-            box((0, 1 - long * 0.22, 0), (2, 1, 2)),
-        )
-        straps, buckles = shell, ball((0, -long * 0.5, thick + 0.44), 0.15)
     return {
         "sole": slab(0.04, 0.0, thick),
         "footbed": slab(-0.06, 0.06, top),
@@ -143,7 +136,7 @@ def necktie(draw: Draw) -> Parts:
         shape = [(0, -grow), *mirrored(half_shape)]
         return grown(prism(shape, 1, half), 0.04)
 
-    step, rise = draw(0.42, 0.52), draw(0.3, 0.5)
+    step, rise = draw(0.46, 0.56), draw(0.6, 0.9)
     bands = [
         prism([(-1, b - rise), (1, b + rise), (1, b + rise + 0.17), (-1, b - rise + 0.17)], 1, 1)
         for b in (tip * 0.75 + step * k for k in range(3))
@@ -164,11 +157,11 @@ def necktie(draw: Draw) -> Parts:
 
 def doll(draw: Draw) -> Parts:
     """A great head with plaits or curls, button eyes, a bell of a dress, short arms and legs."""
-    r, leg, wide = draw(0.5, 0.58), draw(0.5, 0.62), draw(0.56, 0.68)
+    r, leg, wide = draw(0.5, 0.58), draw(0.64, 0.76), draw(0.54, 0.64)
     plaits, waist = draw.chance(0.5), leg + draw(0.42, 0.52)
     top = waist + 0.3
     z, x = top + r * 0.84, draw(0.2, 0.24)
-    skirt = smooth_curve([(wide, leg - 0.2), (wide * 0.74, leg + 0.1), (0.26, waist), (0.24, top)])
+    skirt = smooth_curve([(wide, leg - 0.1), (wide * 0.76, leg + 0.14), (0.26, waist), (0.24, top)])
     hand = (wide + draw(0.06, 0.2), -0.1, waist - 0.02)
     sleeve = taper((0.2, 0, top - 0.1), (0.42, -0.03, waist + 0.12), 0.16, 0.2)
     face = egg((0, -r * 0.72, z - r * 0.14), (r * 0.86, r * 0.8, r * 0.72))
@@ -196,8 +189,8 @@ def doll(draw: Draw) -> Parts:
         lathe([(v + 0.05, h) for v, h in skirt]),
         join(box((0, -1, leg), (wide * 0.5, 1, 0.5)), box((0, -1, top - 0.2), (0.17, 1, 0.24))),
     )
-    eye = tube((r * 0.4, -r * 0.96, z + 0.02), (r * 0.36, -r * 0.7, z + 0.02), 0.12, 0.03)
-    hem = ring((0, 0, leg - 0.17), wide - 0.01, 0.085)
+    eye = tube((r * 0.4, -r * 0.96, z + 0.02), (r * 0.36, -r * 0.7, z + 0.02), 0.1, 0.03)
+    hem = ring((0, 0, leg - 0.07), wide - 0.01, 0.085)
     foot = egg((x, -0.1, 0.11), (0.17, 0.27, 0.13))
     return {
         "dress": join(lathe(skirt, 0.02), both(sleeve)),

@@ -72,10 +72,10 @@ EQUIPMENT_DEVICES = {
         "radar dish, dish antenna, radar, parabolic antenna, radio telescope, satellite "
         "antenna, sat dish, tv dish; antenna, aerial, radar station",
         {
-            "dish": "*eceeed . paint",
-            "rim": "+3c78b4 . paint",
+            "dish": "*d3d9de . paint",
+            "rim": "&f1f3f4 . paint",
             "receiver": "+c8372d . plastic",
-            "arms": "-8f969e . metal",
+            "arms": "-4d545d . metal",
             "mast": "-7b828b . metal",
             "foot": "-5c636c . metal",
         },
