@@ -38,9 +38,10 @@ def column(draw: Draw) -> Parts:
         (wide - 0.06, -r * 1.14 - 0.05, up + 0.2), (wide - 0.06, r * 1.2, up + 0.2), 0.09, 0.02
     )
     pad = box((0, 0, up + 0.28), (wide - 0.1, r * 1.04, 0.1), 0.03)
-    leaf = limb(
-        [(slim + 0.02, 0, up), (slim + 0.08, 0, up + 0.2), (slim + 0.24, 0, up + 0.26)], 0.14, 0.085
-    )
+    # A leaf stands against the bell, its tip rolled outwards.
+    roll = slim + 0.2, up + 0.27
+    tip = capsule((roll[0], -0.07, roll[1]), (roll[0], 0.07, roll[1]), 0.09)
+    leaf = join(egg((slim + 0.05, 0, up + 0.1), (0.12, 0.18, 0.26)), tip)
     fancy = {
         0: ring((0, 0, up - 0.1), slim + 0.02, 0.075),
         1: both(eye),

@@ -125,8 +125,7 @@ EQUIPMENT_SMALL = {
         Usual(0.6, RUBBER, 0.15),
     ),
     "clipboard": Noun(
-        "clip board, clip boards, clipboards; checklist, check list, to do list, form, "
-        "questionnaire, survey",
+        "clip board, clip boards, clipboards; checklist, check list, to do list, questionnaire",
         {
             "board": "*a8703c grain",
             "paper": "-fbfaf4",
@@ -198,9 +197,10 @@ EQUIPMENT_TOOLS = {
 }
 EQUIPMENT_CLOTHES = {
     "jacket": Noun(
-        "coat, hoodie, leather jacket, denim jacket, jackets, zip hoodie, bomber jacket, biker "
-        "jacket, jean jacket, winter jacket, hooded jacket; parka, raincoat, blazer, cardigan, "
-        "anorak, overcoat, trench coat, winter coat, fleece, tracksuit top, varsity jacket",
+        "coat, hoodie, leather jacket, jackets, zip hoodie, bomber jacket, biker "
+        "jacket, winter jacket, hooded jacket; denim jacket, jean jacket, parka, "
+        "raincoat, blazer, cardigan, anorak, overcoat, trench coat, winter coat, fleece jacket, "
+        "tracksuit top, varsity jacket",
         {
             "body": "*6b3a22 . leather",
             "shirt": "+ece6d8 . fabric",
@@ -237,7 +237,7 @@ EQUIPMENT_CLOTHES = {
 }
 EQUIPMENT_DOLLS = {
     "doll": Noun(
-        "rag doll, porcelain doll, dolly, ragdoll, baby doll, toy doll, dolls; voodoo doll, "
+        "rag doll, porcelain doll, ragdoll, baby doll, toy doll, dolls; voodoo doll, "
         "barbie, puppet, creepy doll",
         {
             "dress": "*d8487a . fabric",
