@@ -28,7 +28,7 @@ from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
 from core.prior.things.fauna import FAUNA
 from core.prior.things.figures import FIGURES
-from core.prior.things.fixtures import FIXTURES
+from core.prior.things.furnishings import FURNISHINGS
 from core.prior.things.food import FOOD
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
@@ -166,7 +166,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | WORN
     | REPTILES
     | EQUIPMENT
-    | FIXTURES
+    | FURNISHINGS
     | PROVISIONS
 )
 

@@ -173,7 +173,7 @@ def first_aid_kit(draw: Draw) -> Parts:
     }
 
 
-FIXTURES = {
+FURNISHINGS = {
     "column": column,
     "ship wheel": ship_wheel,
     "notice board": notice_board,
