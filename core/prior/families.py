@@ -23,12 +23,14 @@ from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.devices import DEVICES
 from core.prior.things.dwellings import DWELLINGS
+from core.prior.things.equipment import EQUIPMENT
 from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
 from core.prior.things.fauna import FAUNA
 from core.prior.things.figures import FIGURES
 from core.prior.things.fixtures import FIXTURES
 from core.prior.things.food import FOOD
+from core.prior.things.furnishings import FURNISHINGS
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
 from core.prior.things.home import HOME
@@ -49,6 +51,7 @@ from core.prior.things.plants import PLANTS
 from core.prior.things.playground import PLAYGROUND
 from core.prior.things.premises import PREMISES
 from core.prior.things.props import PROPS
+from core.prior.things.provisions import PROVISIONS
 from core.prior.things.relics import RELICS
 from core.prior.things.reptiles import REPTILES
 from core.prior.things.rides import RIDES
@@ -166,6 +169,9 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | REPTILES
     | FIXTURES
     | UTENSILS
+    | EQUIPMENT
+    | FURNISHINGS
+    | PROVISIONS
 )
 
 

@@ -5,9 +5,7 @@
 NEAREST = {
     "cabinet": "locker",
     "shelf": "rack",
-    "sunglasses": "vr headset, vr goggles, vr glasses",
     "chest": "treasure",
-    "laptop": "computer mouse",
     "monitor": "display",
     "sofa": "chaise",
     "vase": "pot",

@@ -10,6 +10,16 @@ from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.characters import CHARACTERS
 from core.guidance.builtin.nouns.clothes import CLOTHES
 from core.guidance.builtin.nouns.devices import DEVICES
+from core.guidance.builtin.nouns.equipment import (
+    EQUIPMENT_BUILDINGS,
+    EQUIPMENT_CLOTHES,
+    EQUIPMENT_DEVICES,
+    EQUIPMENT_DOLLS,
+    EQUIPMENT_FOOD,
+    EQUIPMENT_PROPS,
+    EQUIPMENT_SMALL,
+    EQUIPMENT_TOOLS,
+)
 from core.guidance.builtin.nouns.everyday import (
     EVERYDAY_CLOTHES,
     EVERYDAY_FOOD,
@@ -51,21 +61,21 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
     "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | FIXTURES,
-    "Small Things": SMALL_THINGS | EVERYDAY_THINGS,
-    "Props": PROPS | HARDWARE,
+    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL,
+    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS,
-    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD,
+    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
     "Fruit and Vegetables": FRUIT,
     "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
-    "Characters": CHARACTERS | PEOPLE | LEGENDS,
+    "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
     "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS,
-    "Buildings": BUILDINGS | STREET | ROADSIDE,
-    "Electronics": DEVICES | GADGETS | MACHINES,
-    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES,
+    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS,
+    "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
+    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
     "Sport": SPORT | GAMES,
-    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS,
+    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

@@ -170,7 +170,7 @@ ANIMALS = {
     ),
     "person": Noun(
         "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, figure, "
-        "doll, prince, human being, businessman, doctor, nurse, policeman, police officer, "
+        "prince, human being, businessman, doctor, nurse, policeman, police officer, "
         "firefighter, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
         "detective, worker, construction worker, sailor, student, mannequin, mannikin, villager, "
         "peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, toddler, npc, "

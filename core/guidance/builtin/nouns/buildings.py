@@ -213,7 +213,7 @@ BUILDINGS = {
     ),
     "vending machine": Noun(
         "soda machine, drink machine, snack machine, drinks machine, vendor machine, "
-        "soda vending machine; coke machine, ticket machine, gumball machine, cigarette machine",
+        "soda vending machine; coke machine, ticket machine, cigarette machine",
         {
             "body": "*c9201f . paint",
             "window": "-e4f1f6",

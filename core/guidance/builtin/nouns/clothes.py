@@ -23,8 +23,7 @@ CLOTHES = {
         Usual(0.08, STEEL, 0.21),
     ),
     "sneaker": Noun(
-        "shoe, trainer, running shoe, sneakers, shoes, gym shoe; sandal, loafer, "
-        "trainers, slipper, slippers, flip flop, clog, moccasin",
+        "shoe, trainer, running shoe, sneakers, shoes, gym shoe; loafer, trainers, clog, moccasin",
         {
             "body": "*c9302a . fabric",
             "sole": "+f0eee8 . rubber",
@@ -114,9 +113,8 @@ CLOTHES = {
         Usual(0.7, LEATHER, 0.052),
     ),
     "shirt": Noun(
-        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, jacket, hoodie, "
-        "blouse, tank top, cardigan, coat, raincoat, vest, blazer, sweatshirt, kimono, "
-        "parka",
+        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, "
+        "blouse, tank top, vest, sweatshirt, kimono",
         {
             "body": "*3f7fc0 . fabric",
             "cuffs": "&336ba5 . fabric",

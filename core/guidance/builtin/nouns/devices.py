@@ -153,7 +153,7 @@ DEVICES = {
     ),
     "desktop computer": Noun(
         "computer, pc, personal computer, home computer, desktop pc, retro computer, "
-        "old computer; workstation, gaming pc, mainframe, server",
+        "old computer; workstation, gaming pc",
         {
             "body": "*ddd3b8",
             "screen": "-2f6f8f . glass",
@@ -263,7 +263,7 @@ DEVICES = {
         Usual(0.28, PLASTIC, 0.57),
     ),
     "cash register": Noun(
-        "till, cashregister, cash machine, shop till; checkout register",
+        "till, cashregister, shop till; checkout register",
         {
             "body": "*8f2a24 . paint",
             "keys": "-f3ead4",

@@ -118,7 +118,7 @@ HARDWARE = {
 PARTS_OF_CARS = {
     "wheel": Noun(
         "car wheel, wheel with tire, truck wheel, cart wheel, wagon wheel; tire, "
-        "tyre, car tire, car tyre, wheel rim, alloy wheel, spare tire, spare wheel, ship wheel, "
+        "tyre, car tire, car tyre, wheel rim, alloy wheel, spare tire, spare wheel, "
         "bicycle wheel, monster truck wheel",
         {
             "tyre": "+1f1f22 . rubber",

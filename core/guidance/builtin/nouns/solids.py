@@ -20,7 +20,7 @@ SOLIDS = {
         Usual(0.3, RUBBER, 0.3),
     ),
     "cylinder": Noun(
-        "; column, pillar, pipe section",
+        "; pipe section",
         {"body": "*597a99"},
         Usual(0.4, WOOD),
     ),

@@ -51,7 +51,7 @@ TOOLS_AND_TOYS = {
         Usual(0.22, 2500.0, 0.18),
     ),
     "wrench": Noun(
-        "spanner; adjustable wrench, monkey wrench, pliers",
+        "spanner; adjustable wrench, monkey wrench",
         {"head": "*a3a9b0 . metal", "handle": "&8f959c . metal"},
         Usual(0.25, STEEL, 0.22),
     ),
