@@ -11,7 +11,6 @@ from core.prior.solids import (
     both,
     box,
     capsule,
-    chain,
     cut,
     egg,
     grown,
@@ -49,9 +48,6 @@ def drum_kit(draw: Draw) -> Parts:
         )
 
     bass = [tilted(solid, 90, (0, 0, z)) for solid in drum(r, half)]
-    toms = [
-        both(tilted(solid, -16, (side, 0.04, up + tom * 0.55))) for solid in drum(tom, tom * 0.56)
-    ]
     toms = [both(moved(turned(s, 0, 14), (side, 0.02, up + tom * 0.5))) for s in drum(tom, 0.2)]
     left = [moved(s, (-reach, 0.1, 0.86)) for s in drum(snare, 0.17)]
     right = [moved(s, (reach, 0.1, 0.46)) for s in drum(floor, 0.32)]
@@ -63,7 +59,7 @@ def drum_kit(draw: Draw) -> Parts:
         both(join(capsule((x, y, 0.08), (x, y, high + 0.12), 0.08),
                   capsule((x + 0.2, y + 0.22, 0.08), (x, y, 0.4), 0.08),
                   capsule((side * 0.7, 0.05, 2 * z - 0.14), (side, 0.05, up + 0.1), 0.1))),
-        limb([(-x, y, 0.3), (-r * 0.5, half - 0.04, 0.4)], 0.08, 0.08),
+        both(capsule((x, y, 0.3), (r * 0.5, half - 0.04, 0.4), 0.08)),
         tube((-reach, 0.1, 0.08), (-reach, 0.1, 0.8), 0.09),
         tube((-reach, 0.1, 0), (-reach, 0.1, 0.14), 0.24, 0.04),
         *(capsule((reach + floor * math.cos(a), 0.1 + floor * math.sin(a), 0.08),
@@ -71,9 +67,7 @@ def drum_kit(draw: Draw) -> Parts:
           for a in (0.5, 2.6, -1.57)),
         both(taper((r * 0.74, -half + 0.05, 0.4), (r + 0.06, -half - 0.1, 0.08), 0.08, 0.08)),
     )  # fmt: skip
-    shells, hoops, skins = (
-        join(*solids) for solids in zip(bass, toms, left, right, strict=True)
-    )
+    shells, hoops, skins = (join(*solids) for solids in zip(bass, toms, left, right, strict=True))
     badge = tube((0, -half - 0.11, z), (0, 0, z), r * draw(0.38, 0.46), 0.02)
     return {
         "shells": shells,
@@ -144,7 +138,7 @@ def harmonica(draw: Draw) -> Parts:
 def jack_o_lantern(draw: Draw) -> Parts:
     """A pumpkin of lobes with a face cut into its front, all alight from within."""
     wide, high, count = draw(0.5, 0.56), draw(0.68, 0.8), 10
-    lobe = egg((wide * 0.85, 0, high), (wide, wide * 0.62, high))
+    lobe = egg((wide * 0.85, 0, high), (wide, wide * 0.75, high))
     hull = join(around(count, lobe, 18), ball((0, 0, high), 0.5))
     lean, kind = draw(-0.14, 0.14), draw.which(3)
     eye, apart, z = draw(0.2, 0.24), draw(0.36, 0.42), high * 1.2
@@ -154,8 +148,8 @@ def jack_o_lantern(draw: Draw) -> Parts:
         [(apart + eye * math.cos(a), z + 0.04 + 0.2 * math.sin(a))
          for a in (math.tau * k / 16 for k in range(16))],
     ][kind]  # fmt: skip
-    nose = [(-0.12, high * 0.98 - 0.1), (0.12, high * 0.98 - 0.1), (0, high * 0.98 + 0.12)]
-    w, low = draw(0.6, 0.68), high * 0.62
+    nose = [(-0.15, high * 0.94 - 0.12), (0.15, high * 0.94 - 0.12), (0, high * 0.94 + 0.16)]
+    w, low = draw(0.62, 0.7), high * 0.57
     grin = [(0.0, low + 0.02), (0.12, low + 0.02), (0.12, low + 0.16), (0.3, low + 0.16)]
     grin += [(0.3, low + 0.08), (w, low + 0.36), (w * 0.86, low + 0.0), (w * 0.62, low - 0.18)]
     grin += [(0.34, low - 0.25), (0.34, low - 0.1), (0.16, low - 0.1), (0.16, low - 0.28)]
@@ -165,12 +159,15 @@ def jack_o_lantern(draw: Draw) -> Parts:
         return prism(outline, 1, 1.0, -1.2)
 
     face = (both(hole(eyes)), hole(nose), hole(mirrored(grin)))
-    core = grown(hull, -0.07)
+    turns = [math.pi * (k / 12 - 0.5) for k in range(13)]
+    core = lathe([(wide * (0.85 + 0.74 * math.cos(a)), high * (1 + 0.9 * math.sin(a)))
+                  for a in turns])  # fmt: skip
     stalk = limb([(0, 0, high * 1.75), (0.02, 0, high * 2 + 0.12), (lean, -0.05, high * 2 + 0.34)],
                  0.19, 0.12)  # fmt: skip
+    root = taper((0, 0, high * 1.86), (0.26, 0, high * 1.9), 0.1, 0.09)
     return {
         "body": cut(hull, *face),
-        "stalk": join(stalk, around(5, taper((0, 0, high * 1.86), (0.26, 0, high * 1.9), 0.1, 0.09))),
+        "stalk": join(stalk, around(5, root)),
         **{name: within(core, grown(cutter, 0.03))
            for name, cutter in zip(("eyes", "nose", "mouth"), face, strict=True)},
     }  # fmt: skip
@@ -180,13 +177,10 @@ def christmas_bauble(draw: Draw) -> Parts:
     """A glass ball, or a drop, with a band and stars about it, a cap and a loop above."""
     r, drop = draw(0.82, 0.92), draw.chance(0.35)
     z, long = r, draw(0.5, 0.66)
-    high = 2 * r
-    hull = ball((0, 0, z), r)
+    high, hull = 2 * r, ball((0, 0, z), r)
     if drop:
-        z += long
-        high += long
-        hull = join(hull_at := ball((0, 0, z), r), taper((0, 0, z - r * 0.2), (0, 0, 0.1), r * 0.94, 0.1))
-        del hull_at
+        z, high = r + long, 2 * r + long
+        hull = join(ball((0, 0, z), r), taper((0, 0, z - r * 0.2), (0, 0, 0.1), r * 0.94, 0.1))
     half, count = draw(0.15, 0.2), 8
     a = math.radians(draw(34, 40))
     star = [((0.19 if k % 2 == 0 else 0.085) * math.cos(math.tau * k / 10 + math.pi / 2),
@@ -199,8 +193,6 @@ def christmas_bauble(draw: Draw) -> Parts:
     shell = ball((0, 0, z), r + 0.045)
     top = high + 0.14
     flutes = around(8, capsule((0.25, 0, high - 0.08), (0.25, 0, top - 0.02), 0.06))
-    zig = [(u, v + s * 0.0) for u, v, s in ()]
-    del zig
     edge = both(ring((0, 0, half), r * math.cos(math.asin(half / r)), 0.075), 2)
     return {
         "ball": hull,
@@ -237,7 +229,7 @@ def wreath(draw: Draw) -> Parts:
         a = math.tau * (k + 0.5) / 5 - math.pi / 2
         for da, dr in ((-0.1, 0.02), (0.1, 0.06), (0.0, -0.14)):
             q, u = a + da, major + dr
-            berries.append(ball((u * math.cos(q), u * math.sin(q), minor + 0.14), 0.1))
+            berries.append(ball((u * math.cos(q), u * math.sin(q), minor + 0.07), 0.1))
         if k != 2 or low:
             q = a + math.tau / 10
             at = (major * math.cos(q), major * math.sin(q), minor + 0.08)
@@ -256,8 +248,8 @@ def wreath(draw: Draw) -> Parts:
         "tips": facing(join(*light)),
         "berries": facing(join(*berries)),
         "baubles": facing(join(*balls)),
-        "bow": facing(moved(bow, (0, y, minor + 0.12))),
-        "knot": facing(egg((0, y, minor + 0.2), (0.14, 0.13, 0.13))),
+        "bow": facing(moved(bow, (0, y, minor + 0.07))),
+        "knot": facing(egg((0, y, minor + 0.16), (0.14, 0.13, 0.13))),
     }
 
 
@@ -299,8 +291,8 @@ def trident(draw: Draw) -> Parts:
     tip = high - tall
 
     def point(x: float, top: float, barb: float) -> Solid:
-        edge = [(x - barb, top - 0.42), (x, top), (x + barb, top - 0.42), (x + 0.08, top - 0.34)]
-        return prism([*edge, (x - 0.08, top - 0.34)], 1, flat)
+        edge = [(x - barb, top - 0.42), (x, top), (x + barb, top - 0.42), (x + 0.08, top - 0.4)]
+        return prism([*edge, (x - 0.08, top - 0.4)], 1, flat)
 
     bend = smooth_curve([(0.0, fork), (wide * 0.66, fork + 0.06), (wide, low), (wide, tip - 0.3)])
     outer = join(limb([(u, 0.0, v) for u, v in bend], 0.125, 0.1), point(wide, tip, 0.2))
@@ -334,22 +326,19 @@ def horseshoe(draw: Draw) -> Parts:
         return smooth_curve([*points, (r - 0.08, z + tall * 0.5), (r - out + pinch, z + tall)], 3)
 
     outer, inner = branch(0.0), branch(wide)
-    bow = mirrored([*outer, *inner[::-1]][: len(outer) + len(inner)])
     half = [*outer, *reversed(inner)]
     middle = branch(wide / 2)
-    groove = limb([(u, 0.0, v) for u, v in middle[5:-3]], 0.075, 0.075)
-    del bow
-    front = deep + 0.0
-    sides = both(both(moved(groove, (0, front - 0.03, 0))), 1)
-    nails = [box((u, 0, v), (0.085, deep + 0.085, 0.085), 0.02) for u, v in middle[6:-3:3]]
-    heel = [tube((middle[-1][0], -deep - 0.06, z + tall - 0.04),
-                 (middle[-1][0], deep + 0.06, z + tall - 0.04), wide * 0.56, 0.03)]  # fmt: skip
+    groove = limb([(u, 0.0, v) for u, v in middle[4:-2]], 0.095, 0.095)
+    sides = both(both(moved(groove, (0, deep - 0.045, 0))), 1)
+    nails = [box((u, 0, v), (0.085, deep + 0.1, 0.08), 0.02) for u, v in middle[6:-3:3]]
+    x, top = middle[-1][0], z + tall - 0.02
+    heel = tube((x, -deep - 0.04, top), (x, deep + 0.04, top), wide * 0.53, 0.03)
     clip = [(-0.22, -0.04), (0.22, -0.04), (0.12, 0.3), (-0.12, 0.3)]
     return {
         "shoe": both(prism(half, 1, deep)),
         "grooves": sides,
         "nails": both(join(*nails)),
-        "heels": both(join(*heel)),
+        "heels": both(heel),
         "clip": moved(prism(clip, 1, deep + 0.08), (0, 0, 0.02)),
     }
 

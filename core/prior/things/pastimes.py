@@ -1,9 +1,7 @@
 """What one plays, throws, rows and fishes with: balls, a goal, games of a pub, a rod, an oar."""
 
 import math
-from itertools import pairwise
 
-import torch
 from torch import Tensor
 
 from core.prior.draw import Draw
@@ -43,7 +41,7 @@ def _rolled(solid: Solid, about_x: float, about_z: float, at: Point) -> Solid:
 
 def _icosahedral(solid: Solid) -> Solid:
     """What ``solid`` is near (0, 1, PHI), one of twelve corners, at all of them by mirrors."""
-    mirror = (0.5 * (1 - PHI), -0.5 * PHI, 0.5)
+    mirror = (-0.5 * PHI, -0.5, 0.5 / PHI)
 
     def distance(p: Tensor) -> Tensor:
         for _ in range(3):
@@ -57,7 +55,7 @@ def _icosahedral(solid: Solid) -> Solid:
 
 def soccer_ball(draw: Draw) -> Parts:
     """White, of hexagons with seams between them and twelve black pentagons that stand out."""
-    wide, out = math.radians(draw(22.0, 26.0)), draw(0.035, 0.05)
+    wide, out = math.radians(draw(20.0, 23.5)), draw(0.035, 0.05)
     # From a corner (0, 1, PHI) to the middle of a face: the middle of a pentagon's side.
     reach = math.hypot(1, PHI)
     corner = (0.0, 1 / reach, PHI / reach)
@@ -90,9 +88,7 @@ def basketball(draw: Draw) -> Parts:
     for k in range(7):
         a = math.pi / 2 * k / 6
         t = math.radians(far + (near - far) * math.cos(a) ** 2)
-        path.append(
-            (r * math.cos(t), r * math.sin(t) * math.cos(a), r * math.sin(t) * math.sin(a))
-        )
+        path.append((r * math.cos(t), r * math.sin(t) * math.cos(a), r * math.sin(t) * math.sin(a)))
     curve = both(limb(path, thick, thick), 0, 1, 2)
     circles = join(*(ring((0, 0, 0), r, thick, axis=k) for k in (0, 2)))
     lie = ((12.0, 24.0), (-20.0, 50.0), (40.0, -24.0))[draw.which(3)]
@@ -167,7 +163,9 @@ def dartboard(draw: Draw) -> Parts:
     def fan(inner: float, outer: float, top: float, first: float) -> Solid:
         """Every other sector of a ring."""
         wedge = [(0.0, 0.0), (2.0, 2 * math.tan(step)), (2.0, -2 * math.tan(step))]
-        sectors = within(tube((0, 0, 0.08), (0, 0, top), outer), around(count // 2, _flat(wedge), first))
+        sectors = within(
+            tube((0, 0, 0.08), (0, 0, top), outer), around(count // 2, _flat(wedge), first)
+        )
         return cut(sectors, tube((0, 0, -1), (0, 0, 2), inner))
 
     def facing(solid: Solid) -> Solid:
@@ -208,7 +206,14 @@ def fishing_rod(draw: Draw) -> Parts:
     hold = 0.86
     end = (foot + lean + reach, high + draw(-0.05, 0.14))
     bend = smooth_curve(
-        [(foot + slope * 0.7, 0.7), (foot + slope * 1.4, 1.36), (foot + slope * 1.95, 1.95), (foot + lean + reach * 0.3, high), end], 3
+        [
+            (foot + slope * 0.7, 0.7),
+            (foot + slope * 1.4, 1.36),
+            (foot + slope * 1.95, 1.95),
+            (foot + lean + reach * 0.3, high),
+            end,
+        ],
+        3,
     )
 
     def at(height: float, aside: float = 0.0) -> Point:
@@ -242,27 +247,26 @@ def fishing_rod(draw: Draw) -> Parts:
 
 
 def oar(draw: Draw) -> Parts:
-    """It stands on its blade: a long shaft with a sleeve, and a grip across at its top."""
+    """It stands on its blade: a long shaft with a sleeve, a knob or a bar across at its top."""
     wide, blade, long = draw(0.36, 0.44), draw(1.0, 1.2), draw(2.75, 2.95)
-    thick, square, deep = draw(0.095, 0.105), draw.chance(0.4), 0.095
-    half = [(0.0, 0.0), (wide * 0.7, 0.03), (wide, 0.2), (wide * 0.92, blade * 0.62), (0.1, blade)]
-    if square:
-        half = [(0.0, 0.0), (wide * 0.96, 0.0), (wide, blade * 0.3), (wide * 0.8, blade * 0.76),
-                (0.1, blade)]  # fmt: skip
-    outline = smooth_curve(half, 3) if not square else half
-    flat = mirrored([p for p in outline if p[0] > 0])
-    low, up = draw(0.3, 0.36), draw(0.13, 0.16)
-    stripe = within(prism(flat, 1, deep + 0.03), box((0, 0, low), (2, 2, up)))
-    cross = draw.chance(0.6)
-    knob = capsule((-0.27, 0, long), (0.27, 0, long), 0.115)
-    end = knob if cross else tube((0, 0, long - 0.46), (0, 0, long + 0.08), thick + 0.04, 0.05)
+    thick, deep, broad = draw(0.095, 0.105), 0.095, draw.chance(0.5)
+    half = [(0.001, 0.0), (wide * 0.62, 0.07), (wide * 0.96, 0.34), (wide * 0.9, blade * 0.6)]
+    if broad:
+        half = [(0.001, 0.0), (wide * 0.8, 0.02), (wide * 1.06, 0.2), (wide * 0.9, blade * 0.66)]
+    flat = mirrored(smooth_curve([*half, (wide * 0.4, blade * 0.88), (0.08, blade + 0.1)], 3))
+    low, up = draw(0.34, 0.42), draw(0.12, 0.15)
+    bar = capsule((-0.27, 0, long), (0.27, 0, long), 0.115)
+    knob = join(
+        tube((0, 0, long - 0.5), (0, 0, long), thick + 0.035, 0.02), ball((0, 0, long), 0.17)
+    )
+    sleeve = long * draw(0.54, 0.6)
     return {
-        "shaft": tube((0, 0, blade * 0.3), (0, 0, long), thick),
+        "shaft": tube((0, 0, blade * 0.2), (0, 0, long), thick),
         "blade": prism(flat, 1, deep),
-        "stripe": stripe,
-        "grip": end,
-        "sleeve": tube((0, 0, long * 0.58), (0, 0, long * 0.7), thick + 0.035, 0.02),
-        "collar": tube((0, 0, long * 0.7 - 0.02), (0, 0, long * 0.7 + 0.12), thick + 0.1, 0.03),
+        "stripe": within(prism(flat, 1, deep + 0.03), box((0, 0, low), (2, 2, up))),
+        "grip": bar if draw.chance(0.5) else knob,
+        "sleeve": tube((0, 0, sleeve), (0, 0, sleeve + 0.34), thick + 0.035, 0.02),
+        "collar": tube((0, 0, sleeve + 0.1), (0, 0, sleeve + 0.24), thick + 0.08, 0.03),
     }
 
 
@@ -281,8 +285,8 @@ def pool_table(draw: Draw) -> Parts:
     hole = both(join(*(tube((u, y - rail, top - 0.2), (u, y - rail, top + 0.075), 0.14, 0.02)
                        for u in (0.0, x - rail))), 0, 1)  # fmt: skip
     rack = [(k, j) for k in range(3) for j in range(k + 1)]
-    balls = [(0.3 + 1.74 * r * k, 2 * r * (j - k / 2), cloth + r * 0.9) for k, j in rack]
-    cue = [(-x + 0.12, -y * 0.1, top + 0.1), (0.02, -y * 0.62, cloth + 0.12)]
+    balls = [(0.3 + 1.74 * r * k, 2 * r * (j - k / 2), cloth + r * 0.8) for k, j in rack]
+    cue = [(-x + 0.12, -y * 0.1, top + 0.075), (0.02, -y * 0.62, cloth + 0.12)]
     return {
         "frame": join(
             cut(box((0, 0, top - deep / 2), (x, y, deep / 2), 0.03), inside),
@@ -293,7 +297,7 @@ def pool_table(draw: Draw) -> Parts:
         ),
         "pockets": hole,
         "balls": join(*(ball(at, r) for at in balls)),
-        "cue ball": ball((-x * 0.4, y * 0.22, cloth + r * 0.9), r + 0.01),
+        "cue ball": ball((-x * 0.4, y * 0.22, cloth + r * 0.8), r + 0.01),
         "cue": taper(*cue, 0.095, 0.08),
     }
 
