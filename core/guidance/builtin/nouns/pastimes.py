@@ -15,7 +15,7 @@ from core.guidance.builtin.nouns.noun import (
 PASTIME_SPORT = {
     "soccer ball": Noun(
         "football, soccerball, foot ball, association football, black and white football; "
-        "futsal ball, handball",
+        "futsal ball",
         {
             "ball": "*f4f3ee . leather",
             "patches": "+1d1e22 . leather",
@@ -24,7 +24,7 @@ PASTIME_SPORT = {
         Usual(0.22, RUBBER, 0.07),
     ),
     "basketball": Noun(
-        "basket ball, basketballs; netball",
+        "basket ball; netball",
         {"ball": "*dd6a20 . rubber", "seams": "+221a18 . rubber"},
         Usual(0.24, RUBBER, 0.075),
     ),
@@ -50,7 +50,7 @@ PASTIME_SPORT = {
         Usual(7.5, STEEL, 0.0006),
     ),
     "dartboard": Noun(
-        "dart board, darts board, bristle board; darts, darts target, bullseye, bull's eye",
+        "dart board, darts board, bristle board, darts game; darts target, bullseye, bull's eye",
         {
             "board": "*1f2023 . rubber",
             "sectors": "+f1e3bd . fabric",
@@ -115,7 +115,7 @@ PASTIME_TOOLS = {
         Usual(1.9, WOOD, 0.035),
     ),
     "flute": Noun(
-        "flutes, concert flute, transverse flute, western flute, silver flute; "
+        "concert flute, transverse flute, western flute, silver flute; "
         "piccolo, fife, recorder, tin whistle, penny whistle, bamboo flute",
         {
             "body": "*c9ced4 . metal",
@@ -168,7 +168,7 @@ PASTIME_ARMS = {
     ),
     "trident": Noun(
         "tridents, poseidon trident, poseidon's trident, neptune trident, neptune's trident, "
-        "golden trident; fishing spear, devil's fork, triton spear",
+        "golden trident; fishing spear, triton spear",
         {
             "head": "*e2b13f . golden",
             "shaft": "&1f6f7d . paint",
