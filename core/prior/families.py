@@ -27,6 +27,7 @@ from core.prior.things.equipment import EQUIPMENT
 from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
 from core.prior.things.fauna import FAUNA
+from core.prior.things.festive import FESTIVE
 from core.prior.things.figures import FIGURES
 from core.prior.things.fixtures import FIXTURES
 from core.prior.things.food import FOOD
@@ -46,6 +47,7 @@ from core.prior.things.nature import NATURE
 from core.prior.things.novelties import NOVELTIES
 from core.prior.things.office import OFFICE
 from core.prior.things.parlour import PARLOUR
+from core.prior.things.pastimes import PASTIMES
 from core.prior.things.people import PEOPLE
 from core.prior.things.plants import PLANTS
 from core.prior.things.playground import PLAYGROUND
@@ -172,6 +174,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | EQUIPMENT
     | FURNISHINGS
     | PROVISIONS
+    | PASTIMES
+    | FESTIVE
 )
 
 

@@ -44,6 +44,13 @@ from core.guidance.builtin.nouns.novelties import (
 )
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.parlour import PARLOUR_PLANTS, PARLOUR_THINGS
+from core.guidance.builtin.nouns.pastimes import (
+    PASTIME_ARMS,
+    PASTIME_FEASTS,
+    PASTIME_PROPS,
+    PASTIME_SPORT,
+    PASTIME_TOOLS,
+)
 from core.guidance.builtin.nouns.people import JEWELLERY, PEOPLE
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
@@ -62,8 +69,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Furniture": FURNITURE,
     "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL,
-    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS,
-    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS,
+    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS,
+    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
     "Fruit and Vegetables": FRUIT,
     "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
@@ -74,8 +81,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
-    "Sport": SPORT | GAMES,
-    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
+    "Sport": SPORT | GAMES | PASTIME_SPORT,
+    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS | EQUIPMENT_TOOLS | PASTIME_TOOLS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

@@ -19,7 +19,7 @@ FRUIT = {
         Usual(0.2, 1000.0, 0.5),
     ),
     "pumpkin": Noun(
-        "; jack o lantern, gourd, squash",
+        "; gourd, squash",
         {"body": "*e27414", "stalk": "+5c6b2c"},
         Usual(0.35, PLANT, 0.6),
     ),

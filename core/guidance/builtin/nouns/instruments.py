@@ -9,7 +9,7 @@ INSTRUMENTS = {
         Usual(1.0, WOOD, 0.11),
     ),
     "drum": Noun(
-        "snare drum; drum kit, drum set, bongo, bongos, taiko, timpani, conga, djembe, tambourine",
+        "snare drum; bongo, bongos, taiko, timpani, conga, djembe, tambourine",
         {
             "shell": "*b71f24 . paint",
             "hoops": "+e0b84a . golden",
@@ -74,7 +74,7 @@ INSTRUMENTS = {
         Usual(0.55, WOOD, 0.11),
     ),
     "saxophone": Noun(
-        "sax; clarinet, oboe, bassoon, flute",
+        "sax; clarinet, oboe, bassoon",
         {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
         Usual(0.7, COPPER, 0.023),
     ),

@@ -142,7 +142,7 @@ PROPS = {
         Usual(2.2, STEEL, 0.5),
     ),
     "bomb": Noun(
-        "; grenade, sea mine, naval mine, bob omb, cannonball, cannon ball",
+        "; sea mine, naval mine, bob omb, cannonball, cannon ball",
         {"body": "*232427", "cap": "&3a3c40 . metal", "fuse": "-c9b48a", "spark": "-ff9a1e"},
         Usual(0.2, STEEL, 0.5),
     ),

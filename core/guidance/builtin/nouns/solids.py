@@ -4,8 +4,7 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun,
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; football, soccer ball, basketball, beach ball, planet, volleyball, "
-        "baseball, snowball",
+        "sphere, orb; beach ball, planet, volleyball, baseball, snowball",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),
@@ -15,7 +14,7 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "; inner tube, bracelet, wreath, lifebuoy, life preserver, steering wheel",
+        "; inner tube, bracelet, lifebuoy, life preserver, steering wheel",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),
     ),

@@ -129,7 +129,7 @@ TOOLS_AND_TOYS = {
         Usual(0.32, 3500.0, 0.15),
     ),
     "fork": Noun(
-        "table fork; trident",
+        "table fork",
         {"head": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
         Usual(0.2, STEEL, 0.071),
     ),
