@@ -20,6 +20,7 @@ from core.guidance.builtin.nouns.everyday import (
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
+from core.guidance.builtin.nouns.haulage import HAULAGE
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
@@ -59,7 +60,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Characters": CHARACTERS | PEOPLE | LEGENDS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
-    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS,
+    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS | HAULAGE,
     "Buildings": BUILDINGS | STREET | ROADSIDE,
     "Electronics": DEVICES | GADGETS | MACHINES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES,
