@@ -1,4 +1,4 @@
-"""What hauls, builds and carries: work vehicles on wheels and tracks, boats, and two towers."""
+"""What hauls, builds and carries, on wheels and tracks; and a water tower."""
 
 import math
 from collections.abc import Iterable
@@ -20,6 +20,7 @@ from core.prior.solids import (
     moved,
     prism,
     smooth_curve,
+    taper,
     tube,
     turned,
     within,
@@ -69,7 +70,7 @@ def pickup_truck(draw: Draw) -> Parts:
     middle, half = (back + y - 0.03) / 2, (y - back - 0.31) / 2
     bed = box((0, middle, belt), (x - 0.17, half, 0.4))
     arches = join(*(tube((x - 0.18, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles))
-    well = box((x - 0.2, axles[1], wheel + 0.02), (0.12, wheel + 0.14, wheel + 0.1))
+    well = box((x - 0.2, axles[1], wheel + 0.18), (0.12, wheel + 0.14, wheel - 0.06))
     cab, panes = cabin(x, belt, roof, (front - 0.04, front + 0.3, back - 0.06, back))
     bar = box((0, back + 0.3, belt + 0.12), (x - 0.04, 0.09, 0.3), 0.03)
     hoop = cut(bar, box((0, back + 0.3, belt), (x - 0.22, 1, 0.24)))
@@ -114,9 +115,7 @@ def bulldozer(draw: Draw) -> Parts:
             box((0, 0.4, middle), (cab + 0.06, 0.25, half - 0.14), 0.02),
         ),
         "tracks": both(prism(side, 0, 0.2, x)),
-        "wheels": both(
-            join(*(tube((x, v, 0.26), (x + 0.26, v, 0.26), r, 0.03) for v, r in spots))
-        ),
+        "wheels": both(join(*(tube((x, v, 0.26), (x + 0.26, v, 0.26), r, 0.03) for v, r in spots))),
         "blade": prism(plate, 0, wide),
         "exhaust": join(
             tube((0, -0.45, hood - 0.1), (0, -0.45, hood + draw(0.4, 0.55)), 0.1, 0.02),
@@ -326,6 +325,35 @@ def stagecoach(draw: Draw) -> Parts:
     }
 
 
+def water_tower(draw: Draw) -> Parts:
+    """A banded tank with a pointed roof on four braced legs, a pipe down its middle."""
+    r, low, high = draw(0.64, 0.76), draw(1.5, 1.8), draw(0.74, 0.92)
+    top, foot, rise = low + high, draw(0.62, 0.74), draw(0.34, 0.46)
+    hip, z = r * 0.68, low * 0.46
+    mid = (foot + hip) / 2
+    tank = tube((0, 0, low), (0, 0, top), r)
+    hoops = join(*(tube((0, 0, v - 0.08), (0, 0, v + 0.08), r + 0.05)
+                   for v in (low + high * 0.24, low + high * 0.74)))  # fmt: skip
+    bowl = lathe(smooth_curve([(0.14, low - 0.26), (r * 0.7, low - 0.14), (r, low + 0.02)]))
+    side = join(
+        capsule((0.0, mid, z), (mid, mid, z), 0.085),
+        capsule((mid, mid, z), (-hip, hip, low - 0.06), 0.085),
+        capsule((-mid, mid, z), (hip, hip, low - 0.06), 0.085),
+    )
+    return {
+        "tank": join(tank, bowl),
+        "roof": join(
+            lathe([(r + 0.12, top - 0.04), (r + 0.12, top + 0.06), (0.1, top + rise),
+                   (0.0, top + rise)]), ball((0, 0, top + rise), 0.12)),
+        "bands": hoops,
+        "legs": both(
+            join(taper((foot, foot, 0.1), (hip, hip, low), 0.1, 0.1),
+                 box((foot, foot, 0.06), (0.16, 0.16, 0.08), 0.02)), 0, 1),
+        "braces": join(both(side, 0, 1), turned(both(side, 0, 1), 2, 90)),
+        "pipe": join(tube((0, 0, 0), (0, 0, low), 0.13), tube((0, 0, 0), (0, 0, 0.16), 0.22)),
+    }  # fmt: skip
+
+
 HAULAGE = {
     "pickup truck": pickup_truck,
     "bulldozer": bulldozer,
@@ -334,4 +362,5 @@ HAULAGE = {
     "steamroller": steamroller,
     "minecart": minecart,
     "stagecoach": stagecoach,
+    "water tower": water_tower,
 }

@@ -20,7 +20,7 @@ from core.guidance.builtin.nouns.everyday import (
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
-from core.guidance.builtin.nouns.haulage import HAULAGE
+from core.guidance.builtin.nouns.haulage import HAULAGE, ROADSIDE_MARKS
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
@@ -61,7 +61,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
     "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS | HAULAGE,
-    "Buildings": BUILDINGS | STREET | ROADSIDE,
+    "Buildings": BUILDINGS | STREET | ROADSIDE | ROADSIDE_MARKS,
     "Electronics": DEVICES | GADGETS | MACHINES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES,
     "Sport": SPORT | GAMES,

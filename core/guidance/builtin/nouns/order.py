@@ -609,4 +609,9 @@ ORDER = (
     "golf cart",
     "tricycle",
     "double decker bus",
+    "cargo ship",
+    "rowboat",
+    "raft",
+    "gas pump",
+    "water tower",
 )

@@ -67,8 +67,7 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.047),
     ),
     "bicycle": Noun(
-        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, "
-        "ebike, penny farthing",
+        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, ebike, penny farthing",
         {
             "frame": "*c9211e . paint",
             "wheels": TYRES_LOOK,
