@@ -34,6 +34,7 @@ from core.prior.things.food import FOOD
 from core.prior.things.furnishings import FURNISHINGS
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
+from core.prior.things.haulage import HAULAGE
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
@@ -62,6 +63,7 @@ from core.prior.things.roles import ROLES
 from core.prior.things.sites import SITES
 from core.prior.things.sky import SKY
 from core.prior.things.small_things import SMALL_THINGS
+from core.prior.things.speed import SPEED
 from core.prior.things.sport import SPORT
 from core.prior.things.street import STREET
 from core.prior.things.table_ware import TABLE_WARE
@@ -176,6 +178,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | PROVISIONS
     | PASTIMES
     | FESTIVE
+    | HAULAGE
+    | SPEED
 )
 
 

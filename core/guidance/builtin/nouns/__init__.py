@@ -31,6 +31,7 @@ from core.guidance.builtin.nouns.fixtures import FIXTURES
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
+from core.guidance.builtin.nouns.haulage import HAULAGE, ROADSIDE_MARKS
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
@@ -77,8 +78,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
-    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS,
-    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS,
+    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS | HAULAGE,
+    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT,

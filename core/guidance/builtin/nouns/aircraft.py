@@ -5,8 +5,7 @@ from core.guidance.builtin.nouns.vehicles import GLASS_LOOK, TYRES_LOOK
 
 AIRCRAFT = {
     "airplane": Noun(
-        "plane, aeroplane, aircraft; jet, airliner, jumbo jet, bomber, private jet, fighter jet, "
-        "jet fighter, fighter plane, stealth bomber",
+        "plane, aeroplane, aircraft; airliner, jumbo jet, bomber, private jet, stealth bomber",
         {
             "body": "*e8eaed . paint",
             "wings": "&c7ccd2 . paint",

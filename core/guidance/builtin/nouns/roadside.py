@@ -84,7 +84,7 @@ ROADSIDE = {
     ),
     "gas station": Noun(
         "petrol station, filling station, fuel station, service station, gasoline station; "
-        "gas pump, petrol pump, fuel pump, charging station, truck stop",
+        "charging station, truck stop",
         {
             "roof": "-f4f5f3 . paint",
             "band": "*d42823 . paint",

@@ -6,8 +6,7 @@ GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2
 
 VEHICLES = {
     "car": Noun(
-        "automobile; sports car, race car, sedan, coupe, hatchback, limousine, limo, "
-        "convertible, racecar, sportscar, supercar, station wagon",
+        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -18,7 +17,7 @@ VEHICLES = {
         Usual(4.2, STEEL, 0.026),
     ),
     "bus": Noun(
-        "coach; school bus, double decker",
+        "coach; school bus",
         {
             "body": "*f0b41a . paint",
             "windows": "-2a3842 . glass",
@@ -28,7 +27,7 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.0052),
     ),
     "truck": Noun(
-        "lorry, lorries; semi, pickup",
+        "lorry, lorries; semi",
         {
             "cargo": "&e4e6e8",
             "cab": "*2a62b0 . paint",
@@ -39,8 +38,8 @@ VEHICLES = {
         Usual(7.0, STEEL, 0.016),
     ),
     "boat": Noun(
-        "; ship, rowboat, rowing boat, fishing boat, speedboat, motorboat, lifeboat, tugboat, "
-        "ferry, steamboat, battleship, warship, raft, ocean liner, titanic, aircraft carrier",
+        "; ship, fishing boat, speedboat, motorboat, lifeboat, tugboat, "
+        "ferry, steamboat, battleship, warship, ocean liner, titanic, aircraft carrier",
         {"hull": "*a3552a", "sails": "+f3efe4", "mast": "-7c4f2b"},
         Usual(8.0, WOOD, 0.3),
     ),
@@ -68,8 +67,7 @@ VEHICLES = {
         Usual(12.0, STEEL, 0.047),
     ),
     "bicycle": Noun(
-        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, tricycle, "
-        "ebike, penny farthing",
+        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, ebike, penny farthing",
         {
             "frame": "*c9211e . paint",
             "wheels": TYRES_LOOK,
@@ -181,7 +179,7 @@ VEHICLES = {
         Usual(4.0, STEEL, 0.039),
     ),
     "excavator": Noun(
-        "digger; backhoe, bulldozer, power shovel, steam shovel, front loader, bulldozer truck",
+        "digger; backhoe, power shovel, steam shovel, front loader",
         {
             "body": "*f0ae18 . paint",
             "windows": GLASS_LOOK,
@@ -221,8 +219,8 @@ VEHICLES = {
         Usual(30.0, WOOD, 0.1),
     ),
     "wagon": Noun(
-        "cart, covered wagon, horse cart; carriage, hand cart, handcart, "
-        "minecart, stagecoach, chariot, pram, stroller, pushchair, buggy pram",
+        "cart, covered wagon, horse cart; hand cart, handcart, chariot, pram, stroller, pushchair, "
+        "buggy pram",
         {
             "body": "*94602f grain",
             "wheels": "&6b4220 grain",
