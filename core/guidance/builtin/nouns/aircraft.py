@@ -83,7 +83,7 @@ AIRCRAFT = {
     ),
     "biplane": Noun(
         "bi plane, double decker plane; propeller plane, prop plane, propeller airplane, "
-        "propeller aircraft, stunt plane, crop duster, old plane, warplane, seaplane, glider",
+        "propeller aircraft, stunt plane, crop duster, old plane, seaplane, glider",
         {
             "body": "*c4201c . paint",
             "wings": "&f0c22a . paint",

@@ -169,12 +169,19 @@ ANIMALS = {
         Usual(12.0, FLESH, 0.11),
     ),
     "person": Noun(
-        "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, figure, "
-        "prince, human being, businessman, doctor, nurse, policeman, police officer, "
+        "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, "
+        "figure, prince, human being, businessman, doctor, nurse, policeman, police officer, "
         "firefighter, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
-        "detective, worker, construction worker, sailor, student, mannequin, mannikin, villager, "
-        "peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, toddler, npc, "
-        "character model, waiter, angel statue, scientist, diver, scuba diver",
+        "detective, worker, construction worker, sailor, student, mannequin, mannikin, "
+        "villager, peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, "
+        "toddler, npc, character model, waiter, angel statue, scientist, diver, scuba diver, "
+        "merchant, ranger, blacksmith, butler, healer, mechanic, pilot, librarian, engineer, "
+        "bartender, butcher, musician, dj, miner, wrestler, boxer, surfer, skater, alchemist, "
+        "captain, hiker, tourist, mailman, postman, plumber, carpenter, electrician, "
+        "lumberjack, fisherman, gardener, janitor, cashier, barista, judge, lawyer, spy, "
+        "hacker, singer, guitarist, drummer, hunter, bandit, guardian, trader, innkeeper, "
+        "shopkeeper, beggar, bride, groom, swimmer, runner, footballer, cyclist, old "
+        "man, old woman, young man, young woman",
         {
             "shirt": "*c23b34 . fabric",
             "skin": "-e0ac86",
@@ -242,7 +249,8 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.19),
     ),
     "chicken": Noun(
-        "; hen, rooster, cockerel, chick, turkey, quail, pheasant, partridge",
+        "; hen, rooster, cockerel, chick, turkey, quail, pheasant, partridge, chicken bird, "
+        "seagull chick",
         {
             "body": "*f0e8d8",
             "wings": "&dccbab",

@@ -183,9 +183,9 @@ ARMS = {
         Usual(0.25, PLANT, 0.02),
     ),
     "sack": Noun(
-        "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, "
-        "bag of money, bag of gold, coin bag, sack of flour, sack of potatoes, grain sack, "
-        "sandbag, pouch, coin pouch, loot bag",
+        "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, bag of money, bag of "
+        "gold, coin bag, sack of flour, sack of potatoes, grain sack, sandbag, pouch, coin "
+        "pouch, loot bag, sleeping bag, bag of chips, crisp packet, chip bag, potato bag",
         {
             "body": "*b99563 . fabric",
             "mouth": "&b99563 . fabric",

@@ -5,7 +5,8 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 BUILDINGS = {
     "house": Noun(
         "home; shed, villa, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
-        "hospital, police station, fire station, kennel, outhouse, building",
+        "hospital, police station, fire station, kennel, outhouse, building, garden shed, "
+        "bungalow, tiny house, cabin house",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",

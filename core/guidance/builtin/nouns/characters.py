@@ -57,7 +57,7 @@ CHARACTERS: dict[str, Noun] = {
     "wizard": Noun(
         (
             "mage; sorcerer, warlock, witch, sorceress, magician, enchanter, druid, "
-            "merlin, gandalf, dumbledore"
+            "merlin, gandalf, dumbledore, shaman, necromancer"
         ),
         {
             "robe": "*3a3f96 . fabric",
@@ -134,7 +134,7 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "mech": Noun(
         (
-            "battle mech, mech warrior, mecha, battle robot, war robot, combat robot; "
+            "battle mech, mech warrior, mecha, battle robot, war robot, combat robot, mech walker; "
             "gundam, giant robot, transformer, battlemech, war machine, fighting robot, exosuit"
         ),
         {

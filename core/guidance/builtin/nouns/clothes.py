@@ -34,7 +34,7 @@ CLOTHES = {
         Usual(0.3, RUBBER, 0.14),
     ),
     "boot": Noun(
-        "boots; rain boot, wellington, cowboy boot",
+        "boots; rain boot, wellington, cowboy boot, wellies, wellington boots, gumboots",
         {
             "body": "*6b4226",
             "sole": "-2a211b . rubber",
@@ -113,8 +113,9 @@ CLOTHES = {
         Usual(0.7, LEATHER, 0.052),
     ),
     "shirt": Noun(
-        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, "
-        "blouse, tank top, vest, sweatshirt, kimono",
+        "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, blouse, tank top, vest, "
+        "sweatshirt, kimono, jersey, turtleneck, pajamas, pyjamas, polo shirt, t shirt dress, "
+        "swimsuit",
         {
             "body": "*3f7fc0 . fabric",
             "cuffs": "&336ba5 . fabric",
@@ -124,8 +125,8 @@ CLOTHES = {
         Usual(0.75, FABRIC, 0.019),
     ),
     "trousers": Noun(
-        "pants, jeans, pair of trousers, pair of pants; shorts, leggings, chinos, "
-        "sweatpants, overalls, dungarees",
+        "pants, jeans, pair of trousers, pair of pants, jean; shorts, leggings, chinos, "
+        "sweatpants, overalls, dungarees, tights",
         {
             "body": "*35588c . fabric",
             "belt": "+5a3a20",

@@ -9,7 +9,8 @@ DEVICES = {
         Usual(0.35, PLASTIC, 0.25),
     ),
     "phone": Noun(
-        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e reader",
+        "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e "
+        "reader, walkman, mp3 player, router, modem",
         {"body": "*2a2c31", "screen": "-3f86c8", "camera": "-131416", "buttons": "+8b9096"},
         Usual(0.15, 2200.0, 0.45),
     ),
@@ -36,7 +37,8 @@ DEVICES = {
         Usual(0.14, PLASTIC, 0.8),
     ),
     "speaker": Noun(
-        "loudspeaker, speakers; subwoofer, amplifier, guitar amp, amp",
+        "loudspeaker, speakers; subwoofer, amplifier, guitar amp, amp, bluetooth speaker, smart "
+        "speaker",
         {"body": "*4a2f1d grain", "cones": "-2b2c2f", "rims": "+9a9fa5 . metal"},
         Usual(0.5, WOOD, 0.5),
     ),
@@ -178,7 +180,8 @@ DEVICES = {
         Usual(0.35, PLASTIC, 0.11),
     ),
     "vacuum cleaner": Noun(
-        "vacuum, hoover, vacuum machine, upright vacuum; dust buster, carpet cleaner",
+        "vacuum, hoover, vacuum machine, upright vacuum; dust buster, carpet cleaner, robot "
+        "vacuum, roomba, shop vac",
         {
             "body": "*6b3fa0",
             "cup": "-a9d6dc . glass",
@@ -280,7 +283,8 @@ DEVICES = {
         Usual(0.15, PLASTIC, 0.23),
     ),
     "hair dryer": Noun(
-        "hairdryer, hair drier, hairdrier, blow dryer, blowdryer; heat gun, hair straightener",
+        "hairdryer, hair drier, hairdrier, blow dryer, blowdryer; heat gun, hair straightener, "
+        "curling iron",
         {
             "body": "*e0527f",
             "nozzle": "+2b2c31",

@@ -70,7 +70,7 @@ EQUIPMENT_DEVICES = {
     ),
     "satellite dish": Noun(
         "radar dish, dish antenna, radar, parabolic antenna, radio telescope, satellite "
-        "antenna, sat dish, tv dish; antenna, aerial, radar station",
+        "antenna, sat dish, tv dish; antenna, aerial, radar station, radar antenna, tv antenna",
         {
             "dish": "*d3d9de . paint",
             "rim": "&f1f3f4 . paint",
@@ -125,7 +125,8 @@ EQUIPMENT_SMALL = {
         Usual(0.6, RUBBER, 0.15),
     ),
     "clipboard": Noun(
-        "clip board, clip boards, clipboards; checklist, check list, to do list, questionnaire",
+        "clip board, clip boards, clipboards; checklist, check list, to do list, questionnaire, "
+        "menu",
         {
             "board": "*a8703c grain",
             "paper": "-fbfaf4",
@@ -197,10 +198,10 @@ EQUIPMENT_TOOLS = {
 }
 EQUIPMENT_CLOTHES = {
     "jacket": Noun(
-        "coat, hoodie, leather jacket, jackets, zip hoodie, bomber jacket, biker "
-        "jacket, winter jacket, hooded jacket; denim jacket, jean jacket, parka, "
-        "raincoat, blazer, cardigan, anorak, overcoat, trench coat, winter coat, fleece jacket, "
-        "tracksuit top, varsity jacket",
+        "coat, hoodie, leather jacket, jackets, zip hoodie, bomber jacket, biker jacket, winter "
+        "jacket, hooded jacket; denim jacket, jean jacket, parka, raincoat, blazer, cardigan, "
+        "anorak, overcoat, trench coat, winter coat, fleece jacket, tracksuit top, varsity "
+        "jacket, suit, tuxedo, suit jacket, lab coat, robe, bathrobe, cape",
         {
             "body": "*6b3a22 . leather",
             "shirt": "+ece6d8 . fabric",
@@ -237,8 +238,8 @@ EQUIPMENT_CLOTHES = {
 }
 EQUIPMENT_DOLLS = {
     "doll": Noun(
-        "rag doll, porcelain doll, ragdoll, baby doll, toy doll, dolls; voodoo doll, "
-        "barbie, puppet, creepy doll",
+        "rag doll, porcelain doll, ragdoll, baby doll, toy doll, dolls; voodoo doll, barbie, "
+        "puppet, creepy doll, marionette, mannequin doll, action figure",
         {
             "dress": "*d8487a . fabric",
             "skin": "-f5d3b8 . ceramic",
@@ -266,7 +267,7 @@ EQUIPMENT_FOOD = {
         Usual(0.4, FLESH, 0.7),
     ),
     "salad": Noun(
-        "bowl of salad, green salad, salad bowl, mixed salad, garden salad, side salad; "
+        "bowl of salad, green salad, mixed salad, garden salad, side salad; "
         "greek salad, caesar salad, vegetable bowl",
         {
             "bowl": "+f1ece2 . ceramic",

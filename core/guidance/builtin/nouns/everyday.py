@@ -16,9 +16,9 @@ PAPER = 750.0  # kg/m³
 
 EVERYDAY_FOOD = {
     "ramen": Noun(
-        "noodles, noodle, ramen bowl, bowl of ramen, ramen noodles, bowl of noodles, noodle bowl; "
-        "noodle soup, bowl of soup, chicken noodle soup, udon, pho, instant noodles, "
-        "spaghetti",
+        "noodles, noodle, ramen bowl, bowl of ramen, ramen noodles, bowl of noodles, noodle "
+        "bowl; noodle soup, bowl of soup, chicken noodle soup, udon, pho, instant noodles, "
+        "spaghetti, soup, stew, pasta, pad thai, curry, chili con carne",
         {
             "bowl": "*b3231f . ceramic",
             "broth": "-b9702c",
@@ -73,7 +73,7 @@ EVERYDAY_PLANTS = {
     ),
     "lettuce": Noun(
         "head of lettuce, lettuce head; cabbage, salad head, iceberg lettuce, head of cabbage, "
-        "kale, bok choy, brussels sprout",
+        "kale, bok choy, brussels sprout, artichoke, spinach, celery",
         {
             "head": "&a6d268",
             "leaves": "*58a83a",
@@ -124,7 +124,8 @@ EVERYDAY_CLOTHES = {
         Usual(0.35, LEATHER, 0.15),
     ),
     "scarf": Noun(
-        "scarves, winter scarf, wool scarf, woolen scarf, knitted scarf; shawl, neckerchief",
+        "scarves, winter scarf, wool scarf, woolen scarf, knitted scarf; shawl, neckerchief, "
+        "bandana, bandanna, headscarf",
         {
             "wool": "*bd2a2e . fabric",
             "stripes": "+f4efe4 . fabric",
@@ -137,9 +138,10 @@ EVERYDAY_CLOTHES = {
 EVERYDAY_THINGS = {
     "paper cup": Noun(
         "takeaway cup, coffee to go, takeaway coffee, to go cup, disposable cup, take away cup, "
-        "takeout cup, to go coffee, takeout coffee; coffee, coffee paper cup, latte, cappuccino, "
-        "espresso, tea, bubble tea, boba, boba tea, iced coffee, iced tea, smoothie, frappuccino, "
-        "soft drink, soda cup, plastic cup",
+        "takeout cup, to go coffee, takeout coffee; coffee, coffee paper cup, latte, "
+        "cappuccino, espresso, tea, bubble tea, boba, boba tea, iced coffee, iced tea, "
+        "smoothie, frappuccino, soft drink, soda cup, plastic cup, lemonade, juice, yogurt, "
+        "yoghurt",
         {
             "cup": "*f4efe6",
             "sleeve": "+9a6a3e",
@@ -151,8 +153,9 @@ EVERYDAY_THINGS = {
         Usual(0.16, PAPER, 0.02),
     ),
     "towel": Noun(
-        "bath towel, folded towel, hand towel, rolled towel, stack of towels, "
-        "pile of towels; beach towel, blanket, folded blanket, throw blanket, bed sheet",
+        "bath towel, folded towel, hand towel, rolled towel, stack of towels, pile of towels; "
+        "beach towel, blanket, folded blanket, throw blanket, bed sheet, handkerchief, napkin, "
+        "quilt, duvet, tablecloth",
         {
             "towels": "*4fa3b8 . fabric",
             "folds": "&3b869a . fabric",
@@ -212,8 +215,8 @@ EVERYDAY_THINGS = {
         Usual(1.3, STEEL, 0.012),
     ),
     "rope": Noun(
-        "coil of rope, rope coil, coiled rope, roll of rope; lasso, lariat, jump rope, "
-        "skipping rope, climbing rope, garden hose",
+        "coil of rope, rope coil, coiled rope, roll of rope; lasso, lariat, jump rope, skipping "
+        "rope, climbing rope, garden hose, fire hose, hose, thread, ball of yarn",
         {
             "coil": "*c9a468",
             "strands": "*b38c50",

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FLESH, GLASS, SNOW, STEEL, Noun, Us
 
 FOOD = {
     "hamburger": Noun(
-        "burger, cheeseburger; big mac, slider",
+        "burger, cheeseburger; big mac, slider, veggie burger",
         {"bun": "*cf8a3c", "lettuce": "+5fae34", "patty": "-5a3019", "cheese": "-f5b52a"},
         Usual(0.12, 500.0),
     ),
@@ -39,7 +39,7 @@ FOOD = {
         Usual(0.18, 600.0, 0.55),
     ),
     "sandwich": Noun(
-        "club sandwich; toastie, blt, grilled cheese, panini",
+        "club sandwich; toastie, blt, grilled cheese, panini, wrap, pita",
         {
             "bread": "*dba765",
             "lettuce": "+5fae34",
@@ -50,7 +50,8 @@ FOOD = {
         Usual(0.14, 500.0),
     ),
     "cake": Noun(
-        "birthday cake; torte, wedding cake, cheesecake",
+        "birthday cake; torte, wedding cake, cheesecake, pudding, brownie, cheesecake slice, "
+        "slice of cake, lasagna",
         {"icing": "*f6b7c8", "body": "+8a5430", "topping": "-c2182b", "plate": "-ece9e2"},
         Usual(0.28, 450.0),
     ),
@@ -75,7 +76,7 @@ FOOD = {
         Usual(0.16, 350.0, 0.54),
     ),
     "pancakes": Noun(
-        "pancake, stack of pancakes",
+        "pancake, stack of pancakes; crepe, crepes, tortilla",
         {"pancakes": "*d99a48", "syrup": "+7a3c12", "butter": "-f8e58a", "plate": "-eceae4"},
         Usual(0.22, 600.0, 0.45),
     ),
@@ -106,8 +107,8 @@ FOOD = {
         Usual(0.12, STEEL, 0.071),
     ),
     "jar": Noun(
-        "jam jar; honey jar, cookie jar, mason jar, jar of honey, jar of jam, peanut "
-        "butter, honey pot",
+        "jam jar; honey jar, cookie jar, mason jar, jar of , jar of jam, peanut butter, "
+        "honey pot, honey, jam, canister, tin can lantern",
         {"body": "*b8324a . glass", "lid": "+d9b04a . metal", "label": "-f2ead6"},
         Usual(0.14, GLASS, 0.16),
     ),
@@ -144,8 +145,8 @@ FOOD = {
         Usual(0.2, FLESH, 0.43),
     ),
     "steak": Noun(
-        "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, "
-        "pork chop, cooked meat, grilled steak, ham steak, ham, bacon",
+        "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, pork "
+        "chop, cooked meat, grilled steak, ham steak, ham, bacon, lamb chop, ribs",
         {"fat": "&f0d9bc", "meat": "*a63a2c", "bone": "+f3ead6", "marks": "-4a1a14"},
         Usual(0.25, FLESH, 0.27),
     ),

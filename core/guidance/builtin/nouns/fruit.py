@@ -9,7 +9,7 @@ FRUIT = {
         Usual(0.3, PLANT, 0.46),
     ),
     "apple": Noun(
-        "",
+        "; pomegranate",
         {"body": "*c4201f", "stalk": "-523219", "leaf": "+4d9a35"},
         Usual(0.08, 800.0),
     ),
@@ -29,7 +29,7 @@ FRUIT = {
         Usual(0.19, PLANT, 0.72),
     ),
     "pear": Noun(
-        "",
+        "; fig, papaya",
         {"body": "*b7c23a", "stalk": "-523219", "leaf": "+4d9a35"},
         Usual(0.12, PLANT, 0.75),
     ),
@@ -54,7 +54,7 @@ FRUIT = {
         Usual(0.3, PLANT),
     ),
     "grapes": Noun(
-        "grape, bunch of grapes",
+        "grape, bunch of grapes; blueberry, blueberries",
         {"grapes": "*5f2a78", "stalk": "-6a4a28", "leaf": "+4f9238"},
         Usual(0.18, PLANT, 0.8),
     ),
@@ -89,7 +89,7 @@ FRUIT = {
         Usual(0.09, PLANT),
     ),
     "peach": Noun(
-        "; nectarine, apricot, plum, mango",
+        "; nectarine, apricot, plum, mango, lychee",
         {"body": "*f2a065", "stalk": "-5c3a1e", "leaf": "+4d9a35"},
         Usual(0.08, PLANT, 0.75),
     ),

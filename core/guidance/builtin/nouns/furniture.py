@@ -24,7 +24,8 @@ FURNITURE = {
         Usual(1.0, FABRIC, 0.4),
     ),
     "sofa": Noun(
-        "couch, settee; loveseat, sectional, futon, divan",
+        "couch, settee; loveseat, sectional, futon, divan, chaise longue, chaise lounge, day "
+        "bed, daybed",
         {
             "cushion": "&7a8fa3 . fabric",
             "back": "*5f7891 . fabric",

@@ -27,8 +27,10 @@ HOUSEHOLD = {
         Usual(0.3, CERAMIC, 0.12),
     ),
     "bottle": Noun(
-        "; thermos, soap dispenser, bottle of wine, bottle of beer, bottle of water, "
-        "bottle of milk, decanter",
+        "; thermos, soap dispenser, bottle of wine, bottle of beer, bottle of water, bottle of "
+        "milk, decanter, shampoo, shampoo bottle, olive oil, vinegar, vodka, wine bottle, "
+        "champagne bottle, bottle of champagne, whiskey, whisky, rum, hot sauce, ketchup, "
+        "mustard bottle, syrup, detergent, medicine bottle, water bottle, lotion bottle",
         {"body": "*1f6638 . glass", "cap": "+332b26"},
         Usual(0.3, GLASS, 0.12),
     ),
@@ -38,7 +40,7 @@ HOUSEHOLD = {
         Usual(0.25, CERAMIC, 0.2),
     ),
     "bowl": Noun(
-        "; fishbowl, fish bowl, goldfish bowl",
+        "; fishbowl, fish bowl, goldfish bowl, ashtray, salad bowl, mixing bowl, fruit bowl",
         {"body": "*d8d2c4", "foot": "&b9a98c"},
         Usual(0.16, CERAMIC, 0.5),
     ),
@@ -60,7 +62,7 @@ HOUSEHOLD = {
         Usual(0.3, STEEL, 0.045),
     ),
     "candle": Noun(
-        "; candlestick, candle holder",
+        "; candlestick, candle holder, tea light, tealight",
         {"wax": "*f0e6cc", "flame": "-ff9a1e", "holder": "+c79a3e . golden"},
         Usual(0.2, WAX),
     ),
@@ -70,7 +72,7 @@ HOUSEHOLD = {
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
-        "top hat; tricorne, tricorn, pirate hat, elf hat, clown hat",
+        "top hat; tricorne, tricorn, pirate hat, elf hat, clown hat, turban, bonnet",
         {"body": "*1c1c20", "ribbon": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),
@@ -120,7 +122,7 @@ HOUSEHOLD = {
         Usual(1.8, STEEL, 0.0043),
     ),
     "stove": Noun(
-        "oven, cooker, kitchen stove; range",
+        "oven, cooker, kitchen stove; range, toaster oven, hot plate",
         {
             "body": "*e4e4e2 . paint",
             "window": "-1e2226 . glass",
@@ -196,7 +198,7 @@ HOUSEHOLD = {
         Usual(0.2, STEEL, 0.1),
     ),
     "fan": Noun(
-        "electric fan, standing fan; ventilator, desk fan",
+        "electric fan, standing fan; ventilator, desk fan, ceiling fan, exhaust fan",
         {"blades": "+5aa0c8", "cage": "*d8dcdf", "hub": "-3a3e44", "stand": "&c2c8cc"},
         Usual(1.1, PLASTIC, 0.16),
     ),
@@ -225,7 +227,7 @@ HOUSEHOLD = {
         Usual(0.3, STEEL, 0.04),
     ),
     "kettle": Noun(
-        "tea kettle; electric kettle",
+        "tea kettle, teakettle; electric kettle",
         {
             "body": "*b8322c . paint",
             "spout": "*b8322c . paint",

@@ -9,7 +9,7 @@ INSTRUMENTS = {
         Usual(1.0, WOOD, 0.11),
     ),
     "drum": Noun(
-        "snare drum; bongo, bongos, taiko, timpani, conga, djembe, tambourine",
+        "snare drum; bongo, bongos, taiko, timpani, conga, djembe, tambourine, bass drum, snare",
         {
             "shell": "*b71f24 . paint",
             "hoops": "+e0b84a . golden",

@@ -114,7 +114,7 @@ RIDES = {
         Usual(3.0, STEEL, 0.014),
     ),
     "parachute": Noun(
-        "para chute, chute, supply drop, air drop, airdrop; paraglider, supply crate, care package",
+        "para chute, chute, supply drop, air drop, airdrop; paraglider",
         {
             "canopy": "*f2efe6 . fabric",
             "gores": "+d8332a . fabric",

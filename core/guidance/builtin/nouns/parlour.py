@@ -41,7 +41,7 @@ PARLOUR_THINGS = {
     ),
     "desk lamp": Noun(
         "reading lamp, study lamp, architect lamp, anglepoise, anglepoise lamp, office lamp, "
-        "work lamp, task lamp; bankers lamp, bedside lamp",
+        "work lamp, task lamp; bankers lamp, bedside lamp, table lamp lamp",
         {
             "base": "*c8382c . paint",
             "arms": "+b9bec4 . metal",
@@ -65,7 +65,7 @@ PARLOUR_THINGS = {
     ),
     "flower pot": Noun(
         "flowerpot, plant pot, empty pot, clay pot, terracotta pot, flower pots, garden pot, "
-        "empty flower pot, terra cotta pot; planter, plant tub, window box",
+        "empty flower pot, terra cotta pot; planter, plant tub, window box, pot",
         {
             "pot": "*bb6238",
             "rim": "*c46c42",

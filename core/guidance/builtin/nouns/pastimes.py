@@ -115,8 +115,8 @@ PASTIME_TOOLS = {
         Usual(1.9, WOOD, 0.035),
     ),
     "flute": Noun(
-        "concert flute, transverse flute, western flute, silver flute; "
-        "piccolo, fife, recorder, tin whistle, penny whistle, bamboo flute",
+        "concert flute, transverse flute, western flute, silver flute; piccolo, fife, recorder, "
+        "tin whistle, penny whistle, bamboo flute, pan flute, ocarina, didgeridoo, kazoo",
         {
             "body": "*c9ced4 . metal",
             "keys": "+dfae45 . golden",

@@ -55,12 +55,13 @@ PROPS = {
         Usual(0.9, WOOD, 0.19),
     ),
     "barrel": Noun(
-        "wine barrel, cask, keg; oil drum",
+        "wine barrel, cask, keg; oil drum, vat, oil barrel",
         {"body": "*8a5a2e grain", "hoops": "+55585c . metal"},
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "shipping crate; packing case, ammo box",
+        "shipping crate, supply crate; packing case, ammo box, care package, ammo crate, wooden "
+        "box",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),
@@ -86,7 +87,7 @@ PROPS = {
         Usual(0.1, STEEL, 0.4),
     ),
     "coin": Noun(
-        "pirate coin; token",
+        "pirate coin; token, poker chip",
         {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
         Usual(0.03, GOLD, 0.52),
     ),
@@ -105,8 +106,8 @@ PROPS = {
         Usual(0.05, STONE),
     ),
     "staff": Noun(
-        "wizard staff, magic staff; wand, magic wand, sceptre, scepter, magic stick, "
-        "walking stick, cane, walking cane, shepherd's crook, crook",
+        "wizard staff, magic staff; wand, magic wand, sceptre, scepter, magic stick, walking "
+        "stick, cane, walking cane, shepherd's crook, crook, crutch",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
         Usual(1.8, WOOD, 0.043),
     ),
@@ -116,8 +117,9 @@ PROPS = {
         Usual(0.6, WOOD, 0.38),
     ),
     "book": Noun(
-        "spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, "
-        "novel, textbook, necronomicon, notepad, sketchbook, encyclopedia, magazine",
+        "spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, novel, "
+        "textbook, necronomicon, notepad, sketchbook, encyclopedia, magazine, newspaper, "
+        "passport, paperback, comic book, calendar, manual",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
         Usual(0.26, WOOD, 0.47),
     ),
@@ -192,7 +194,7 @@ PROPS = {
         Usual(1.8, WOOD, 0.3),
     ),
     "mailbox": Noun(
-        "letterbox, letter box, post box; mail box",
+        "letterbox, letter box, post box, postbox; mail box",
         {
             "box": "*3f6ea8 . paint",
             "door": "&3f6ea8 . paint",
@@ -232,7 +234,7 @@ PROPS = {
         Usual(0.75, WOOD, 0.02),
     ),
     "flag": Noun(
-        "banner; pennant, jolly roger",
+        "banner, flagpole, flag pole; pennant, jolly roger",
         {
             "cloth": "*c9211e . fabric",
             "pole": "-b0b4b8 . metal",

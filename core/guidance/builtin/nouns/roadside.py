@@ -53,9 +53,9 @@ ROADSIDE = {
         Usual(2.4, STEEL, 0.012),
     ),
     "factory": Noun(
-        "factory building, industrial building, industrial plant; warehouse, power plant, "
-        "power station, mill building, workshop, sawmill, steel mill, refinery, nuclear plant, "
-        "factory hall, manufacturing plant",
+        "factory building, industrial building, industrial plant; warehouse, power plant, power "
+        "station, mill building, workshop, sawmill, steel mill, refinery, nuclear plant, "
+        "factory hall, manufacturing plant, oil rig",
         {
             "hall": "*a5482f . stone",
             "roof": "&6a7077 . metal",
@@ -67,11 +67,12 @@ ROADSIDE = {
         Usual(40.0, STONE, 0.03),
     ),
     "shop": Noun(
-        "store, shop building, shop front, shopfront, storefront, store front, corner shop; cafe, "
-        "café, coffee shop, coffee house, restaurant, diner, bakery, bistro, grocery, "
+        "store, shop building, shop front, shopfront, storefront, store front, corner shop; "
+        "cafe, café, coffee shop, coffee house, restaurant, diner, bakery, bistro, grocery, "
         "grocery store, grocery shop, supermarket, pharmacy, boutique, candy shop, candy store, "
         "flower shop, toy shop, toy store, bookshop, bookstore, barber shop, ice cream shop, "
-        "pizzeria, bar building, convenience store, market building, butcher shop",
+        "pizzeria, bar building, convenience store, market building, butcher shop, bookstore "
+        "building, hair salon, laundromat, post office",
         {
             "walls": "*e9d3a2 . stone",
             "awning": "-f6f2e8 . fabric",

@@ -15,7 +15,8 @@ from core.guidance.builtin.nouns.noun import (
 
 SMALL_THINGS = {
     "plate": Noun(
-        "dish, dinner plate; saucer, platter, serving dish, side plate, dessert plate, paper plate",
+        "dish, dinner plate; saucer, platter, serving dish, side plate, dessert plate, paper "
+        "plate, tray",
         {"body": "*f0eee6", "rim": "+2f5fa8"},
         Usual(0.26, CERAMIC, 0.22),
     ),
@@ -117,7 +118,7 @@ SMALL_THINGS = {
         Usual(0.19, PLASTIC, 0.17),
     ),
     "lipstick": Noun(
-        "lip stick, tube of lipstick; lip balm, chapstick, lip gloss",
+        "lip stick, tube of lipstick; lip balm, chapstick, lip gloss, mascara",
         {
             "case": "+1c1a1e . plastic",
             "tube": "-e0b440 . golden",
@@ -127,7 +128,8 @@ SMALL_THINGS = {
         Usual(0.08, WAX, 0.63),
     ),
     "envelope": Noun(
-        "mail envelope; letter, mail, sealed letter, love letter, invitation",
+        "mail envelope; letter, mail, sealed letter, love letter, invitation, postcard, "
+        "greeting card",
         {
             "body": "*efe1c0",
             "sides": "&e2cda0",
@@ -210,7 +212,7 @@ SMALL_THINGS = {
         Usual(3.2, WOOD, 0.045),
     ),
     "gong": Noun(
-        "temple gong, chinese gong; tam tam",
+        "temple gong, chinese gong; tam tam, cymbal, cymbals",
         {
             "disc": "*c98f35 . golden",
             "rim": "*a8702a . golden",

@@ -14,7 +14,8 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "; inner tube, bracelet, lifebuoy, life preserver, steering wheel",
+        "; inner tube, bracelet, lifebuoy, life preserver, steering wheel, life buoy, life "
+        "ring, swim ring, pool float, rubber ring, rubber tube",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),
     ),

@@ -14,7 +14,7 @@ SPORT = {
         Usual(0.28, STEEL, 0.5),
     ),
     "barbell": Noun(
-        "bar bell, weight bar; weightlifting bar",
+        "bar bell, weight bar; weightlifting bar, weight set, bench press",
         {
             "weights": "*c8281f . rubber",
             "plates": "+2456a8 . rubber",

@@ -124,7 +124,8 @@ TOOLS_AND_TOYS = {
         Usual(0.5, STEEL, 0.073),
     ),
     "knife": Noun(
-        "kitchen knife, chef's knife; cleaver, butter knife, scalpel, razor blade",
+        "kitchen knife, chef's knife; cleaver, butter knife, scalpel, razor blade, pocketknife, "
+        "pocket knife, pen knife, penknife, box cutter",
         {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
         Usual(0.32, 3500.0, 0.15),
     ),
@@ -134,7 +135,7 @@ TOOLS_AND_TOYS = {
         Usual(0.2, STEEL, 0.071),
     ),
     "spoon": Noun(
-        "teaspoon, tablespoon; ladle",
+        "teaspoon, tablespoon; ladle, chopsticks",
         {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
         Usual(0.18, STEEL, 0.11),
     ),

@@ -6,7 +6,7 @@ GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2
 
 VEHICLES = {
     "car": Noun(
-        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon",
+        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon, hearse",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -38,8 +38,8 @@ VEHICLES = {
         Usual(7.0, STEEL, 0.016),
     ),
     "boat": Noun(
-        "; ship, fishing boat, speedboat, motorboat, lifeboat, tugboat, "
-        "ferry, steamboat, battleship, warship, ocean liner, titanic, aircraft carrier",
+        "; ship, fishing boat, speedboat, motorboat, lifeboat, tugboat, ferry, steamboat, "
+        "battleship, warship, ocean liner, titanic, aircraft carrier, houseboat",
         {"hull": "*a3552a", "sails": "+f3efe4", "mast": "-7c4f2b"},
         Usual(8.0, WOOD, 0.3),
     ),
