@@ -31,7 +31,7 @@ REAL = frozenset(
     """abby able abroad aces acne agate ailing airline airlines airy alden align allen alone along
     alta amen amer amor amores amour ample amplified andy angela angelo angle angles anil ants
     applies arched archery armory arose around arrest arrests artisan artisans asher automation
-    babies backboard backer backers badger badgers bain baird bake bakers bandana banged banger
+    babies backboard backer backers badger badgers bain baird bake bakers banged banger
     banked banker bankers banned banter barker barlow baron barons barre barred barren barrie
     barron basing basis bass batch batches bateman bathe batsman batter batters battle beacon
     beacons bead beale beamed beard bearer bearers beat beater beatles becker beefy bella belle
@@ -39,12 +39,12 @@ REAL = frozenset(
     blasted blatter blaze bleaker blended blister blisters bloc blokes blot blunder bluster
     boast boasts boko bolder bollocks bombed bonded boned boner bong bono boom boone boos boost
     boosts booth booths booty bora borne borrow both bots bottled bowel bowie bracket brackets
-    brad brainy brake brakes bran branded bras breaker bred bret brian bribe bribes bride brides
+    brad brainy brake brakes bran branded bras breaker bred bret brian bribe bribes brides
     bridget bridle bridles brief briefs brine bring brings brock brook brooks brow browne
     brownies brows bruh buckeyes buckley bucky buddies budge buffer buffers buffett bugger buick
     bulge bulk bullies bully burgess burglary burn burner burrow burrows burst bursts busch
     bushel businessmen busty buttery cable cain caine calif calm came camped candies cannes
-    cannot canon canton canyon cape carat carb carbon carbs card carlton carmel cars carson
+    cannot canon canton canyon carat carb carbon carbs card carlton carmel cars carson
     carte cartoons casper caste cate cayman cell cells certain chai chan chanel char charley
     chart charts checker cheery cheesy chess chet chia chic chico chief chiefs chill chills
     chilly chimes chin chino chip chive chives choke choked chopped choral chuck chunk chunks
@@ -55,7 +55,7 @@ REAL = frozenset(
     cooked cookery cooks cooler cooper cope copied copies cora core cornea corner corners corny
     coroner corral corset coulter counted countess coup couple couples coven cowell cracked
     craft crafts cram crap crater craven creamy create creates creek crew crews crock crocker
-    crooks crouch crowd crowds crowe crusade crusty crutch crutches curate curtail dairy dance
+    crooks crouch crowd crowds crowe crusade crusty crutches curate curtail dairy dance
     danced dances danger dangers darth defective defer demo demos denies denis deter diced dicey
     dictionaries dill ding dinner dinners dion dishy diva divas dive divert dives dogg dolly
     dolores done donor donors dont dover draft drafts draped draper drawer dressed driver
@@ -72,9 +72,9 @@ REAL = frozenset(
     hall handball handled handler handlers handy hanley harbor harbors harem harlem harper
     harrow hart hartley harvey hatched hatches hawke hayley health hear hears hearst hearty heat
     heath heats hebron heck helix hell heroin herts hicks highlighted hilly hips holmes homer
-    homey homie hone hooker hookers hooper hopper horne horned horner horny hose host hostel
+    homey homie hone hooker hookers hooper hopper horne horned horner horny host hostel
     hosts hotter housed hover hubby humane humble hurley icloud iggy images inch inches
-    infection inland irony itch ivan jackass jacked jean jens jeter joke jokes juice juiced
+    infection inland irony itch ivan jackass jacked jens jeter joke jokes juiced
     juices jumped kate kernel kindly kink kinks knotted kraft lack lacks laid lama lame lancer
     lancers lancet lancs lander lane lanes lass late latter leafy leases leave ledge leigh
     lender lenders leon leonard lester licking lien lila lilly limbo limp litter live lives
@@ -91,12 +91,12 @@ REAL = frozenset(
     pats patter paving paying peachy pearl pearson pellet pellets pendants persona phase phased
     phases phoned phony photographs piazza pickled pickles picky piers pierson pilates piling
     pinky piped piper pistil piston pistons pitched pitches place places placid plain plan
-    planner planners plans planted plat plated play pleasant plotter plumber plumbers plumping
+    planner planners plans planted plat plated play pleasant plotter plumbers plumping
     pointer pointers pointing policemen poole pools port porter portion portions postal posted
     potted potter potty prattle preach prevent prevents price prices prick pricks printed
     printing prison prisons prose protector protectors psalm psalms punter pure pursue push
     pushes quart quid rabbi racked rage raiding rail rain raining raising raked raker rang
-    ranged ranger rangers rape rapes rapper rappers rate rattled rattler rave rayon read reads
+    ranged rangers rape rapes rapper rappers rate rattled rattler rave rayon read reads
     regret regrets resent rested retrieve retrieved revolve revolved revolves rick ridge ridges
     rife ringo road roads robbed robberies robbers robbery robbins robo robyn rocked rockies
     rocky role roles roll rolls rookies room rooms root roped roper rosen rosetta rosie ross
@@ -108,9 +108,9 @@ REAL = frozenset(
     shards share sharer shares sharp shaver shear shelling shelly shelved shes shia shine shines
     shipper shippers shit shits shock shocking shocks shone shooter shooters shoots shopper
     shoppers shore shorty shot shots shouts shove shoved shred shreds shrewd shrink sickly side
-    sing sings sire sitar skater skaters skilled skipper skit slack slander slaves slid slime
-    slimy slipped slippery sliver slotted sludge slumber smack smitten snack snacks snare snipe
-    snowden snowfall sofia solder soon sort sorts soup sowing spanned spar spares spark sparks
+    sing sings sire sitar skaters skilled skipper skit slack slander slaves slid slime
+    slimy slipped slippery sliver slotted sludge slumber smack smitten snack snacks snipe
+    snowden snowfall sofia solder soon sort sorts sowing spanned spar spares spark sparks
     sparta spawn speaks spectacle spectra sphinx spicer spike spine spinner spite spock sport
     sporty sprinter squad squads stack stacked stacking stacks stage stains stake stakes stale
     stalker stalling stalls stamp stan staple staples stare staring stark starr starring start

@@ -152,7 +152,9 @@ class Reading:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
         elif token not in FILLER and (DONE.fullmatch(token) or NUMBER.fullmatch(token)):
-            self.got.left_out.append(token)  # "a raccoon dressed up", "a rolled up mat", "1950s"
+            # "a raccoon dressed up", "a rolled up mat", "1950s"; "a wall mounted radiator"
+            self.got.left_out.append(token)
+            self._noun_end += self._noun_end == at
         elif token not in FILLER:
             return self._correct(token, at)
         return 1

@@ -69,7 +69,7 @@ FRUIT = {
         Usual(0.25, PLANT, 0.19),
     ),
     "broccoli": Noun(
-        "; cauliflower",
+        "brocolli, brocoli, broccolli; cauliflower",
         {"florets": "*2f7a30", "stem": "+8fb860"},
         Usual(0.18, PLANT, 0.6),
     ),
