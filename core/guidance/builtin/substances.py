@@ -47,8 +47,8 @@ BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
     "bark": "acorn cap, sloth branch",
-    "bone": "egg shell, feather shaft, sloth claws",
-    "cast iron": "bench legs, bomb body",
+    "bone": "egg shell, feather shaft, sloth claws, roast chicken bones",
+    "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",
     "chitin": "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell",
     "clay": "snowman buttons",
@@ -57,11 +57,13 @@ OF_A_THING = {
         "eyes, gingerbread man bow, donut sprinkles, donut strands, donut drops, "
         "snow globe snow, snow globe flakes"
     ),
-    "crust": "croissant folds, fried egg edge",
+    "crust": "croissant folds, fried egg edge, roast chicken meat, roast chicken drumsticks",
     "fabric": "glove band, jeep seats, baseball cap badge, hot air balloon balloon",
-    "feathers": "peacock eyes, angel wings, feather vane, feather tip, griffin wings",
-    "felt": "cowboy hat",
-    "flesh": "grill food",
+    "feathers": (
+        "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
+    ),
+    "felt": "cowboy hat, dartboard reds, dartboard greens",
+    "flesh": "grill food, salad onion, salad cucumber",
     "foliage": (
         "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
         "tree leaves"
@@ -74,9 +76,9 @@ OF_A_THING = {
     "hide": (
         "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
         "wings, dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, "
-        "beaver lines, bat arms, eagle legs, gorilla face"
+        "beaver lines, bat arms, eagle legs, gorilla face, drum kit skins"
     ),
-    "leaf": "palm nuts, island grass, eggplant cap",
+    "leaf": "palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes"
@@ -94,11 +96,18 @@ OF_A_THING = {
     "paper": (
         "watch face, clock face, grandfather clock face, compass dial, picture frame hills, "
         "picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, easel "
-        "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve"
+        "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, clipboard "
+        "lines, clipboard boxes, notice board notes, notice board cards, atm notes"
     ),
-    "peel": "snowman nose, avocado skin, mushroom cap",
+    "peel": (
+        "snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath berries, "
+        "jack-o-lantern body"
+    ),
     "petal": "fairy wings",
-    "plain": "guitar hole, ukulele hole, violin holes, pencil lead, birdhouse hole",
+    "plain": (
+        "guitar hole, ukulele hole, violin holes, pencil lead, birdhouse hole, grater holes, "
+        "grater slits, flute hole, harmonica holes"
+    ),
     "plastic": (
         "duck body, duck wings, duck bill, toothbrush grip, vacuum cleaner grip, security camera "
         "hood, sunglasses arms, office chair arms"
@@ -115,8 +124,11 @@ OF_A_THING = {
     "wicker": "crossbow string, bow string, barn hay",
     "wooden": (
         "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
-        "trim, log cabin roof"
+        "trim, log cabin roof, whistle pea, raft ends"
     ),
+    "soil": "dump truck load",
+    "crumb": "notice board cork",
+    "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
 }
 # A part, whatever it is of.
 OF_A_PART = {
@@ -231,11 +243,11 @@ CLEAR = {
     0.95: (
         "flask glass, flask rim, magnifying glass glass, salt shaker body, salt "
         "shaker base, chandelier drops, sundae glass, bottle body, potion flask, potion rim, "
-        "blender jug, gem stone, ring gem, necklace stone"
+        "blender jug, gem stone, ring gem, necklace stone, perfume bottle"
     ),
     0.85: (
         "window glass, bus stop glass, flask liquid, vacuum cleaner cup, crystal crystals, crystal "
-        "shards, snowflake arms, snowflake branches, snowflake middle, jar body"
+        "shards, snowflake arms, snowflake branches, snowflake middle, jar body, perfume cap"
     ),
     0.6: (
         "hourglass glass, staff crystal, crown gems, ufo dome, coffee machine jug, snowmobile "
@@ -248,14 +260,17 @@ CLEAR = {
 # already, and is burnt out to white where it is more.
 GLOW = {
     1.0: "lightsaber blade, sun disc, sun glints",
-    0.6: "brazier embers, ufo lights",
+    0.6: (
+        "brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth"
+    ),
     0.4: (
         "light bulb bulb, lantern glass, street lamp lamp, flashlight lens, lighthouse lantern, "
-        "jukebox lights, mech visor, golem eyes, staff crystal"
+        "jukebox lights, mech visor, golem eyes, staff crystal, server rack lights, server rack "
+        "lamps"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "
-        "shade"
+        "shade, gas pump globe"
     ),
 }
 
