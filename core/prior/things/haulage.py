@@ -7,6 +7,7 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
+    around,
     ball,
     both,
     box,
@@ -126,7 +127,7 @@ def bulldozer(draw: Draw) -> Parts:
 
 def dump_truck(draw: Draw) -> Parts:
     """A cab with a hood, behind it a tub that is full, or raised and empty."""
-    x, y, wheel, floor = draw(0.56, 0.66), draw(1.28, 1.4), draw(0.3, 0.36), draw(0.6, 0.68)
+    x, y, wheel, floor = draw(0.56, 0.66), draw(1.2, 1.32), draw(0.3, 0.36), draw(0.6, 0.68)
     top, rim, split = draw(1.16, 1.3), draw(1.1, 1.26), -y * draw(0.3, 0.36)
     raised, tip = draw.chance(0.4), draw(28, 36)
     side = [(split + 0.1, floor), (split, top + 0.14), (y - 0.02, rim), (y - 0.22, floor)]
@@ -160,15 +161,15 @@ def dump_truck(draw: Draw) -> Parts:
     }  # fmt: skip
     middle = (split + y) / 2
     load = join(
-        egg((0, middle - 0.1, rim - 0.08), (x - 0.1, 0.66, 0.34)),
-        egg((0, middle + 0.3, rim - 0.1), (x - 0.14, 0.44, 0.22)),
+        egg((0, middle - 0.12, rim - 0.06), (x - 0.12, 0.56, 0.32)),
+        egg((0, middle + 0.2, rim - 0.08), (x - 0.14, 0.4, 0.2)),
     )
     return parts if raised else parts | {"load": load}
 
 
 def cement_mixer(draw: Draw) -> Parts:
     """A cab, and on its frame a slanting drum with bands and a chute at its mouth."""
-    x, y, wheel, floor = draw(0.52, 0.6), draw(1.3, 1.42), draw(0.29, 0.34), 0.5
+    x, y, wheel, floor = draw(0.52, 0.6), draw(1.24, 1.36), draw(0.29, 0.34), 0.5
     top, r, lean = draw(1.14, 1.28), draw(0.52, 0.6), draw(12, 18)
     long, split = y * 1.28, -y * 0.46
     drum = lathe(smooth_curve([(r * 0.5, 0), (r * 0.9, 0.16), (r, long * 0.38),
@@ -269,7 +270,7 @@ def minecart(draw: Draw) -> Parts:
     parts = {
         "box": shell,
         "bands": cut(within(tub(0.06, low - 0.06, top + 0.06), edges), hole),
-        "ore": join(*heap, box((0, 0, top - 0.2), (x - 0.14, y - 0.14, 0.2))),
+        "ore": join(*heap, tub(-0.1, low + 0.1, top + 0.03)),
         "wheels": join(both(wheel, 0, 1), axle, box((0, 0, low - 0.06), (x * 0.6, y * 0.7, 0.1))),
     }
     ties = [box((0, v, -0.16), (x + 0.24, 0.13, 0.09), 0.02) for v in (-0.93, -0.31, 0.31, 0.93)]
@@ -282,22 +283,23 @@ def minecart(draw: Draw) -> Parts:
 
 def stagecoach(draw: Draw) -> Parts:
     """A rounded body with a door between spoked wheels, the driver's seat, trunks on top."""
-    x, big, small = draw(0.46, 0.54), draw(0.46, 0.54), draw(0.34, 0.4)
-    low, top, half = draw(0.5, 0.58), draw(1.46, 1.62), draw(0.72, 0.82)
+    x, big, small = draw(0.46, 0.54), draw(0.54, 0.62), draw(0.42, 0.48)
+    low, top, half = draw(0.54, 0.62), draw(1.5, 1.66), draw(0.68, 0.77)
     belly = smooth_curve([(half, top), (half * 0.96, low + 0.46), (half * 0.62, low + 0.08),
                           (0.0, low)])  # fmt: skip
     z, pane, seat = top - 0.3, half * 0.2, top - 0.34
     windows = [box((x, s * half * 0.6, z), (0.06, pane * 0.9, 0.16)) for s in (-1, 1)]
 
     def wheel(y: float, r: float) -> Solid:
-        ring = cut(tube((x + 0.1, y, r), (x + 0.28, y, r), r, 0.02),
-                   tube((x, y, r), (x + 1, y, r), r - 0.15))  # fmt: skip
-        spoke = box((0, 0, 0), (0.075, r - 0.05, 0.075))
-        spokes = join(*(turned(spoke, 0, 60 * k) for k in range(3)))
-        hub = tube((x + 0.08, y, r), (x + 0.34, y, r), 0.15, 0.03)
-        return join(ring, moved(spokes, (x + 0.19, y, r)), hub)
+        rim = cut(
+            tube((x + 0.1, y, r), (x + 0.28, y, r), r, 0.02),
+            tube((x, y, r), (x + 1, y, r), r - 0.14),
+        )
+        spokes = turned(around(5, box((r / 2, 0, 0), (r / 2 - 0.05, 0.075, 0.075))), 1, 90)
+        hub = tube((x + 0.08, y, r), (x + 0.34, y, r), 0.13, 0.03)
+        return join(rim, moved(spokes, (x + 0.19, y, r)), hub)
 
-    front, rear = -half - 0.26, half + 0.1
+    front, rear = -half - 0.22, half + 0.12
     box_seat = [(-half + 0.1, low + 0.3), (-half + 0.1, seat - 0.1), (front - 0.2, seat - 0.1),
                 (front - 0.32, low + 0.3), (front - 0.2, low + 0.2)]  # fmt: skip
     boot = [(half - 0.05, low + 0.3), (half - 0.05, top - 0.3), (half + 0.38, low + 0.44),
@@ -314,7 +316,7 @@ def stagecoach(draw: Draw) -> Parts:
             box((0, (front + rear) / 2, big * 0.9), (0.13, (rear - front) / 2 + 0.1, 0.1)),
             *(tube((-x - 0.2, v, r), (x + 0.2, v, r), 0.1) for v, r in axles),
             box((0, front + 0.1, 0.56), (0.13, 0.13, 0.24)),
-            capsule((0, front, small + 0.04), (0, front - 0.44, small + 0.02), 0.1),
+            capsule((0, front, small + 0.04), (0, front - 0.38, small + 0.02), 0.1),
         ),
         "luggage": join(
             box((0, half * 0.42, top + 0.28), (x * 0.7, half * 0.4, 0.2), 0.05),
@@ -327,7 +329,7 @@ def stagecoach(draw: Draw) -> Parts:
 
 def water_tower(draw: Draw) -> Parts:
     """A banded tank with a pointed roof on four braced legs, a pipe down its middle."""
-    r, low, high = draw(0.64, 0.76), draw(1.5, 1.8), draw(0.74, 0.92)
+    r, low, high = draw(0.64, 0.76), draw(1.4, 1.66), draw(0.74, 0.92)
     top, foot, rise = low + high, draw(0.62, 0.74), draw(0.34, 0.46)
     hip, z = r * 0.68, low * 0.46
     mid = (foot + hip) / 2

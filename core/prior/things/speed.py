@@ -36,14 +36,14 @@ def _shaped(side: list[Point], half: list[Point]) -> Solid:
 
 def race_car(draw: Draw) -> Parts:
     """A formula car: open wheels, a pointed nose between wings, a helmet in the cockpit."""
-    x, y, front, back = draw(0.68, 0.78), draw(1.36, 1.5), draw(0.32, 0.37), draw(0.36, 0.42)
-    pod, rear, high = draw(0.46, 0.56), draw(0.9, 0.98), draw(0.92, 1.06)
-    axles = ((-y * 0.58, front), (rear, back))
+    x, y, front, back = draw(0.68, 0.78), draw(1.24, 1.36), draw(0.32, 0.37), draw(0.36, 0.42)
+    pod, rear, high = draw(0.46, 0.56), draw(0.84, 0.92), draw(0.92, 1.06)
+    axles = ((-y * 0.5, front), (rear, back))
     nose = [(-y - 0.06, 0.2), (-y - 0.06, 0.36), (-0.5, 0.66), (0.2, 0.66), (0.2, 0.16)]
     tub = [(-0.62, 0.14), (-0.6, 0.4), (-0.3, 0.56), (0.6, 0.54), (1.24, 0.44), (1.24, 0.16)]
     pods = [(0.24, 1.24), (pod, 0.7), (pod + 0.02, -0.1), (pod * 0.8, -0.4), (0.26, -0.62)]
     cover = [(0.14, 0.4), (0.14, 1.0), (0.24, 1.1), (0.46, 1.06), (1.2, 0.6), (1.2, 0.4)]
-    ends = [(x * 0.98, -y + 0.02, 0.3, 0.26, 0.2), (x * 0.86, y - 0.18, high - 0.14, 0.26, 0.28)]
+    ends = [(x * 0.98, -y + 0.02, 0.3, 0.2, 0.2), (x * 0.86, y - 0.18, high - 0.14, 0.26, 0.28)]
     tyres, hubs = wheels(x, axles, draw(0.17, 0.22))
     return {
         "body": join(
@@ -52,7 +52,7 @@ def race_car(draw: Draw) -> Parts:
             prism(cover, 0, 0.14),
         ),
         "wings": join(
-            box((0, -y + 0.02, 0.18), (x, 0.2, 0.09), 0.02),
+            box((0, -y + 0.02, 0.18), (x, 0.17, 0.09), 0.02),
             box((0, y - 0.18, high), (x * 0.86, 0.22, 0.09), 0.02),
             box((0, y - 0.2, high - 0.3), (0.1, 0.14, 0.3)),
             box((0, y - 0.34, 0.34), (0.2, 0.24, 0.1)),
@@ -184,7 +184,6 @@ def tricycle(draw: Draw) -> Parts:
     disc = tube((-0.12, front, big), (0.12, front, big), big, 0.05)
     wheel = tube((x - 0.1, y, small), (x + 0.1, y, small), small, 0.05)
     fork = [(0.2, front, big), (0.2, front + 0.08, 2 * big + 0.02), (0.0, front + 0.12, bar - 0.3)]
-    grip = (0.44, front + 0.36, bar - 0.02)
     return {
         "frame": join(
             both(limb(fork, rod, rod)),
@@ -205,10 +204,10 @@ def tricycle(draw: Draw) -> Parts:
         ),
         "handlebar": join(
             capsule((head[0], head[1], head[2] - 0.06), (0, front + 0.2, bar), 0.09),
-            both(capsule((0, front + 0.2, bar), (grip[0], grip[1] - 0.06, grip[2] + 0.02), rod)),
+            both(capsule((0, front + 0.2, bar), (0.36, front + 0.29, bar), rod)),
         ),
         "pedals": join(
-            both(capsule((grip[0] - 0.06, grip[1] - 0.06, bar), (0.5, front + 0.44, bar), 0.115)),
+            both(capsule((0.38, front + 0.3, bar), (0.5, front + 0.44, bar), 0.115)),
             tube((-0.22, front, big), (0.22, front, big), 0.09),
             box((0.3, front, big - 0.2), (0.14, 0.12, 0.08), 0.02),
             box((-0.3, front, big + 0.2), (0.14, 0.12, 0.08), 0.02),
@@ -246,7 +245,7 @@ def double_decker_bus(draw: Draw) -> Parts:
 
 def cargo_ship(draw: Draw) -> Parts:
     """A hull with a high bow, stacks of containers of two colours, a bridge at the stern."""
-    x, y, deck = draw(0.42, 0.5), draw(1.36, 1.48), draw(0.46, 0.54)
+    x, y, deck = draw(0.4, 0.48), draw(1.3, 1.44), draw(0.46, 0.54)
     plan = smooth_curve([(x * 0.88, y), (x, y * 0.6), (x, -y * 0.5), (x * 0.66, -y * 0.82),
                          (0.03, -y)])  # fmt: skip
     side = [(y, deck), (y * 0.97, 0), (-y * 0.86, 0), (-y - 0.08, deck + 0.26),
@@ -301,7 +300,7 @@ def rowboat(draw: Draw) -> Parts:
         "hull": cut(hull, hollow),
         "rim": cut(prism(mirrored(over), 2, 0.085, deep - 0.02), hollow),
         "benches": within(join(*seats), prism(mirrored([(u - 0.05, v) for u, v in plan]), 2, 2)),
-        "floor": within(box((0, 0.1, 0.18), (x * 0.62, y * 0.7, 0.06)), hull),
+        "floor": within(box((0, 0.1, 0.18), (x * 0.5, y * 0.6, 0.06)), hull),
         "oars": both(capsule(inner, outer, 0.085)),
         "blades": both(moved(blade, (outer[0] + 0.14, outer[1] + 0.13, outer[2] - 0.06))),
     }

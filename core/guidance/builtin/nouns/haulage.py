@@ -120,7 +120,7 @@ HAULAGE = {
     ),
     "fighter jet": Noun(
         "jet fighter, fighter plane, jet, jet plane, fighter aircraft, jet aircraft, fighter jets, "
-        "jets; warplane, stealth fighter, stealth jet",
+        "jets; stealth fighter, stealth jet",
         {
             "body": "*8b97a3 . paint",
             "wings": "&74818e . paint",
