@@ -167,9 +167,8 @@ EQUIPMENT_SMALL = {
 }
 EQUIPMENT_BUILDINGS = {
     "column": Noun(
-        "pillar, stone column, greek column, roman column, marble column, stone pillar, "
-        "doric column, ionic column, corinthian column, roman pillar, greek pillar; pilaster, "
-        "support column, plinth",
+        "pillar, greek column, roman column, doric column, ionic column, corinthian column, "
+        "roman pillar, greek pillar; pilaster, support column, plinth",
         {
             "shaft": "*ebe5d8 . stone",
             "base": "&d9d1c0 . stone",
@@ -198,10 +197,10 @@ EQUIPMENT_TOOLS = {
 }
 EQUIPMENT_CLOTHES = {
     "jacket": Noun(
-        "coat, hoodie, leather jacket, jackets, zip hoodie, bomber jacket, biker jacket, winter "
-        "jacket, hooded jacket; denim jacket, jean jacket, parka, raincoat, blazer, cardigan, "
-        "anorak, overcoat, trench coat, winter coat, fleece jacket, tracksuit top, varsity "
-        "jacket, suit, tuxedo, suit jacket, lab coat, robe, bathrobe, cape",
+        "coat, hoodie, jackets, zip hoodie, bomber jacket, biker jacket, winter jacket, hooded "
+        "jacket; jean jacket, parka, raincoat, blazer, cardigan, anorak, overcoat, trench coat, "
+        "winter coat, tracksuit top, varsity jacket, suit, tuxedo, suit jacket, lab coat, robe, "
+        "bathrobe, cape",
         {
             "body": "*6b3a22 . leather",
             "shirt": "+ece6d8 . fabric",
@@ -225,7 +224,7 @@ EQUIPMENT_CLOTHES = {
         Usual(0.28, RUBBER, 0.5),
     ),
     "necktie": Noun(
-        "tie, neck tie, neckties, silk tie, business tie; cravat, school tie",
+        "tie, neck tie, neckties, business tie; cravat, school tie",
         {
             "blade": "*1f3f86 . fabric",
             "knot": "&18326c . fabric",
@@ -238,8 +237,8 @@ EQUIPMENT_CLOTHES = {
 }
 EQUIPMENT_DOLLS = {
     "doll": Noun(
-        "rag doll, porcelain doll, ragdoll, baby doll, toy doll, dolls; voodoo doll, barbie, "
-        "puppet, creepy doll, marionette, mannequin doll, action figure",
+        "rag doll, ragdoll, baby doll, toy doll, dolls; voodoo doll, barbie, puppet, creepy "
+        "doll, marionette, mannequin doll, action figure",
         {
             "dress": "*d8487a . fabric",
             "skin": "-f5d3b8 . ceramic",

@@ -26,9 +26,9 @@ FIXTURES = {
         Usual(0.35, STEEL, 0.25),
     ),
     "radiator": Noun(
-        "column radiator, cast iron radiator, house radiator, room radiator, radiators, "
-        "home radiator, central heating radiator; heater, electric heater, oil heater, "
-        "space heater, convector, heating",
+        "column radiator, house radiator, room radiator, radiators, home radiator, central "
+        "heating radiator; heater, electric heater, oil heater, space heater, convector, "
+        "heating",
         {
             "columns": "*efe9da . paint",
             "pipes": "&d8cfbb . paint",
@@ -50,9 +50,8 @@ FIXTURES = {
         Usual(1.4, STEEL, 0.02),
     ),
     "clothes hanger": Noun(
-        "coat hanger, hanger, coathanger, clotheshanger, wooden hanger, cloth hanger, hangers, "
-        "wooden coat hanger, dress hanger; shirt hanger, trouser hanger, wire hanger, "
-        "suit hanger",
+        "coat hanger, hanger, coathanger, clotheshanger, cloth hanger, hangers, dress hanger; "
+        "shirt hanger, trouser hanger, wire hanger, suit hanger",
         {
             "body": "*b9783f grain",
             "bar": "&8f5a2c grain",
@@ -167,8 +166,8 @@ FIXTURES = {
         Usual(0.3, STEEL, 0.08),
     ),
     "spatula": Noun(
-        "turner, fish slice, kitchen spatula, slotted spatula, slotted turner, flipper, "
-        "pancake turner, spatulas; rubber spatula, scraper, cake server, pie server",
+        "turner, fish slice, kitchen spatula, slotted spatula, slotted turner, flipper, pancake "
+        "turner, spatulas; scraper, cake server, pie server",
         {
             "blade": "*b9bfc5 . metal",
             "neck": "&989fa6 . metal",
@@ -191,9 +190,9 @@ FIXTURES = {
         Usual(0.24, STEEL, 0.05),
     ),
     "jug": Noun(
-        "pitcher, water jug, water pitcher, milk jug, jugs, ewer, ceramic jug, creamer, "
-        "milk pitcher; carafe, wine jug, lemonade pitcher, jug of milk, jug of water, gravy boat, "
-        "measuring jug",
+        "pitcher, water jug, water pitcher, milk jug, jugs, ewer, creamer, milk pitcher; "
+        "carafe, wine jug, lemonade pitcher, jug of milk, jug of water, gravy boat, measuring "
+        "jug",
         {
             "body": "*ece6d8 . ceramic",
             "handle": "&ece6d8 . ceramic",

@@ -156,8 +156,8 @@ HAULAGE = {
         Usual(0.75, STEEL, 0.047),
     ),
     "double decker bus": Noun(
-        "double decker, london bus, double deck bus, doubledecker, double-decker bus, "
-        "red london bus; routemaster, tour bus, open top bus",
+        "double decker, london bus, double deck bus, doubledecker, double-decker bus; "
+        "routemaster, tour bus, open top bus",
         {
             "body": "*c8191c . paint",
             "windows": "-2a3842 . glass",
@@ -170,7 +170,8 @@ HAULAGE = {
     ),
     "cargo ship": Noun(
         "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, "
-        "freight ship; oil tanker, tanker ship, bulk carrier, merchant ship",
+        "freight ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
+        "steamboat, battleship, warship, ocean liner, cruise ship, titanic, aircraft carrier",
         {
             "hull": "*25436b . paint",
             "keel": "+b02a22 . paint",
@@ -182,7 +183,8 @@ HAULAGE = {
         Usual(150.0, STEEL, 0.0044),
     ),
     "rowboat": Noun(
-        "rowing boat, row boat, rowboats, rowing boats, wooden boat; skiff, jolly boat, punt",
+        "rowing boat, row boat, rowboats, rowing boats; skiff, jolly boat, punt, lifeboat, "
+        "motorboat, speedboat, dory",
         {
             "hull": "*2f6f8f . paint",
             "rim": "&f2ead8 . paint",
@@ -194,7 +196,7 @@ HAULAGE = {
         Usual(3.6, WOOD, 0.09),
     ),
     "raft": Noun(
-        "wooden raft, log raft, rafts, wood raft; life raft, bamboo raft, castaway raft",
+        "log raft, rafts; life raft, castaway raft",
         {
             "logs": "*8a5a30 grain",
             "ends": "&dcb27a",

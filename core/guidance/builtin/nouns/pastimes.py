@@ -14,8 +14,7 @@ from core.guidance.builtin.nouns.noun import (
 
 PASTIME_SPORT = {
     "soccer ball": Noun(
-        "football, soccerball, foot ball, association football, black and white football; "
-        "futsal ball",
+        "football, soccerball, foot ball, association football; futsal ball",
         {
             "ball": "*f4f3ee . leather",
             "patches": "+1d1e22 . leather",
@@ -75,8 +74,8 @@ PASTIME_SPORT = {
         Usual(2.1, PLASTIC, 0.0012),
     ),
     "oar": Noun(
-        "oars, boat oar, rowing oar, paddle, boat paddle, canoe paddle, wooden oar, "
-        "wooden paddle, rowboat oar; kayak paddle, scull",
+        "oars, boat oar, rowing oar, paddle, boat paddle, canoe paddle, rowboat oar; kayak "
+        "paddle, scull",
         {
             "shaft": "*b98046 grain",
             "blade": "*c58d50 grain",
@@ -115,8 +114,8 @@ PASTIME_TOOLS = {
         Usual(1.9, WOOD, 0.035),
     ),
     "flute": Noun(
-        "concert flute, transverse flute, western flute, silver flute; piccolo, fife, recorder, "
-        "tin whistle, penny whistle, bamboo flute, pan flute, ocarina, didgeridoo, kazoo",
+        "concert flute, transverse flute, western flute; piccolo, fife, recorder, tin whistle, "
+        "penny whistle, pan flute, ocarina, didgeridoo, kazoo",
         {
             "body": "*c9ced4 . metal",
             "keys": "+dfae45 . golden",
@@ -167,8 +166,8 @@ PASTIME_ARMS = {
         Usual(0.12, STEEL, 0.22),
     ),
     "trident": Noun(
-        "tridents, poseidon trident, poseidon's trident, neptune trident, neptune's trident, "
-        "golden trident; fishing spear, triton spear",
+        "tridents, poseidon trident, poseidon's trident, neptune trident, neptune's trident; "
+        "fishing spear, triton spear",
         {
             "head": "*e2b13f . golden",
             "shaft": "&1f6f7d . paint",

@@ -38,8 +38,7 @@ VEHICLES = {
         Usual(7.0, STEEL, 0.016),
     ),
     "boat": Noun(
-        "; ship, fishing boat, speedboat, motorboat, lifeboat, tugboat, ferry, steamboat, "
-        "battleship, warship, ocean liner, titanic, aircraft carrier, houseboat",
+        "; fishing boat, houseboat",
         {"hull": "*a3552a", "sails": "+f3efe4", "mast": "-7c4f2b"},
         Usual(8.0, WOOD, 0.3),
     ),
