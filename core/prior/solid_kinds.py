@@ -20,7 +20,7 @@ from core.prior.solid_data import REACH, SIDE, SOLIDS, Solids, read_solids
 
 FILES = 30  # that the kinds are found in
 NAME = "kinds.safetensors"
-OWN = 0.1  # how much counts by which an object differs from those of the same choices
+OWN = 0.3  # how much counts by which an object differs from those of the same choices
 NEAR = 0.1  # training units: volumes are compared within this of their surfaces
 SEED = 0
 
@@ -37,20 +37,11 @@ def kinds_of(folder: Path) -> Float[Tensor, "n k c"]:
 
 
 def _clusters(solids: Solids, noun: int) -> Float[Tensor, "k c"]:
-    """By k-means; a cluster that stays empty keeps its first member. Where the family makes few
-    choices, each has a kind of its own: it begins as their mean."""
-    which = solids.words[:, 0] == noun
-    found = _volumes(solids, which)
+    """By k-means; a cluster that stays empty keeps its first member."""
+    found = _volumes(solids, solids.words[:, 0] == noun)
     if len(found) <= KINDS:
         return found[torch.arange(KINDS) % max(len(found), 1)] if len(found) else _nothing()
-    choices, of = solids.choices[which].unique(return_inverse=True)
-    if len(choices) > KINDS:
-        middles, _ = kmeans2(found.numpy(), KINDS, minit="++", seed=SEED)
-        return torch.from_numpy(middles)
-    means = torch.stack([found[of == choice].mean(0) for choice in range(len(choices))])
-    # What is left over goes to the objects that are least like those of their choices.
-    odd = (found - means[of]).norm(dim=1).argsort(descending=True)[: KINDS - len(choices)]
-    middles, _ = kmeans2(found.numpy(), torch.cat([means, found[odd]]).numpy(), minit="matrix")
+    middles, _ = kmeans2(found.numpy(), KINDS, minit="++", seed=SEED)
     return torch.from_numpy(middles)
 
 

@@ -305,6 +305,16 @@ def test_what_a_family_chooses_is_noted_but_not_its_proportions():
     assert len(draw.choices) == 5
 
 
+def test_a_form_is_stated_or_drawn_and_is_one_choice_either_way():
+    stated = Draw(torch.Generator().manual_seed(0), adjective="round")
+    assert [stated.shaped("round", 0.0) for _ in range(3)] == [True] * 3
+    drawn = Draw(torch.Generator().manual_seed(0))
+    found = [drawn.shaped("round", 0.3) for _ in range(200)]
+    assert 0.2 < sum(found) / len(found) < 0.4
+    assert drawn.choices == [int(one) for one in found]
+    assert stated.choices == [1] * 3
+
+
 def test_a_ring_has_a_hole_and_a_cut_removes():
     p = torch.tensor([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
     torch.testing.assert_close(ring((0, 0, 0), 1.0, 0.3)(p), torch.tensor([0.7, -0.3]))
