@@ -255,10 +255,10 @@ def test_what_a_thing_does_and_what_is_near_it_is_not_of_it(prompt, words):
 
 
 def test_an_unknown_word_is_refused_with_the_nearest_known_one():
-    with pytest.raises(UserError, match=r"'locker' \(did you mean cabinet"):
-        parse("a cement locker")
+    with pytest.raises(UserError, match=r"'samovar' \(did you mean teapot"):
+        parse("a cement samovar")
     with pytest.raises(UserError) as caught:
-        parse("a cement locker")
+        parse("a cement samovar")
     assert "'cement' (did you mean stone" in caught.value.text
     assert "--guidance FOLDER" in caught.value.fix
     assert caught.value.status == 2

@@ -29,6 +29,23 @@ class Findings:
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
 
+    @property
+    def thing(self) -> str:
+        """The first noun, or none."""
+        return self.found["noun"][0].word if self.found["noun"] else ""
+
+    def counts(self) -> dict[str, int]:
+        """How many words each slot has."""
+        return {slot: len(found) for slot, found in self.found.items()}
+
+    def taken_back(self, before: dict[str, int]) -> list[str]:
+        """Take back what was found since the slots had as many words as ``before``; the forms."""
+        taken = []
+        for slot, count in before.items():
+            taken += [entry.form for entry in self.found[slot][count:]]
+            del self.found[slot][count:]
+        return taken
+
     def words(self, slot: str) -> list[str]:
         """The slot's words, each once."""
         return list(dict.fromkeys(entry.word for entry in self.found[slot]))
@@ -82,8 +99,7 @@ class Findings:
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")
-        noun = self.found["noun"][0].word if self.found["noun"] else ""
-        accents, again = accents_of(self.parts, noun)
+        accents, again = accents_of(self.parts, self.thing)
         self._leave_aside(again, "one colour and one material of a part is taken")
         target = ""
         first = next((accent for accent in accents if accent.color), None)

@@ -103,13 +103,13 @@ def singulars(phrase: str) -> list[str]:
     return [phrase, *stem]
 
 
-def corrected(token: str) -> str:
-    """The known word of which ``token`` is surely a misspelling, or "".
+def corrected(token: str, also: Iterable[str] = ()) -> str:
+    """The known word, or the one of ``also``, of which ``token`` is surely a misspelling, or "".
 
     One letter missing, doubled, or changed places with its neighbour; in words of six letters and
     more also one wrong letter after the first. Words of other things are no misspellings.
     """
-    return next(_one_slip_away(token, (*LEXICON, *WITHOUT), 6), "")
+    return next(_one_slip_away(token, (*LEXICON, *WITHOUT, *also), 6), "")
 
 
 def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:

@@ -21,10 +21,11 @@ from core.guidance.builtin.part_names import (
     as_part,
     is_own,
     is_wide,
+    looks_of,
     may_state,
     own_name,
 )
-from core.guidance.builtin.tokens import tokens_of
+from core.guidance.builtin.tokens import DOING, Tokens
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
@@ -38,6 +39,7 @@ from core.guidance.builtin.words import (
     OF_ANOTHER,
     PHRASE_ENDS,
     ROLES,
+    SURROUNDINGS,
     TOYS,
     WHOLE,
     WITHOUT,
@@ -45,11 +47,10 @@ from core.guidance.builtin.words import (
 
 ARTICLES = ("a", "an", "the")
 EITHER = ("or", "nor")
-LONGEST = 3  # words of a phrase
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 MADE_OF = ("of", "from", "in", "out")
-DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
+LIKE = re.compile("[a-z]{3,}(?:ful|ous|ish|less|ical|esque|istic|ural)")  # what it is like
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -75,10 +76,10 @@ class Reading:
         self._late = False  # whether a comma has ended the clause that has the thing
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
-        self._tokens, self._breaks = tokens_of(prompt)
+        self._tokens = Tokens.of(prompt, known)
         at = 0
-        while at < len(self._tokens):
-            if at in self._breaks:
+        while at < len(self._tokens.words):
+            if at in self._tokens.breaks:
                 self._end_phrase()
                 self._without = False
                 self._accessory, self._of_another = None, False
@@ -89,18 +90,16 @@ class Reading:
 
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
-        tokens = self._tokens[at:]
+        tokens = self._tokens.words[at:]
         token = tokens[0]
         # A tone that makes no colour word of its own: "dark red" has one.
-        if token in TOWARDS and (toned := self._color(tokens[1:])):
+        if token in TOWARDS and (toned := self._tokens.color(at + 1)):
             entry, count = toned
             if look_up(" ".join(tokens[: 1 + count]), self.known) is None:
                 self._put(entry._replace(form=f"{token} {entry.form}"), at, at + 1 + count)
                 return 1 + count
-        # The longest phrase first: "ice cream" must not be read as the colour "cream".
-        for count in range(min(LONGEST, len(tokens)), 0, -1):
-            phrase = " ".join(tokens[:count])
-            entry = look_up(phrase, self.known)
+        for phrase in self._tokens.phrases(at):
+            entry, count = look_up(phrase, self.known), len(phrase.split())
             if entry is not None and self._is_part_of_look(entry, tokens[:count]):
                 continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
@@ -143,6 +142,8 @@ class Reading:
             else:
                 self._end_phrase()
                 self._ended_by = word
+        elif token in SURROUNDINGS:  # "a candle, soft pink lighting"
+            self.got.left_out += [*self._looks_before(), token]
         elif self.got.found["noun"] and DOING.fullmatch(token):
             # "a robot playing guitar"
             self.got.left_out.append(token)
@@ -151,7 +152,7 @@ class Reading:
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
-        elif token not in FILLER and (DONE.fullmatch(token) or NUMBER.fullmatch(token)):
+        elif token not in FILLER and any(form.fullmatch(token) for form in (DONE, LIKE, NUMBER)):
             # "a raccoon dressed up", "a rolled up mat", "1950s"; "a wall mounted radiator"
             self.got.left_out.append(token)
             self._noun_end += self._noun_end == at
@@ -163,8 +164,7 @@ class Reading:
         """Whether another thing's name is a part of the thing and how it looks: "a cactus in a
         terracotta pot"."""
         *looks, last = tokens
-        nouns = self.got.found["noun"]
-        if not looks or entry.slot != "noun" or not nouns or not is_own(nouns[0].word, last):
+        if not looks or entry.slot != "noun" or not is_own(self.got.thing, last):
             return False
         known = [look_up(word, self.known) for word in looks]
         return all(one is not None and one.slot in LOOKS for one in known)
@@ -176,14 +176,6 @@ class Reading:
             return True
         of = self._ended_by in MADE_OF
         return entry.slot == "material" and phrase not in LEXICON and not of
-
-    def _color(self, tokens: list[str]) -> tuple[Entry, int] | None:
-        """The colour that the tokens begin with, and how many of them it takes."""
-        for count in range(min(LONGEST, len(tokens)), 0, -1):
-            entry = look_up(" ".join(tokens[:count]), self.known)
-            if entry is not None:
-                return (entry, count) if entry.slot == "color" else None
-        return None
 
     def _end_phrase(self) -> None:
         """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
@@ -201,7 +193,7 @@ class Reading:
             self.got.refused += self._pending
         self.got.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
-        self._begun, self._strange = self._counts(), False
+        self._begun, self._strange = self.got.counts(), False
 
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""
@@ -209,19 +201,18 @@ class Reading:
         self._ended_by = word
         # "between the blue and emerald pieces" is one phrase.
         if word != "and" or self._accessory is None:
-            self._accessory = self._counts()
-
-    def _counts(self) -> dict[str, int]:
-        return {slot: len(found) for slot, found in self.got.found.items()}
+            self._accessory = self.got.counts()
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""
         # Only where it is surely one known word; anything less is a hint in the error.
-        close = corrected(token)
-        if not close or (close not in WITHOUT and look_up(close, self.known) is None):
+        own = looks_of(self.got.thing)
+        close = corrected(token, own)
+        is_known = close in (*WITHOUT, *own) or look_up(close, self.known) is not None
+        if not close or not is_known:
             return self._leave_out(token, 1)
         self.got.notes.append(f"{token!r} is read as {close!r}.")
-        self._tokens[at] = close
+        self._tokens.words[at] = close
         return self._take(at)  # it may begin a phrase: "a wizzard hat"
 
     def _leave_out(self, unknown: str, count: int) -> int:
@@ -240,6 +231,10 @@ class Reading:
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
+        owner = entry.slot == "noun" and end - 1 in self._tokens.owners
+        if owner and self._tokens.has_thing(end):  # "a knight's shield"
+            self._leave_out(entry.form, end - start)
+            return
         if self._is_beside(entry, start, end):  # "a mermaid on a rock"
             self._leave_aside(entry.form)
             return
@@ -251,7 +246,7 @@ class Reading:
             return
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.got.found["noun"]:
-            noun = self.got.found["noun"][0].word
+            noun = self.got.thing
             # "pirate boots" are no pirate: what somebody wears is a thing by itself.
             worn = self._noun_end == start and noun in GROUPS["Characters"]
             part = "" if worn else as_part(entry, noun)
@@ -302,17 +297,12 @@ class Reading:
     def _stands(self, end: int) -> bool:
         """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
         moss", but "orange and blue", "in orange"."""
-        if self._ended_by in ("and", "in", "with"):
-            return False
-        if end in (*self._breaks, len(self._tokens)):
-            return True
-        after = self._tokens[end]
-        return after in PHRASE_ENDS - {"and"} or DOING.fullmatch(after) is not None
+        return self._ended_by not in ("and", "in", "with") and self._tokens.ends_phrase(end)
 
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
-        return stands and self._accessory is not None and self._tokens[start - 1] in ARTICLES
+        return stands and self._accessory is not None and self._tokens.words[start - 1] in ARTICLES
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
@@ -348,16 +338,16 @@ class Reading:
     def _is_own(self, form: str) -> bool:
         """Whether the thing has a part of this name, whatever it means elsewhere: "a printer with
         white paper", "a tiger with blue stripes", "a hot dog with mustard"."""
-        if not self.got.found["noun"] or self._ended_by in MADE_OF or form in SLOTS["color"]:
+        if self._ended_by in MADE_OF or form in SLOTS["color"]:
             return False
-        return is_own(self.got.found["noun"][0].word, form)
+        return is_own(self.got.thing, form)
 
     def _has_gems(self) -> bool:
         return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])
 
     def _is_said_of(self, entry: Entry, start: int) -> bool:
         """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""
-        living = any(self.got.found["noun"][0].word in GROUPS[group] for group in ALIVE)
+        living = any(self.got.thing in GROUPS[group] for group in ALIVE)
         role = living and self._noun_end == start and entry.word in ROLES
         return role or (self._late and self._accessory is None and entry.form in DEPICTIONS)
 
@@ -380,7 +370,7 @@ class Reading:
 
     def _leave_strange_parts_aside(self) -> None:
         """A part that the thing never has is an accessory: icing on a torus."""
-        noun = self.got.found["noun"][0].word if self.got.found["noun"] else ""
+        noun = self.got.thing
         for stated in list(self.got.parts):
             part, there, form, color, tone, material, _ = stated
             # What may be stated of the thing is refused instead where it is not known.
@@ -401,12 +391,13 @@ class Reading:
         return self._taken_back(self._accessory or {})
 
     def _taken_back(self, before: dict[str, int]) -> list[str]:
-        """Take back what was read since each slot had as many words as ``before``; the forms."""
-        taken, self._looks = [], []
-        for slot, count in before.items():
-            taken += [entry.form for entry in self.got.found[slot][count:]]
-            del self.got.found[slot][count:]
-        return taken
+        self._looks = []
+        return self.got.taken_back(before)
+
+    def _looks_before(self) -> list[str]:
+        """Take back the colours and the like right before; their forms."""
+        slots, self._looks = self._looks, []
+        return [self.got.found[slot].pop().form for slot in reversed(slots)][::-1]
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another

@@ -71,7 +71,7 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "iron": Variant("cast iron", (0.42, 0.41, 0.41), 0.5),
     "cast iron": Variant("cast iron", (0.25, 0.25, 0.26), 0.6),
     # of golden
-    "gold leaf, gilded": Variant("gold leaf", None, 0.3),
+    "gold leaf, gold foil, gilded": Variant("gold leaf", None, 0.3),
     "brass": Variant("metal", (0.88, 0.74, 0.42), 0.3),
     "polished brass": Variant("polished metal", (0.88, 0.74, 0.42), 0.12),
     "rose gold": Variant("golden", (0.90, 0.62, 0.52), 0.2),

@@ -46,8 +46,8 @@ MATERIALS = {
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
     "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum",
-    "golden": "gold, polished gold; gold leaf, gilded, brass, polished brass, rose gold, "
-    "white gold",
+    "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
+    "polished brass, rose gold, white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
     "fibreglass, bakelite, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
     "rubber": "; silicone, latex",
@@ -93,7 +93,7 @@ SHEENS = {
     "satin": "semi gloss, silky",
     "glossy": "gloss, shiny, polished, high gloss, lacquered, varnished, "
     "glazed, shining, sleek, mirror polished",
-    "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit",
+    "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded",
@@ -190,6 +190,10 @@ PART_ALSO = {
     "shelves": "shelf, boards",
     "cover": "lid, canopy, cap",
     "knobs": "handles, knob, buttons",
+    "knob": "knobs, handle, handles",
+    "pulls": "handles, knobs, handle, knob",
+    "solar panel": "panels",
+    "slats": "boards, planks, seat",
     "flask": "body",
     "brew": "water, flask",
     "string": "strings, rope, chain",
@@ -243,12 +247,18 @@ FILLER = PLACES | frozenset(
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair bunch slice piece wearing holding new classic modern traditional elegant
-    lovely pretty statuette carving replica pose posed warm cool or nor""".split()
+    pair bunch slice piece segment section wearing holding new classic modern traditional elegant
+    lovely pretty statuette carving replica pose posed warm cool or nor but only extra some
+    please pls plz i you we me my your his her want need would make create generate give show
+    draw build design lol idk omg btw tho kinda smth something""".split()
 )
+# What is short for a word where people type fast.
+SHORT = {"w": "with", "n": "and", "wo": "without"}
+# What surrounds the picture: a colour before it is not the thing's.
+SURROUNDINGS = frozenset("lighting backdrop background shadows lights".split())
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
-    """a an the of in on with and or nor is it its made from out has have which that wearing
+    """a an the of in on with and or nor but is it its made from out has have which that wearing
     holding""".split()
 )
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
@@ -304,7 +314,11 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
-    ornament cut sliced used aged battered stained bent torn crooked percent""".split()
+    ornament cut sliced used aged battered stained bent torn crooked percent
+    backwards upright sideways stuck kept solid premium mockup icon emoji exotic rugged
+    spanish french italian german english british american japanese chinese korean indian mexican
+    greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
+    african european asian""".split()
 ) | {
     "old fashioned",
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),

@@ -87,7 +87,7 @@ DEVICES = {
         Usual(0.25, PLASTIC, 0.5),
     ),
     "headphones": Noun(
-        "headphone, headset, earphones; earbuds, earmuffs, ear muffs",
+        "headphone, headset, earphones; earbuds, earmuffs, ear muffs, airpods",
         {"band": "+2c2e33", "cups": "*d2382c", "cushions": "-1d1e20"},
         Usual(0.2, PLASTIC, 0.3),
     ),

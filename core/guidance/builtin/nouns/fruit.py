@@ -29,7 +29,7 @@ FRUIT = {
         Usual(0.19, PLANT, 0.72),
     ),
     "pear": Noun(
-        "; fig, papaya",
+        "; papaya",
         {"body": "*b7c23a", "stalk": "-523219", "leaf": "+4d9a35"},
         Usual(0.12, PLANT, 0.75),
     ),

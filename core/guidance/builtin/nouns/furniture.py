@@ -19,7 +19,8 @@ FURNITURE = {
         Usual(0.9, WOOD, 0.27),
     ),
     "armchair": Noun(
-        "; recliner, easy chair, club chair, wing chair, wingback chair",
+        "; recliner, easy chair, club chair, wing chair, wingback chair, lounge chair, egg "
+        "chair, accent chair, reading chair",
         {"cushion": "&9e523d", "back": "*8a4230", "arms": "*8a4230"},
         Usual(1.0, FABRIC, 0.4),
     ),
@@ -155,8 +156,8 @@ FURNITURE = {
         Usual(1.1, WOOD, 0.29),
     ),
     "cabinet": Noun(
-        "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv "
-        "stand, buffet",
+        "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv stand, "
+        "buffet, locker, school locker",
         {
             "body": "*7f5029 grain",
             "doors": "*a06c3a grain",

@@ -107,7 +107,7 @@ HAULAGE = {
     ),
     "sports car": Noun(
         "sportscar, supercar, super car, coupe, coupé, sports cars; hypercar, ferrari, porsche, "
-        "lamborghini, muscle car, roadster",
+        "lamborghini, muscle car, roadster, lambo, bugatti, mclaren, corvette, mustang",
         {
             "body": "*f2b20f . paint",
             "windows": GLASS_LOOK,

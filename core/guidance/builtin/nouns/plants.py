@@ -35,7 +35,8 @@ PLANTS = {
     ),
     "potted plant": Noun(
         "house plant, houseplant, plant in a pot, pot plant, plant; fern, aloe, monstera, "
-        "succulent, pot of flowers, aloe vera, ficus",
+        "succulent, pot of flowers, aloe vera, ficus, fiddle leaf fig, fig tree, rubber plant, "
+        "snake plant, peace lily, spider plant",
         {"leaves": "*3c8f3a", "pot": "+b8623b", "soil": "-3c281a"},
         Usual(0.6, PLANT, 0.4),
     ),

@@ -6,7 +6,8 @@ GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2
 
 VEHICLES = {
     "car": Noun(
-        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon, hearse",
+        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon, hearse, "
+        "tesla, bmw, audi, mercedes, volkswagen, mini cooper",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -90,7 +91,7 @@ VEHICLES = {
         Usual(2.1, STEEL, 0.06),
     ),
     "scooter": Noun(
-        "motor scooter, vespa; moped, lambretta",
+        "motor scooter, vespa; moped, lambretta, scooty",
         {
             "body": "*6fb5a8 . paint",
             "wheels": TYRES_LOOK,
