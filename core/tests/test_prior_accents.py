@@ -2,6 +2,9 @@
 
 import pytest
 
+from core.guidance.builtin.colors import DARK, LIGHT, color_value
+from core.guidance.builtin.palette import Painted, painted
+from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.vocabulary import Words, parse
 
@@ -17,6 +20,43 @@ def test_a_colour_before_a_part_is_of_that_part_alone():
     assert (words.of_parts("color"), words.left_out) == ({"legs": "blue"}, ("green legs",))
     words = parse("a cactus in a terracotta pot with a pink flower")
     assert (words.part_materials(), words.color) == ({"pot": "terracotta"}, "")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "patterns", "colors"),
+    [
+        ("a market stall with a striped awning", {"awning": "striped"}, {}),
+        (
+            "a longship with a red and white striped sail",
+            {"sail": "striped with white"},
+            {"sail": "red"},
+        ),
+        ("a mushroom with a spotted red cap", {"cap": "spotted"}, {"cap": "red"}),
+        ("a chair, red legs, checkered seat", {"seat": "checkered"}, {"legs": "red"}),
+        ("a mug without a striped handle", {}, {}),
+    ],
+)
+def test_a_pattern_before_a_part_is_drawn_on_that_part_alone(prompt, patterns, colors):
+    words = parse(prompt)
+    assert (words.part_patterns(), words.part_shades(), words.pattern) == (patterns, colors, "")
+    drawn = {part.name: part.pattern for part in painted(words.noun, words)}
+    stated = {part: pattern.partition(" with ")[0] for part, pattern in patterns.items()}
+    assert {part: drawn[part] for part in stated} == stated
+    assert not set(stated.values()) & {drawn[part] for part in drawn.keys() - stated.keys()}
+
+
+def test_the_second_colour_of_a_parts_pattern_is_as_stated_or_goes_with_the_first():
+
+    def parts(prompt: str) -> dict[str, Painted]:
+        words = parse(prompt)
+        return {part.name: part for part in painted(words.noun, words)}
+
+    sail = parts("a longship with a navy and yellow striped sail")["sail"]
+    assert (sail.color, sail.second) == (color_value("navy"), color_value("yellow"))
+    assert parts("a longship with a navy striped sail")["sail"].second == LIGHT
+    assert parts("a longship with a white striped sail")["sail"].second == DARK
+    hull = parts("a red longship with a striped sail")["hull"]
+    assert (hull.color, hull.pattern in MARGINS) == (color_value("red"), False)
 
 
 def test_a_pattern_has_the_second_colour_and_a_part_keeps_its_own():

@@ -283,6 +283,7 @@ def test_what_is_understood_is_plain_data():
         "part_colours": {},
         "part_materials": {},
         "part_sheens": {},
+        "part_patterns": {},
         "weather": [],
         "sheen": [],
         "materials": ["oak"],

@@ -17,11 +17,14 @@ class StatedPart(NamedTuple):
     color_form: str = ""
     material: Entry | None = None
     sheen: str = ""
+    pattern: str = ""
+    second: str = ""  # the pattern's other colour, where that is stated
+    second_form: str = ""
 
 
 class Accent(NamedTuple):
-    """What a part alone is painted with, or is of, both also as they were written; and how it
-    shines."""
+    """What a part alone is painted with, or is of, both also as they were written; how it shines;
+    and its pattern."""
 
     part: str
     color: str = ""
@@ -29,6 +32,9 @@ class Accent(NamedTuple):
     material: str = ""
     material_form: str = ""
     sheen: str = ""
+    pattern: str = ""
+    second: str = ""  # the pattern's other colour
+    second_form: str = ""
 
 
 def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], list[str]]:
@@ -38,7 +44,7 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
     again: list[str] = []
     # What is said of the trim is not of the part of it that something else is said of.
     for part in sorted(parts, key=lambda part: is_wide(noun, part.name)):
-        if not (part.color or part.material or part.sheen):
+        if not (part.color or part.material or part.sheen or part.pattern):
             continue
         for name in own_names(noun, part.name):
             if name not in accents or not is_wide(noun, part.name):
@@ -53,7 +59,8 @@ def _joined(before: Accent, part: StatedPart) -> Accent:
     word, form = part.material[1:] if part.material else ("", "")
     color = before[1:3] if before.color else (part.color, part.color_form)
     material = before[3:5] if before.material else (word, form)
-    return Accent(before.part, *color, *material, before.sheen or part.sheen)
+    drawn = before[6:] if before.pattern else (part.pattern, part.second, part.second_form)
+    return Accent(before.part, *color, *material, before.sheen or part.sheen, *drawn)
 
 
 def _second(before: Accent, part: StatedPart) -> list[str]:

@@ -102,7 +102,8 @@ class Findings:
         accents, again = accents_of(self.parts, self.thing)
         self._leave_aside(again, "one colour and one material of a part is taken")
         target = ""
-        first = next((accent for accent in accents if accent.color), None)
+        plain = (accent for accent in accents if accent.color and not accent.pattern)
+        first = next(plain, None)
         if first and not pattern:
             second, other, target = first.color, first.color_form, first.part
             accents[accents.index(first)] = first._replace(color="", color_form="")

@@ -178,7 +178,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         material, form, finish, color, pattern = _of_words(noun, look, accent, stated)
         word = (accent.color, accent.color_form)
         word = other if stated.target == name and not accent.color else word
-        apart = bool(word[0] or accent.material)  # what is said of the whole is not of it
+        # What is said of the whole is not of it.
+        apart = bool(word[0] or accent.material or accent.pattern)
         if not apart and look.role in "*&":
             word = first
         if word[0] or apart:
@@ -186,7 +187,10 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         sheen = (accent.sheen,) if accent.sheen else stated.sheen
         sheen = sheen if accent.sheen or (look.role in "*&" and not apart) else ()
         second = _value(other) or companion(color)
-        if two_tone and look.role in "+&" and not apart:
+        if accent.pattern:  # "a market stall with a striped awning"
+            pattern = accent.pattern
+            second = _value((accent.second, accent.second_form)) or companion(color)
+        elif two_tone and look.role in "+&" and not apart:
             color = _value(other) or companion(_value(first) or look.color)
             pattern, word = finish.pattern, other if stated.second else word
         elif stated.pattern and look.role in "*&" and not (two_tone or apart):

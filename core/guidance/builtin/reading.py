@@ -269,19 +269,7 @@ class Reading:
             self.got.refused.append(f"{self.got.found['noun'][-1].form} {entry.form}")
         elif slot == "part":
             self._note_whole(word, entry.form, start)
-            # "with a blue leather handle": what is right before a part is the part's, not the
-            # thing's.
-            own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
-            color = own.get("color")
-            self.got.left_out += [own[look].form for look in ("shape", "pattern") if look in own]
-            self.got.left_out += self._of_accessory()
-            there = not self._without
-            if not there:  # "without a red chimney"
-                color, own = None, {}
-            color, form = (color.word, shade(*color[1:])) if color else ("", "")
-            material = own.get("material")
-            sheen = own["sheen"].word if "sheen" in own else ""
-            self.got.parts.append(StatedPart(word, there, entry.form, color, form, material, sheen))
+            self._state(word, entry.form)
             self._end_phrase()
         else:
             if slot == "noun":
@@ -293,6 +281,30 @@ class Reading:
             self._looks = []
         if slot in ("noun", "part"):
             self._without = False
+
+    def _state(self, part: str, form: str) -> None:
+        """ "with a blue leather handle": what is right before a part is the part's, not the
+        thing's."""
+        own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
+        self.got.left_out += [own["shape"].form] if "shape" in own else []
+        # "with a red and white striped sail": the first of two is what the other is drawn on.
+        color, second = own.get("color"), None
+        if "pattern" in own and color and self._ended_by == "and" and (red := self._color_before()):
+            color, second = red, color
+        self.got.left_out += self._of_accessory()
+        if self._without:  # "without a red chimney"
+            self.got.parts.append(StatedPart(part, False, form))
+            return
+        colors = [(one.word, shade(*one[1:])) if one else ("", "") for one in (color, second)]
+        sheen, pattern = (own[look].word if look in own else "" for look in ("sheen", "pattern"))
+        said = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
+        self.got.parts.append(StatedPart(part, True, *said))
+
+    def _color_before(self) -> Entry | None:
+        """Take back the one colour that the phrase about what goes with the thing began with."""
+        begun = (self._accessory or {}).get("color", 0)
+        colors = self.got.found["color"]
+        return colors.pop() if self._accessory and len(colors) == begun + 1 else None
 
     def _stands(self, end: int) -> bool:
         """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
@@ -372,7 +384,7 @@ class Reading:
         """A part that the thing never has is an accessory: icing on a torus."""
         noun = self.got.thing
         for stated in list(self.got.parts):
-            part, there, form, color, tone, material, _ = stated
+            part, there, form, color, tone, material, *_ = stated
             # What may be stated of the thing is refused instead where it is not known.
             if noun and there and not may_state(noun, part) and not always_has(noun, part):
                 self.got.parts.remove(stated)

@@ -58,7 +58,7 @@ class Words:
         return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
 
     def of_parts(self, what: str) -> dict[str, str]:
-        """The "color", the "material" or the "sheen" of each part that has its own."""
+        """The "color", the "material", the "sheen" or the "pattern" of each part with its own."""
         found = {self.target: self.second} if self.target and what == "color" else {}
         own = {accent.part: getattr(accent, what) for accent in self.accents}
         return found | {part: word for part, word in own.items() if word}
@@ -77,6 +77,12 @@ class Words:
         forms = {accent.part: accent.material_form for accent in self.accents}
         own = self.of_parts("material")
         return {part: forms[part] if forms[part] in VARIANTS else own[part] for part in own}
+
+    def part_patterns(self) -> dict[str, str]:
+        """The pattern of each part that has its own, and the colour that it is drawn with."""
+        seconds = {accent.part: accent.second_form or accent.second for accent in self.accents}
+        own = self.of_parts("pattern")
+        return {part: " with ".join(filter(None, (own[part], seconds[part]))) for part in own}
 
     def part_shades(self) -> dict[str, str]:
         """The colour of each part that has its own, as it was written."""
@@ -114,6 +120,7 @@ def understood(
         "part_colours": words.part_shades(),
         "part_materials": words.part_materials(),
         "part_sheens": words.of_parts("sheen"),
+        "part_patterns": words.part_patterns(),
         "materials": [words.named_material()] if words.material else [],
         "pattern": words.pattern or None,
         "weather": list(words.weather),
