@@ -78,12 +78,14 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
-    "Vehicles": VEHICLES | AIRCRAFT | RIDES | PARTS_OF_CARS | HAULAGE,
+    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE,
+    "Aircraft and Space": AIRCRAFT,
     "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT,
-    "Tools and Toys": TOOLS_AND_TOYS | INSTRUMENTS | NOVELTY_TOYS | EQUIPMENT_TOOLS | PASTIME_TOOLS,
+    "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
+    "Instruments": INSTRUMENTS | PASTIME_TOOLS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

@@ -106,4 +106,17 @@ AIRCRAFT = {
         },
         Usual(40, FABRIC, 0.005),
     ),
+    "fighter jet": Noun(
+        "jet fighter, fighter plane, jet, jet plane, fighter aircraft, jet aircraft, fighter jets, "
+        "jets; stealth fighter, stealth jet",
+        {
+            "body": "*8b97a3 . paint",
+            "wings": "&74818e . paint",
+            "canopy": "-d9a13c . glass",
+            "tails": "&5f6c79 . paint",
+            "nozzles": "-3b3d40 . metal",
+            "missiles": "+e8e9e6 . paint",
+        },
+        Usual(17.0, STEEL, 0.0081),
+    ),
 }

@@ -118,19 +118,6 @@ HAULAGE = {
         },
         Usual(4.5, STEEL, 0.0205),
     ),
-    "fighter jet": Noun(
-        "jet fighter, fighter plane, jet, jet plane, fighter aircraft, jet aircraft, fighter jets, "
-        "jets; stealth fighter, stealth jet",
-        {
-            "body": "*8b97a3 . paint",
-            "wings": "&74818e . paint",
-            "canopy": "-d9a13c . glass",
-            "tails": "&5f6c79 . paint",
-            "nozzles": "-3b3d40 . metal",
-            "missiles": "+e8e9e6 . paint",
-        },
-        Usual(17.0, STEEL, 0.0081),
-    ),
     "golf cart": Noun(
         "golf buggy, golfcart, golf car, golf carts; buggy cart, electric cart",
         {
