@@ -165,3 +165,10 @@ def test_a_part_that_the_thing_has_not_is_left_out_and_said_so(prompt, words, pa
 )
 def test_what_burns_and_what_glows_is_found_by_either_name(prompt, colors):
     assert understood(prompt)["part_colours"] == colors
+
+
+def test_a_slip_in_the_name_of_a_part_that_the_thing_has_is_read_as_that():
+    words = parse("a donut with green sprinkls")
+    assert words.of_parts("color") == {"sprinkles": "green"}
+    assert "'sprinkls' is read as 'sprinkles'." in words.notes
+    assert parse("a chair with green sprinkls").of_parts("color") == {}
