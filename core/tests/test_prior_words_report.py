@@ -41,7 +41,7 @@ EVERYDAY = {
     "a hot air balloon": ("hot air balloon", []),
     "a street lamp": ("street lamp", []),
     "a birthday cupcake": ("cupcake", ["birthday"]),
-    "a halloween pumpkin": ("pumpkin", ["halloween"]),
+    "a halloween pumpkin": ("jack-o-lantern", []),
     "a wizard hat": ("wizard hat", []),
     "a garden bench": ("bench", ["garden"]),
     "a park bench": ("bench", []),

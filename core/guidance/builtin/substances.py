@@ -234,6 +234,7 @@ OF_A_GROUP = {
     "Tools and Toys": "plastic",
     "Instruments": "plastic",
     "Household": "plastic",
+    "Fixtures and Utensils": "plastic",
     "Small Things": "plastic",
     "Plants": "leaf",
 }

@@ -82,8 +82,8 @@ def soccer_ball(draw: Draw) -> Parts:
 
 def basketball(draw: Draw) -> Parts:
     """Orange, two great circles as black seams, and a curve at either side."""
-    thick, near, far = draw(0.068, 0.08), draw(54.0, 60.0), draw(33.0, 40.0)
-    r = 1 - thick * 0.55
+    thick, near, far = draw(0.085, 0.095), draw(54.0, 60.0), draw(33.0, 40.0)
+    r = 1 - thick * 0.5
     path = []
     for k in range(7):
         a = math.pi / 2 * k / 6
@@ -91,11 +91,7 @@ def basketball(draw: Draw) -> Parts:
         path.append((r * math.cos(t), r * math.sin(t) * math.cos(a), r * math.sin(t) * math.sin(a)))
     curve = both(limb(path, thick, thick), 0, 1, 2)
     circles = join(*(ring((0, 0, 0), r, thick, axis=k) for k in (0, 2)))
-    lie = ((12.0, 24.0), (-20.0, 50.0), (40.0, -24.0))[draw.which(3)]
-    return {
-        "ball": ball((0, 0, 1), 1),
-        "seams": _rolled(join(circles, curve), *lie, (0, 0, 1)),
-    }
+    return {"ball": ball((0, 0, 1), 1), "seams": moved(join(circles, curve), (0, 0, 1))}
 
 
 def american_football(draw: Draw) -> Parts:

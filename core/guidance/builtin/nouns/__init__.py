@@ -68,7 +68,8 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | FIXTURES,
+    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS,
+    "Fixtures and Utensils": FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL,
     "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
