@@ -9,7 +9,7 @@ from ..jobs import submit, words
 from ..jobs.session import session
 from .text import length, wrapped_label
 
-MAX_GROUPS = 24  # menus must exist before the groups are known
+MAX_GROUPS = 32  # menus must exist before the groups are known
 MAX_NOTES = 3
 COLUMN = 18  # words of a group in one column of its menu
 
