@@ -161,6 +161,12 @@ def prism(corners: list[tuple[float, float]], axis: int, half: float, middle: fl
     return distance
 
 
+def outlined(side: list[tuple[float, float]], half: list[tuple[float, float]]) -> Solid:
+    """What has the outline ``side`` (y, z) seen from the side and ``half`` mirrored from above; a
+    lower bound of the distance."""
+    return within(prism(side, 0, 2), prism(mirrored(half), 2, 4))
+
+
 def cut(solid: Solid, *holes: Solid) -> Solid:
     """``solid`` without the holes; a lower bound of the distance."""
 

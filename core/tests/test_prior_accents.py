@@ -95,7 +95,15 @@ def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts,
         assert "steel: made as metal." in words.notes
     words = parse("a chair with leather legs, metal legs")
     assert words.part_materials() == {"legs": "leather"}
-    assert "metal legs: left out, as one colour and one material of a part is taken." in words.notes
+    assert words.left_out == ("metal legs",)
+    assert words.notes[0].startswith("metal legs: left out, as a part has one colour, material")
+    words = parse("a chair with glossy striped legs, matte spotted legs")
+    assert (words.of_parts("sheen"), words.part_patterns()) == (
+        {"legs": "glossy"},
+        {"legs": "striped"},
+    )
+    assert words.left_out == ("matte legs", "spotted legs")
+    assert (words.color, words.color_form) == ("", "")
 
 
 def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():

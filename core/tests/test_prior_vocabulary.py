@@ -305,6 +305,7 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
     words = parse("a red, blue and green ball")
     assert (words.color, words.second, words.left_out) == ("red", "blue", ("green",))
     assert "green: left out, as two colours are taken." in words.notes
+    assert (words.color_form, words.second_form) == ("", "")
     words = parse("a wooden and metal chair")
     assert (words.material, words.left_out) == ("wooden", ("metal",))
     assert "metal: left out, as one material is taken." in words.notes
@@ -319,7 +320,6 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
         ("a bathtub 1950s", Words("bathtub")),
         ("a mermaid sitting on a rock combing her hair", Words("mermaid")),
         ("a tree with snow on the branches", Words("tree", weather=("snowy",))),
-        ("an old dog", Words("dog")),
         ("pls make me a robot w sunglasses", Words("robot")),
         ("a red n black chair", Words("chair", color="red")),
         ("a lightsaber but purple", Words("lightsaber", color="purple")),
@@ -328,14 +328,20 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
         ("a candle, soft pink lighting", Words("candle")),
         ("a graceful red vase, playful and colourful", Words("vase", color="red")),
         ("a wall mounted mirror", Words("mirror")),
+        ("a playful icon of a chair", Words("chair")),
         ("a guitar spanish", Words("guitar")),
-        ("an old stone lion", Words("lion", material="stone", weather=("worn",))),
     ],
 )
 def test_what_is_said_around_a_thing_does_not_refuse_it_or_change_it(prompt, words):
     read = parse(prompt)
     assert (read.noun, read.color, read.material) == (words.noun, words.color, words.material)
     assert read.weather == words.weather
+
+
+@pytest.mark.parametrize("thing", ["catfish", "tumbleweed"])
+def test_an_unknown_thing_that_ends_as_a_description_does_is_named(thing):
+    with pytest.raises(UserError, match=f"does not know '{thing}'"):
+        parse(f"a {thing}")
 
 
 def test_a_negative_prompt_needs_no_noun_but_only_known_words():

@@ -37,6 +37,15 @@ class Accent(NamedTuple):
     second_form: str = ""
 
 
+# What is said of a part together.
+TOGETHER = (
+    ("color", "color_form"),
+    ("material", "material_form"),
+    ("sheen",),
+    ("pattern", "second", "second_form"),
+)
+
+
 def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], list[str]]:
     """What is said of each of the noun's parts, once each; and what is said of one that has such
     a word already: of "beige keys and a red escape key" the red."""
@@ -48,26 +57,20 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
             continue
         for name in own_names(noun, part.name):
             if name not in accents or not is_wide(noun, part.name):
-                before = accents.get(name, Accent(name))
-                accents[name] = _joined(before, part)
-                again += _second(before, part)
+                accents[name], more = _joined(accents.get(name, Accent(name)), part)
+                again += more
     return list(accents.values()), list(dict.fromkeys(again))
 
 
-def _joined(before: Accent, part: StatedPart) -> Accent:
-    """What was said of a part first, and what that left open."""
+def _joined(before: Accent, part: StatedPart) -> tuple[Accent, list[str]]:
+    """What was said of a part first, and what that left open; and what would be its second."""
     word, form = part.material[1:] if part.material else ("", "")
-    color = before[1:3] if before.color else (part.color, part.color_form)
-    material = before[3:5] if before.material else (word, form)
-    drawn = before[6:] if before.pattern else (part.pattern, part.second, part.second_form)
-    return Accent(before.part, *color, *material, before.sheen or part.sheen, *drawn)
-
-
-def _second(before: Accent, part: StatedPart) -> list[str]:
-    """The colour and the material that would be a part's second ones, with its name."""
-    word, form = part.material[1:] if part.material else ("", "")
-    said = (
-        (before.color_form or before.color, part.color_form or part.color, part.color),
-        (before.material, form, word),
-    )
-    return [f"{form} {part.form}" for old, form, new in said if old and new and old != new]
+    color, drawn = (part.color, part.color_form), (part.pattern, part.second, part.second_form)
+    now = Accent(before.part, *color, word, form, part.sheen, *drawn)
+    joined, again = {}, []
+    for look in TOGETHER:
+        old, new = (tuple(getattr(one, name) for name in look) for one in (before, now))
+        joined |= zip(look, old if old[0] else new, strict=True)
+        if old[0] and new[0] and old != new:
+            again.append(f"{next(filter(None, reversed(new)))} {part.form}")
+    return before._replace(**joined), again

@@ -6,10 +6,9 @@ from typing import Any
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
-from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked
+from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
-from core.guidance.builtin.words import AGES, ALIVE, OPTIONS, WEATHERS
+from core.guidance.builtin.words import OPTIONS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
@@ -55,16 +54,29 @@ class Findings:
         words = self.words(slot)
         if slot == "noun" and len(words) > 1:
             raise two_error("thing", words)
-        more = [entry.form for entry in self.found[slot] if entry.word != words[0]]
-        if slot == "shape":  # "a tall thin vase"
-            self.left_out += more
-        else:
-            self._leave_aside(more, f"one {slot} is taken")
+        for entry in self.found[slot]:
+            if entry.word != words[0]:
+                self.leave_aside([entry.form], f"one {slot} is taken")
         return words[0] if words else ""
 
-    def _leave_aside(self, forms: list[str], why: str) -> None:
+    def leave_aside(self, forms: list[str], why: str) -> None:
+        """Leave what belongs together out, for a reason of its own."""
         self.aside += forms
-        self.notes += [f"{form}: left out, as {why}." for form in dict.fromkeys(forms)]
+        self.notes.append(f"{' '.join(forms)}: left out, as {why}.")
+
+    def strange_parts(self) -> list[StatedPart]:
+        """Take out the parts that the thing never has: icing on a torus. What may be stated of it
+        is refused where it is not known."""
+        strange = [
+            part
+            for part in self.parts
+            if self.thing
+            and part.there
+            and not may_state(self.thing, part.name)
+            and not always_has(self.thing, part.name)
+        ]
+        self.parts = [part for part in self.parts if part not in strange]
+        return strange
 
     def narrower(self) -> list[str]:
         """A note for each word that stands for less than what is made for it."""
@@ -94,13 +106,15 @@ class Findings:
         second is for, and what other parts have of their own."""
         entries = self.found["color"]
         colors = list(dict.fromkeys((entry.word, shade(*entry[1:])) for entry in entries))
-        self._leave_aside([form or word for word, form in colors[2:]], "two colours are taken")
+        for one in colors[2:]:
+            self.leave_aside([one[1] or one[0]], "two colours are taken")
         # In the order of the prompt: the first is the thing's, the next the pattern's.
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")
         accents, again = accents_of(self.parts, self.thing)
-        self._leave_aside(again, "one colour and one material of a part is taken")
+        for more in again:
+            self.leave_aside([more], "a part has one colour, material, sheen and pattern")
         target = ""
         plain = (accent for accent in accents if accent.color and not accent.pattern)
         first = next(plain, None)
@@ -110,15 +124,6 @@ class Findings:
         told = tuple(accent for accent in accents if any(accent[1:]))
         found = {"color": color, "second": second, "pattern": pattern, "target": target}
         return found | {"color_form": form, "second_form": other, "accents": told}
-
-    def weather(self, noun: str, material: str) -> tuple[str, ...]:
-        """What time has done to the noun, in the table's order: snow lies on dirt. An old man is
-        not worn as an old chair is, or as one of wood."""
-        alive = not material and any(noun in GROUPS[group] for group in ALIVE)
-        aged = [e for e in self.found["weather"] if alive and e.form in AGES]
-        self.left_out += [entry.form for entry in aged]
-        words = {entry.word for entry in self.found["weather"] if entry not in aged}
-        return tuple(word for word in WEATHERS if word in words)
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""

@@ -1,7 +1,5 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
-import re
-
 from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.colors import TOWARDS, shade
 from core.guidance.builtin.findings import Findings, with_article
@@ -17,7 +15,6 @@ from core.guidance.builtin.lexicon import (
 )
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import (
-    always_has,
     as_part,
     is_own,
     is_wide,
@@ -25,7 +22,7 @@ from core.guidance.builtin.part_names import (
     may_state,
     own_name,
 )
-from core.guidance.builtin.tokens import DOING, Tokens
+from core.guidance.builtin.tokens import DOING, Tokens, describes
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
@@ -49,9 +46,6 @@ ARTICLES = ("a", "an", "the")
 EITHER = ("or", "nor")
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 MADE_OF = ("of", "from", "in", "out")
-DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
-LIKE = re.compile("[a-z]{3,}(?:ful|ous|ish|less|ical|esque|istic|ural)")  # what it is like
-NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
 class Reading:
@@ -152,7 +146,7 @@ class Reading:
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
-        elif token not in FILLER and any(form.fullmatch(token) for form in (DONE, LIKE, NUMBER)):
+        elif token not in FILLER and describes(token):
             # "a raccoon dressed up", "a rolled up mat", "1950s"; "a wall mounted radiator"
             self.got.left_out.append(token)
             self._noun_end += self._noun_end == at
@@ -381,21 +375,14 @@ class Reading:
         return not (may_state(noun, part) or has or part in LEGS)
 
     def _leave_strange_parts_aside(self) -> None:
-        """A part that the thing never has is an accessory: icing on a torus."""
-        noun = self.got.thing
-        for stated in list(self.got.parts):
-            part, there, form, color, tone, material, *_ = stated
-            # What may be stated of the thing is refused instead where it is not known.
-            if noun and there and not may_state(noun, part) and not always_has(noun, part):
-                self.got.parts.remove(stated)
-                of = material.form if material else ""
-                why = f"{with_article('noun', noun)} has none here"
-                self._leave_aside(" ".join(filter(None, (tone or color, of, form))), why)
+        why = f"{with_article('noun', self.got.thing)} has none here" if self.got.thing else ""
+        for part in self.got.strange_parts():
+            of = part.material.form if part.material else ""
+            words = (part.color_form or part.color, of, part.pattern, part.form)
+            self._leave_aside(" ".join(filter(None, words)), why)
 
     def _leave_aside(self, form: str, why: str = "one thing is made at a time") -> None:
-        left = [*self._of_accessory(), form]
-        self.got.aside += left
-        self.got.notes.append(f"{' '.join(left)}: left out, as {why}.")
+        self.got.leave_aside([*self._of_accessory(), form], why)
 
     def _of_accessory(self) -> list[str]:
         """Take back the colours and the like that were read in a phrase about an accessory, since

@@ -16,20 +16,14 @@ from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import BASE, KINDS, SCALE, SolidNet, SolidNetConfig, Triplane
 from core.guidance.builtin.stretch import IN_PLACE, NOT_STRETCHED, STRETCH, Frame, frame_of
-from core.guidance.builtin.weights import (
-    SIX_BITS,
-    filled,
-    in_bytes,
-    load_tensors,
-    write_tensors,
-)
+from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_tensors
 
 CHUNK = 1 << 16  # points at a time
 PER_THREAD = 1 << 14  # of them on a CPU: what the layers make of more leaves its cache
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
-# Tables of features, with the most steps of a number: six bits of a kind's, which are added to the
-# noun's, move a surface by 1e-4 of the object's radius.
-TABLES = {"own.weight": 127, "kind.weight": SIX_BITS}
+# Tables of features, with the bits of a number: six of a kind's, which are added to the noun's,
+# move a surface by 1e-4 of the object's radius.
+TABLES = {"own.weight": 8, "kind.weight": 6}
 ROWS = ("base.weight", "words.3.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole

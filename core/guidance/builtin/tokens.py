@@ -10,6 +10,10 @@ from core.guidance.builtin.words import PHRASE_ENDS, SHORT
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
+DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
+# What it is like; a catfish is a thing.
+LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural)")
+NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
 @dataclass
@@ -59,3 +63,8 @@ class Tokens:
             return True
         after = self.words[end]
         return after in PHRASE_ENDS - {"and"} or DOING.fullmatch(after) is not None
+
+
+def describes(word: str) -> bool:
+    """Whether a word that is not known only says what another is like, and names nothing."""
+    return any(form.fullmatch(word) for form in (DONE, LIKE, NUMBER))

@@ -27,7 +27,7 @@ from core.guidance.builtin.prompt_errors import (
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.words import GLASSWARE
+from core.guidance.builtin.words import GLASSWARE, WEATHERS
 
 
 @dataclass(frozen=True)
@@ -175,7 +175,8 @@ def parse(
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
-    words["weather"] = got.weather(words["noun"], words["material"])
+    # In the table's order: snow lies on dirt.
+    words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
     words["is_toy"] = got.is_toy
     words["material_form"] = next((entry.form for entry in got.found["material"]), "")

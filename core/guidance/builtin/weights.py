@@ -27,7 +27,6 @@ Net = TypeVar("Net", bound=nn.Module)
 # How torch's layers start their weights.
 DRAWN = nn.init.uniform_, nn.init.normal_, nn.init.kaiming_uniform_
 STEP = ".step"
-SIX_BITS = 31  # the largest number, in steps
 BULK = 1 << 14  # numbers of a layer, from which on it is kept in bytes
 
 
@@ -70,13 +69,13 @@ def _same(name: str, old: dict[str, Tensor], new: Tensor) -> bool:
     return before.shape == new.shape and torch.equal(before.half(), new.half())
 
 
-def in_bytes(name: str, tensor: Tensor, groups: int, most: int = 127) -> dict[str, Tensor]:
-    """A tensor as whole numbers of at most ``most`` steps, 127 or ``SIX_BITS``; and the step of
-    each of its ``groups`` of numbers that lie together."""
+def in_bytes(name: str, tensor: Tensor, groups: int, bits: int = 8) -> dict[str, Tensor]:
+    """A tensor as whole numbers of 8 or 6 bits, and the step of each of its ``groups`` of numbers
+    that lie together."""
     rows = tensor.detach().reshape(groups, -1)
-    step = (rows.abs().amax(1, keepdim=True) / most).clamp_min(1e-6)
+    step = (rows.abs().amax(1, keepdim=True) / (2 ** (bits - 1) - 1)).clamp_min(1e-6)
     steps = (rows / step).round().to(torch.int8).view(tensor.shape)
-    return {name: packed(steps) if most == SIX_BITS else steps, f"{name}{STEP}": step[:, 0].half()}
+    return {name: packed(steps) if bits == 6 else steps, f"{name}{STEP}": step[:, 0].half()}
 
 
 def packed(numbers: Int8[Tensor, "n a"]) -> UInt8[Tensor, "n b"]:

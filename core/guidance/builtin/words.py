@@ -85,8 +85,6 @@ WEATHERS = {
     "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty, with snow, "
     "snow on, snow dusted, dusted with snow, snow topped",
 }
-# Of them what is said of the living too, whose surface does not show it.
-AGES = frozenset(("old", "ancient"))
 # How a surface shines, or that it is lit; also of a part alone.
 SHEENS = {
     "matte": "matt, dull, unglazed, unpolished",
@@ -228,7 +226,8 @@ BORNE = {
 }
 # What most of a thing is, whatever it calls that; and what else it has.
 WHOLE = frozenset(
-    "body case casing housing shell frame chassis bodywork exterior surface paint paintwork".split()
+    """body case casing housing shell frame chassis bodywork exterior surface paint paintwork
+    glaze varnish coating""".split()
 )
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # Stones, which are the gems of a thing that has some, by their colours.
@@ -255,7 +254,7 @@ FILLER = PLACES | frozenset(
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without"}
 # What surrounds the picture: a colour before it is not the thing's.
-SURROUNDINGS = frozenset("lighting backdrop background shadows lights".split())
+SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
     """a an the of in on with and or nor but is it its made from out has have which that wearing

@@ -3,7 +3,6 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
     around,
     both,
     box,
@@ -12,7 +11,7 @@ from core.prior.solids import (
     grown,
     join,
     lathe,
-    mirrored,
+    outlined,
     prism,
     ring,
     smooth_curve,
@@ -22,11 +21,6 @@ from core.prior.solids import (
 )
 
 Point = tuple[float, float]
-
-
-def _boat(side: list[Point], half: list[Point]) -> Solid:
-    """What has the outline ``side`` (y, z) seen from the side and ``half`` mirrored from above."""
-    return within(prism(side, 0, 2), prism(mirrored(half), 2, 4))
 
 
 def go_kart(draw: Draw) -> Parts:
@@ -45,7 +39,7 @@ def go_kart(draw: Draw) -> Parts:
     wheel = tilted(ring((0, 0, 0), 0.24, 0.085), 55, (0, -0.46, 0.86))
     return {
         "body": join(
-            _boat(nose, [(x * 0.62, -y + 0.5), (x * 0.62, -y - 0.2), (x * 0.4, -y - 0.5)]),
+            outlined(nose, [(x * 0.62, -y + 0.5), (x * 0.62, -y - 0.2), (x * 0.4, -y - 0.5)]),
             both(prism(pod, 0, 0.17, x * 0.74)),
         ),
         "frame": join(
@@ -84,12 +78,12 @@ def jet_ski(draw: Draw) -> Parts:
     saddle = [(-0.2, deck), (-0.14, seat - 0.06), (0.5, seat - 0.12), (0.62, seat + 0.04),
               (y - 0.24, seat), (y - 0.14, deck)]  # fmt: skip
     return {
-        "hull": _boat(hull, plan),
-        "cowl": join(_boat(hood, top), prism([(0, deck - 0.1), (0, seat - 0.24),
+        "hull": outlined(hull, plan),
+        "cowl": join(outlined(hood, top), prism([(0, deck - 0.1), (0, seat - 0.24),
                                               (y - 0.1, seat - 0.24), (y - 0.06, deck - 0.1)],
                                              0, x * 0.52)),
         "saddle": prism(saddle, 0, x * 0.42),
-        "bumper": within(grown(_boat(lift, plan), 0.05), box((0, 0, 1), (2, y + 0.05, 1))),
+        "bumper": within(grown(outlined(lift, plan), 0.05), box((0, 0, 1), (2, y + 0.05, 1))),
         "handles": join(
             both(capsule((0, -0.42, bar), (draw(0.44, 0.52), -0.28, bar + 0.04), 0.1)),
             capsule((0, -0.44, cowl - 0.1), (0, -0.42, bar), 0.14),
@@ -116,7 +110,7 @@ def snowmobile(draw: Draw) -> Parts:
     ski = [(-y - 0.1, 0.36), (-y + 0.02, 0.4), (-y + 0.24, 0.2), (-0.2, 0.2), (-0.2, 0.0),
            (-y + 0.16, 0.0)]  # fmt: skip
     return {
-        "hood": join(_boat(front, top), box((0, 0.5, 0.52), (x * 0.84, 0.8, 0.1), 0.04)),
+        "hood": join(outlined(front, top), box((0, 0.5, 0.52), (x * 0.84, 0.8, 0.1), 0.04)),
         "saddle": prism(saddle, 0, x * 0.6),
         "track": join(loop, *lugs),
         "skis": join(

@@ -3,7 +3,6 @@
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
     ball,
     both,
     box,
@@ -15,6 +14,7 @@ from core.prior.solids import (
     limb,
     mirrored,
     moved,
+    outlined,
     prism,
     ring,
     smooth_curve,
@@ -27,11 +27,6 @@ from core.prior.solids import (
 from core.prior.things.haulage import cabin, wheels
 
 Point = tuple[float, float]
-
-
-def _shaped(side: list[Point], half: list[Point]) -> Solid:
-    """What has the outline ``side`` (y, z) seen from the side and ``half`` mirrored from above."""
-    return within(prism(side, 0, 2), prism(mirrored(half), 2, 4))
 
 
 def race_car(draw: Draw) -> Parts:
@@ -47,8 +42,8 @@ def race_car(draw: Draw) -> Parts:
     tyres, hubs = wheels(x, axles, draw(0.17, 0.22))
     return {
         "body": join(
-            _shaped(nose, [(0.28, 0.2), (0.28, -0.4), (0.13, -y), (0.1, -y - 0.06)]),
-            _shaped(tub, pods),
+            outlined(nose, [(0.28, 0.2), (0.28, -0.4), (0.13, -y), (0.1, -y - 0.06)]),
+            outlined(tub, pods),
             prism(cover, 0, 0.14),
         ),
         "wings": join(
@@ -251,7 +246,7 @@ def cargo_ship(draw: Draw) -> Parts:
     side = [(y, deck), (y * 0.97, 0), (-y * 0.86, 0), (-y - 0.08, deck + 0.26),
             (-y * 0.78, deck + 0.2), (-y * 0.7, deck)]  # fmt: skip
     wide = [(u * 1.02 + 0.01, v * 1.02) for u, v in plan]
-    hull, rear = _shaped(side, wide), y - 0.34
+    hull, rear = outlined(side, wide), y - 0.34
     below = within(grown(hull, 0.04), box((0, 0, 0.06), (2, 2, 0.12)))
     stacks, piles = draw.arranged(4), {0: [], 1: []}
     first, step, tall = -y * 0.56, (rear - 0.22 + y * 0.56) / 4, draw(0.24, 0.29)
@@ -287,7 +282,7 @@ def rowboat(draw: Draw) -> Parts:
     side = [(y, deep), (y * 0.9, 0.06), (y * 0.6, 0), (-y * 0.5, 0), (-y * 0.84, 0.14),
             (-y - 0.04, deep)]  # fmt: skip
     flare = [(x * 0.66, 0), (x, deep * 0.8), (x, 2)]
-    hull = within(_shaped(side, plan), prism(mirrored(flare), 1, 3))
+    hull = within(outlined(side, plan), prism(mirrored(flare), 1, 3))
     inside = [(max(u - 0.16, 0.02), v * 0.88) for u, v in plan]
     hollow = within(prism(mirrored(inside), 2, 1, 1.17),
                     prism(mirrored([(u - 0.14, v) for u, v in flare]), 1, 3))  # fmt: skip
