@@ -119,6 +119,15 @@ class KnownParts:
         own = [turned_share(self.distances, piece, axis) for axis in range(3)]
         return np.maximum(own, [axis[piece.place.part] for axis in self.forms.round])
 
+    def extents(self) -> list[Float[np.ndarray, " 3"]]:
+        """Of each part, how long its largest piece is along x, y, z; zeros where it has none."""
+        sizes = [np.zeros(3) for _ in self.forms.flat]
+        for piece in self.pieces:
+            part, verts = piece.place.part, piece.verts
+            size = (verts.amax(0) - verts.amin(0)).cpu().numpy()
+            sizes[part] = max(sizes[part], size, key=np.linalg.norm)
+        return sizes
+
     def surface_of(self, index: int) -> Mesh:
         """A piece's exact surface, made once."""
         if index not in self._surfaces:

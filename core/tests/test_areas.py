@@ -134,6 +134,21 @@ def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
     assert area.max() < len(areas.each) and inside.shape == (50, 3)
 
 
+@pytest.mark.usefixtures("coarse")
+def test_a_striped_rug_has_stripes_across_it(monkeypatch):
+    """Level ones, as a mast's, would leave what lies in one colour."""
+    monkeypatch.setattr(pieces, "SEARCH", 40)
+    prompted = load_builtin("cpu").prompted("a red and white striped rug", "").of_object(0)
+    areas, size = prompted.areas(), prompted._known.extents()[0]
+    along, across = (0, 1) if size[0] > size[1] else (1, 0)
+    line = torch.zeros(400, 3)
+    line[:, along] = torch.linspace(-0.45, 0.45, 400) * size[along]
+    seen = areas.of(line)
+    assert (seen[1:] != seen[:-1]).sum() >= 4
+    line[:, across] = 0.2 * size[across]
+    assert (areas.of(line) == seen).float().mean() > 0.9, "straight across"
+
+
 def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
     """The drawn border waves; the exact one is a plane, but for what lies just under the other."""
 

@@ -8,7 +8,7 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, swatches
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.patterns import PATTERNS, Place
+from core.guidance.builtin.patterns import PATTERNS, STRIPE, Laid, Place, axis_of
 from core.guidance.builtin.vocabulary import parse
 
 NAMES = list(SLOTS["pattern"])
@@ -53,10 +53,10 @@ def swatch(color: str) -> torch.Tensor:
 def test_the_stencil_is_where_the_pattern_puts_the_second_colour(name: str):
     points = some_points()
     painted = PATTERNS[name](torch.zeros(500, 3), torch.ones(500, 3), Place(points, points))
-    seen = stencil(surface_of(points), [name])[0, 0].flatten()
+    seen = stencil(surface_of(points), [[Laid(name)]])[0, 0].flatten()
     assert torch.equal(seen, painted[:, 0] > 0)
     assert 0.1 < seen.float().mean() < 0.9
-    assert not stencil(surface_of(points), [""]).any()
+    assert not stencil(surface_of(points), [[Laid()]]).any()
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_a_part_of_which_nothing_is_stated_has_its_colour_by_nature():
 
 def test_a_pattern_is_drawn_on_the_parts_that_it_is_about():
     points = some_points()
-    mask = stencil(surface_of(points), ["striped"])[0, 0].flatten()[:, None]
+    mask = stencil(surface_of(points), [[Laid("striped")]])[0, 0].flatten()[:, None]
     expected = torch.where(mask, swatch("white"), swatch("red"))
     assert torch.allclose(laid("a striped red and white chair", "back"), expected)
     legs = laid("a striped red and white lamp", "foot")
@@ -110,16 +110,53 @@ def test_between_two_parts_the_colour_is_between_theirs():
 
 def test_each_picture_of_a_batch_has_its_own_pattern_or_none():
     surface = surface_of(some_points())
-    patterns = ["", "spotted", "striped", "spotted"]
+    patterns = [[Laid(name)] for name in ("", "spotted", "striped", "spotted")]
     seen = stencil(surface.expand(4, -1, -1, -1), patterns)
     for k, pattern in enumerate(patterns):
         assert torch.equal(seen[k : k + 1], stencil(surface, [pattern]))
     assert not torch.equal(seen[1], seen[2])
 
 
+def test_two_parts_of_one_picture_have_each_their_pattern():
+    surface = surface_of(some_points())
+    laid = [Laid("striped"), Laid("striped", 0), Laid("spotted"), Laid()]
+    seen = stencil(surface, [laid])[0]
+    assert len(seen) == len(laid)
+    for k, one in enumerate(laid):
+        assert torch.equal(seen[k], stencil(surface, [[one]])[0, 0])
+    x = surface[0, 4] > STRIPE / 2
+    assert seen[1][x & (surface[0, 4] < STRIPE)].unique().numel() == 1, "upright along x"
+
+
+@pytest.mark.parametrize(
+    ("extent", "axis"),
+    [
+        ((1.6, 1.0, 0.3), 0),  # an awning, a rug
+        ((0.5, 1.6, 0.4), 1),
+        ((0.3, 0.3, 1.4), 2),  # a mast
+        ((1.6, 1.0, 1.2), 2),  # a house's wall: level, as before
+        ((0.5, 0.4, 0.4), 2),  # a cup: no side is much longer
+        ((0.0, 0.0, 0.0), 2),  # a part that is not there
+    ],
+)
+def test_stripes_follow_one_another_along_what_lies(extent, axis):
+    assert axis_of(extent) == axis
+
+
+def test_a_part_that_lies_has_its_stripes_across_it_in_the_hint_too():
+    words, row = parse("a striped red and white bench"), words_of("a striped red and white bench")
+    points = some_points()
+    axes = tuple(0 for _ in looks("bench"))
+    given = hint(surface_of(points), all_of(0), row, [words], axes)
+    mask = stencil(surface_of(points), [[Laid("striped", 0)]])[0, 0].flatten()[:, None]
+    colors = given[0, SURFACE : SURFACE + 4].flatten(1).T
+    assert torch.allclose(colors, torch.where(mask, swatch("white"), swatch("red")))
+
+
 def test_a_pixel_that_is_covered_in_part_has_the_same_pattern_and_an_empty_one_none():
     points = some_points()
-    whole, part, empty = (stencil(surface_of(points, o), ["striped"]) for o in (1.0, 0.4, 0.0))
+    laid = [[Laid("striped")]]
+    whole, part, empty = (stencil(surface_of(points, o), laid) for o in (1.0, 0.4, 0.0))
     assert (part == whole).float().mean() > 0.99  # but for rounding
     assert not empty.any()
 

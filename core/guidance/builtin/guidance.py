@@ -37,7 +37,7 @@ from core.guidance.builtin.palette import FINISHES, Finish, looks, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
-from core.guidance.builtin.patterns import MARGINS
+from core.guidance.builtin.patterns import Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
@@ -180,7 +180,9 @@ class PromptedBuiltin(PromptedGuidance):
         if self.solid is None:
             return None
         parts = list(painted(self.words.noun, self.words))
-        margins = [MARGINS.get(part.pattern) for part in parts]
+        axes = self._axes or (2,) * len(parts)
+        laid = (Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True))
+        margins = [one.margin() for one in laid]
         each = []
         for part, margin in zip(parts, margins, strict=True):
             # What is patterned by nature alone is not plain: where its colours lie is learnt.
@@ -205,6 +207,15 @@ class PromptedBuiltin(PromptedGuidance):
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
         return KnownParts(self.solid.distances, Forms(flat, kept))
+
+    @cached_property
+    def _axes(self) -> tuple[int, ...]:
+        """Of each of the drawn solid's parts, along which stripes follow one another; none where
+        nothing is striped, or where the negative prompt is of another thing."""
+        parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
+        if not self._known or self.negative.noun or "striped" not in {one.pattern for one in parts}:
+            return ()
+        return tuple(axis_of(extent) for extent in self._known.extents()[: len(parts)])
 
     @torch.no_grad()
     def restore(
@@ -255,7 +266,8 @@ class PromptedBuiltin(PromptedGuidance):
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
             surface = surface.repeat(branches, 1, 1, 1)
             stated = [one for one in self._branches(HINT_SLOTS, apart) for _ in range(len(z_t))]
-            given = hint(surface, self._parts(surface, words[:, 0], camera), words, stated)
+            parts = self._parts(surface, words[:, 0], camera)
+            given = hint(surface, parts, words, stated, self._axes)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             # Back to 32 bit at once: the gradient is a small difference of predictions.
             v = net(all_z, t, words[:, : len(net.config.words)], camera, given).float()

@@ -12,7 +12,7 @@ from torch import Tensor
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.patterns import MARGINS
+from core.guidance.builtin.patterns import Laid
 from core.guidance.builtin.vocabulary import Words
 
 SURFACE = 7  # channels: normals, coverage, points
@@ -26,6 +26,7 @@ def hint(
     parts: Float[Tensor, "b 8 h w"],
     words: Int[Tensor, "b 6"],
     stated: Sequence[Words] = (),
+    axes: tuple[int, ...] = (),
 ) -> Float[Tensor, "b c h w"]:
     """``surface`` ([n, 2o - 1, p], weighted by coverage), then each place's colour by the words and
     by nature, [2 srgb - 1, 1], drawn in the stated pattern; last the second swatch, even.
@@ -37,15 +38,16 @@ def hint(
         parts: how surely a place belongs to each of the noun's parts (``part_map``).
         words: rows of ``HINT_SLOTS``; 0 is not stated.
         stated: the words that the rows are of, where they say more than these.
+        axes: of each part, along which stripes follow one another (``patterns.axis_of``).
     """
     stated = stated or [_words_of(tuple(row)) for row in words.tolist()]
-    rows = [_part_colors(one) for one in stated]
+    rows = [_part_colors(one, axes) for one in stated]
     stack = lambda name: torch.stack([getattr(row, name) for row in rows]).to(surface)  # noqa: E731
-    first, second, patterned = stack("first"), stack("second"), stack("patterned")
-    mask = stencil(surface, [row.pattern for row in rows]).to(surface)
+    first, second = stack("first"), stack("second")
+    mask = stencil(surface, [row.patterns for row in rows]).to(surface)
     # Of a patterned part the second colour, where the stencil lays it.
     laid = torch.einsum("bkhw,bkc->bchw", parts, first)
-    laid = laid + mask * torch.einsum("bkhw,bkc->bchw", parts * patterned, second - first)
+    laid = laid + torch.einsum("bkhw,bkc->bchw", parts * mask, second - first)
     even = swatches(words)[:, SWATCHES // 2 :, None, None].to(surface)
     return torch.cat([surface, laid, even.expand_as(laid)], 1)
 
@@ -55,8 +57,7 @@ class PartColors(NamedTuple):
 
     first: Float[Tensor, "8 4"]  # [2 srgb - 1, 1]
     second: Float[Tensor, "8 4"]  # of the pattern
-    patterned: Float[Tensor, "8 1 1"]  # 1 where the stated pattern is drawn
-    pattern: str
+    patterns: tuple[Laid, ...]
 
 
 @lru_cache(4096)
@@ -65,26 +66,30 @@ def _words_of(row: tuple[int, ...]) -> Words:
 
 
 @lru_cache(4096)
-def _part_colors(words: Words) -> PartColors:
+def _part_colors(words: Words, axes: tuple[int, ...]) -> PartColors:
     first, second = torch.zeros(PARTS, 4), torch.zeros(PARTS, 4)
-    patterned, pattern = torch.zeros(PARTS, 1, 1), ""
+    patterns = [Laid()] * PARTS
     # Without words nothing is known, as the network must paint it without guidance.
     for k, part in enumerate(painted(words.noun, words) if words.noun else ()):
         first[k] = torch.tensor([*(2 * c - 1 for c in part.color), 1.0])
         second[k] = torch.tensor([*(2 * c - 1 for c in part.second), 1.0])
-        if part.pattern in MARGINS:
-            patterned[k], pattern = 1.0, part.pattern
-    return PartColors(first, second, patterned, pattern)
+        patterns[k] = Laid(part.pattern, axes[k] if axes else 2)
+    return PartColors(first, second, tuple(patterns))
 
 
-def stencil(surface: Float[Tensor, "b 7 h w"], patterns: list[str]) -> Bool[Tensor, "b 1 h w"]:
-    """Where each picture's pattern puts the second colour; nowhere without one."""
-    out = torch.zeros_like(surface[:, :1], dtype=torch.bool)
+def stencil(
+    surface: Float[Tensor, "b 7 h w"], patterns: Sequence[Sequence[Laid]]
+) -> Bool[Tensor, "b k h w"]:
+    """Where the patterns of each picture's k parts put the second colour; nowhere without one."""
+    batch, _, high, wide = surface.shape
+    out = torch.zeros(batch, len(patterns[0]), high, wide, dtype=torch.bool, device=surface.device)
     # The points come weighted by coverage; undone, or patterns would bend at silhouettes.
     point = surface[:, 4:] / ((surface[:, 3:4] + 1) / 2).clamp_min(1e-3)
-    for name in set(patterns) - {""}:
-        mine = torch.tensor([pattern == name for pattern in patterns], device=surface.device)
-        place = point[mine].permute(0, 2, 3, 1).reshape(-1, 3)
-        out[mine] = (MARGINS[name](place) > 0).view(-1, 1, *out.shape[2:])
+    for laid in {one for row in patterns for one in row}:
+        if margin := laid.margin():
+            mine = torch.tensor([[one == laid for one in row] for row in patterns])
+            row, part = mine.to(surface.device).nonzero().T
+            place = point[row].permute(0, 2, 3, 1).reshape(-1, 3)
+            out[row, part] = (margin(place) > 0).view(-1, high, wide)
     # Outside of the object the point is none.
     return out & (surface[:, 3:4] > -1)

@@ -5,9 +5,11 @@ negative in the first. A pixel of the prior's pictures is 0.034.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
+import numpy as np
 import torch
 from jaxtyping import Float
 from torch import Tensor
@@ -24,6 +26,8 @@ class Place(NamedTuple):
 Pattern = Callable[[Tensor, Tensor, Place], Tensor]
 Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
 STRIPE, CELL, SPOT, CHECK = 0.21, 0.42, 0.14, 0.21
+FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
+LONG = 1.5  # times its height, what lies is at least
 
 
 def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, float]") -> Tensor:
@@ -31,9 +35,9 @@ def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, floa
     return torch.where(mask[:, None], torch.as_tensor(other, dtype=color.dtype), color)
 
 
-def striped(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """Level stripes of six pixels."""
-    return (points[:, 2] * (math.pi / STRIPE)).sin() * (-STRIPE / math.pi)
+def striped(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, " p"]:
+    """Stripes of six pixels, which follow one another along the axis: level ones of z."""
+    return (points[:, axis] * (math.pi / STRIPE)).sin() * (-STRIPE / math.pi)
 
 
 def spotted(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
@@ -64,6 +68,28 @@ MARGINS: dict[str, Margin] = {
     "checkered": checkered,
     "two-tone": two_tone,
 }
+
+
+class Laid(NamedTuple):
+    """A pattern as it is laid on one part; without a name none."""
+
+    name: str = ""
+    axis: int = 2  # that stripes follow one another along
+
+    def margin(self) -> Margin | None:
+        """None of what the words cannot ask for."""
+        if self.name == "striped":
+            return partial(striped, axis=self.axis)
+        return MARGINS.get(self.name)
+
+
+def axis_of(extent: "Sequence[float] | np.ndarray") -> int:
+    """The axis that stripes follow one another along on a part of this extent: upwards, or where it
+    lies, as an awning, a rug or a seat, along the longer of its sides."""
+    x, y, z = extent
+    if z < FEW * STRIPE and max(x, y) > LONG * z:
+        return 0 if x >= y else 1
+    return 2
 
 
 def painter(margin: Margin) -> Pattern:

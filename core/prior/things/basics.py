@@ -78,7 +78,9 @@ def chair(draw: Draw) -> Parts:
     high = (top - seat) / 2
     posts = [box((side * a, b, seat + high), (thick, thick, high), 0.015) for side in (-1, 1)]
     rail = box((0, b, top - 0.13), (a, 0.065, 0.13), 0.02)
-    style = draw.which(3)
+    # Four sorts in all, as a noun has kinds: what shares one is drawn as the mean of both.
+    arms = draw.has("armrests", 0.12)
+    style = 0 if arms else draw.which(3)
     boards = [box((0, b, seat + k * high), (a, 0.06, 0.085), 0.015) for k in (0.5, 1.05)]
     slats = [box((k * a, b, seat + high), (0.07, 0.055, high * 0.9), 0.015) for k in (-0.5, 0, 0.5)]
     panel = [box((0, b, seat + high * 1.15), (a, 0.06, high * 0.75), 0.015)]
@@ -88,7 +90,7 @@ def chair(draw: Draw) -> Parts:
         "back": join(*posts, rail, *(boards, slats, panel)[style]),
         "legs": join(_legs(x, y, seat, thick, False), *bars),
     }
-    if not draw.has("armrests", 0.12):
+    if not arms:
         return parts
     rest = seat + draw(0.36, 0.44)
     arm = join(

@@ -431,7 +431,7 @@ def sunglasses(draw: Draw) -> Parts:
         ),
     )
     return {
-        "frame": join(both(rims), box((0, y, z + high * 0.4), (0.2, 0.09, 0.1), 0.04)),
+        "frame": join(both(rims), box((0, y, z + high * 0.35), (0.2, 0.1, 0.15), 0.04)),
         "glasses": both(panes),
         "arms": both(arm),
     }

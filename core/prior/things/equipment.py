@@ -88,15 +88,14 @@ def vr_headset(draw: Draw) -> Parts:
 def server_rack(draw: Draw) -> Parts:
     """An open cabinet with rows of units, each with drives and lights; vents in its sides."""
     wide, deep, high = draw(0.62, 0.72), draw(0.56, 0.68), draw(2.1, 2.36)
-    rows = 4 + draw.which(3)
-    wall, layout = 0.13, draw.arranged(3)
+    rows, wall, layout = 4, 0.13, draw.arranged(3)
     step = (high - 0.3 - wall) / rows
     half, x = step / 2 - 0.045, wide - wall
     units, drives, lights, lamps = [], [], [], []
     for k in range(rows):
         z = 0.3 + step * (k + 0.5)
         units.append(box((0, 0, z), (x - 0.02, deep - 0.02, half), 0.02))
-        size = min(half - 0.06, 0.1)
+        size = min(half - 0.05, 0.12)
         drives += [
             box((x - 0.14 - 0.24 * i, -deep, z), (0.08, 0.05, half - 0.05), 0.01) for i in range(2)
         ]
@@ -200,7 +199,7 @@ def gumball_machine(draw: Draw) -> Parts:
 
 def satellite_dish(draw: Draw) -> Parts:
     """A bowl that looks up to the front, its receiver on arms before it, on a mast with a foot."""
-    r, deep, wall = draw(0.92, 1.04), draw(0.44, 0.54), 0.13
+    r, deep, wall = draw(0.92, 1.04), draw(0.44, 0.54), 0.17
     lean, z, large = draw(38, 50), draw(1.3, 1.5), draw.chance(0.5)
     shares = [k / 6 for k in range(7)]
     outer = [(r * s, deep * s * s - wall) for s in shares]
@@ -223,7 +222,7 @@ def satellite_dish(draw: Draw) -> Parts:
     yoke = both(box((0.24, 0.26, z - 0.22), (0.08, 0.18, 0.26), 0.03))
     return {
         "dish": aimed(lathe([*outer, *inner])),
-        "rim": aimed(ring((0, 0, deep - wall / 2), r - 0.01, 0.07)),
+        "rim": aimed(ring((0, 0, deep - wall / 2), r - 0.01, 0.11)),
         "receiver": aimed(horn),
         "arms": aimed(arms),
         "mast": join(tower if large else pole, aimed(tube((0, 0, -0.34), (0, 0, 0), 0.24, 0.03))),

@@ -46,7 +46,7 @@ def faucet(draw: Draw) -> Parts:
             taper((0.42, back, z), (0.5, back - 0.1, z + 0.62), 0.12, 0.1),
         )
         spots = [(0.14, back - 0.26, 0.46), (-0.14, back - 0.26, 0.46)]
-        marks = [ball((u, v, w), 0.11) for u, v, w in spots]
+        marks = [ball((u, v, w), 0.15) for u, v, w in spots]
         column = lathe([(0.3, 0.1), (0.26, z + 0.26), (0.2, z + 0.34)], 0.0, (0, back))
         base = lathe([(0.5, 0.0), (0.5, 0.1), (0.4, 0.16)], 0.02, (0, back))
     else:
@@ -57,7 +57,7 @@ def faucet(draw: Draw) -> Parts:
             tube((0, 0, z - 0.1), (0, 0, z + 0.12), 0.16, 0.03),
         )
         handles = both(moved(cross, (x, back, 0)))
-        marks = [tube((s * x, back, z), (s * x, back, z + 0.17), 0.12, 0.03) for s in (1, -1)]
+        marks = [tube((s * x, back, z), (s * x, back, z + 0.2), 0.17, 0.03) for s in (1, -1)]
         feet = lathe([(0.22, 0.1), (0.16, 0.34), (0.13, z)], 0.0, (x, back))
         column = join(both(feet), lathe([(0.27, 0.1), (0.2, 0.5), (0.2, 0.6)], 0.0, (0, back)))
         base = box((0, back, 0.08), (x + 0.3, 0.3, 0.08), 0.04)

@@ -254,7 +254,7 @@ def lego_brick(draw: Draw) -> Parts:
 def puzzle_cube(draw: Draw) -> Parts:
     """A cube of three by three by three with coloured stickers, solved or not."""
     size, half, pitch = 0.96, draw(0.25, 0.28), 0.63
-    solved = draw.chance(0.4)
+    solved, layout = draw.chance(0.4), draw.arranged(2)
     faces: list[list[Solid]] = [[] for _ in range(5)]
     for side in range(6):
         axis, sign = side // 2, 1 if side % 2 else -1
@@ -264,7 +264,7 @@ def puzzle_cube(draw: Draw) -> Parts:
                 center.insert(axis, sign * size)
                 halves = [half, half]
                 halves.insert(axis, 0.05)
-                by_chance = draw.which(5)
+                by_chance = layout.which(5)
                 color = min(side, 4) if solved or a == b == 0 else by_chance
                 faces[color].append(box(tuple(center), tuple(halves), 0.02))
     names = ("reds", "blues", "greens", "whites", "yellows")

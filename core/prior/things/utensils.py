@@ -37,7 +37,7 @@ def _faceted(sides: int, profile: list[tuple[float, float]]) -> Solid:
 def colander(draw: Draw) -> Parts:
     """Half a ball, white inside, with two rows of holes, on a foot, an ear at either side."""
     r, deep, wall = draw(0.84, 0.92), draw(0.82, 0.96), 0.17
-    count, hole, low = 8 + 2 * draw.chance(0.5), draw(0.115, 0.125), 0.12
+    count, hole, low = 8, draw(0.14, 0.15), 0.12
     top, ear = low + deep, draw(0.2, 0.25)
     shell = cut(egg((0, 0, top), (r, r, deep)), box((0, 0, top + 1), (2, 2, 1)))
     inside = egg((0, 0, top + 0.02), (r - wall, r - wall, deep - wall))
@@ -51,7 +51,7 @@ def colander(draw: Draw) -> Parts:
         return around(count, tube(start, end, size), first)
 
     step, z = 360 / count, top - 0.03
-    holes = join(row(25, 0, hole), row(50, step / 2, hole if count == 8 else 0.1))
+    holes = join(row(25, 0, hole), row(52, step / 2, hole - 0.01))
     out = r + ear + 0.06
     loop = join(
         capsule((r - 0.02, -0.3, z), (out, -0.22, z), 0.085),
