@@ -122,6 +122,7 @@ TOWARDS: dict[str, tuple[Color, float]] = {
     "bright": ((0.0, 0.0, 0.0), 0.0),
     "vivid": ((0.0, 0.0, 0.0), 0.0),
 }
+OF_MATERIALS = ("dark", "deep", "light", "pale")  # soft leather is no lighter
 
 
 def shade(word: str, form: str) -> str:
@@ -137,8 +138,11 @@ def color_value(word: str, form: str = "") -> Color:
         return red, green, blue
     if tone not in TOWARDS or not rest or form in (word, *COLORS[word].split(", ")):
         return COLOR_VALUES[word]
+    return toned(color_value(word, rest), tone)
+
+
+def toned(color: Color, tone: str) -> Color:
+    """The colour with a tone's word before it."""
     end, way = TOWARDS[tone]
-    red, green, blue = (
-        c + way * (e - c) for c, e in zip(color_value(word, rest), end, strict=True)
-    )
+    red, green, blue = (c + way * (e - c) for c, e in zip(color, end, strict=True))
     return red, green, blue

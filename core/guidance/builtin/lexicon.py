@@ -10,7 +10,7 @@ from typing import NamedTuple
 from core.guidance.builtin.colors import SHADES
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
-from core.guidance.builtin.variants import VARIANTS
+from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
     COLORS,
     MATERIALS,
@@ -51,7 +51,7 @@ class Entry(NamedTuple):
     def is_narrower(self) -> bool:
         """Whether the form means less than, or something next to, what is made for it. A material
         that gets its own detail is made as it is called."""
-        return self.form in NARROWER and self.form not in VARIANTS
+        return self.form in NARROWER and not has_own_look(self.form)
 
 
 def forms_of(text: str) -> list[str]:
@@ -81,6 +81,7 @@ LEXICON, NARROWER = _lexicon()
 PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("men", "man"))
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
+COMPOUNDS = tuple(form for form in LEXICON if " " in form)
 NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
 
 
@@ -110,6 +111,20 @@ def corrected(token: str, also: Iterable[str] = ()) -> str:
     more also one wrong letter after the first. Words of other things are no misspellings.
     """
     return next(_one_slip_away(token, (*LEXICON, *WITHOUT, *also), 6), "")
+
+
+def corrected_phrase(tokens: list[str]) -> str:
+    """The known name of several words that ``tokens`` begin with but for a slip in one of them, as
+    :func:`corrected`, or ""."""
+    for form in COMPOUNDS:
+        words = form.split()
+        pairs = zip(tokens, words, strict=False)
+        wrong = [(token, word) for token, word in pairs if token != word]
+        if len(wrong) == 1 and len(tokens) >= len(words):
+            token, word = wrong[0]
+            if any(_one_slip_away(token, [word], 6)):
+                return form
+    return ""
 
 
 def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:

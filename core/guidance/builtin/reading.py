@@ -1,7 +1,8 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
 from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.colors import TOWARDS, shade
+from core.guidance.builtin.colors import shade
+from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import Findings, with_article
 from core.guidance.builtin.lexicon import (
     LEXICON,
@@ -10,6 +11,7 @@ from core.guidance.builtin.lexicon import (
     Entry,
     Vocabulary,
     corrected,
+    corrected_phrase,
     look_up,
     singulars,
 )
@@ -33,8 +35,10 @@ from core.guidance.builtin.words import (
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LEGS,
+    LOOKS,
     OF_ANOTHER,
     PHRASE_ENDS,
+    PLAIN,
     ROLES,
     SURROUNDINGS,
     TOYS,
@@ -44,7 +48,6 @@ from core.guidance.builtin.words import (
 
 ARTICLES = ("a", "an", "the")
 EITHER = ("or", "nor")
-LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 MADE_OF = ("of", "from", "in", "out")
 
 
@@ -71,6 +74,7 @@ class Reading:
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens = Tokens.of(prompt, known)
+        set_parts_apart(self._tokens)
         at = 0
         while at < len(self._tokens.words):
             if at in self._tokens.breaks:
@@ -86,12 +90,9 @@ class Reading:
         """Read from the token ``at`` on; how many tokens that were."""
         tokens = self._tokens.words[at:]
         token = tokens[0]
-        # A tone that makes no colour word of its own: "dark red" has one.
-        if token in TOWARDS and (toned := self._tokens.color(at + 1)):
-            entry, count = toned
-            if look_up(" ".join(tokens[: 1 + count]), self.known) is None:
-                self._put(entry._replace(form=f"{token} {entry.form}"), at, at + 1 + count)
-                return 1 + count
+        if toned := self._tokens.toned(at):
+            self._put(toned[0], at, at + toned[1])
+            return toned[1]
         for phrase in self._tokens.phrases(at):
             entry, count = look_up(phrase, self.known), len(phrase.split())
             if entry is not None and self._is_part_of_look(entry, tokens[:count]):
@@ -201,12 +202,13 @@ class Reading:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""
         # Only where it is surely one known word; anything less is a hint in the error.
         own = looks_of(self.got.thing)
-        close = corrected(token, own)
+        close = corrected_phrase(self._tokens.words[at:]) or corrected(token, own)
         is_known = close in (*WITHOUT, *own) or look_up(close, self.known) is not None
         if not close or not is_known:
             return self._leave_out(token, 1)
-        self.got.notes.append(f"{token!r} is read as {close!r}.")
-        self._tokens.words[at] = close
+        end = at + len(close.split())
+        self.got.notes.append(f"{' '.join(self._tokens.words[at:end])!r} is read as {close!r}.")
+        self._tokens.words[at:end] = close.split()
         return self._take(at)  # it may begin a phrase: "a wizzard hat"
 
     def _leave_out(self, unknown: str, count: int) -> int:
@@ -280,7 +282,11 @@ class Reading:
         """ "with a blue leather handle": what is right before a part is the part's, not the
         thing's."""
         own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
-        self.got.left_out += [own["shape"].form] if "shape" in own else []
+        if "shape" in own:
+            self.got.leave_aside([own["shape"].form], "only the whole thing has a shape")
+        # "with gold metal legs": what is only metal says less.
+        if self._looks.count("material") > 1 and own["material"].form in PLAIN:
+            own["material"] = self.got.found["material"].pop()
         # "with a red and white striped sail": the first of two is what the other is drawn on.
         color, second = own.get("color"), None
         if "pattern" in own and color and self._ended_by == "and" and (red := self._color_before()):
@@ -308,7 +314,9 @@ class Reading:
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
-        return stands and self._accessory is not None and self._tokens.words[start - 1] in ARTICLES
+        begin = self._tokens.qualities_begin(start)
+        article = begin > 0 and self._tokens.words[begin - 1] in ARTICLES
+        return stands and self._accessory is not None and article
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a

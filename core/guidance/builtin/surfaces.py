@@ -4,10 +4,10 @@ from functools import cache
 
 import torch
 
-from core.guidance.builtin.colors import Color
+from core.guidance.builtin.colors import Color, toned
 from core.guidance.builtin.palette import FINISHES, Painted, painted
 from core.guidance.builtin.substances import UNWORN, lights
-from core.guidance.builtin.variants import BUILDINGS, VARIANTS
+from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
@@ -37,14 +37,16 @@ def surface_of(words: Words, part: Painted) -> Surface:
 def _as_new(words: Words, part: Painted) -> Surface:
     if not part.material:
         return Surface(_by_nature(words.noun, part), part.color)
-    variant = VARIANTS.get(part.material_form)
-    if variant is None:
-        return Surface(_kind(words.noun, part), part.color)
+    tone, form = split_tone(part.material_form)
+    variant = VARIANTS.get(form) or Variant(_kind(words.noun, part))
+    wanted = variant.color
+    if tone:
+        wanted = toned(wanted or part.color, tone)
     finish = FINISHES[part.material]
     factor = (1.0, 1.0, 1.0)
     # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
-    if variant.color and not part.colored:
-        factor = _factor(part.color, variant.color)
+    if wanted and not part.colored:
+        factor = _factor(part.color, wanted)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear)
 

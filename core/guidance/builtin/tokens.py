@@ -4,8 +4,9 @@ import re
 import unicodedata
 from dataclasses import dataclass, field
 
+from core.guidance.builtin.colors import OF_MATERIALS, TOWARDS
 from core.guidance.builtin.lexicon import Entry, Vocabulary, look_up
-from core.guidance.builtin.words import PHRASE_ENDS, SHORT
+from core.guidance.builtin.words import LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase
@@ -39,18 +40,55 @@ class Tokens:
                 found.breaks.add(len(found.words))
         return found
 
+    def cut(self, begin: int, end: int) -> None:
+        """Take out the words from one index up to another."""
+        del self.words[begin:end]
+        gone = end - begin
+        self.breaks = {k if k <= begin else max(k - gone, begin) for k in self.breaks}
+        self.owners = {k if k < begin else k - gone for k in self.owners if not begin <= k < end}
+
+    def add_clause(self, words: list[str]) -> None:
+        """Put words behind the rest, after a comma."""
+        self.breaks.add(len(self.words))
+        self.words += words
+
     def phrases(self, at: int) -> list[str]:
         """What begins at the index, the longest first: "ice cream" is not the colour "cream"."""
         words = self.words[at : at + LONGEST]
         return [" ".join(words[:count]) for count in range(len(words), 0, -1)]
 
-    def color(self, at: int) -> tuple[Entry, int] | None:
-        """The colour that begins at the index, and how many words it takes."""
-        for phrase in self.phrases(at):
+    def toned(self, at: int) -> tuple[Entry, int] | None:
+        """The colour or the material with the tone that begins at the index, and how many words
+        that takes: "dark teal", "light oak". None where the whole is a word by itself."""
+        tone = self.words[at]
+        if tone not in TOWARDS:
+            return None
+        slots = ("color", "material") if tone in OF_MATERIALS else ("color",)
+        for phrase in self.phrases(at + 1):
             entry = look_up(phrase, self.known)
             if entry is not None:
-                return (entry, len(phrase.split())) if entry.slot == "color" else None
+                own = entry.slot not in slots or look_up(f"{tone} {phrase}", self.known)
+                form = f"{tone} {entry.form}"
+                return None if own else (entry._replace(form=form), 1 + len(phrase.split()))
         return None
+
+    def qualities_begin(self, end: int, slots: tuple[str, ...] = (*LOOKS, "weather")) -> int:
+        """Where the colours, materials and so on right before the index begin."""
+        begin = end
+        while begin and begin not in self.breaks:
+            counts = range(min(LONGEST, begin), 0, -1)
+            step = next((k for k in counts if self._is_quality(begin - k, begin, slots)), 0)
+            if not step:
+                break
+            begin -= step
+        return begin
+
+    def _is_quality(self, begin: int, end: int, slots: tuple[str, ...]) -> bool:
+        if self.breaks.intersection(range(begin + 1, end)):
+            return False
+        phrase = " ".join(self.words[begin:end])
+        entry = look_up(phrase, self.known)
+        return phrase in TOWARDS or (entry is not None and entry.slot in slots)
 
     def has_thing(self, at: int) -> bool:
         """Whether a thing's name begins at the index."""

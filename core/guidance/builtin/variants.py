@@ -6,7 +6,7 @@ detail, and, where no colour is stated, its own colour; roughness too.
 
 from typing import NamedTuple
 
-from core.guidance.builtin.colors import Color
+from core.guidance.builtin.colors import OF_MATERIALS, Color
 
 
 class Variant(NamedTuple):
@@ -156,6 +156,19 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "suede": Variant("velvet", (0.55, 0.38, 0.24), 0.85),
 }
 VARIANTS = {form: row for forms, row in _ROWS.items() for form in forms.split(", ")}
+
+
+def split_tone(form: str) -> tuple[str, str]:
+    """The tone before a material and the rest: of light oak; "" where the form has none."""
+    tone, _, rest = form.partition(" ")
+    return (tone, rest) if tone in OF_MATERIALS and form not in VARIANTS else ("", form)
+
+
+def has_own_look(form: str) -> bool:
+    """Whether a material as it was written looks otherwise than its wider word."""
+    tone, rest = split_tone(form)
+    return bool(tone) or rest in VARIANTS
+
 
 # Things that are built of stones, not carved from one.
 BUILDINGS = (

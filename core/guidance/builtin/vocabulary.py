@@ -26,7 +26,7 @@ from core.guidance.builtin.prompt_errors import (
 )
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
-from core.guidance.builtin.variants import VARIANTS
+from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import GLASSWARE, WEATHERS
 
 
@@ -70,13 +70,13 @@ class Words:
 
     def named_material(self) -> str:
         """The material as it was written, where it gets its own detail; else its word."""
-        return self.material_form if self.material_form in VARIANTS else self.material
+        return self.material_form if has_own_look(self.material_form) else self.material
 
     def part_materials(self) -> dict[str, str]:
         """The material of each part that has its own, as :meth:`named_material`."""
         forms = {accent.part: accent.material_form for accent in self.accents}
         own = self.of_parts("material")
-        return {part: forms[part] if forms[part] in VARIANTS else own[part] for part in own}
+        return {part: forms[part] if has_own_look(forms[part]) else own[part] for part in own}
 
     def part_patterns(self) -> dict[str, str]:
         """The pattern of each part that has its own, and the colour that it is drawn with."""

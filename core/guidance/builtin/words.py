@@ -121,6 +121,7 @@ PART_SYNONYMS = {
     "shade": "lampshade",
     "leaves": "leaf, foliage",
     "sails": "sail",
+    "awning": "canopy",
     "icing": "frosting",
     "syrup": "maple syrup, chocolate syrup",
     "wings": "wing",
@@ -227,9 +228,10 @@ BORNE = {
 # What most of a thing is, whatever it calls that; and what else it has.
 WHOLE = frozenset(
     """body case casing housing shell frame chassis bodywork exterior surface paint paintwork
-    glaze varnish coating""".split()
+    glaze varnish coating finish outside""".split()
 )
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
+PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone")  # materials
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
 GEMS |= {"amethyst": "purple", "topaz": "yellow"}
@@ -249,10 +251,10 @@ FILLER = PLACES | frozenset(
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
     lovely pretty statuette carving replica pose posed warm cool or nor but only extra some
     please pls plz i you we me my your his her want need would make create generate give show
-    draw build design lol idk omg btw tho kinda smth something""".split()
+    draw build design lol idk omg btw tho kinda smth something just only really number""".split()
 )
 # What is short for a word where people type fast.
-SHORT = {"w": "with", "n": "and", "wo": "without"}
+SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
@@ -348,6 +350,7 @@ ALONE |= dict.fromkeys(("pine", "spruce", "cedar"), "tree")
 ALONE |= dict.fromkeys(("birch", "maple", "beech"), "oak tree")
 ALONE |= dict.fromkeys(("chocolate", "white chocolate", "dark chocolate"), "chocolate bar")
 WITHOUT = ("without", "no", "lacking")
+LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
 # Of the legs a caption states how many.
 CHOICES = ("armrests", "backrest", "handle", "cap", "hat", "chimney")

@@ -1,0 +1,74 @@
+"""What is said of a part in front of the thing: "a marble topped table", "a red cap mushroom".
+
+Read from left to right the look would be the whole thing's, as in "a marble table". Standard
+library only.
+"""
+
+from collections.abc import Iterator
+
+from core.guidance.builtin.lexicon import NAMED, look_up
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.part_names import is_wide, own_name
+from core.guidance.builtin.tokens import LONGEST, Tokens
+from core.guidance.builtin.words import LOOKS
+
+ENDING = "ed"
+OF_ALL = ("plated", "painted", "glazed", "coated", "varnished")  # "gold plated" has no plate
+
+
+def set_parts_apart(tokens: Tokens) -> None:
+    """Put what is said of a part behind the rest: "a marble topped table" as "a table, with marble
+    top"."""
+    at, said = 0, []
+    while at < len(tokens.words):
+        part = _meant(tokens, at)
+        begin = tokens.qualities_begin(at, LOOKS) if part else at
+        if begin < at:
+            said.append(["with", *tokens.words[begin:at], part])
+            tokens.cut(begin, at + 1)
+            at = begin
+        else:
+            at += 1
+    for clause in said:
+        tokens.add_clause(clause)
+
+
+def _meant(tokens: Tokens, at: int) -> str:
+    """The part that the word at the index says how it looks, or ""."""
+    word = tokens.words[at]
+    if word.endswith(ENDING) and word not in OF_ALL and look_up(word, tokens.known) is None:
+        forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
+        return next((form for form in forms if form in _PARTS), "")
+    # Of the thing right behind it; "a flower pot" is one by itself.
+    if any(_noun(" ".join(words), tokens) for words in _around(tokens.words, at)):
+        return ""
+    things = (_noun(phrase, tokens) for phrase in tokens.phrases(at + 1))
+    noun = next(filter(None, things), "")
+    if not noun or at + 1 in tokens.breaks or at in tokens.owners:
+        return ""
+    names = (own_name(noun, word), own_name(noun, f"{word}s"))
+    return next((name for name in names if name and not is_wide(noun, word)), "")
+
+
+def _noun(phrase: str, tokens: Tokens) -> str:
+    entry = look_up(phrase, tokens.known)
+    return entry.word if entry and entry.slot == "noun" else ""
+
+
+def _around(words: list[str], at: int) -> Iterator[list[str]]:
+    """The phrases of several words that the index is in."""
+    for count in range(2, LONGEST + 1):
+        for begin in range(max(at - count + 1, 0), at + 1):
+            yield words[begin : begin + count]
+
+
+def _stems(word: str) -> Iterator[str]:
+    """What a word has that ends so: topped a top, handled a handle, eyed an eye."""
+    stem = word.removesuffix(ENDING)
+    yield stem
+    yield f"{stem}e"
+    if stem[-1:] == stem[-2:-1]:
+        yield stem[:-1]
+
+
+_PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.looks}
