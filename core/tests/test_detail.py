@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from itertools import product
 from unittest import mock
@@ -31,11 +32,11 @@ from core.tests.texture_shapes import area, one_material, torus, torus_uv
 from core.tests.tiny_runs import remembered
 from core.texture import finish
 from core.texture.bake import bake
-from core.texture.detail.detail import DEEP, THIN
+from core.texture.detail.detail import DEEP, THIN, Coat, Detail, Spots
 from core.texture.detail.grain import lengths
 from core.texture.detail.kinds import KINDS
 from core.texture.detail.noise import Noise
-from core.texture.detail.parts import ByColor
+from core.texture.detail.parts import ByArea, ByColor
 from core.texture.detail.place import Layer, Place
 from core.texture.finish import Finish, detail_of
 
@@ -137,6 +138,35 @@ def test_every_variant_is_a_word_of_its_material():
         words = parse(f"a {form} ball")
         assert words.material_form == form
         assert surfaces_of(words)[0].kind == variant.kind
+
+
+def test_a_flame_is_yellow_at_its_root_and_red_at_its_tip():
+    """Embers, a sun's rays, are the same all over."""
+    points = line(2, 2000)
+    rise = np.linspace(0, 1, len(points), dtype=np.float32)
+    flame = KINDS["flame"](replace(place_at(points), rise=rise)).ratio
+    root, tip = flame[:400].mean(0), flame[-400:].mean(0)
+    assert (root > 1.4 * tip).all()
+    assert root[1] / root[0] > 1.5 * tip[1] / tip[0], "redder, not only darker"
+    embers = KINDS["embers"](replace(place_at(points), rise=rise)).ratio
+    assert np.allclose(embers[:400].mean(0), embers[-400:].mean(0), rtol=0.15)
+
+
+def test_what_burns_rises_from_its_own_foot():
+    """A candle's flame is at the top of it."""
+    flame, wax = Surface("flame", (1.0, 0.6, 0.1), glow=1.0), Surface("cream", (0.9, 0.9, 0.8))
+    z = torch.linspace(-0.5, 0.5, 400)
+    area = (z > 0.3).long()
+    point = torch.stack([torch.full_like(z, 0.1), torch.zeros_like(z), z], 1)
+    normal = torch.tensor([[1.0, 0.0, 0.0]]).expand(400, 3)
+    at = Spots(point, normal, torch.ones(400, 3), torch.zeros(400, 1), area)
+    coat = Coat(torch.full((400, 3), 0.4), torch.full((400, 1), 0.5), torch.zeros(400, 1))
+    detail = Detail.of(ByArea((wax, flame)), NOISE, 1.0, at, coat)
+    assert detail.levels[1] == pytest.approx((0.3, 0.5), abs=0.01)
+    made, _ = detail(at, coat)
+    burning = made.emission[area == 1]
+    assert (burning[:15].mean(0) > burning[-15:].mean(0)).all(), "brighter at its foot"
+    assert (made.emission[area == 0] == 0).all()
 
 
 @pytest.mark.parametrize("kind", KINDS)

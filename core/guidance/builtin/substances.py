@@ -34,6 +34,7 @@ ROUGHNESS = {
     "soil": 0.95,
     "wicker": 0.8,
     "flame": 0.5,
+    "embers": 0.5,
     "felt": 0.95,
     "clay": 0.85,
     "concrete": 0.9,
@@ -149,7 +150,8 @@ OF_A_PART = {
         "blanket, mattress, pillow, collar"
     ),
     "feathers": "feathers, plume",
-    "flame": "flame, flames, fire, tongues, spark, embers, lava, rays",
+    "flame": "flame, flames, fire, tongues",
+    "embers": "spark, embers, lava, rays",
     "flesh": "flesh, meat, ham, salami, pith",
     "foliage": "florets, plants, firs",
     "glass": (
@@ -280,8 +282,9 @@ GLOW = {
 # What is not worn as things are: what lives, grows, or is eaten, and what has no shape of its own.
 UNWORN = frozenset(
     """eye hair fur feathers scales hide skin chitin leaf foliage petal peel flesh crust crumb cream
-    soil flame liquid bark""".split()
+    soil flame embers liquid bark""".split()
 ) | {"wet skin"}
+BURNING = ("flame", "embers")
 
 
 def substance(noun: str, part: str) -> str:
@@ -294,7 +297,7 @@ def substance(noun: str, part: str) -> str:
 def lights(noun: str, part: str, kind: str) -> tuple[float, float]:
     """How much the noun's ``part``, of its natural ``kind``, glows and is clear."""
     glow, clear = (table.get(f"{noun} {part}", 0.0) for table in _lights())
-    return 1.0 if kind == "flame" and not glow else glow, clear
+    return 1.0 if kind in BURNING and not glow else glow, clear
 
 
 @cache

@@ -6,7 +6,7 @@ import torch
 
 from core.guidance.builtin.colors import Color, toned
 from core.guidance.builtin.palette import FINISHES, Painted, painted
-from core.guidance.builtin.substances import UNWORN, lights
+from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.vocabulary import Words
 from core.guidance.guidance import Surface
@@ -31,7 +31,8 @@ def surface_of(words: Words, part: Painted) -> Surface:
     """What one part is made of, and what time has done to it."""
     new = _shining(part, _lit(words.noun, part, _as_new(words, part)))
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
-    return new if new.kind in ("eye", "flame", "liquid") else new._replace(weather=tuple(lasting))
+    spared = new.kind in ("eye", "liquid", *BURNING)
+    return new if spared else new._replace(weather=tuple(lasting))
 
 
 def _as_new(words: Words, part: Painted) -> Surface:

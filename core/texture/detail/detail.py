@@ -15,6 +15,7 @@ from core.texture.detail.parts import Parts
 from core.texture.detail.place import Layer, Place
 from core.texture.detail.weather import WEATHERS, laid
 
+LEAST_REACH = 1e-3  # upwards, of what lies
 LEAST = 0.02  # weight of a surface at a point, below which it is not looked at
 STEEPEST = 1.2  # slope of the relief: steeper ones would hide themselves
 STEP = 0.5  # texels, over which a slope is measured
@@ -60,12 +61,15 @@ class Detail:
     strength: float
     gains: Float[Tensor, "k 3"]  # of each surface's base colour, so that its mean stays
     grain: Float[Tensor, "v 4"] | None = None  # of the mesh's vertices: lengths, and edges
+    # From where to where each surface reaches upwards, as the points' units.
+    levels: tuple[tuple[float, float], ...] = ()
 
     @classmethod
     def of(cls, parts: Parts, noise: Noise, strength: float, at: Spots, coat: Coat) -> "Detail":
         """``at``, ``coat``: points evenly over the surface, and what was learnt there."""
-        plain = cls(parts, noise, strength, torch.ones(len(parts.surfaces), 3))
         weights = parts.weights(coat.kd, at.area)
+        levels = tuple(_reach(at.point[own > 0.5, 2]) for own in weights.T)
+        plain = cls(parts, noise, strength, torch.ones(len(parts.surfaces), 3), levels=levels)
         gains = []
         for k, surface in enumerate(parts.surfaces):
             # By the points that are mostly this surface's; a part that is nowhere keeps 1.
@@ -76,7 +80,7 @@ class Detail:
             missing = (weight * (wanted - apart * got)).sum(0)
             gain = missing / (weight * (1 - apart) * got).sum(0).clamp(min=1e-9)
             gains.append(torch.where(weight.sum() > 0, gain, torch.ones(3)).clamp(*GAIN))
-        return cls(parts, noise, strength, torch.stack(gains))
+        return cls(parts, noise, strength, torch.stack(gains), levels=levels)
 
     def __call__(self, at: Spots, coat: Coat) -> tuple[Coat, Float[Tensor, "n 3"]]:
         """The material with its detail, and the gradient of the relief along the surface."""
@@ -119,7 +123,9 @@ class Detail:
 
     def _as_new(self, k: int, at: Spots) -> tuple[Place, Layer]:
         along, edge = at.lengths.argmax(1), at.edge[:, 0].numpy()
-        place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise, edge)
+        low, high = self.levels[k] if self.levels else (-0.5, 0.5)
+        rise = ((at.point[:, 2].numpy() - low) / max(high - low, LEAST_REACH)).clip(0, 1)
+        place = Place(*(x.numpy() for x in (at.point, at.normal, along)), self.noise, edge, rise)
         return place, KINDS[self.parts.surfaces[k].kind](place)
 
     def _layer(self, k: int, at: Spots) -> Layer:
@@ -142,6 +148,11 @@ class Detail:
         length = gradient.norm(dim=1, keepdim=True).clamp(min=1e-9)
         gradient = gradient * (STEEPEST / length).clamp(max=1)
         return Layer(*(x[:count] for x in layer)), gradient
+
+
+def _reach(heights: Float[Tensor, " n"]) -> tuple[float, float]:
+    """The least and the greatest; of nothing as of the whole object."""
+    return (heights.min().item(), heights.max().item()) if len(heights) else (-0.5, 0.5)
 
 
 def lit(surfaces: tuple[Surface, ...]) -> bool:

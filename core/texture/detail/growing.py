@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.texture.detail.noise import smoothstep
+from core.texture.detail.noise import Values, smoothstep
 from core.texture.detail.place import Layer, Place
 
 LEAF = 0.036  # from one leaf of a bush to the next, in units
@@ -152,11 +152,20 @@ def soil(place: Place) -> Layer:
 
 
 def flame(place: Place) -> Layer:
-    """Tongues that rise."""
+    """Tongues that rise, yellow at the root and red at the tip."""
+    return _burning(place, 2.2 * (np.asarray(place.rise, np.float32) - 0.45))
+
+
+def embers(place: Place) -> Layer:
+    """As a flame, of one brightness all over."""
+    return _burning(place, 0.0)
+
+
+def _burning(place: Place, cooling: Values | float) -> Layer:
     p, noise = place.point, place.noise
     tongue = noise.waves(p + 0.05 * noise.waves(p, 4.0, 1, 2)[:, None], (14.0, 14.0, 3.0), 2, 2)
     return Layer.of(
-        0.6 * tongue, (0.80, 0.50, 0.30), roughness=0.05 * tongue, height=0.004 * tongue
+        0.6 * tongue + cooling, (0.80, 0.50, 0.30), roughness=0.05 * tongue, height=0.004 * tongue
     )
 
 

@@ -57,6 +57,7 @@ KINDS: dict[str, Callable[[Place], Layer]] = {
     "paper": growing.paper,
     "soil": growing.soil,
     "flame": growing.flame,
+    "embers": growing.embers,
     "liquid": growing.liquid,
     "wicker": growing.wicker,
 }

@@ -19,6 +19,8 @@ class Place:
     noise: Noise
     # How convex the shape is there, about in [-1, 1]: above 0 on an edge, below 0 in a corner.
     edge: Values | float = 0.0
+    # How high it is in all that is of its kind, from 0 at its foot to 1.
+    rise: Values | float = 0.5
 
     @property
     def grained(self) -> Points:
