@@ -36,7 +36,7 @@ class Redrawing:
         net = Autoencoder()
         weights = {name: tensor.float() for name, tensor in load_file(path).items()}
         net.load_state_dict(net.state_dict() | weights)
-        return cls(net.eval().requires_grad_(False), kinds_of(folder))
+        return cls(net.eval().requires_grad_(False), kinds_of(folder).middles)
 
     def shape(self, shape: Shape, noun: int, cells: int) -> LatticeShape:
         """The solid as it comes back, on a lattice of ``cells`` along an edge; ``noun``: its place

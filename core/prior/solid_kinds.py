@@ -1,11 +1,13 @@
-"""The kinds of each noun's solids: clusters of their volumes, found before the training.
+"""The kinds of each noun's solids, found before the training: what a family chooses by chance, and
+where that leaves some, clusters of the volumes.
 
 Tables of one leg and of four are both tables, and what is learnt of them together is their mean.
-What a family chooses by chance, a round top or an oblong one, counts for more than its proportions,
-though these may move more of the volume.
+A round top or an oblong one counts for more than proportions, though these may move more of the
+volume; and a chair's back of slats or of boards is hardly seen in the volume.
 """
 
 from pathlib import Path
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float, Int
@@ -20,32 +22,58 @@ from core.prior.solid_data import REACH, SIDE, SOLIDS, Solids, read_solids
 
 FILES = 30  # that the kinds are found in
 NAME = "kinds.safetensors"
+ANY = -1  # choices of a kind that is told by the volume alone
 OWN = 0.3  # how much counts by which an object differs from those of the same choices
 NEAR = 0.1  # training units: volumes are compared within this of their surfaces
 SEED = 0
 
 
-def kinds_of(folder: Path) -> Float[Tensor, "n k c"]:
-    """The middle of each noun's kinds; found once and kept in the folder."""
+class Kinds(NamedTuple):
+    """Of each noun."""
+
+    middles: Float[Tensor, "n k c"]  # of the kinds' volumes, as compared
+    choices: Int[Tensor, "n k"]  # which a kind's objects have, or ``ANY``
+
+
+def kinds_of(folder: Path) -> Kinds:
+    """Found once and kept in the folder."""
     path = folder / NAME
     if not path.exists():
         solids = read_solids(sorted(folder.glob(SOLIDS))[:FILES])
-        middles = torch.stack([_clusters(solids, noun) for noun in range(len(NOUNS))])
+        found = [_kinds(solids, solids.words[:, 0] == noun) for noun in range(len(NOUNS))]
+        middles, choices = map(torch.stack, zip(*found, strict=True))
         with atomic_file(path) as temporary:
-            save_file({"middles": middles.half()}, temporary)
-    return load_file(path)["middles"].float()
+            save_file({"middles": middles.half(), "choices": choices}, temporary)
+    kept = load_file(path)
+    return Kinds(kept["middles"].float(), kept["choices"])
 
 
-def _clusters(solids: Solids, noun: int) -> Float[Tensor, "k c"]:
+def _kinds(solids: Solids, which: Tensor) -> tuple[Float[Tensor, "k c"], Int[Tensor, " k"]]:
+    """One noun's: as many of each of its choices as these have objects for, at least one; of more
+    choices than there are kinds, or of none, by the volumes."""
+    choices, count = solids.choices[which].unique(return_counts=True)
+    if not 1 < len(choices) <= KINDS:
+        return _clusters(_volumes(solids, which), KINDS), torch.full((KINDS,), ANY)
+    share = torch.ones_like(count)
+    while share.sum() < KINDS:
+        share[(count / share).argmax()] += 1
+    middles = [
+        _clusters(compared(solids.grid[which & (solids.choices == one)]), kinds)
+        for one, kinds in zip(choices, share.tolist(), strict=True)
+    ]
+    return torch.cat(middles), choices.repeat_interleave(share)
+
+
+def _clusters(found: Float[Tensor, "s c"], count: int) -> Float[Tensor, "{count} c"]:
     """By k-means; a cluster that stays empty keeps its first member."""
-    found = _volumes(solids, solids.words[:, 0] == noun)
-    if len(found) <= KINDS:
-        return found[torch.arange(KINDS) % max(len(found), 1)] if len(found) else _nothing()
-    middles, _ = kmeans2(found.numpy(), KINDS, minit="++", seed=SEED)
+    if len(found) <= count:
+        nothing = torch.zeros(count, SIDE**3)
+        return found[torch.arange(count) % len(found)] if len(found) else nothing
+    middles, _ = kmeans2(found.numpy(), count, minit="++", seed=SEED)
     return torch.from_numpy(middles)
 
 
-def _volumes(solids: Solids, which: Tensor) -> Float[Tensor, "n c"]:
+def _volumes(solids: Solids, which: Tensor) -> Float[Tensor, "s c"]:
     """As compared, and drawn towards the mean of those of the same choices."""
     own = compared(solids.grid[which])
     choices, of = solids.choices[which].unique(return_inverse=True)
@@ -54,22 +82,23 @@ def _volumes(solids: Solids, which: Tensor) -> Float[Tensor, "n c"]:
     return torch.lerp(means[of], own, OWN)
 
 
-def _nothing() -> Float[Tensor, "k c"]:
-    return torch.zeros(KINDS, SIDE**3)
-
-
 def compared(grid: Tensor) -> Float[Tensor, "n c"]:
     """Volumes as they are compared: what is far from the surface counts alike."""
     return (grid.flatten(1).float() * (REACH / NEAR / 127)).clamp(-1, 1)
 
 
-def kind_rows(solids: Solids, middles: Float[Tensor, "n k c"]) -> Int[Tensor, " s"]:
+def kind_rows(solids: Solids, kinds: Kinds) -> Int[Tensor, " s"]:
     """Each object's kind, as the network has it: 1 is the first of the first noun."""
     rows = torch.zeros(len(solids), dtype=torch.long)
     for noun in solids.words[:, 0].unique().tolist():
         index = (solids.words[:, 0] == noun).nonzero()[:, 0]
-        away = torch.cdist(_volumes(solids, index), middles[noun])
-        rows[index] = 1 + KINDS * noun + away.argmin(1)
+        by_choice = kinds.choices[noun, 0] != ANY
+        found = compared(solids.grid[index]) if by_choice else _volumes(solids, index)
+        away = torch.cdist(found, kinds.middles[noun])
+        others = solids.choices[index, None] != kinds.choices[noun]
+        # Choices that the kinds were found without: whichever is nearest.
+        others &= by_choice & ~others.all(1, keepdim=True)
+        rows[index] = 1 + KINDS * noun + away.masked_fill(others, torch.inf).argmin(1)
     return rows
 
 

@@ -10,8 +10,10 @@ import torch
 import torch.nn.functional as F
 from jaxtyping import Bool, Float, Int
 from safetensors.torch import load_file
+from scipy.spatial import KDTree
 from torch import Tensor, nn
 
+from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import KINDS, PARTS, SCALE, SolidNet, SolidNetConfig
 from core.guidance.builtin.weights import load_tensors
@@ -36,6 +38,8 @@ PART_WEIGHT = 0.4  # of the error of each part's own distance
 OWNER_WEIGHT = 0.03  # of the cross entropy of whose the surface is
 OWNER_REACH = 0.6  # within which of the surface that is asked for, / SCALE
 ALIKE = 0.01  # training units: how far apart the sides of what is mirrored may be
+CHECKED = 4  # objects of a mirrored kind, of which the parts are looked at
+STEEPEST = 1.5  # a distance over the way, more than any is
 LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
 
 
@@ -88,7 +92,7 @@ class SolidSource:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.middles = kinds_of(folder)
+        self.kinds = kinds_of(folder)
         self.errors = torch.ones(len(NOUNS))  # of each noun, in the mean over the last ones drawn
         self.paths: list[Path] = []
         self.rescan()
@@ -98,7 +102,7 @@ class SolidSource:
         paths = sorted(self.folder.glob(SOLIDS))
         if paths != self.paths:
             self.paths, self.samples = paths, read_solids(paths)
-            kinds = kind_rows(self.samples, self.middles)
+            kinds = kind_rows(self.samples, self.kinds)
             self.rows = torch.cat([self.samples.rows(), kinds[:, None]], 1)
             self.mirrored = self._mirrored()
 
@@ -122,7 +126,11 @@ class SolidSource:
         alike = torch.stack([mirrored(self.samples.grid, axis) for axis in (0, 1)], 1)
         unlike = torch.zeros(WORDS[3] + 1, 2).index_add(0, self.rows[:, 3], (~alike).float())
         seen = self.rows[:, 3].bincount(minlength=WORDS[3] + 1) > 0
-        return (unlike == 0) & seen[:, None]
+        found = (unlike == 0) & seen[:, None]
+        for kind, axis in found.nonzero().tolist():
+            some = (self.rows[:, 3] == kind).nonzero()[:CHECKED, 0]
+            found[kind, axis] = all(parts_mirrored(self.samples, int(i), axis) for i in some)
+        return found
 
 
 def mirrored(grid: Int[Tensor, "n s s s"], axis: int) -> Bool[Tensor, " n"]:
@@ -133,6 +141,19 @@ def mirrored(grid: Int[Tensor, "n s s s"], axis: int) -> Bool[Tensor, " n"]:
         there = compared(some.flip(1 + axis))
         same.append((here - there).abs().amax(1) <= ALIKE / NEAR)
     return torch.cat(same)
+
+
+def parts_mirrored(solids: Solids, index: int, axis: int) -> bool:
+    """Whether each of an object's parts is the same from both ends of an axis, as far as its points
+    tell: a hot tap and a cold one are not, though their volume is."""
+    points = solids.points[index].float() / 32767 * EXTENT
+    distances = solids.distances[index].float()
+    there = points[:ASKED].clone()
+    there[:, axis] *= -1
+    gap, near = KDTree(points.numpy()).query(there.numpy())
+    # A distance changes no faster than the way.
+    away = (distances[near] - distances[:ASKED]).abs().amax(1)
+    return bool((away <= STEEPEST * torch.from_numpy(gap) + ALIKE).all())
 
 
 def asked(

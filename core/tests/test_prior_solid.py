@@ -63,6 +63,8 @@ from core.prior.solid_training import (
     SolidTraining,
     distance_loss,
     inside_loss,
+    mirrored,
+    parts_mirrored,
     remember,
     solid_loss,
     trained_solid_net,
@@ -268,18 +270,18 @@ def test_files_are_made_once_and_whole(folder):
 def test_kinds_tell_apart_what_looks_different(folder):
     solids = read_solids(sorted(folder.glob("solids_*.safetensors")))
     chairs = solids.words[:, 0] == NOUNS.index("chair")
-    middles = kinds_of(folder)
-    rows = kind_rows(solids, middles)
+    kinds = kinds_of(folder)
+    rows = kind_rows(solids, kinds)
     first = 1 + KINDS * NOUNS.index("chair")
     assert ((rows[chairs] >= first) & (rows[chairs] < first + KINDS)).all()
     assert rows[chairs].unique().numel() > 1
     # Within a kind objects are nearer to its middle than to that of all.
     found = compared(solids.grid[chairs])
-    away = torch.cdist(found, middles[NOUNS.index("chair")])
+    away = torch.cdist(found, kinds.middles[NOUNS.index("chair")])
     assert away.gather(1, (rows[chairs] - first)[:, None]).mean() < (
         (found - found.mean(0)).norm(dim=1).mean()
     )
-    assert torch.equal(kinds_of(folder), middles)  # found once
+    assert all(map(torch.equal, kinds_of(folder), kinds))  # found once
     assert solid_kinds.NAME in {path.name for path in folder.iterdir()}
 
 
@@ -299,6 +301,31 @@ def test_kinds_follow_what_a_family_chooses(tmp_path, monkeypatch):
     rows = kind_rows(solids, kinds_of(tmp_path))
     assert [len(rows[sort == one].unique()) for one in (0, 1)] == [1, 1]
     assert len(rows.unique()) == 2
+
+
+@pytest.mark.parametrize(
+    ("sorts", "kinds"),
+    [
+        ((8, 8, 8), [1, 1, 2]),  # the fourth kind is of the first of the largest
+        ((20, 4), [1, 3]),
+        ((6, 6, 6, 6), [1, 1, 1, 1]),
+    ],
+)
+def test_what_a_family_chooses_makes_kinds_where_the_volumes_are_alike(tmp_path, sorts, kinds):
+    """As of a cube's stickers, whose colours are parts."""
+    grid = torch.randint(-127, 127, (24, SIDE, SIDE, SIDE), generator=_generator()).to(torch.int8)
+    choice = torch.arange(len(sorts)).repeat_interleave(torch.tensor(sorts))
+    nothing = torch.zeros(24, 1, 3, dtype=torch.int16), torch.zeros(24, 1, PARTS).half()
+    solids = Solids(grid, *nothing, torch.zeros(24, 3, dtype=torch.int16), choice + 7)
+    save_file(vars(solids), tmp_path / SOLIDS.replace("*", "00000"))
+    found = kinds_of(tmp_path)
+    rows = kind_rows(solids, found)
+    of_sorts = [set(rows[choice == one].tolist()) for one in range(len(sorts))]
+    assert sorted(map(len, of_sorts)) == kinds
+    assert len(set.union(*of_sorts)) == sum(map(len, of_sorts)), "no kind is of two sorts"
+    # Sorts that the kinds were found without get the nearest.
+    unseen = replace(solids, choices=choice + 99)
+    assert (kind_rows(unseen, found) > 0).all()
 
 
 def test_what_is_rightly_far_has_no_error():
@@ -506,7 +533,9 @@ def test_a_folders_network_comes_back_with_its_encoder(tmp_path, monkeypatch):
     there = _redrawing()
     weights = {n: x.half().contiguous() for n, x in there.net.named_parameters()}
     save_file(weights, tmp_path / "solid_ema.safetensors")
-    save_file({"middles": there.kinds.half()}, tmp_path / "kinds.safetensors")
+    save_file(
+        {"middles": there.kinds.half(), "choices": torch.zeros(1)}, tmp_path / "kinds.safetensors"
+    )
     back = Redrawing.of(tmp_path)
     assert back
     shape, noun = build("mug", "", Draw(_generator())), NOUNS.index("mug")
@@ -556,6 +585,15 @@ def test_a_kind_is_mirrored_where_all_of_its_objects_are(folder):
     assert sides[~mugs, 0].all()  # chairs
     assert not sides[~mugs, 1].any()  # a back
     assert not source.mirrored[0].any()  # of no kind
+
+
+def test_parts_that_differ_from_side_to_side_are_not_mirrored():
+    """A hot tap and a cold one, a cube's stickers: of the whole's volume both sides are alike."""
+    solids = make_solids(0, of_each=2, nouns=["faucet", "puzzle cube", "chair", "sunglasses"])
+    first = {noun: 2 * k for k, noun in enumerate(("faucet", "puzzle cube", "chair", "sunglasses"))}
+    assert mirrored(solids.grid, 0)[list(first.values())].all()
+    found = {noun: parts_mirrored(solids, index, 0) for noun, index in first.items()}
+    assert found == {"faucet": False, "puzzle cube": False, "chair": True, "sunglasses": True}
 
 
 def test_a_torn_drawing_is_drawn_again(monkeypatch):

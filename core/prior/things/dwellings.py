@@ -55,8 +55,8 @@ def barn(draw: Draw) -> Parts:
 
 def log_cabin(draw: Draw) -> Parts:
     """Round logs that cross at the corners, a gable roof, a chimney of stones, a door, a window."""
-    wide, deep, r, rows = draw(1.0, 1.12), draw(0.68, 0.8), 0.17, 4
-    rise, over, step = draw(0.6, 0.74), 0.24, 2 * 0.17
+    wide, deep, r, rows = draw(1.0, 1.12), draw(0.68, 0.8), 0.13, 5
+    rise, over, step = draw(0.6, 0.74), 0.24, 2 * 0.13
     top = rows * step
     sides = [
         tube((wide, -0.2, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r, 0.03)

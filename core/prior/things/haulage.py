@@ -257,7 +257,7 @@ def minecart(draw: Draw) -> Parts:
     straps = join(*(box((0, s * y * 0.45, 0.8), (2, 0.09, 2)) for s in (-1, 1)))
     edges = join(box((0, 0, top), (2, 2, 0.1)), box((0, 0, low), (2, 2, 0.1)), straps)
     hole = tub(-0.13, low + 0.15, top + 0.3)
-    lumps, heap = draw.arranged(2), []
+    lumps, heap = draw.arranged(), []
     for k in range(9):
         u, v = (k % 3 - 1) * x * 0.52, (k // 3 - 1) * y * 0.56
         size = lumps(0.17, 0.24)
