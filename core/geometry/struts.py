@@ -16,13 +16,20 @@ from core.geometry.tet_grid import TetGrid
 
 STRUT_CELLS = 1.5  # radius of a strut, cells of the lattice
 MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
+# A gap is even where it is so little wider than at its narrowest, times and training units, and long
+# from so many training units and widths on.
+EVEN, SLACK, LONG, LONGER = 1.2, 0.02, 0.5, 8.0
+POSTS = (0.12, 0.88)  # of its length, where the two struts stand
 OFFSET_WEIGHT = (
     0.25  # of the distance to the line of the centroids, what counts as length of a strut
 )
 
 
+Strut = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]]  # its ends
+
+
 def joined_by_struts(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
-    """``drawn`` with a strut from each piece to the rest of it, the smallest piece first.
+    """``drawn`` with struts from each piece to the rest of it, the smallest piece first.
 
     A strut is a capsule: the lattice's values become the smaller of their own and its distance.
     Pieces below ``keep_ratio`` of the largest one's area, and walls of voids, are left alone. A
@@ -32,20 +39,20 @@ def joined_by_struts(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surfac
         pieces = _pieces(drawn, keep_ratio)
         if len(pieces) < 2:
             break
-        p, q = strut(pieces[0], np.concatenate(pieces[1:]))
-        ends = torch.from_numpy(np.stack([p, q])).to(drawn.positions)
-        distance = capsule(drawn.positions, ends, STRUT_CELLS * grid.cell)
-        drawn = surface(torch.minimum(drawn.sdf, distance), drawn.positions, grid)
+        sdf = drawn.sdf
+        for ends in struts(pieces[0], np.concatenate(pieces[1:])):
+            ends = torch.from_numpy(np.stack(ends)).to(drawn.positions)
+            sdf = torch.minimum(sdf, capsule(drawn.positions, ends, STRUT_CELLS * grid.cell))
+        drawn = surface(sdf, drawn.positions, grid)
     return drawn
 
 
-def strut(
-    piece: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"]
-) -> tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]]:
-    """Ends of the best strut between two clouds of vertices.
+def struts(piece: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"]) -> list[Strut]:
+    """The best struts between two clouds of vertices, a pair where the gap between them is long and
+    even, as between a seat and its back.
 
-    The shortest; where many are about as short, as between a sail and its deck, the one next to the
-    line between the centroids.
+    Else the shortest; where many are about as short, as between a sail and its deck, the one next
+    to the line between the centroids.
     """
     # For each vertex of the piece its shortest strut.
     distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
@@ -53,8 +60,16 @@ def strut(
     start, along = piece.mean(0), rest.mean(0) - piece.mean(0)
     along = along / max(float(np.linalg.norm(along)), 1e-9)
     offset = np.linalg.norm(np.cross(middle - start, along), axis=1)
-    best = int((distance + OFFSET_WEIGHT * offset).argmin())
-    return piece[best], rest[nearest[best]]
+    best = [int((distance + OFFSET_WEIGHT * offset).argmin())]
+    gap = float(distance.min())
+    even = np.flatnonzero(distance <= EVEN * gap + SLACK)
+    center = piece[even].mean(0)
+    place = (piece[even] - center) @ np.linalg.svd(piece[even] - center, full_matrices=False)[2][0]
+    low, high = float(place.min()), float(place.max())
+    if high - low > max(LONG, LONGER * gap):
+        ends = (np.abs(place - (low + share * (high - low))) for share in POSTS)
+        best = [int(even[end.argmin()]) for end in ends]
+    return [(piece[one], rest[nearest[one]]) for one in best]
 
 
 def capsule(

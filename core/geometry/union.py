@@ -13,8 +13,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.geometry.struts import MOST_STRUTS
-from core.geometry.struts import strut as best_strut
+from core.geometry.struts import MOST_STRUTS, struts
 
 ROUND = 16  # segments of a strut's ends
 
@@ -33,8 +32,8 @@ def union(
         pieces = sorted(whole.decompose(), key=lambda piece: piece.volume())
         if len(pieces) < 2:
             break
-        ends = best_strut(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])]))
-        whole = whole + _capsule(*ends, strut)
+        for ends in struts(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])])):
+            whole = whole + _capsule(*ends, strut)
     made = whole.to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
     first, _ = meshes[0]

@@ -385,3 +385,34 @@ def test_clear_glass_without_a_colour_is_white_and_a_stated_colour_tints_it():
     torch.testing.assert_close(
         color("a red glass vase"), srgb_to_linear(torch.tensor(COLOR_VALUES["red"]))
     )
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part", "stripes"),
+    [
+        ("a longship with a red and white striped sail", ("sail", "red"), "white"),
+        ("a longship with a striped blue sail", ("sail", "blue"), ""),
+        ("a market stall with a green and yellow striped awning", ("awning", "green"), "yellow"),
+        ("a striped blue and orange scarf", ("wool", "blue"), "orange"),
+        ("a striped tiger", ("body", ""), ""),
+    ],
+)
+def test_what_is_striped_by_nature_has_no_other_stripes(prompt, part, stripes):
+    """They were laid over its own: a sail was tartan."""
+    words = parse(prompt)
+    found = {one.name: one for one in painted(words.noun, words)}
+    assert not any(one.pattern == "striped" for one in found.values())
+    for name, color in (part, ("stripes", stripes)):
+        wanted = COLOR_VALUES[color] if color else looks(words.noun)[name].color
+        assert found[name].color == pytest.approx(wanted), name
+
+
+def test_other_stripes_than_its_own_are_drawn():
+    for prompt, part in (
+        ("a longship with a striped red hull", "hull"),
+        ("a striped red and white longship", "hull"),
+        ("a striped red and white boat", "hull"),
+    ):
+        words = parse(prompt)
+        found = {one.name: one for one in painted(words.noun, words)}
+        assert found[part].pattern == "striped", prompt

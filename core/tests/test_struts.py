@@ -10,7 +10,7 @@ import torch
 from core.config import DRAFT, PAPER, STANDARD
 from core.geometry.mesh import health
 from core.geometry.sdf_net import SdfNet, Surface, surface
-from core.geometry.struts import capsule, joined_by_struts, strut
+from core.geometry.struts import capsule, joined_by_struts, struts
 from core.geometry.tet_grid import tet_grid
 from core.stages.geometry import final_mesh
 
@@ -79,7 +79,7 @@ def test_a_sail_stands_on_the_middle_of_its_deck():
     x = np.linspace(-0.5, 0.5, 21)
     sail = np.array([[u, 0.0, 0.3 + h * (1 - 2 * abs(u))] for u in x for h in (0.0, 0.6)])
     deck = np.array([[u, v, 0.1] for u in x for v in (-0.2, 0.0, 0.2)])
-    p, q = strut(sail, deck)
+    ((p, q),) = struts(sail, deck)
     np.testing.assert_allclose(p, [0, 0, 0.3], atol=0.051)
     np.testing.assert_allclose(q, [0, 0, 0.1], atol=0.051)
 
@@ -88,9 +88,21 @@ def test_a_handle_is_joined_where_it_ends():
     turn = np.linspace(0, np.pi, 40)
     bow = np.stack([np.cos(turn), 0 * turn, np.sin(turn)], 1)
     rim = np.stack([np.cos(2 * turn), np.sin(2 * turn), 0 * turn - 0.05], 1)
-    p, q = strut(bow, rim)
+    ((p, q),) = struts(bow, rim)
     assert abs(p[2]) < 0.1
     assert np.linalg.norm(p - q) < 0.1
+
+
+def test_a_back_over_a_seat_stands_on_two_posts():
+    x = np.linspace(-0.5, 0.5, 41)
+    back = np.array([[u, 0.4, 0.1 + h] for u in x for h in np.linspace(0, 0.5, 11)])
+    seat = np.array([[u, v, 0.0] for u in x for v in np.linspace(-0.4, 0.4, 17)])
+    left, right = sorted(struts(back, seat), key=lambda ends: ends[0][0])
+    for x, (p, q) in zip((-0.38, 0.38), (left, right), strict=True):
+        np.testing.assert_allclose(p, [x, 0.4, 0.1], atol=0.026)
+        np.testing.assert_allclose(q, [p[0], 0.4, 0.0], atol=1e-6)
+    # What is as near in one place alone stands there.
+    assert len(struts(back + np.array([0, 0, 1.0]) * np.abs(back[:, :1]), seat)) == 1
 
 
 def test_a_capsules_distances():

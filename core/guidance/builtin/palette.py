@@ -16,12 +16,14 @@ from core.guidance.builtin.colors import COLOR_VALUES, DARK, LIGHT, Color, color
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
+from core.guidance.builtin.words import STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
+STRIPES = "stripes"  # a part that some things have by nature
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
 # surroundings that are darker than what lights a wall.
@@ -172,8 +174,14 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     two_tone = stated.pattern == "two-tone" and has_accents(noun)
     own = {accent.part: accent for accent in stated.accents}
     first, other = (stated.color, stated.color_form), (stated.second, stated.second_form)
+    lines = _own_stripes(noun, stated)
+    drawn = lines is not None and not lines.on
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
+        if lines and name == STRIPES and not accent.color:
+            accent = accent._replace(color=lines.color, color_form=lines.form)
+        if lines and name == lines.on:
+            accent = accent._replace(pattern="")
         # The material first: a stated colour then replaces the material's own.
         material, form, finish, color, pattern = _of_words(noun, look, accent, stated)
         word = (accent.color, accent.color_form)
@@ -193,7 +201,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         elif two_tone and look.role in "+&" and not apart:
             color = _value(other) or companion(_value(first) or look.color)
             pattern, word = finish.pattern, other if stated.second else word
-        elif stated.pattern and look.role in "*&" and not (two_tone or apart):
+        elif stated.pattern and look.role in "*&" and not (two_tone or apart or drawn):
             pattern = stated.pattern
         yield Painted(
             name,
@@ -208,6 +216,27 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             sheen,
             bool(apart or accent.sheen),
         )
+
+
+class OwnStripes(NamedTuple):
+    """Stripes that a thing has by nature where it is to be striped: they are these."""
+
+    on: str  # the part that they lie on; "" of the whole
+    color: str  # that they take; "" by nature
+    form: str
+
+
+def _own_stripes(noun: str, stated: Stated) -> OwnStripes | None:
+    """None where it has none of its own, or where others are meant."""
+    if STRIPES not in looks(noun):
+        return None
+    on = STRIPED_PARTS.get(noun, "")
+    accent = next((one for one in stated.accents if one.part == on), None)
+    if accent and accent.pattern == "striped":
+        return OwnStripes(on, accent.second, accent.second_form)
+    if not on and stated.pattern == "striped":
+        return OwnStripes("", stated.second, stated.second_form)
+    return None
 
 
 def _of_words(

@@ -47,7 +47,7 @@ ROUGHNESS = {
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
-    "bark": "acorn cap, sloth branch",
+    "bark": "acorn cap, sloth branch, snowman arms",
     "bone": "egg shell, feather shaft, sloth claws, roast chicken bones",
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",
@@ -64,7 +64,7 @@ OF_A_THING = {
         "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
     ),
     "felt": "cowboy hat, dartboard reds, dartboard greens",
-    "flesh": "grill food, salad onion, salad cucumber",
+    "flesh": "grill food, salad onion, salad cucumber, mushroom stem",
     "foliage": (
         "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
         "tree leaves"

@@ -232,6 +232,9 @@ WHOLE = frozenset(
 )
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone")  # materials
+# What the stripes lie on that a thing has by nature, where that is not most of it.
+STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
+STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
 GEMS |= {"amethyst": "purple", "topaz": "yellow"}
