@@ -16,8 +16,8 @@ from core.geometry.tet_grid import TetGrid
 
 STRUT_CELLS = 1.5  # radius of a strut, cells of the lattice
 MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
-# A gap is even where it is so little wider than at its narrowest, times and training units, and long
-# from so many training units and widths on.
+# A gap is even where it is no more than so much wider than at its narrowest, times and training
+# units, and long from so many training units and widths on.
 EVEN, SLACK, LONG, LONGER = 1.2, 0.02, 0.5, 8.0
 POSTS = (0.12, 0.88)  # of its length, where the two struts stand
 OFFSET_WEIGHT = (

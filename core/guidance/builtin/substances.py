@@ -47,7 +47,7 @@ ROUGHNESS = {
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
-    "bark": "acorn cap, sloth branch, snowman arms",
+    "bark": "acorn cap, sloth branch",
     "bone": "egg shell, feather shaft, sloth claws, roast chicken bones",
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",

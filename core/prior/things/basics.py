@@ -71,19 +71,20 @@ def table(draw: Draw) -> Parts:
 
 
 def chair(draw: Draw) -> Parts:
-    """Slim legs with bars between them, and a back of boards, of slats, or of one panel."""
+    """Slim legs with bars between them, and a back of two boards, of a slat, or of one panel."""
     x, y, thick = draw(0.5, 0.57), draw(0.48, 0.54), draw(0.075, 0.09)
     seat, plate = draw(0.78, 0.92), draw(0.07, 0.085)
     top, a, b = seat + draw(0.85, 1.05), x - thick, y - thick
     high = (top - seat) / 2
     posts = [box((side * a, b, seat + high), (thick, thick, high), 0.015) for side in (-1, 1)]
-    rail = box((0, b, top - 0.13), (a, 0.065, 0.13), 0.02)
+    rail = box((0, b, top - 0.13), (a, 0.075, 0.13), 0.02)
     # Four sorts in all, as a noun has kinds: what shares one is drawn as the mean of both.
     arms = draw.has("armrests", 0.12)
     style = 0 if arms else draw.which(3)
-    boards = [box((0, b, seat + k * high), (a, 0.06, 0.085), 0.015) for k in (0.5, 1.05)]
-    slats = [box((k * a, b, seat + high), (0.07, 0.055, high * 0.9), 0.015) for k in (-0.5, 0, 0.5)]
-    panel = [box((0, b, seat + high * 1.15), (a, 0.06, high * 0.75), 0.015)]
+    # Gaps narrower than a fifth of the seat would be drawn closed.
+    boards = [box((0, b, seat + high * 0.86), (a, 0.07, 0.1), 0.015)]
+    slats = [box((0, b, seat + high), (0.15, 0.07, high * 0.9), 0.015)]
+    panel = [box((0, b, seat + high * 1.15), (a, 0.07, high * 0.75), 0.015)]
     bars = [box((side * a, 0, seat * 0.4), (0.06, b, 0.06), 0.01) for side in (-1, 1)]
     parts = {
         "seat": box((0, 0, seat), (x, y, plate), 0.03),

@@ -184,8 +184,10 @@ def person(draw: Draw) -> Parts:
     leg, wide, head = draw(0.85, 1.15), draw(0.3, 0.4), draw(0.27, 0.33)
     top, raised, x = leg + draw(0.75, 0.9), draw.chance(0.3), wide + 0.06
     out, down, z = draw(0.12, 0.35), 0.62, top + head + 0.05
-    a = wide * 0.52
-    trunk = taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.75, wide * 0.9)
+    a = max(wide * 0.56, 0.2)  # or the shoes would be one slab
+    trunk = taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.78, wide * 0.9)
+    hem = box((0, 0, leg - 0.92), (2, 2, 1))
+    hips = within(taper((0, 0, leg), (0, 0, top), wide * 0.79, wide * 0.85), hem)
     hands = both(ball((x + out, -0.05, top - 0.15 - down), 0.14))
     if raised:
         half = box((2, 0, top), (2, 4, 8))
@@ -194,12 +196,12 @@ def person(draw: Draw) -> Parts:
     long_hair = egg((0, 0.16, z - 0.15), (head * 1.05, 0.22, head * 1.25))
     nose = ball((0, -head - 0.02, z), 0.07)
     return {
-        "shirt": join(trunk, _arms(x, top - 0.15, down, out, 0.14, raised)),
+        "shirt": join(cut(trunk, hem), _arms(x, top - 0.15, down, out, 0.14, raised)),
         "skin": join(ball((0, 0, z), head), tube((0, 0, top - 0.1), (0, 0, z), 0.13), hands, nose),
         "hair": join(cap, long_hair) if draw.chance(0.4) else cap,
-        "trousers": both(taper((a, 0, leg), (a, 0, 0.14), 0.2, 0.15)),
-        "shoes": both(box((a, -0.1, 0.09), (0.16, 0.28, 0.11), 0.08)),
-        "eyes": both(ball((head * 0.4, -head * 0.87, z + 0.07), 0.065)),
+        "trousers": join(hips, both(taper((a, 0, leg), (a, 0, 0.14), 0.19, 0.14))),
+        "shoes": both(box((a, -0.1, 0.09), (0.13, 0.28, 0.11), 0.08)),
+        "eyes": both(ball((head * 0.4, -head * 0.87, z + 0.07), 0.075)),
     }
 
 

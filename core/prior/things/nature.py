@@ -299,6 +299,7 @@ def teddy(draw: Draw) -> Parts:
     arm = taper((wide * 0.75, -0.05, 0.92), (wide + 0.3, draw(-0.4, -0.2), 0.62), 0.18, 0.2)
     leg = taper((0.26, -0.25, 0.24), (draw(0.42, 0.5), -0.82, 0.24), 0.22, 0.23)
     face = -head - 0.02
+    front, knot = -head * 0.84, z - head * 0.86
     return {
         "body": join(
             egg((0, 0, 0.62), (wide, wide * 0.9, 0.6)),
@@ -315,6 +316,10 @@ def teddy(draw: Draw) -> Parts:
         "eyes": join(
             both(ball((0.19, face + 0.09, z + 0.12), 0.075)),
             egg((0, face - 0.08, z - 0.05), (0.1, 0.08, 0.075)),
+        ),
+        "bow tie": join(
+            both(moved(prism([(0.03, 0.0), (0.3, 0.17), (0.3, -0.17)], 1, 0.1), (0, front, knot))),
+            ball((0, front - 0.04, knot), 0.11),
         ),
     }
 

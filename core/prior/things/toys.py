@@ -253,7 +253,7 @@ def lego_brick(draw: Draw) -> Parts:
 
 def puzzle_cube(draw: Draw) -> Parts:
     """A cube of three by three by three with coloured stickers, solved or not."""
-    size, half, pitch = 0.96, draw(0.25, 0.28), 0.63
+    size, half, pitch = 0.96, draw(0.2, 0.22), 0.63
     solved, layout = draw.chance(0.4), draw.arranged(2)
     faces: list[list[Solid]] = [[] for _ in range(5)]
     for side in range(6):

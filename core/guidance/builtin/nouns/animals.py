@@ -31,7 +31,12 @@ ANIMALS = {
     ),
     "teddy bear": Noun(
         "teddy; stuffed bear, plush bear, plushie, stuffed animal, plush toy",
-        {"body": "*96612f . fabric", "muzzle": "+d9b382 . fabric", "eyes": "-140f0c"},
+        {
+            "body": "*96612f . fabric",
+            "muzzle": "+d9b382 . fabric",
+            "eyes": "-140f0c",
+            "bow tie": "-c4161a . fabric",
+        },
         Usual(0.4, FABRIC, 0.3),
     ),
     "snowman": Noun(
