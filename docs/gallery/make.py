@@ -19,9 +19,9 @@ SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
     "a corgi",
-    "a steel sword with a leather grip",
+    "a jack-o'-lantern",
     "a hamburger",
-    "a white car with red wheels",
+    "a mushroom with a spotted red cap",
     "an owl",
 )
 SHOWN = ("normal", "base_color", "cycles")
