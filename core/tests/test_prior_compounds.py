@@ -47,6 +47,9 @@ def test_what_is_said_of_a_part_in_front_of_the_thing_is_the_parts(
         ("a white painted bunk bed", "bunk bed", "", "white"),
         ("a red, topped table", "table", "", "red"),  # of another clause
         ("a red knight's helmet", "helmet", "", "red"),
+        ("a green plastic potted plant", "potted plant", "plastic", "green"),
+        ("a pink fried egg", "fried egg", "", "pink"),
+        ("an orange stone crown", "crown", "stone", "orange"),  # which has stones
     ],
 )
 def test_what_is_said_of_the_thing_stays_the_things(prompt, thing, material, color):

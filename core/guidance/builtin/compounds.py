@@ -36,12 +36,16 @@ def set_parts_apart(tokens: Tokens) -> None:
 def _meant(tokens: Tokens, at: int) -> str:
     """The part that the word at the index says how it looks, or ""."""
     word = tokens.words[at]
-    if word.endswith(ENDING) and word not in OF_ALL and look_up(word, tokens.known) is None:
-        forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
-        return next((form for form in forms if form in _PARTS), "")
-    # Of the thing right behind it; "a flower pot" is one by itself.
+    # "A flower pot" and "a potted plant" are things by themselves.
     if any(_noun(" ".join(words), tokens) for words in _around(tokens.words, at)):
         return ""
+    entry = look_up(word, tokens.known)
+    if entry is None and word.endswith(ENDING) and word not in OF_ALL:
+        forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
+        return next((form for form in forms if form in _PARTS), "")
+    if entry is not None and entry.slot in LOOKS:  # "a red stone crown", which has stones
+        return ""
+    # Of the thing right behind it.
     things = (_noun(phrase, tokens) for phrase in tokens.phrases(at + 1))
     noun = next(filter(None, things), "")
     if not noun or at + 1 in tokens.breaks or at in tokens.owners:
