@@ -45,7 +45,9 @@ def kinds_of(folder: Path) -> Kinds:
         with atomic_file(path) as temporary:
             save_file({"middles": middles.half(), "choices": choices}, temporary)
     kept = load_file(path)
-    return Kinds(kept["middles"].float(), kept["choices"])
+    middles = kept["middles"].float()
+    # A folder from before the choices were kept goes on with the kinds that it has.
+    return Kinds(middles, kept.get("choices", torch.full(middles.shape[:2], ANY)))
 
 
 def _kinds(solids: Solids, which: Tensor) -> tuple[Float[Tensor, "k c"], Int[Tensor, " k"]]:
