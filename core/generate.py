@@ -194,7 +194,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = mesh.verts.cpu()
     generated = job.command == "generate"
     verts = turned(verts, -run.turn) if run.turn else verts
-    verts = place(verts, size_of(job)) if generated else back(verts, inputs.shape)
+    verts = place(verts, size_of(job, verts)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)

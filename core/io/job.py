@@ -56,7 +56,7 @@ class Job:
     light: str = "studio"  # a name or an HDR or EXR file
     texture_size: int = 0  # texels; 0 is the preset's
     max_faces: int = 0  # 0 is the preset's
-    size_m: float = 0.0  # of "generate": the longest side, metres; 0 is the thing's usual size
+    size_m: float = 0.0  # of "generate": the longest side, metres; 0: the prompt's or the usual
     device: str = "auto"
     ignore_unknown_words: bool = False  # of "builtin": leave out what it does not know
     settings: dict[str, Any] = field(default_factory=dict)  # {"geometry.fine.steps": 100}

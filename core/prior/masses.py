@@ -18,7 +18,7 @@ HEAD = """# Usual sizes and masses
 
 What `generate` makes is as large and as heavy as an ordinary specimen: the longest side, and the
 mass of the prior's own solid (one of each, seed 1) in the material that the thing is of where the
-prompt names none. `--size METRES` sets another size. The data is in
+prompt names none. A size in the prompt ("2 m tall") or `--size METRES` sets another. The data is in
 `core/guidance/builtin/nouns/`; `python -m core.prior.masses` writes this page, a test compares it.
 """
 

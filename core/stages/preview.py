@@ -11,7 +11,7 @@ from torch import Tensor
 
 from core.camera import Cameras
 from core.geometry.mesh import turned
-from core.guidance.builtin.physical import usual_of
+from core.guidance.builtin.physical import longest_side
 from core.io.atomic import atomic_file
 from core.io.job import Job
 from core.io.png import unit_bytes, write_png
@@ -33,7 +33,7 @@ def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "
     picture = over_grey((n[0] + o[0]) / 2, o[0])
     write_png(run.preview_path("normals.png"), picture)
     keep_frame(run, "geometry", picture)
-    write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run.job))
+    write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run.job, verts))
     run.report("preview", stage="geometry", path="preview/normals.png")
     run.report("preview", stage="geometry", path="preview/shape.npz")
 
@@ -67,9 +67,10 @@ def over_grey(
     return unit_bytes((picture + (1 - o) * 0.9).detach().cpu())
 
 
-def size_of(job: Job) -> float:
-    """The longest side of the job's asset in metres: the user's, or else the thing's usual one."""
-    return job.size_m or usual_of(job.prompt)[0]
+def size_of(job: Job, verts: Float[Tensor, "v 3"]) -> float:
+    """The longest side in metres of the job's asset, ``verts`` in any unit, +Z up: the user's or
+    the prompt's, or else the thing's usual one."""
+    return job.size_m or longest_side(job.prompt, (verts.amax(0) - verts.amin(0)).tolist())
 
 
 def write_shape(

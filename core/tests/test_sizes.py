@@ -8,9 +8,7 @@ from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.sizes import DENSITIES, UNKNOWN
 from core.guidance.builtin.words import MATERIALS
-from core.io.job import Job
 from core.prior.masses import PAGE, cell, usual_mass
-from core.stages.preview import size_of
 
 
 def test_every_noun_has_one_group_and_every_material_its_density():
@@ -35,8 +33,6 @@ def test_every_noun_has_one_group_and_every_material_its_density():
 )
 def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):
     assert usual_of(prompt)[0] == size_m
-    assert size_of(Job(prompt=prompt)) == size_m
-    assert size_of(Job(prompt=prompt, size_m=0.25)) == 0.25
 
 
 # What a person expects of an ordinary specimen, kg.

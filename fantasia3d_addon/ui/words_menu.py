@@ -108,8 +108,10 @@ def draw_understood(layout: bpy.types.UILayout, context: bpy.types.Context) -> N
 def _draw_report(
     layout: bpy.types.UILayout, context: bpy.types.Context, report: words.Report
 ) -> None:
-    size = context.scene.fantasia3d.size or report["size_m"]
-    text = f"{words.summary(report)}: {length(size)}"
+    size = context.scene.fantasia3d.size
+    # What the prompt states may be another side than the longest.
+    own = "" if size or report["side"] == "length" else f" ({report['side']})"
+    text = f"{words.summary(report)}: {length(size or report['size_m'])}{own}"
     wrapped_label(layout, context, text, "CHECKMARK")
     for note in report["notes"][:MAX_NOTES]:
         wrapped_label(layout, context, note, "BLANK1", dimmed=True)

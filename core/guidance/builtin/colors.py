@@ -72,7 +72,8 @@ SHADES: dict[str, dict[str, str]] = {
     "brown": {
         "chocolate brown": "3f2416", "light brown": "a97c50", "chestnut": "6f3a22",
         "chestnut brown": "6f3a22", "cognac": "8f4a22", "caramel": "b8742e",
-        "coffee brown": "4b3020", "umber": "5c4030", "sienna": "a0522d", "mocha": "6b4a3a",
+        "coffee brown": "4b3020", "golden brown": "b07a35", "umber": "5c4030", "sienna": "a0522d",
+        "mocha": "6b4a3a",
     },
     "black": {"jet black": "060606", "coal black": "121212", "pitch black": "050505"},
     "white": {

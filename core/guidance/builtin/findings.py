@@ -6,6 +6,7 @@ from typing import Any
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
+from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words import OPTIONS
@@ -27,6 +28,7 @@ class Findings:
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
+    sizes: list[Size] = field(default_factory=list)
 
     @property
     def thing(self) -> str:
@@ -58,6 +60,12 @@ class Findings:
             if entry.word != words[0]:
                 self.leave_aside([entry.form], f"one {slot} is taken")
         return words[0] if words else ""
+
+    def size(self) -> Size | None:
+        """The stated size; the first of some, as the rest would stretch the thing."""
+        for more in self.sizes[1:]:
+            self.leave_aside([f"{more.metres:g} m"], "one size is taken")
+        return self.sizes[0] if self.sizes else None
 
     def leave_aside(self, forms: list[str], why: str) -> None:
         """Leave what belongs together out, for a reason of its own."""

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from core.guidance.builtin.colors import SHADES
-from core.guidance.builtin.nearest import NEAREST, REAL
+from core.guidance.builtin.nearest import MISSPELLED, NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
@@ -71,9 +71,14 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
     for slot, table in tables.items():
         for word, text in table.items():
             for form in (word, *forms_of(text), *SHADES.get(word, ())):
-                lexicon.setdefault(form.replace("-", " "), (slot, word))
-            narrower += forms_of(text.partition("; ")[2])
+                lexicon.setdefault(_as_read(form), (slot, word))
+            narrower += map(_as_read, forms_of(text.partition("; ")[2]))
     return lexicon, frozenset(narrower)
+
+
+def _as_read(form: str) -> str:
+    """A form as the words of a prompt are read, without hyphens and possessives."""
+    return form.replace("-", " ").replace("'s", "")
 
 
 LEXICON, NARROWER = _lexicon()
@@ -82,6 +87,9 @@ PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("m
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
 COMPOUNDS = tuple(form for form in LEXICON if " " in form)
+# What is meant by what is often written.
+OFTEN = {form.replace(" ", ""): form for form in COMPOUNDS}
+OFTEN |= {form: word for word, text in MISSPELLED.items() for form in text.split()}
 NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
 
 
@@ -104,13 +112,20 @@ def singulars(phrase: str) -> list[str]:
     return [phrase, *stem]
 
 
-def corrected(token: str, also: Iterable[str] = ()) -> str:
-    """The known word, or the one of ``also``, of which ``token`` is surely a misspelling, or "".
+def corrected(token: str, also: Iterable[str] = (), no_thing: bool = False) -> str:
+    """The known word, or the one of ``also``, of which ``token`` is surely a misspelling, or "";
+    ``no_thing``: no thing's name, if it may be another word.
 
     One letter missing, doubled, or changed places with its neighbour; in words of six letters and
-    more also one wrong letter after the first. Words of other things are no misspellings.
+    more also one wrong letter after the first; or what the table of misspellings has. Words of
+    other things are no misspellings.
     """
-    return next(_one_slip_away(token, (*LEXICON, *WITHOUT, *also), 6), "")
+    if token in OFTEN:
+        return OFTEN[token]
+    found = list(_one_slip_away(token, (*LEXICON, *NAMED, *WITHOUT, *also), 6))
+    if no_thing:
+        found.sort(key=lambda word: LEXICON.get(word, ("", ""))[0] == "noun")
+    return found[0] if found else ""
 
 
 def corrected_phrase(tokens: list[str]) -> str:

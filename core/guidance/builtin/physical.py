@@ -1,6 +1,9 @@
-"""How large and how heavy the thing of a prompt usually is. Standard library only."""
+"""How large and how heavy the thing of a prompt is. Standard library only."""
+
+from collections.abc import Iterable
 
 from core.errors import UserError
+from core.guidance.builtin.measures import set_apart
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.vocabulary import Words, parse
 
@@ -13,3 +16,10 @@ def usual_of(prompt: str) -> tuple[float, float]:
     except UserError:  # such as two nouns
         words = Words()
     return usual(words.noun, words.material, words.is_toy)
+
+
+def longest_side(prompt: str, extents: Iterable[float]) -> float:
+    """The longest side, in metres, of the thing of ``prompt``, whose box is to the ``extents`` x, y
+    and z: as the prompt states its size, else the usual one."""
+    _, sizes, _ = set_apart(prompt)
+    return sizes[0].longest(extents) if sizes else usual_of(prompt)[0]

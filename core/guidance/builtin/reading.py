@@ -25,6 +25,7 @@ from core.guidance.builtin.part_names import (
     own_name,
 )
 from core.guidance.builtin.tokens import DOING, Tokens, describes
+from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
@@ -40,6 +41,7 @@ from core.guidance.builtin.words import (
     PHRASE_ENDS,
     PLAIN,
     ROLES,
+    SURFACE,
     SURROUNDINGS,
     TOYS,
     WHOLE,
@@ -74,6 +76,8 @@ class Reading:
         self._ended_by = ""  # the word that began the phrase
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens = Tokens.of(prompt, known)
+        self.got.sizes = self._tokens.sizes
+        self.got.left_out += self._tokens.measures
         set_parts_apart(self._tokens)
         at = 0
         while at < len(self._tokens.words):
@@ -90,6 +94,9 @@ class Reading:
         """Read from the token ``at`` on; how many tokens that were."""
         tokens = self._tokens.words[at:]
         token = tokens[0]
+        if self._is_wider(token, at):  # "a corgi puppy", "a fox animal"
+            self._noun_end = at + 1
+            return 1
         if toned := self._tokens.toned(at):
             self._put(toned[0], at, at + toned[1])
             return toned[1]
@@ -155,6 +162,15 @@ class Reading:
             return self._correct(token, at)
         return 1
 
+    def _is_wider(self, token: str, at: int) -> bool:
+        """Whether a word right behind the thing only says what it is a sort of, and begins no
+        other thing's name: "a bird bath"."""
+        if self._noun_end != at or at in self._tokens.breaks:
+            return False
+        longer = self._tokens.phrases(at)[:-1]
+        other = any(look_up(phrase, self.known) for phrase in longer)
+        return not other and is_wider(token, self.got.found["noun"][-1].word)
+
     def _is_part_of_look(self, entry: Entry, tokens: list[str]) -> bool:
         """Whether another thing's name is a part of the thing and how it looks: "a cactus in a
         terracotta pot"."""
@@ -202,11 +218,12 @@ class Reading:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""
         # Only where it is surely one known word; anything less is a hint in the error.
         own = looks_of(self.got.thing)
-        close = corrected_phrase(self._tokens.words[at:]) or corrected(token, own)
+        close = corrected_phrase(self._tokens.words[at:])
+        end = at + max(len(close.split()), 1)
+        close = close or corrected(token, own, bool(self.got.thing))
         is_known = close in (*WITHOUT, *own) or look_up(close, self.known) is not None
         if not close or not is_known:
             return self._leave_out(token, 1)
-        end = at + len(close.split())
         self.got.notes.append(f"{' '.join(self._tokens.words[at:end])!r} is read as {close!r}.")
         self._tokens.words[at:end] = close.split()
         return self._take(at)  # it may begin a phrase: "a wizzard hat"
@@ -376,7 +393,7 @@ class Reading:
     def _is_head(self, part: str, start: int) -> bool:
         """Whether a part that the thing right before it has not is the thing that is meant: "a
         guitar case"."""
-        if self._noun_end != start or self._without:
+        if self._noun_end != start or self._without or part in SURFACE:
             return False
         noun = self.got.found["noun"][-1].word
         has = own_name(noun, part) and not is_wide(noun, part)

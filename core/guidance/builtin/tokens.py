@@ -1,11 +1,11 @@
 """A prompt's text as words. Standard library only."""
 
 import re
-import unicodedata
 from dataclasses import dataclass, field
 
 from core.guidance.builtin.colors import OF_MATERIALS, TOWARDS
 from core.guidance.builtin.lexicon import Entry, Vocabulary, look_up
+from core.guidance.builtin.measures import Size, set_apart
 from core.guidance.builtin.words import LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
@@ -25,12 +25,14 @@ class Tokens:
     words: list[str] = field(default_factory=list)
     breaks: set[int] = field(default_factory=set)  # indices of those that punctuation precedes
     owners: set[int] = field(default_factory=set)  # of those that are possessive, without their s
+    sizes: list[Size] = field(default_factory=list)
+    measures: list[str] = field(default_factory=list)  # of what is no size, as they were written
 
     @classmethod
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
         """The words of a prompt; ``known`` are those that may be asked for."""
         found = cls(known)
-        plain = unicodedata.normalize("NFKC", prompt).lower().replace("\u2019", "'")
+        plain, found.sizes, found.measures = set_apart(prompt)
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
                 found.owners.add(len(found.words) - 1)
@@ -38,7 +40,19 @@ class Tokens:
                 found.words.append(SHORT.get(token, token))
             else:
                 found.breaks.add(len(found.words))
+        found._join_names()
         return found
+
+    def _join_names(self) -> None:
+        """Join the halves of a thing's name: "a snow man". "A gold fish" is a fish of gold."""
+        for at in reversed(range(len(self.words) - 1)):
+            halves = self.words[at : at + 2]
+            whole = look_up("".join(halves), self.known)
+            apart = look_up(" ".join(halves), self.known) or self._is_quality(at, at + 1, LOOKS)
+            ends = at in self.owners or at + 1 in self.breaks
+            if whole and whole.slot == "noun" and not (apart or ends) and min(map(len, halves)) > 2:
+                self.cut(at, at + 1)
+                self.words[at] = "".join(halves)
 
     def cut(self, begin: int, end: int) -> None:
         """Take out the words from one index up to another."""

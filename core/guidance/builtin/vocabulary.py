@@ -16,6 +16,7 @@ from typing import Any
 from core.errors import UserError
 from core.guidance.builtin.accents import Accent
 from core.guidance.builtin.lexicon import MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.measures import Size
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.prompt_errors import (
     ELSEWHERE,
@@ -49,6 +50,7 @@ class Words:
     color_form: str = ""  # the first colour's shade, where that has a name of its own
     second_form: str = ""
     material_form: str = field(default="", compare=False)  # the material as it was written
+    size: Size | None = field(default=None, compare=False)
     absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
@@ -109,7 +111,8 @@ def understood(
     """
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
-    size_m, density = usual(words.noun, words.material, words.is_toy)
+    usual_m, density = usual(words.noun, words.material, words.is_toy)
+    size_m, side = words.size or (usual_m, "length")
     second = "" if words.target else words.second_form or words.second
     return {
         "prompt": prompt,
@@ -126,6 +129,7 @@ def understood(
         "weather": list(words.weather),
         "sheen": list(words.sheen),
         "size_m": size_m,
+        "side": side,
         "density": density,
         "left_out": list(words.left_out),
         "notes": list(words.notes),
@@ -178,7 +182,7 @@ def parse(
     # In the table's order: snow lies on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
-    words["is_toy"] = got.is_toy
+    words["is_toy"], words["size"] = got.is_toy, got.size()
     words["material_form"] = next((entry.form for entry in got.found["material"]), "")
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"

@@ -230,6 +230,8 @@ WHOLE = frozenset(
     """body case casing housing shell frame chassis bodywork exterior surface paint paintwork
     glaze varnish coating finish outside""".split()
 )
+# What is no thing by itself: "a guitar finish".
+SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone")  # materials
 # What the stripes lie on that a thing has by nature, where that is not most of it.
@@ -252,9 +254,10 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
-    lovely pretty statuette carving replica pose posed warm cool or nor but only extra some
-    please pls plz i you we me my your his her want need would make create generate give show
-    draw build design lol idk omg btw tho kinda smth something just only really number""".split()
+    lovely pretty infront shot statuette carving replica pose posed warm cool or nor but only extra
+    some please pls plz i you we he she they me my your his her our their want need would make
+    create generate give show draw build design lol idk omg btw tho kinda smth something just only
+    really number""".split()
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee"}
@@ -306,6 +309,8 @@ STYLES = frozenset(
         "front view",
         "side view",
         "top view",
+        *("aerial view", "aerial shot", "bird eye view", "birds eye view", "top down view"),
+        *("top down", "wide shot", "product shot", "hero shot", "close up shot", "close up view"),
         "cinematic lighting",
     ),
 }
@@ -329,6 +334,12 @@ IGNORED_ADJECTIVES = frozenset(
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
+}
+# How many of what is no part by itself: "a three-seater sofa", "a two story house".
+IGNORED_ADJECTIVES |= {
+    f"{count} {of}"
+    for count in ("one", "two", "three", "four", "five", "six", "1", "2", "3", "4", "5", "6")
+    for of in "seater poster piece storey story stories tier tiered person man way burner".split()
 }
 # Of them those that make a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split())

@@ -10,7 +10,7 @@ ANIMALS = {
     ),
     "fish": Noun(
         "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish,"
-        " swordfish",
+        " swordfish, lionfish, catfish, pufferfish, angelfish, betta fish, barracuda",
         {"body": "*ef7d1a", "fins": "+f5b03c", "eyes": "-111114"},
         Usual(0.3, FLESH, 0.31),
     ),

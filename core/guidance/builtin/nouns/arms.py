@@ -241,7 +241,7 @@ ARMS = {
         Usual(2.0, SNOW, 0.01),
     ),
     "sun": Noun(
-        "suns, sunshine, sun symbol; sunburst, sun rays, summer sun",
+        "suns, sunshine, sun symbol; sun rays, summer sun",
         {"disc": "*ffc91f", "rays": "*f79a1a", "glints": "*ffb52a"},
         Usual(1.0, PLASTIC, 0.2),
     ),

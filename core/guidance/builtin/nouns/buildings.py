@@ -6,7 +6,7 @@ BUILDINGS = {
     "house": Noun(
         "home; shed, villa, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
         "hospital, police station, fire station, kennel, outhouse, building, garden shed, "
-        "bungalow, tiny house, cabin house",
+        "bungalow, tiny house, cabin house, chicken coop, coop, hen house, henhouse, hutch",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",

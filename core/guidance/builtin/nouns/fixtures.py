@@ -88,7 +88,7 @@ FIXTURES = {
         Usual(1.1, STEEL, 0.015),
     ),
     "aquarium": Noun(
-        "fish tank, fishtank, aquariums, fish aquarium, water tank with fish, tropical aquarium, "
+        "fish tank, fishtank, aquariums, fish aquarium, tropical aquarium, "
         "aquarium tank; terrarium, vivarium, goldfish tank",
         {
             "water": "*5fb8d8 . glass",
@@ -203,7 +203,7 @@ FIXTURES = {
         Usual(0.25, CERAMIC, 0.2),
     ),
     "moka pot": Noun(
-        "mokapot, moka, stovetop espresso maker, stove top espresso maker, macchinetta, "
+        "mokapot, moka, stovetop espresso maker, macchinetta, "
         "mocha pot, espresso pot, italian coffee maker, stovetop coffee maker, moka coffee pot; "
         "coffee pot, percolator, coffee percolator",
         {

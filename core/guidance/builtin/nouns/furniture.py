@@ -47,7 +47,7 @@ FURNITURE = {
         Usual(1.5, WOOD, 0.33),
     ),
     "bed": Noun(
-        "; mattress",
+        "; mattress, gurney, stretcher, hospital bed",
         {
             "blanket": "*3f6ea8",
             "mattress": "-ebe6dc",

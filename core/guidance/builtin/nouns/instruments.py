@@ -19,7 +19,7 @@ INSTRUMENTS = {
         Usual(0.4, WOOD, 0.2),
     ),
     "violin": Noun(
-        "fiddle; cello, viola, double bass",
+        "fiddle; cello, viola, double bass, hurdy gurdy",
         {
             "body": "*b0531e grain",
             "neck": "-241a16",

@@ -164,7 +164,8 @@ PEOPLE = {
         Usual(1.8, FLESH, 0.27),
     ),
     "soldier": Noun(
-        "soldiers, infantryman; trooper, marine, army man, commando, army soldier",
+        "soldiers, infantryman; trooper, stormtrooper, storm trooper, marine, army man, commando, "
+        "army soldier",
         {
             "uniform": "*66703f . fabric",
             "helmet": "&4a5430 . paint",

@@ -112,7 +112,8 @@ TOOLS_AND_TOYS = {
         Usual(0.45, STEEL, 0.036),
     ),
     "fire extinguisher": Noun(
-        "extinguisher",
+        "extinguisher; oxygen tank, gas tank, propane tank, gas cylinder, gas bottle, scuba tank, "
+        "air tank, oxygen bottle, diving bottle",
         {
             "body": "*cc1f1a . paint",
             "hose": "-222326 . rubber",

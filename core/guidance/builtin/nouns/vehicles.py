@@ -79,7 +79,7 @@ VEHICLES = {
     ),
     "motorcycle": Noun(
         "motorbike, motor bike, motor cycle; chopper, dirt bike, harley, harley davidson,"
-        " sport bike, superbike",
+        " sport bike, superbike, hover bike, hoverbike",
         {
             "body": "*b3201c . paint",
             "wheels": TYRES_LOOK,
