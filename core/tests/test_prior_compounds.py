@@ -3,6 +3,7 @@
 import pytest
 
 from core.errors import UserError
+from core.guidance.builtin.colors import COLOR_VALUES
 from core.guidance.builtin.palette import FINISHES, painted
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.variants import VARIANTS, has_own_look, split_tone
@@ -135,3 +136,26 @@ def test_a_slip_in_a_name_of_several_words_is_read():
 def test_a_finish_is_of_the_whole_and_an_outside_too():
     assert understood("a bottle with a teal finish")["part_colours"] == {"body": "teal"}
     assert understood("a bathtub, black outside")["part_colours"]["body"] == "black"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "color", "second", "pattern"),
+    [
+        ("a crate with orange stripes", "", "orange", "striped"),
+        ("a mug with blue polka dots and a red lid", "", "blue", "spotted"),
+        ("a crate with orange stripes and glowing panels", "", "orange", "striped"),
+        ("a white car with red stripes", "white", "red", "striped"),
+        ("a blue mug with dots", "blue", "", "spotted"),
+        ("a mug with dots, blue", "blue", "", "spotted"),
+        ("a sofa with red and white stripes", "red", "white", "striped"),
+        ("an orange striped crate", "orange", "", "striped"),
+    ],
+)
+def test_one_color_of_stripes_or_dots_lies_on_the_thing_s_own(prompt, color, second, pattern):
+    words = parse(prompt)
+    assert (words.color, words.second, words.pattern) == (color, second, pattern)
+    assert not words.target
+    first = next(painted(words.noun, words))
+    if not color:
+        assert first.color == first.look.color
+        assert first.second == COLOR_VALUES[second]

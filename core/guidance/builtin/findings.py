@@ -28,6 +28,7 @@ class Findings:
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
+    drawn_on: bool = False  # whether the one colour is the pattern's, which lies on the thing's own
     sizes: list[Size] = field(default_factory=list)
 
     @property
@@ -117,6 +118,7 @@ class Findings:
         for one in colors[2:]:
             self.leave_aside([one[1] or one[0]], "two colours are taken")
         # In the order of the prompt: the first is the thing's, the next the pattern's.
+        colors = [("", ""), *colors] if self.drawn_on and len(colors) == 1 else colors
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")

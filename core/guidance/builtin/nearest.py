@@ -108,7 +108,7 @@ REAL = frozenset(
     condo condom condoms condos coney confer confines cong connector connectors connor connors conor
     contained conte controlled cooke cooked cookery cooks cooler cooper cope copied copies cora core
     cornea corner corners corny coroner corral corset coulter counted countess coup couple couples
-    coven cowell cracked craft crafts cram crap crater craven creamy create creates cree creek creep
+    coven cowell craft crafts cram crap crater craven creamy create creates cree creek creep
     creeps crew crews crock crocker crooks crotch crouch crowd crowds crowe crunch crusade crusty
     crutches curate curtail dairy dance danced dances danger dangers darth defective defer demo
     demos denies denis deter deterrent devi diced dicey dictionaries dill dine ding dinner dinners

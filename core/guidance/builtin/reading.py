@@ -31,6 +31,7 @@ from core.guidance.builtin.words import (
     ALONE,
     COUNTS,
     DEPICTIONS,
+    FIGURES,
     FILLER,
     GEMS,
     GOES_WITH,
@@ -288,6 +289,11 @@ class Reading:
             if slot == "noun":
                 self._head(entry, start, end)
             self.got.found[slot].append(entry)
+        if slot == "pattern" and entry.form in FIGURES and self._accessory is not None:
+            # "with orange stripes and a lid": it is complete, and what it lies on is not orange.
+            none_before, one = self._accessory["color"] == 0, len(self.got.found["color"]) == 1
+            self.got.drawn_on |= none_before and one
+            self._accessory = self.got.counts()
         if slot in LOOKS and self.got.found["noun"]:
             self._looks.append(slot)
         elif slot != "weather":

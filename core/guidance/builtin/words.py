@@ -78,7 +78,10 @@ GLASSWARE = frozenset(
 # What time has done to it, which is seen at the bake.
 WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
-    "distressed",
+    "distressed, aged, used, battered, scuffed, timeworn, time worn, weather beaten, beat up, "
+    "beaten up, with scratches; chipped, cracked, peeling, faded, dented, chipped paint, "
+    "peeling paint, cracked paint, faded paint, rust spots, rust stains, patches of rust, "
+    "abandoned, derelict, crumbling",
     "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
     "dusty": "dust covered, covered in dust, covered with dust",
     "mossy": "moss covered, overgrown, covered in moss, covered with moss, with moss, moss on",
@@ -99,6 +102,8 @@ PATTERNS = {
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
+# Of them what lies on a thing: "a crate with orange stripes" is orange nowhere else.
+FIGURES = ("stripe", "spot", "dot", "polka dot", "check")
 # The names of the parts that a caption may state (``CHOICES`` and ``LEGS``).
 PART_WORDS = {
     "armrests": "armrest, arm, arm rest, arm rests",
@@ -323,7 +328,7 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
-    ornament cut sliced used aged battered stained bent torn crooked percent
+    ornament cut sliced stained bent torn crooked percent
     backwards upright sideways stuck kept solid premium mockup icon emoji exotic rugged
     spanish french italian german english british american japanese chinese korean indian mexican
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
