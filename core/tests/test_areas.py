@@ -8,7 +8,7 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import FINISHES, looks
-from core.guidance.builtin.patterns import MARGINS
+from core.guidance.builtin.patterns import BAND, MARGINS, RAINBOW, Laid
 from core.tests.texture_shapes import area as any_area
 
 TWO = (any_area(), any_area())
@@ -92,13 +92,25 @@ def test_a_pattern_parts_its_part_in_two():
         x = points[:, 0]
         return points[:, 2], torch.stack([-x, x], 1)
 
-    areas = patterned(field, [MARGINS["two-tone"], None])
+    areas = patterned(field, [Laid("two-tone").margins(), None])
     points = torch.tensor([[-0.5, 0, 0.3], [-0.5, 0, -0.3], [0.5, 0, 0.3], [0.5, 0, -0.3]])
     distance, depths = areas(points)
     assert depths.argmax(1).tolist() == [0, 1, 2, 2]
     assert torch.equal(distance, points[:, 2])
     # The margin between the two is the way to the border.
     assert (depths[0, 0] - depths[0, 1]).item() == pytest.approx(0.3)
+
+
+def test_a_rainbow_parts_its_part_in_six_as_deep_as_they_are_wide():
+    def field(points):
+        return points[:, 2], torch.ones(len(points), 1)
+
+    points = torch.tensor([[0, 0, -BAND * (k + 0.5)] for k in range(8)])
+    depths = patterned(field, [Laid(RAINBOW).margins()])(points)[1]
+    assert depths.argmax(1).tolist() == [0, 1, 2, 3, 4, 5, 0, 1]
+    # The margin over the next one is the way to the border.
+    first, second = depths.topk(2, 1).values.T
+    assert (first - second).tolist() == pytest.approx([BAND / 2] * 8)
 
 
 @pytest.mark.parametrize("name", MARGINS)

@@ -8,7 +8,16 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, swatches
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.patterns import PATTERNS, STRIPE, Laid, Place, axis_of
+from core.guidance.builtin.patterns import (
+    BAND,
+    PATTERNS,
+    RAINBOW,
+    RAINBOW_COLORS,
+    STRIPE,
+    Laid,
+    Place,
+    axis_of,
+)
 from core.guidance.builtin.vocabulary import parse
 
 NAMES = list(SLOTS["pattern"])
@@ -54,7 +63,7 @@ def test_the_stencil_is_where_the_pattern_puts_the_second_colour(name: str):
     points = some_points()
     painted = PATTERNS[name](torch.zeros(500, 3), torch.ones(500, 3), Place(points, points))
     seen = stencil(surface_of(points), [[Laid(name)]])[0, 0].flatten()
-    assert torch.equal(seen, painted[:, 0] > 0)
+    assert torch.equal(seen == 1, painted[:, 0] > 0)
     assert 0.1 < seen.float().mean() < 0.9
     assert not stencil(surface_of(points), [[Laid()]]).any()
 
@@ -82,7 +91,7 @@ def test_a_part_of_which_nothing_is_stated_has_its_colour_by_nature():
 
 def test_a_pattern_is_drawn_on_the_parts_that_it_is_about():
     points = some_points()
-    mask = stencil(surface_of(points), [[Laid("striped")]])[0, 0].flatten()[:, None]
+    mask = stencil(surface_of(points), [[Laid("striped")]])[0, 0].flatten()[:, None] == 1
     expected = torch.where(mask, swatch("white"), swatch("red"))
     assert torch.allclose(laid("a striped red and white chair", "back"), expected)
     legs = laid("a striped red and white lamp", "foot")
@@ -148,9 +157,41 @@ def test_a_part_that_lies_has_its_stripes_across_it_in_the_hint_too():
     points = some_points()
     axes = tuple(0 for _ in looks("bench"))
     given = hint(surface_of(points), all_of(0), row, [words], axes)
-    mask = stencil(surface_of(points), [[Laid("striped", 0)]])[0, 0].flatten()[:, None]
+    mask = stencil(surface_of(points), [[Laid("striped", 0)]])[0, 0].flatten()[:, None] == 1
     colors = given[0, SURFACE : SURFACE + 4].flatten(1).T
     assert torch.allclose(colors, torch.where(mask, swatch("white"), swatch("red")))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part", "many"),
+    [
+        ("a rainbow unicorn", "body", True),
+        ("a rainbow unicorn", "eyes", False),
+        ("a unicorn with a rainbow mane", "mane", True),
+        ("a unicorn with a rainbow mane", "body", False),
+        ("a sofa with rainbow stripes", "cushion", True),
+        ("a red sofa with rainbow stripes", "cushion", True),
+        ("a rainbow sofa with red dots", "cushion", False),  # what is stated besides
+    ],
+)
+def test_a_rainbow_has_all_its_colours_one_after_another(prompt, part, many):
+    words, points = parse(prompt), some_points()
+    at = list(looks(words.noun)).index(part)
+    given = hint(surface_of(points), all_of(at), words_of(prompt), [words])
+    colors = given[0, SURFACE : SURFACE + 3].flatten(1).T / 2 + 0.5
+    bands = torch.tensor(RAINBOW_COLORS)
+    away = torch.cdist(colors, bands)
+    assert bool((away.amin(0) < 1e-3).all()) is many
+    if many:
+        assert (away.amin(1) < 1e-3).all()
+        band = (-points[:, 2] / BAND).floor().long() % len(bands)  # red is the highest
+        assert torch.equal(away.argmin(1), band)
+
+
+def test_a_rainbow_lies_along_what_lies():
+    points = some_points()
+    along = stencil(surface_of(points), [[Laid(RAINBOW, 0)]])[0, 0].flatten()
+    assert torch.equal(along, (-points[:, 0] / BAND).floor().long() % 6)
 
 
 def test_a_pixel_that_is_covered_in_part_has_the_same_pattern_and_an_empty_one_none():

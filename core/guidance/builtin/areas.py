@@ -1,5 +1,5 @@
 """The areas of a drawn solid that are of one colour each: its parts, and in a part that the words
-give a pattern the places of its two colours.
+give a pattern the places of its colours.
 
 Γ learns colours from pictures of 64², where a border between two areas is a pixel or two wide, 6 %
 of the object. The areas themselves are known in space, so a texel near a border takes the material
@@ -14,7 +14,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
-from core.guidance.builtin.patterns import Margin
+from core.guidance.builtin.patterns import Margins
 from core.guidance.guidance import Area
 
 CELLS = 80  # of the lattice on which the parts are known, along an edge
@@ -39,17 +39,17 @@ def depths(distances: Callable[[Tensor], Tensor], parts: int) -> Field:
     return at
 
 
-def patterned(field: Field, margins: "list[Margin | None]") -> Field:
-    """The field of the areas, from that of the parts: one for each part, two where the part has a
-    pattern, the first colour's and the second's."""
+def patterned(field: Field, margins: "list[Margins | None]") -> Field:
+    """The field of the areas, from that of the parts: one for each part, or one for each colour of
+    the part's pattern."""
 
     def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
         distance, depths = field(points)
         areas = []
         for depth, margin in zip(depths.T, margins, strict=True):
-            second = margin(points) if margin else torch.zeros_like(depth)
-            areas += [depth - second.clamp_min(0)] + [depth + second.clamp_max(0)] * bool(margin)
-        return distance, torch.stack(areas, 1)
+            inside = margin(points) if margin else torch.zeros_like(depth)[:, None]
+            areas.append(depth[:, None] + inside.clamp_max(0))
+        return distance, torch.cat(areas, 1)
 
     return at
 

@@ -110,6 +110,11 @@ SHADES: dict[str, dict[str, str]] = {
         "champagne": "ead6ae", "wheat coloured": "e0c890", "wheat colored": "e0c890",
     },
 }  # fmt: skip
+# The network knows them as the first of their colours.
+MANY_COLORS = frozenset(
+    ("rainbow", "rainbow coloured", "rainbow colored", "multicolored", "multicoloured")
+)
+SHADES["red"] = dict.fromkeys(MANY_COLORS, "dc1a1f") | SHADES.get("red", {})
 _RGB = {form: value for shades in SHADES.values() for form, value in shades.items()}
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 # Before a colour: how far it is then on the way to black, or to white.

@@ -37,7 +37,7 @@ from core.guidance.builtin.palette import FINISHES, Finish, looks, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
-from core.guidance.builtin.patterns import Laid, axis_of
+from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
@@ -181,14 +181,14 @@ class PromptedBuiltin(PromptedGuidance):
             return None
         parts = list(painted(self.words.noun, self.words))
         axes = self._axes or (2,) * len(parts)
-        laid = (Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True))
-        margins = [one.margin() for one in laid]
+        laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
-        for part, margin in zip(parts, margins, strict=True):
+        for part, pattern in zip(parts, laid, strict=True):
             # What is patterned by nature alone is not plain: where its colours lie is learnt.
-            plain = margin is not None or part.pattern in ("", part.finish.pattern)
+            plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             area = Area(plain, ranges_of(part.finish), surface_of(self.words, part))
-            each += [area] if margin is None else [area, area]
+            each += [area] * pattern.colors
+        margins = [pattern.margins() for pattern in laid]
         assert self._known is not None  # of a drawn solid
         fields = (self._known.distances, self._known.near)
         drawn, near = (patterned(depths(of, len(parts)), margins) for of in fields)
@@ -213,7 +213,11 @@ class PromptedBuiltin(PromptedGuidance):
         """Of each of the drawn solid's parts, along which stripes follow one another; none where
         nothing is striped, or where the negative prompt is of another thing."""
         parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
-        if not self._known or self.negative.noun or "striped" not in {one.pattern for one in parts}:
+        if (
+            not self._known
+            or self.negative.noun
+            or not ALONG.intersection(one.pattern for one in parts)
+        ):
             return ()
         return tuple(axis_of(extent) for extent in self._known.extents()[: len(parts)])
 

@@ -6,13 +6,13 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import torch
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.patterns import Laid
+from core.guidance.builtin.patterns import RAINBOW_COLORS, Laid
 from core.guidance.builtin.vocabulary import Words
 
 SURFACE = 7  # channels: normals, coverage, points
@@ -42,12 +42,12 @@ def hint(
     """
     stated = stated or [_words_of(tuple(row)) for row in words.tolist()]
     rows = [_part_colors(one, axes) for one in stated]
-    stack = lambda name: torch.stack([getattr(row, name) for row in rows]).to(surface)  # noqa: E731
-    first, second = stack("first"), stack("second")
-    mask = stencil(surface, [row.patterns for row in rows]).to(surface)
-    # Of a patterned part the second colour, where the stencil lays it.
-    laid = torch.einsum("bkhw,bkc->bchw", parts, first)
-    laid = laid + torch.einsum("bkhw,bkc->bchw", parts * mask, second - first)
+    colors = torch.stack([row.colors for row in rows]).to(surface)
+    which = stencil(surface, [row.patterns for row in rows])
+    laid = torch.einsum("bkhw,bkc->bchw", parts, colors[:, :, 0])
+    for k in range(1, int(which.max()) + 1):  # the other colours of what is patterned
+        more = colors[:, :, k] - colors[:, :, 0]
+        laid = laid + torch.einsum("bkhw,bkc->bchw", parts * (which == k), more)
     even = swatches(words)[:, SWATCHES // 2 :, None, None].to(surface)
     return torch.cat([surface, laid, even.expand_as(laid)], 1)
 
@@ -55,8 +55,7 @@ def hint(
 class PartColors(NamedTuple):
     """What the words make of the noun's parts; rows beyond them are zeros."""
 
-    first: Float[Tensor, "8 4"]  # [2 srgb - 1, 1]
-    second: Float[Tensor, "8 4"]  # of the pattern
+    colors: Float[Tensor, "8 6 4"]  # [2 srgb - 1, 1]: of the pattern, the part's own first
     patterns: tuple[Laid, ...]
 
 
@@ -67,29 +66,30 @@ def _words_of(row: tuple[int, ...]) -> Words:
 
 @lru_cache(4096)
 def _part_colors(words: Words, axes: tuple[int, ...]) -> PartColors:
-    first, second = torch.zeros(PARTS, 4), torch.zeros(PARTS, 4)
+    colors = torch.zeros(PARTS, len(RAINBOW_COLORS), 4)
     patterns = [Laid()] * PARTS
     # Without words nothing is known, as the network must paint it without guidance.
     for k, part in enumerate(painted(words.noun, words) if words.noun else ()):
-        first[k] = torch.tensor([*(2 * c - 1 for c in part.color), 1.0])
-        second[k] = torch.tensor([*(2 * c - 1 for c in part.second), 1.0])
+        own = torch.tensor(part.colors())
+        colors[k, : len(own)] = torch.cat([2 * own - 1, torch.ones(len(own), 1)], 1)
         patterns[k] = Laid(part.pattern, axes[k] if axes else 2)
-    return PartColors(first, second, tuple(patterns))
+    return PartColors(colors, tuple(patterns))
 
 
 def stencil(
     surface: Float[Tensor, "b 7 h w"], patterns: Sequence[Sequence[Laid]]
-) -> Bool[Tensor, "b k h w"]:
-    """Where the patterns of each picture's k parts put the second colour; nowhere without one."""
+) -> Int[Tensor, "b k h w"]:
+    """Which of its colours the pattern of each of a picture's k parts puts where; the first without
+    one."""
     batch, _, high, wide = surface.shape
-    out = torch.zeros(batch, len(patterns[0]), high, wide, dtype=torch.bool, device=surface.device)
+    out = torch.zeros(batch, len(patterns[0]), high, wide, dtype=torch.long, device=surface.device)
     # The points come weighted by coverage; undone, or patterns would bend at silhouettes.
     point = surface[:, 4:] / ((surface[:, 3:4] + 1) / 2).clamp_min(1e-3)
     for laid in {one for row in patterns for one in row}:
-        if margin := laid.margin():
+        if margins := laid.margins():
             mine = torch.tensor([[one == laid for one in row] for row in patterns])
             row, part = mine.to(surface.device).nonzero().T
             place = point[row].permute(0, 2, 3, 1).reshape(-1, 3)
-            out[row, part] = (margin(place) > 0).view(-1, high, wide)
+            out[row, part] = margins(place).argmax(1).view(-1, high, wide)
     # Outside of the object the point is none.
-    return out & (surface[:, 3:4] > -1)
+    return out * (surface[:, 3:4] > -1)

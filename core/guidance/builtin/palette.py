@@ -12,9 +12,17 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.accents import Accent
-from core.guidance.builtin.colors import COLOR_VALUES, DARK, LIGHT, Color, color_value
+from core.guidance.builtin.colors import (
+    COLOR_VALUES,
+    DARK,
+    LIGHT,
+    MANY_COLORS,
+    Color,
+    color_value,
+)
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.patterns import RAINBOW, RAINBOW_COLORS
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 from core.guidance.builtin.words import STRIPED_PARTS
 
@@ -167,6 +175,10 @@ class Painted(NamedTuple):
     sheen: tuple[str, ...] = ()  # the words that say how it shines
     apart: bool = False  # whether something is said of it alone
 
+    def colors(self) -> tuple[Color, ...]:
+        """Those of its pattern, its own first."""
+        return RAINBOW_COLORS if self.pattern == RAINBOW else (self.color, self.second)
+
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     """What the words make of each of the noun's parts."""
@@ -203,6 +215,10 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             pattern, word = finish.pattern, other if stated.second else word
         elif stated.pattern and look.role in "*&" and not (two_tone or apart or drawn):
             pattern = stated.pattern
+        # Of rainbow stripes too.
+        drawn_with = {word[1], other[1] if pattern and pattern == stated.pattern else ""}
+        if drawn_with & MANY_COLORS and pattern in ("", finish.pattern, "striped"):
+            pattern = RAINBOW
         yield Painted(
             name,
             look,

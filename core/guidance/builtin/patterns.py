@@ -1,7 +1,7 @@
 """Patterns that words may ask for, in the object's space: the same in every view.
 
-Each is given by its margin: how far inside the second colour a place is, about in training units,
-negative in the first. A pixel of the prior's pictures is 0.034.
+Most have two colours, and are given by their margin: how far inside the second colour a place is,
+about in training units, negative in the first. A pixel of the prior's pictures is 0.034.
 """
 
 import math
@@ -25,9 +25,17 @@ class Place(NamedTuple):
 # The part's colour and the second colour (P, 3), sRGB, and where: to what is painted.
 Pattern = Callable[[Tensor, Tensor, Place], Tensor]
 Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
+Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of the colours
 STRIPE, CELL, SPOT, CHECK = 0.21, 0.42, 0.14, 0.21
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
+RAINBOW = "rainbow"
+ALONG = frozenset(("striped", RAINBOW))  # patterns whose colours follow one another
+BAND = 0.15  # of a rainbow
+RAINBOW_COLORS = (
+    *((0.86, 0.10, 0.12), (0.95, 0.47, 0.07), (0.97, 0.83, 0.12)),
+    *((0.20, 0.68, 0.25), (0.12, 0.38, 0.82), (0.50, 0.20, 0.66)),
+)
 
 
 def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, float]") -> Tensor:
@@ -62,6 +70,15 @@ def two_tone(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     return -points[:, 2]
 
 
+def rainbow(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, "p 6"]:
+    """How far inside each band of a rainbow: they follow one another along the axis, over and over,
+    from the top down."""
+    count = len(RAINBOW_COLORS)
+    middles = torch.arange(count).to(points) + 0.5
+    away = (-points[:, axis, None] / BAND - middles + count / 2).remainder(count) - count / 2
+    return (0.5 - away.abs()) * BAND
+
+
 MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
@@ -76,11 +93,24 @@ class Laid(NamedTuple):
     name: str = ""
     axis: int = 2  # that stripes follow one another along
 
-    def margin(self) -> Margin | None:
-        """None of what the words cannot ask for."""
+    @property
+    def colors(self) -> int:
+        """How many; one of what the words cannot ask for."""
+        return len(RAINBOW_COLORS) if self.name == RAINBOW else 1 + (self.name in MARGINS)
+
+    def margins(self) -> Margins | None:
+        """How far inside each colour a place is; None of one colour."""
+        if self.name == RAINBOW:
+            return partial(rainbow, axis=self.axis)
+        margin = MARGINS.get(self.name)
         if self.name == "striped":
-            return partial(striped, axis=self.axis)
-        return MARGINS.get(self.name)
+            margin = partial(striped, axis=self.axis)
+        return margin and partial(_of_two, margin)
+
+
+def _of_two(margin: Margin, points: Float[Tensor, "p 3"]) -> Float[Tensor, "p 2"]:
+    second = margin(points)
+    return torch.stack([-second, second], 1)
 
 
 def axis_of(extent: "Sequence[float] | np.ndarray") -> int:
