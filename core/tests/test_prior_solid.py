@@ -61,6 +61,7 @@ from core.prior.solid_training import (
     Autoencoder,
     SolidSource,
     SolidTraining,
+    asked,
     distance_loss,
     inside_loss,
     mirrored,
@@ -332,6 +333,22 @@ def test_what_is_rightly_far_has_no_error():
     found = torch.tensor([[3.0, -3.0, 3.0, 0.2]])
     wanted = torch.tensor([[1.0, -1.0, -1.0, 0.5]])
     assert distance_loss(found, wanted) == pytest.approx((0 + 0 + INSIDE * 4 + 0.3) / 4)
+
+
+def test_half_of_the_points_are_at_the_parts_at_each_as_many():
+    distances = torch.full((2, 1000, 8), 0.2)
+    distances[:, :600, 0] = 0.0
+    distances[:, 990:995, 1] = -0.02  # a doll's eyes
+    points = torch.arange(1000).repeat(2, 1)[..., None].expand(-1, -1, 3).short()
+    nothing = torch.zeros(2, 1)
+    solids = Solids(nothing, points, distances.half(), nothing, nothing[:, 0].long())
+    places, found = asked(solids, torch.tensor([1, 0, 1]), 800, _generator())
+    assert places.shape == (3, 800, 3)
+    assert found.shape == (3, 800, 8)
+    at_eyes = (found[..., 1] < 0).float().mean(1)
+    assert (at_eyes > 0.2).all() and (at_eyes < 0.32).all()
+    assert (places[..., 0] * 32767).round().unique().numel() > 700, "the rest are anywhere"
+    assert torch.equal(found[..., 1] < 0, (places[..., 0] * 32767).round().sub(992).abs() <= 2)
 
 
 def test_the_sign_alone_decides_what_is_inside():
