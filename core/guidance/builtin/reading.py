@@ -166,7 +166,7 @@ class Reading:
     def _is_wider(self, token: str, at: int) -> bool:
         """Whether a word right behind the thing only says what it is a sort of, and begins no
         other thing's name: "a bird bath"."""
-        if self._noun_end != at or at in self._tokens.breaks:
+        if self._noun_end != at:
             return False
         longer = self._tokens.phrases(at)[:-1]
         other = any(look_up(phrase, self.known) for phrase in longer)
