@@ -35,18 +35,20 @@ class _Drawers(NamedTuple):
         )
 
     def knobbed(self, y: float) -> tuple[Solid, Solid]:
-        """Fronts on the plane ``y``, and their knobs."""
+        """Fronts that stand out from the plane ``y``, and their knobs."""
         wide, high, cells = self.cells()
-        fronts = (box((u, y, v), (wide - 0.04, 0.07, high / 2 - 0.035), 0.02) for u, v in cells)
-        return join(*fronts), join(*(ball((u, y - 0.11, v), 0.09) for u, v in cells))
+        fronts = (
+            box((u, y - 0.04, v), (wide - 0.07, 0.1, high / 2 - 0.075), 0.02) for u, v in cells
+        )
+        return join(*fronts), join(*(ball((u, y - 0.18, v), 0.1) for u, v in cells))
 
     def barred(self, y: float) -> tuple[Solid, Solid]:
         """Fronts that stand out from the plane ``y``, and their bars."""
         wide, high, cells = self.cells()
         fronts = (
-            box((u, y - 0.04, v), (wide - 0.05, 0.1, high / 2 - 0.06), 0.02) for u, v in cells
+            box((u, y - 0.04, v), (wide - 0.06, 0.1, high / 2 - 0.075), 0.02) for u, v in cells
         )
-        bars = (box((u, y - 0.16, v), (wide * 0.36, 0.09, 0.05), 0.02) for u, v in cells)
+        bars = (box((u, y - 0.17, v), (wide * 0.4, 0.1, 0.07), 0.02) for u, v in cells)
         return join(*fronts), join(*bars)
 
 
@@ -59,7 +61,7 @@ def desk(draw: Draw) -> Parts:
     """A board on one or two chests of drawers, slim legs where there is but one."""
     x, y, high, half = draw(1.1, 1.3), draw(0.58, 0.68), draw(1.15, 1.3), draw(0.35, 0.4)
     right, deep, leg = x - half - 0.05, y - 0.2, x / 15
-    fronts, bars = _Drawers(right, 0.08, high - 0.09, half - 0.02, 3).barred(-deep)
+    fronts, bars = _Drawers(right, 0.08, high - 0.05, half - 0.02, 2).barred(-deep)
     side = box((right, 0, high / 2), (half, deep, high / 2), 0.02)
     panel = box((0, deep - 0.1, high * 0.7), (x - 0.1, leg, high * 0.3))
     if draw.chance(0.4):
@@ -78,36 +80,37 @@ def desk(draw: Draw) -> Parts:
 def wardrobe(draw: Draw) -> Parts:
     """Two high doors, a ledge above, perhaps a drawer below."""
     x, y, high = draw(0.75, 0.95), draw(0.38, 0.48), draw(2.1, 2.5)
-    low = 0.62 if draw.has("drawer", 0.5) else 0.2
-    door = box((x / 2, -y, (low + high - 0.1) / 2), (x / 2 - 0.06, 0.07, (high - 0.1 - low) / 2))
+    low = 0.68 if draw.has("drawer", 0.5) else 0.2
+    door = box(
+        (x / 2, -y - 0.04, (low + high - 0.14) / 2), (x / 2 - 0.075, 0.1, (high - 0.14 - low) / 2)
+    )
     body = box((0, 0, high / 2 + 0.06), (x, y, high / 2 - 0.06), 0.02)
-    ledge = box((0, -0.03, high), (x + 0.09, y + 0.1, draw(0.09, 0.13)), 0.03)
-    fronts, knobs = both(door), both(ball((0.15, -y - 0.1, high * 0.52), 0.1))
+    ledge = box((0, -0.06, high), (x + 0.09, y + 0.15, draw(0.1, 0.13)), 0.02)
+    fronts, knobs = both(door), both(ball((0.17, -y - 0.18, high * 0.52), 0.1))
     if low > 0.5:
-        fronts = join(fronts, box((0, -y, 0.36), (x - 0.06, 0.07, 0.18)))
-        knobs = join(knobs, both(ball((x / 2, -y - 0.1, 0.36), 0.1)))
+        fronts = join(fronts, box((0, -y - 0.04, 0.36), (x - 0.075, 0.1, 0.18), 0.02))
+        knobs = join(knobs, both(ball((x / 2, -y - 0.18, 0.36), 0.1)))
     return {
-        "body": join(body, ledge),
+        "body": body,
         "doors": fronts,
         "handles": knobs,
         "feet": both(box((x - 0.14, y - 0.14, 0.1), (0.13, 0.13, 0.1), 0.03), 0, 1),
+        "top": ledge,
     }
 
 
 def dresser(draw: Draw) -> Parts:
-    """A chest of three or four rows of drawers."""
+    """A chest of two or three rows of drawers under a top that stands out."""
     x, y, leg = draw(0.8, 1.15), draw(0.42, 0.5), draw(0.14, 0.36)
-    rows = 3 + draw.chance(0.45)
-    high = leg + rows * draw(0.42, 0.48)
-    fronts, knobs = _Drawers(0, leg + 0.06, high - 0.04, x - 0.04, rows, 2).knobbed(-y)
+    rows = 2 + draw.chance(0.5)
+    high = leg + rows * draw(0.48, 0.56)
+    fronts, knobs = _Drawers(0, leg + 0.05, high - 0.06, x - 0.03, rows, 2).knobbed(-y)
     return {
-        "body": join(
-            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
-        ),
+        "body": box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
         "drawers": fronts,
         "handles": knobs,
         "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.13),
+        "top": box((0, -0.06, high + 0.06), (x + 0.09, y + 0.15, 0.09), 0.02),
     }
 
 
@@ -116,43 +119,38 @@ def nightstand(draw: Draw) -> Parts:
     x, y, leg = draw(0.55, 0.68), draw(0.46, 0.54), draw(0.3, 0.65)
     rows = 1 + draw.chance(0.6)
     high = leg + 0.12 + rows * draw(0.36, 0.44)
-    fronts, knobs = _Drawers(0, leg + 0.06, high - 0.04, x - 0.04, rows).knobbed(-y)
+    fronts, knobs = _Drawers(0, leg + 0.05, high - 0.06, x - 0.03, rows).knobbed(-y)
     return {
-        "body": join(
-            box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.09, y + 0.1, 0.08), 0.03),
-        ),
+        "body": box((0, 0, (leg + high) / 2), (x, y, (high - leg) / 2), 0.02),
         "drawers": fronts,
         "handles": knobs,
         "legs": feet(x - 0.12, y - 0.12, leg + 0.1, 0.115),
+        "top": box((0, -0.06, high + 0.06), (x + 0.1, y + 0.15, 0.08), 0.02),
     }
 
 
 def cabinet(draw: Draw) -> Parts:
     """Low and wide with two or four doors on short legs."""
-    x, y, leg, high = draw(0.85, 1.25), draw(0.4, 0.5), draw(0.2, 0.35), draw(1.1, 1.5)
-    pairs = 2 if x > 1.05 else 1
+    y, leg, high = draw(0.4, 0.5), draw(0.2, 0.35), draw(1.1, 1.5)
+    pairs = 1 + draw.chance(0.5)
+    x = draw(0.85, 1.05) if pairs == 1 else draw(1.15, 1.3)
     width, middle = x / pairs, (leg + high) / 2
     doors = [
-        box((width * (k + 0.5), -y, middle), (width / 2 - 0.05, 0.07, (high - leg) / 2 - 0.08))
-        for k in range(pairs)
-    ]
-    knobs = [
         box(
-            (width * (2 * (k // 2) + (1 if k else 0)) + (0.14, -0.14)[k % 2], -y - 0.08, middle),
-            (0.07, 0.09, 0.17),
-            0.03,
+            (width * (k + 0.5), -y - 0.04, middle),
+            (width / 2 - 0.075, 0.1, (high - leg) / 2 - 0.08),
         )
         for k in range(pairs)
     ]
+    # On both sides of where two doors meet.
+    at = (0.2,) if pairs == 1 else (width - 0.2, width + 0.2)
+    knobs = [box((u, -y - 0.16, middle), (0.075, 0.09, 0.17), 0.03) for u in at]
     return {
-        "body": join(
-            box((0, 0, middle), (x, y, (high - leg) / 2), 0.02),
-            box((0, -0.02, high + 0.04), (x + 0.07, y + 0.1, 0.09), 0.03),
-        ),
+        "body": box((0, 0, middle), (x, y, (high - leg) / 2), 0.02),
         "doors": both(join(*doors)),
         "handles": both(join(*knobs)),
         "legs": feet(x - 0.16, y - 0.14, leg + 0.1, 0.12),
+        "top": box((0, -0.06, high + 0.06), (x + 0.09, y + 0.15, 0.09), 0.02),
     }
 
 

@@ -12,6 +12,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     smooth_curve,
@@ -135,16 +136,23 @@ def spaceship(draw: Draw) -> Parts:
 
 def canoe(draw: Draw) -> Parts:
     """A slim open hull with raised ends, two seats, a paddle laid across."""
-    x, y, deep, rise = draw(0.4, 0.48), draw(1.3, 1.42), draw(0.42, 0.5), draw(0.1, 0.22)
-    shell = cut(egg((0, 0, 0.5), (x, y, deep)), box((0, 0, 1.5), (2, 2, 0.95)))
-    inner = egg((0, 0, 0.58), (x - 0.12, y - 0.2, deep - 0.14))
-    tips = both(taper((0, y * 0.8, 0.42), (0, y * 0.96, 0.55 + rise), 0.13, 0.09), 1)
-    seat = box((0, y * 0.36, 0.46), (x - 0.08, 0.13, 0.07), 0.02)
+    x, y, high, rise = draw(0.42, 0.5), draw(1.3, 1.42), draw(0.46, 0.54), draw(0.12, 0.22)
+
+    def hull(x: float, y: float) -> list[tuple[float, float]]:
+        bow = [(0.0, -y), (x * 0.52, -y * 0.7), (x * 0.9, -y * 0.36), (x, 0.0)]
+        return mirrored(smooth_curve([*bow, *((u, -v) for u, v in bow[-2::-1])], 3))
+
+    shell = cut(
+        prism(hull(x, y), 2, high / 2, high / 2),
+        prism(hull(x - 0.13, y - 0.26), 2, high / 2, high / 2 + 0.14),
+    )
+    tips = both(prism([(y - 0.34, 0.1), (y - 0.34, high), (y, high + rise), (y, 0.1)], 0, 0.08), 1)
+    seat = box((0, y * 0.36, high - 0.08), (x - 0.1, 0.15, 0.07), 0.02)
     side = draw.chance(0.5)
-    blade = egg((0.75, -0.1, 0.62), (0.26, 0.15, 0.09))
-    oar = join(capsule((-0.5, 0.1, 0.62), (0.62, -0.08, 0.62), 0.08), blade)
+    blade = box((0.74, -0.1, high + 0.08), (0.24, 0.14, 0.075), 0.03)
+    oar = join(capsule((-0.5, 0.1, high + 0.08), (0.62, -0.08, high + 0.08), 0.08), blade)
     return {
-        "hull": join(cut(shell, inner), tips),
+        "hull": join(shell, tips),
         "seats": both(seat, 1),
         "paddle": both(oar, 0) if side else oar,
     }

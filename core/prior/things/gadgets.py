@@ -234,15 +234,15 @@ def microscope(draw: Draw) -> Parts:
 def typewriter(draw: Draw) -> Parts:
     """Its keys in rows to the front, a sheet in its carriage."""
     x, y, top, low = draw(0.88, 0.98), draw(0.8, 0.9), draw(0.58, 0.68), 0.22
-    columns, pitch = 6 + draw.chance(0.5), 0.24
+    columns, pitch = 5, 0.31
     slope = (top * 0.85 - low) / (y + 0.1)
     keys = [
-        tube((u, v, h), (u, v, h + 0.22), 0.095, 0.02)
-        for row in range(3)
-        for v in (-y + 0.16 + row * 0.25,)
+        tube((u, v, h), (u, v, h + 0.24), 0.11, 0.02)
+        for row in range(2)
+        for v in (-y + 0.3 + row * 0.32,)
         for h in (low - 0.06 + slope * (v + y),)
         for k in range(columns)
-        for u in (((k + 0.5 - columns / 2) + 0.2 * (row - 1)) * pitch,)
+        for u in (((k + 0.5 - columns / 2) + 0.4 * row - 0.2) * pitch,)
     ]
     bar = box((0, -y - 0.02, low + 0.02), (0.5, 0.09, 0.1), 0.03)
     side = [(-y, 0.05), (y, 0.05), (y, top), (0.1, top), (-0.02, top * 0.85), (-y, low)]

@@ -289,22 +289,12 @@ def fork(draw: Draw) -> Parts:
         capsule((k * pitch - wide, 0, palm), (k * pitch - wide, -0.1, palm + tine), 0.09)
         for k in range(count)
     )
-    root = prism(
-        [
-            (-0.1, high - 0.1),
-            (0.1, high - 0.1),
-            (wide + 0.09, palm - 0.12),
-            (wide + 0.09, palm + 0.06),
-        ],
-        1,
-        0.09,
-    )
+    side = [(0.12, high - 0.1), (wide + 0.09, palm - 0.14), (wide + 0.09, palm + 0.1)]
+    root = prism(mirrored(side), 1, 0.09)
     foot = draw(0.15, 0.24)
     grip = smooth_curve([(foot * 0.8, 0), (foot, 0.15), (0.11, high * 0.7), (0.11, high)], 3)
     return {
-        "head": join(
-            root, both(root), box((0, 0, palm - 0.02), (wide + 0.09, 0.09, 0.1), 0.03), *tines
-        ),
+        "head": join(root, *tines),
         "handle": prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.1),
     }
 
@@ -327,15 +317,15 @@ def watering_can(draw: Draw) -> Parts:
     hole = egg((0, 0, high + 0.02), (r * 0.75, r * 0.75, 0.3))
     tip = (-r - reach, 0, high + draw(0.1, 0.35))
     rose = (tip[0] - 0.1, 0, tip[2] + 0.12)
-    bow = cut(
-        ring((r * 0.75, 0, high * 0.72), high * 0.46, 0.1, axis=1),
-        tube((0, 0, 0), (0, 0, 3), r - 0.06),
-    )
-    if draw.chance(0.5):
-        over = cut(
-            ring((0, 0, high - 0.05), r * 0.78, 0.1, axis=1), box((0, 0, high - 1.1), (2, 2, 1))
+    if draw.chance(0.5):  # behind it, or over it
+        bow = cut(
+            ring((r * 0.8, 0, high * 0.56), high * 0.4, 0.11, axis=1),
+            tube((0, 0, 0), (0, 0, 3), r - 0.06),
         )
-        bow = join(bow, over)
+    else:
+        bow = cut(
+            ring((0, 0, high - 0.05), r * 0.8, 0.11, axis=1), box((0, 0, high - 1.1), (2, 2, 1))
+        )
     parts = {
         "body": cut(lathe([(r, 0), (r * draw(0.82, 1.0), high)], 0.03), hole),
         "spout": taper((-r * 0.7, 0, 0.28), tip, 0.18, 0.11),

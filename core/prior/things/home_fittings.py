@@ -68,21 +68,21 @@ def window(draw: Draw) -> Parts:
 
 def refrigerator(draw: Draw) -> Parts:
     """Two doors, one above the other or side by side."""
-    x, y, high, soft = draw(0.55, 0.72), draw(0.5, 0.58), draw(1.9, 2.3), draw(0.03, 0.12)
+    x, y, high, soft = draw(0.55, 0.72), draw(0.5, 0.58), draw(1.9, 2.3), 0.05
     if draw.chance(0.6):
         split = high * draw(0.6, 0.72)
         doors = join(
-            box((0, -y, split / 2 + 0.06), (x, 0.11, split / 2 - 0.08), 0.04),
-            box((0, -y, (split + high) / 2), (x, 0.11, (high - split) / 2 - 0.02), 0.04),
+            box((0, -y, split / 2 + 0.06), (x, 0.11, split / 2 - 0.12), 0.03),
+            box((0, -y, (split + high) / 2), (x, 0.11, (high - split) / 2 - 0.06), 0.03),
         )
         bars = [
-            capsule((-x + 0.16, -y - 0.16, a), (-x + 0.16, -y - 0.16, b), 0.08)
-            for a, b in ((split - 0.6, split - 0.14), (split + 0.13, split + 0.4))
+            box((-x + 0.17, -y - 0.18, split + v), (0.075, 0.1, half), 0.02)
+            for v, half in ((-0.4, 0.24), (0.28, 0.15))
         ]
         handles = join(*bars)
     else:
-        doors = both(box((x / 2, -y, high / 2 + 0.03), (x / 2 - 0.02, 0.11, high / 2 - 0.05), 0.04))
-        handles = both(capsule((0.13, -y - 0.16, high * 0.4), (0.13, -y - 0.16, high * 0.7), 0.08))
+        doors = both(box((x / 2, -y, high / 2 + 0.03), (x / 2 - 0.06, 0.11, high / 2 - 0.05), 0.03))
+        handles = both(box((0.2, -y - 0.18, high * 0.55), (0.075, 0.1, high * 0.16), 0.02))
     return {
         "body": box((0, 0.05, high / 2 + 0.04), (x, y, high / 2 - 0.04), soft),
         "doors": doors,

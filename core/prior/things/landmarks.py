@@ -24,13 +24,13 @@ from core.prior.solids import (
 
 
 def bridge(draw: Draw) -> Parts:
-    """Of stone, along x, its road over one arch, two or three."""
+    """Of stone, along x, its road over one arch or two."""
     long, y, low, hump = 1.5, draw(0.38, 0.5), draw(0.68, 0.8), draw(0.18, 0.36)
     xs = [long * (k / 6 - 1) for k in range(13)]
     rise = [low + hump * math.cos(x / long * math.pi / 2) for x in xs]
     top = list(zip(xs, rise, strict=True))
-    count = 1 + draw.which(3)
-    spans = (((0.0, 0.8),), ((-0.62, 0.5), (0.62, 0.5)), ((-0.86, 0.32), (0, 0.44), (0.86, 0.32)))
+    count = 1 + draw.which(2)
+    spans = (((0.0, 0.8),), ((-0.62, 0.48), (0.62, 0.48)))
     # One span is a flat arch: the middle of its circle is below the ground.
     down = 0.16 if count == 1 else 0.0
     holes = [
@@ -281,14 +281,14 @@ def traffic_cone(draw: Draw) -> Parts:
 
     def stripe(share: float, wide: float) -> Solid:
         a, b = high * (share - wide), high * (share + wide)
-        return lathe([(radius(a), a), (radius(b), b)], 0.025)
+        return lathe([(radius(a) + 0.05, a), (radius(b) + 0.05, b)], 0.02)
 
     return {
         "body": join(
             lathe([(low + 0.1, foot_z - 0.03), (low, foot_z + 0.06), (top, high)], 0.01),
             tube((0, 0, high - 0.1), (0, 0, high + 0.03), top + 0.02, 0.03),
         ),
-        "stripes": join(stripe(0.36, 0.09), stripe(0.7, 0.075)) if two else stripe(0.55, 0.13),
+        "stripes": join(stripe(0.36, 0.1), stripe(0.7, 0.09)) if two else stripe(0.55, 0.13),
         "base": box((0, 0, foot_z / 2), (foot, foot, foot_z / 2), 0.05),
     }
 

@@ -66,7 +66,7 @@ def shop(draw: Draw) -> Parts:
     raised = [grown(bars[k], 0.03) for k in (1, 3, 5)]
     side = 1 if draw.chance(0.5) else -1
     door, z = -side * x * 0.58, eave + 0.34 + sign + 0.06
-    pane = (side * x * 0.3, x * 0.54)
+    pane = (side * x * 0.32, x * 0.5)
     return {
         "walls": join(
             box((0, 0, high / 2), (x, y, high / 2)),
@@ -75,12 +75,11 @@ def shop(draw: Draw) -> Parts:
         "awning": join(*bars),
         "stripes": join(*raised),
         "window": join(
-            box((pane[0], -y, 0.66), (pane[1], 0.05, 0.38), 0.01),
-            both(box((x, 0, 0.66), (0.05, y * 0.5, 0.3), 0.01)),
+            box((pane[0], -y, 0.64), (pane[1], 0.09, 0.36), 0.01),
+            both(box((x, 0, 0.66), (0.08, y * 0.5, 0.3), 0.01)),
         ),
         "door": join(
-            box((door, -y, 0.54), (x * 0.22, 0.06, 0.48), 0.01),
-            box((pane[0], -y - 0.02, 0.24), (pane[1] + 0.08, 0.1, 0.07), 0.02),
+            box((door, -y, 0.54), (x * 0.24, 0.12, 0.48), 0.01),
             box((0, 0, high + 0.02), (x + 0.1, y + 0.1, 0.11), 0.03),
         ),
         "sign": box((0, -y - 0.03, z), (x * draw(0.7, 0.86), 0.09, sign), 0.03),

@@ -189,7 +189,7 @@ def doll(draw: Draw) -> Parts:
         lathe([(v + 0.05, h) for v, h in skirt]),
         join(box((0, -1, leg), (wide * 0.5, 1, 0.5)), box((0, -1, top - 0.2), (0.17, 1, 0.24))),
     )
-    eye = tube((r * 0.4, -r * 0.96, z + 0.02), (r * 0.36, -r * 0.7, z + 0.02), 0.1, 0.03)
+    eye = egg((r * 0.36, -r * 0.88, z + 0.04), (0.11, 0.12, 0.13))
     hem = ring((0, 0, leg - 0.07), wide - 0.01, 0.085)
     foot = egg((x, -0.1, 0.11), (0.17, 0.27, 0.13))
     return {
