@@ -69,7 +69,7 @@ def add_core_commands(commands: Commands) -> None:
         "--guide-strength", type=float, metavar="0..1", help="0: a start only; 1: keep the shape"
     )
     generate.add_argument(
-        "--size", type=float, metavar="METRES", help="the longest side; default: the usual"
+        "--size", type=float, metavar="METRES", help="the longest side; default: the prompt's"
     )
     texture = add("texture", "A material for your own mesh; its uv is kept if it has one.")
     texture.add_argument("mesh")
@@ -113,7 +113,7 @@ def add_core_commands(commands: Commands) -> None:
     explore.add_argument("--count", type=int, default=4, metavar="N", help="shapes; default 4")
     explore.add_argument("--out", type=Path, metavar="DIR", help="a run folder each, and a picture")
     explore.add_argument(
-        "--size", type=float, metavar="METRES", help="the longest side; default: the usual"
+        "--size", type=float, metavar="METRES", help="the longest side; default: the prompt's"
     )
     _add_job_options(explore)
     recolor = add("recolor", "Quick materials of several seeds for the shape of a run.")

@@ -149,6 +149,8 @@ def test_a_finish_is_of_the_whole_and_an_outside_too():
         ("a mug with dots, blue", "blue", "", "spotted"),
         ("a sofa with red and white stripes", "red", "white", "striped"),
         ("an orange striped crate", "orange", "", "striped"),
+        ("a crate, orange stripes", "", "orange", "striped"),
+        ("a dress with white polka dots in blue", "blue", "white", "spotted"),
     ],
 )
 def test_one_color_of_stripes_or_dots_lies_on_the_thing_s_own(prompt, color, second, pattern):

@@ -3,10 +3,11 @@
 import pytest
 import torch
 
+from core.guidance.builtin.colors import toned
 from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS, SURFACE, hint, stencil
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, swatches
+from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, painted, swatches
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import (
     BAND,
@@ -186,6 +187,24 @@ def test_a_rainbow_has_all_its_colours_one_after_another(prompt, part, many):
         assert (away.amin(1) < 1e-3).all()
         band = (-points[:, 2] / BAND).floor().long() % len(bands)  # red is the highest
         assert torch.equal(away.argmin(1), band)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part", "tone"),
+    [
+        ("a pastel rainbow unicorn", "body", "pastel"),
+        ("a multi-coloured unicorn", "body", ""),
+        ("a sofa with white and rainbow striped cushions", "cushion", ""),
+        ("a unicorn under a rainbow", "body", None),
+        ("a house with a rainbow above it", "walls", None),
+    ],
+)
+def test_a_rainbow_has_a_tone_and_one_that_stands_by_itself_is_another_thing(prompt, part, tone):
+    words = parse(prompt)
+    (found,) = (one for one in painted(words.noun, words) if one.name == part)
+    assert (found.pattern == RAINBOW) is (tone is not None)
+    if tone:
+        assert found.colors()[0] == toned(RAINBOW_COLORS[0], tone)
 
 
 def test_a_rainbow_lies_along_what_lies():

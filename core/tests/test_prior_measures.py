@@ -34,6 +34,19 @@ from core.stages.preview import size_of
         ("half a metre tall gnome", Size(0.5, "height")),
         ("a bookshelf 1,80 m high", Size(1.8, "height")),
         ("a sofa about 2.2 m wide", Size(2.2, "width")),
+        ("a 1/2 m vase", Size(0.5)),
+        ("a 5 1/2 foot bear", Size(1.6764)),
+        ("a 1,200 mm wide desk", Size(1.2, "width")),
+        ("a table 2 m x 90 cm", Size(2)),
+        ("a rug 200 cm by 1 m", Size(2)),
+        ("a vase with a 30 cm height", Size(0.3, "height")),
+        ("a 6 ft. tall knight", Size(1.8288, "height")),
+        ("a robot .5 m tall", Size(0.5, "height")),
+        ("a 1m80 tall knight", Size(1.8, "height")),
+        ("a thirty foot tall tree", Size(9.144, "height")),
+        ("a six foot bear", Size(1.8288)),
+        ("a tree 100 feet", Size(30.48)),
+        ("a chair height=2m", Size(2, "height")),
     ],
 )
 def test_a_stated_size_is_read_and_says_nothing_of_the_shape(prompt, size):
@@ -48,6 +61,7 @@ def test_a_stated_size_is_read_and_says_nothing_of_the_shape(prompt, size):
     [
         *("a 9mm pistol", "a 35mm camera", "a 5 kg dumbbell", "a door 5 cm thick"),
         *("a sword with a 20 cm grip", "a mug 0.1 mm tall", "a 10 year old dog"),
+        *("a castle on a 10 m high hill", "a house with a door 2 m tall"),
     ],
 )
 def test_what_is_no_size_of_the_thing_is_left_out_and_said(prompt):
@@ -64,6 +78,27 @@ def test_what_is_no_size_of_the_thing_is_left_out_and_said(prompt):
 def test_numbers_without_a_unit_measure_nothing(prompt):
     text, sizes, others = set_apart(prompt)
     assert (text, sizes, others) == (prompt, [], [])
+
+
+def test_an_age_in_words_makes_nothing_worn():
+    words = parse("a two-year-old horse")
+    assert (words.left_out, words.weather, words.size) == (("two-year-old",), (), None)
+
+
+@pytest.mark.parametrize("prompt", ['a sign saying "5"', 'a sign of "apollo 13"', "a crate '5'"])
+def test_what_is_quoted_is_no_size(prompt):
+    assert parse(prompt).size is None
+
+
+def test_legs_behind_feet_are_no_inches():
+    words = parse("a 3 foot 3 legged stool")
+    assert (words.size, words.part) == (Size(0.9144), "three legs")
+
+
+@pytest.mark.parametrize("text", ["1" + " x 1" * 400, "1" + (" " * 60 + "x 1") * 25])
+def test_a_long_row_of_numbers_is_read_at_once(text):
+    """It took hours: a blank could belong to a unit or not."""
+    assert set_apart(f"a grid of {text}")[1:] == ([], [])
 
 
 def test_the_first_of_two_sizes_counts():

@@ -65,6 +65,9 @@ def test_the_wider_words_are_of_known_things():
         ("a snow man", "snowman", ""),
         ("a hour glass", "hourglass", ""),
         ("a gold fish", "fish", "golden"),  # one of gold
+        ("a steel hammer head", "hammer", "metal"),  # no hammerhead
+        ("a box wood texture", "cube", "wooden"),
+        ("a dog that has sock", "dog", ""),
         ("a red fire hydrant", "fire hydrant", ""),  # a name of two words
         ("a teddybear", "teddy bear", ""),
         ("an officechair", "office chair", ""),
@@ -73,6 +76,11 @@ def test_the_wider_words_are_of_known_things():
 def test_a_name_may_be_written_apart_or_together(prompt, thing, material):
     words = parse(prompt)
     assert (words.noun, words.material) == (thing, material)
+
+
+def test_one_person_is_a_person():
+    assert parse("one person").noun == "person"
+    assert parse("one man in a hat").noun == "person"
 
 
 def test_halves_of_two_clauses_are_no_name():

@@ -289,7 +289,7 @@ def test_what_is_understood_is_plain_data():
         "materials": ["oak"],
         "pattern": "two-tone",
         "size_m": 8.0,
-        "side": "length",
+            "side": "length",
             "density": 97.5,
         "left_out": [],
         "notes": [],

@@ -93,7 +93,7 @@ def light_of(settings: Settings) -> str:
 
 
 def size_of(settings: Settings) -> float:
-    """The longest side in metres; 0: the usual size."""
+    """The longest side in metres; 0: as the prompt says, or the usual size."""
     return float(f"{settings.size:.4g}")
 
 

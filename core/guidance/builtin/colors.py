@@ -110,11 +110,14 @@ SHADES: dict[str, dict[str, str]] = {
         "champagne": "ead6ae", "wheat coloured": "e0c890", "wheat colored": "e0c890",
     },
 }  # fmt: skip
-# The network knows them as the first of their colours.
-MANY_COLORS = frozenset(
-    ("rainbow", "rainbow coloured", "rainbow colored", "multicolored", "multicoloured")
+RAINBOW = "rainbow"
+# Of many colours; the network knows them as the first of these.
+MANY_COLORS = (
+    *(RAINBOW, "rainbow coloured", "rainbow colored", "rainbow colors", "rainbow colours"),
+    *("multicolored", "multicoloured", "multi colored", "multi coloured", "multicolor"),
+    *("multicolour", "multi color", "multi colour"),
 )
-SHADES["red"] = dict.fromkeys(MANY_COLORS, "dc1a1f") | SHADES.get("red", {})
+SHADES["red"] |= dict.fromkeys(MANY_COLORS, "dc1a1f")
 _RGB = {form: value for shades in SHADES.values() for form, value in shades.items()}
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 # Before a colour: how far it is then on the way to black, or to white.
@@ -145,6 +148,14 @@ def color_value(word: str, form: str = "") -> Color:
     if tone not in TOWARDS or not rest or form in (word, *COLORS[word].split(", ")):
         return COLOR_VALUES[word]
     return toned(color_value(word, rest), tone)
+
+
+def rainbow_tone(form: str) -> str | None:
+    """The tone of a form that means many colours, "" without one: of pastel rainbow; else None."""
+    tone, _, rest = form.partition(" ")
+    if form in MANY_COLORS:
+        return ""
+    return tone if tone in TOWARDS and rest in MANY_COLORS else None
 
 
 def toned(color: Color, tone: str) -> Color:

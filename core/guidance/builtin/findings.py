@@ -28,7 +28,7 @@ class Findings:
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
-    drawn_on: bool = False  # whether the one colour is the pattern's, which lies on the thing's own
+    figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)
 
     @property
@@ -118,7 +118,10 @@ class Findings:
         for one in colors[2:]:
             self.leave_aside([one[1] or one[0]], "two colours are taken")
         # In the order of the prompt: the first is the thing's, the next the pattern's.
-        colors = [("", ""), *colors] if self.drawn_on and len(colors) == 1 else colors
+        if self.figure:
+            drawn = (self.figure.word, shade(*self.figure[1:]))
+            rest = [one for one in colors if one != drawn]
+            colors = [*(rest[:1] or [("", "")]), drawn, *rest[1:]]
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")

@@ -28,15 +28,20 @@ SIDES = {  # of the box around a thing, by the words for them
 THICK = ("thick", "thickness")  # of a wall or a board, not of the whole thing
 # Such a number is a size only where a side is named: "a 9mm pistol".
 CALIBRE = "mm"
+UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
+MOST_FEET = 8  # that something stands on
 # Marks for inches and feet, as they may be typed.
 MARKS = {"\u2033": '"', "\u201d": '"', "\u2032": "'", "\u2019": "'", "''": '"'}
-UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
 # Units of what is no length, such as a weight or an age.
 OTHERS = """kg kgs kilo kilos kilogram kilograms g gram grams lb lbs pound pounds ounce ounces oz ml
-    l liter liters litre litres gallon gallons watt watts volt volts mph kmh hp cc year years
-    year-old years-old month-old week-old weeks months""".split()
+    l liter liters litre litres gallon gallons watt watts volt volts mph kmh hp cc year years yr yrs
+    year-old years-old month month-old months week week-old weeks day day-old days""".split()
 COUNTS = {"half a": 0.5, "a": 1, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
-COUNTS |= {"seven": 7, "eight": 8, "nine": 9, "ten": 10, "twelve": 12, "twenty": 20}
+COUNTS |= {"seven": 7, "eight": 8, "nine": 9, "ten": 10, "twelve": 12, "fifteen": 15, "twenty": 20}
+COUNTS |= {"thirty": 30, "forty": 40, "fifty": 50, "a hundred": 100, "hundred": 100}
+# After these a clause is about something else: "a castle on a 10 m high hill".
+OF_ANOTHER = """with on at near beside next under behind above against between over inside around
+    has have having whose holding pulling carrying""".split()
 
 
 class Size(NamedTuple):
@@ -60,34 +65,53 @@ def _any_of(words: Iterable[str]) -> str:
     return "|".join(re.escape(word) for word in sorted(words, key=len, reverse=True))
 
 
-_NUMBER = r"[0-9]+(?:[.,][0-9]+)?"
-_UNIT = rf"(?:{_any_of(METRES)})(?![a-z0-9])"
-_FEET, _INCHES = (_any_of(k for k in METRES if METRES[k] == METRES[of]) for of in ("ft", "in"))
+# 1,200 or 1,5; 1 1/2; .5
+_NUMBER = (
+    r"(?:[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]+)?|(?:[0-9]+\s+)?[0-9]+/[0-9]+"
+    r"|[0-9]+(?:[.,][0-9]+)?|\.[0-9]+)"
+)
+_UNIT = rf"(?:{_any_of(METRES)})(?![a-z0-9])\.?"
+_FEET, _INCHES = (
+    _any_of(k for k in METRES if METRES[k] == METRES[of] and k.isalpha()) for of in ("ft", "in")
+)
 _SIDES = {word: side for side, words in SIDES.items() for word in words}
+_SINGULAR = "foot|metre|meter|inch|yard"
+_START = r"(?<![\w.,/\"'])"
+_TWO = r"[0-9]{1,2} (?![\w.,]*[0-9])"
+_SEVERAL = _any_of(word for word in COUNTS if COUNTS[word] > 1)
 _STATED = re.compile(
     rf"""
     (?: (?: \bwith\s+an?\s+ )? \b(?P<before> height|width|depth|diameter|length|size|thickness )
-        (?: \s+of | \s*[:=] )? \s+ )?
+        (?: \s+of\s+ | \s*[:=]\s* | \s+ ) )?
     (?: \b(?:about|around|approximately|approx\.?|roughly|nearly|almost|exactly|over)\s+ | ~\s* )?
-    (?: (?<![\w.,]) (?P<box> {_NUMBER} (?: \s*(?:{_UNIT})? \s*[x\u00d7]\s* {_NUMBER} )+ )
-            [\s-]* (?P<box_unit> {_UNIT} )
-      | (?<![\w.,]) (?P<feet> {_NUMBER} ) [\s-]* (?:{_FEET}) [\s-]* (?P<inches> [0-9]{{1,2}} )
-            (?! [\w.,]*[0-9] ) [\s-]* (?: (?:{_INCHES})(?![a-z]) )?
-      | (?<![\w.,]) (?P<number> {_NUMBER} ) [\s-]* (?P<unit> {_UNIT} )
+    (?: {_START} (?P<box> {_NUMBER}
+            (?: \s* (?:{_UNIT}\s*)? (?:[x\u00d7]|by\b)\s* {_NUMBER} )+ ) [\s-]*
+            (?P<box_unit> {_UNIT} )
+      | {_START} (?P<feet> [0-9]+ ) \s* (?: ' \s* (?P<inches> {_TWO} ) "?
+            | (?:{_FEET})\.? [\s-]* (?P<more> {_TWO} ) [\s-]*
+              (?: (?:{_INCHES})(?![a-z])\.? | " ) )
+      | {_START} (?P<metres> [0-9] ) m (?P<cm> [0-9]{{2}} ) (?![\w.,]*[0-9])
+      | {_START} (?P<number> {_NUMBER} ) [\s-]* (?P<unit> {_UNIT} )
       | \b(?P<count> {_any_of(COUNTS)} ) [\s-]+ (?P<counted> {_UNIT} )
             (?= [\s-]+ (?: {_any_of(_SIDES)} )\b )
+      | \b(?P<several> {_SEVERAL} ) [\s-]+ (?P<each> {_SINGULAR} )\b
     )
     (?: [\s-]* (?: \bin\s+ )? (?P<after> {_any_of([*_SIDES, *THICK])} )\b )?
     """,
     re.VERBOSE,
 )
-_OF_PART = re.compile(r"\b(?:with|has|have|and)\s+(?:an?\s+|its\s+|the\s+|two\s+|four\s+)?$")
-_OTHER = re.compile(rf"(?<![\w.,]){_NUMBER}[\s-]*(?:{_any_of(OTHERS)})(?![a-z0-9])(?:[\s-]+old\b)?")
+_ELSEWHERE = re.compile(rf"\b(?:{_any_of(OF_ANOTHER)})\b[^,;.:!?()]*$")
+_NOUNS = ("height", "width", "depth", "diameter", "length")  # "with a 30 cm height"
+_OTHER = re.compile(
+    rf"(?<![\w.,])(?:{_NUMBER}|{_any_of(k for k in COUNTS if ' ' not in k and k != 'a')})[\s-]*"
+    rf"(?:{_any_of(OTHERS)})(?![a-z0-9])(?:[\s-]+old\b)?"
+)
 
 
 def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
     """A prompt in lower case without what measures something in it; the sizes that it states; and
-    what measures something else, such as a weight or a thickness, as it was written."""
+    what measures something else, such as a weight, a thickness or another thing, as it was
+    written."""
     for mark, plain in MARKS.items():
         prompt = prompt.replace(mark, plain)
     text = unicodedata.normalize("NFKC", prompt).lower()
@@ -96,11 +120,15 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
 
     def taken(found: re.Match[str]) -> str:
         side = found["after"] or found["before"] or ""
-        if not side and found["unit"] in UNSURE:
+        unit = (found["unit"] or "").rstrip(".")
+        if not side and unit in UNSURE and not _is_sure(unit, found["number"]):
+            return found[0]
+        if unit == '"' and text.count('"', 0, found.start()) % 2:  # the end of a quotation
             return found[0]
         size = Size(round(_metres(found), 6), _SIDES.get(side, "length"))
-        of_part = not found["before"] and _OF_PART.search(text, 0, found.start())
-        is_other = side in THICK or of_part or (not side and found["unit"] == CALIBRE)
+        elsewhere = _ELSEWHERE.search(text, 0, found.start())
+        of_another = elsewhere and not (found["before"] or side in _NOUNS)
+        is_other = side in THICK or of_another or (not side and unit == CALIBRE)
         if is_other or not SIZES[0] <= size.metres <= SIZES[1]:
             others.append(found[0].strip())
         else:
@@ -115,16 +143,35 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
     return _STATED.sub(taken, text), sizes, others
 
 
+def _is_sure(unit: str, number: str) -> bool:
+    """Whether so many feet are a length, and not what something stands on."""
+    return unit == "feet" and not (number.isdigit() and int(number) <= MOST_FEET)
+
+
 def _metres(found: re.Match[str]) -> float:
     if found["box"]:
-        numbers = re.findall(_NUMBER, found["box"])
-        return max(map(_number, numbers)) * METRES[found["box_unit"]]
+        own = re.findall(rf"({_NUMBER})\s*({_UNIT})?", found["box"])
+        last = found["box_unit"]
+        return max(_number(number) * _unit(unit or last) for number, unit in own)
     if found["feet"]:
-        return _number(found["feet"]) * METRES["ft"] + int(found["inches"]) * METRES["in"]
-    if found["count"]:
-        return COUNTS[found["count"]] * METRES[found["counted"]]
-    return _number(found["number"]) * METRES[found["unit"]]
+        inches = int(found["inches"] or found["more"])
+        return int(found["feet"]) * METRES["ft"] + inches * METRES["in"]
+    if found["metres"]:
+        return int(found["metres"]) + int(found["cm"]) / 100
+    if found["count"] or found["several"]:
+        unit = found["counted"] or found["each"]
+        return COUNTS[found["count"] or found["several"]] * _unit(unit)
+    return _number(found["number"]) * _unit(found["unit"])
+
+
+def _unit(text: str) -> float:
+    return METRES[text.rstrip(".")]
 
 
 def _number(text: str) -> float:
-    return float(text.replace(",", "."))
+    if "/" in text:
+        *whole, fraction = text.split()
+        above, below = map(int, fraction.split("/"))
+        return sum(map(int, whole)) + above / max(below, 1)
+    thousands = re.fullmatch(r"[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]+)?", text)
+    return float(text.replace(",", "" if thousands else "."))

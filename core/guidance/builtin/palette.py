@@ -16,13 +16,15 @@ from core.guidance.builtin.colors import (
     COLOR_VALUES,
     DARK,
     LIGHT,
-    MANY_COLORS,
+    RAINBOW,
     Color,
     color_value,
+    rainbow_tone,
+    toned,
 )
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.patterns import RAINBOW, RAINBOW_COLORS
+from core.guidance.builtin.patterns import RAINBOW_COLORS
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 from core.guidance.builtin.words import STRIPED_PARTS
 
@@ -174,10 +176,13 @@ class Painted(NamedTuple):
     colored: bool = False  # by a word, and not by its material
     sheen: tuple[str, ...] = ()  # the words that say how it shines
     apart: bool = False  # whether something is said of it alone
+    tone: str = ""  # of a rainbow
 
     def colors(self) -> tuple[Color, ...]:
-        """Those of its pattern, its own first."""
-        return RAINBOW_COLORS if self.pattern == RAINBOW else (self.color, self.second)
+        """Those of a rainbow; else its own and the second."""
+        if self.pattern != RAINBOW:
+            return self.color, self.second
+        return tuple(toned(color, self.tone) if self.tone else color for color in RAINBOW_COLORS)
 
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
@@ -216,8 +221,10 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         elif stated.pattern and look.role in "*&" and not (two_tone or apart or drawn):
             pattern = stated.pattern
         # Of rainbow stripes too.
-        drawn_with = {word[1], other[1] if pattern and pattern == stated.pattern else ""}
-        if drawn_with & MANY_COLORS and pattern in ("", finish.pattern, "striped"):
+        lies = accent.second_form if accent.pattern else other[1] if stated.pattern else ""
+        tones = (rainbow_tone(form) for form in (word[1], lies))
+        tone = next((tone for tone in tones if tone is not None), None)
+        if tone is not None and pattern in ("", finish.pattern, "striped"):
             pattern = RAINBOW
         yield Painted(
             name,
@@ -231,6 +238,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             bool(word[0]),
             sheen,
             bool(apart or accent.sheen),
+            tone or "",
         )
 
 

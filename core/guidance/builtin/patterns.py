@@ -14,6 +14,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.guidance.builtin.colors import RAINBOW
+
 
 class Place(NamedTuple):
     """Where on the object."""
@@ -29,7 +31,6 @@ Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of t
 STRIPE, CELL, SPOT, CHECK = 0.21, 0.42, 0.14, 0.21
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
-RAINBOW = "rainbow"
 ALONG = frozenset(("striped", RAINBOW))  # patterns whose colours follow one another
 BAND = 0.15  # of a rainbow
 RAINBOW_COLORS = (

@@ -1,7 +1,7 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
 from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.colors import shade
+from core.guidance.builtin.colors import RAINBOW, shade
 from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import Findings, with_article
 from core.guidance.builtin.lexicon import (
@@ -289,11 +289,13 @@ class Reading:
             if slot == "noun":
                 self._head(entry, start, end)
             self.got.found[slot].append(entry)
-        if slot == "pattern" and entry.form in FIGURES and self._accessory is not None:
+        begun = self._begun if self._late and self._accessory is None else self._accessory
+        if slot == "pattern" and entry.form in FIGURES and begun is not None:
             # "with orange stripes and a lid": it is complete, and what it lies on is not orange.
-            none_before, one = self._accessory["color"] == 0, len(self.got.found["color"]) == 1
-            self.got.drawn_on |= none_before and one
-            self._accessory = self.got.counts()
+            colors = self.got.found["color"]
+            if begun["color"] == 0 and len(colors) == 1:
+                self.got.figure = colors[0]
+            self._accessory = self._accessory and self.got.counts()
         if slot in LOOKS and self.got.found["noun"]:
             self._looks.append(slot)
         elif slot != "weather":
@@ -337,6 +339,7 @@ class Reading:
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
+        stands |= entry.form == RAINBOW and self._tokens.ends_phrase(end)
         begin = self._tokens.qualities_begin(start)
         article = begin > 0 and self._tokens.words[begin - 1] in ARTICLES
         return stands and self._accessory is not None and article

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from core.guidance.builtin.colors import OF_MATERIALS, TOWARDS
 from core.guidance.builtin.lexicon import Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size, set_apart
-from core.guidance.builtin.words import LOOKS, PHRASE_ENDS, SHORT
+from core.guidance.builtin.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase
@@ -49,8 +49,11 @@ class Tokens:
             halves = self.words[at : at + 2]
             whole = look_up("".join(halves), self.known)
             apart = look_up(" ".join(halves), self.known) or self._is_quality(at, at + 1, LOOKS)
-            ends = at in self.owners or at + 1 in self.breaks
-            if whole and whole.slot == "noun" and not (apart or ends) and min(map(len, halves)) > 2:
+            first, second = (look_up(half, self.known) for half in halves)
+            # "A hammer head", "a box wood and metal"; "a dog that has sock".
+            own = first and first.slot == "noun" and second and second.slot in ("part", *LOOKS)
+            ends = at in self.owners or at + 1 in self.breaks or halves[0] in FILLER
+            if whole and whole.slot == "noun" and not (apart or own or ends or len(halves[1]) < 3):
                 self.cut(at, at + 1)
                 self.words[at] = "".join(halves)
 

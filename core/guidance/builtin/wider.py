@@ -11,7 +11,7 @@ _OF_GROUPS: dict[str, tuple[str, ...]] = {  # the groups of the things that may 
     "animal creature beast pet critter cub pup calf chick foal hatchling baby": _ANIMALS,
     "monster": (*_ANIMALS, "Characters"),
     "hero warrior": (*_ANIMALS, "Characters"),
-    "man woman boy girl guy lady person human kid child hunter": ("Characters",),
+    "man woman boy girl guy lady person human kid child": ("Characters",),
     "fruit vegetable veg veggie berry": ("Fruit and Vegetables",),
     "food snack dish meal dessert treat": ("Food",),
     "vehicle": ("Vehicles", "Aircraft and Space"),
@@ -27,7 +27,7 @@ _OF_GROUPS: dict[str, tuple[str, ...]] = {  # the groups of the things that may 
     "prop item object asset": tuple(GROUPS),
 }
 _OF_THINGS = {  # the things that may be called so
-    "dog puppy doggy doggie hound": "corgi, wolf, fox",
+    "dog puppy doggy doggie hound": "corgi, wolf",
     "kitten cat": "tiger, lion, leopard",
     "bird": (
         "owl, penguin, chicken, parrot, eagle, duck, swan, flamingo, peacock, ostrich, rubber duck"
@@ -43,7 +43,7 @@ _OF_THINGS = {  # the things that may be called so
         "taxi, race car, sports car, jeep, van, go-kart, ambulance, golf cart, pickup truck"
     ),
     "truck lorry": (
-        "fire truck, pickup truck, dump truck, cement mixer, forklift, tank, bulldozer, jeep"
+        "fire truck, pickup truck, dump truck, cement mixer, forklift, bulldozer, jeep"
     ),
     "bike": "motorcycle, scooter, tricycle, bicycle",
     "boat ship vessel": (

@@ -280,6 +280,9 @@ OF_ANOTHER = (
     "for",
     "worn by",
     "used for",
+    "used by",
+    "used as",
+    "used in",
     "filled with",
     "full of",
     "surrounded by",
@@ -334,7 +337,7 @@ IGNORED_ADJECTIVES = frozenset(
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
     african european asian""".split()
 ) | {
-    "old fashioned",
+    *("old fashioned", "never used", "barely used"),
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
@@ -344,7 +347,7 @@ IGNORED_ADJECTIVES = frozenset(
 IGNORED_ADJECTIVES |= {
     f"{count} {of}"
     for count in ("one", "two", "three", "four", "five", "six", "1", "2", "3", "4", "5", "6")
-    for of in "seater poster piece storey story stories tier tiered person man way burner".split()
+    for of in "seater poster piece storey story stories tier tiered way burner".split()
 }
 # Of them those that make a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split())
