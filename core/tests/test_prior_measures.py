@@ -73,7 +73,15 @@ def test_what_is_no_size_of_the_thing_is_left_out_and_said(prompt):
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a sofa with 4 feet", "a 2 in 1 laptop", "a 1920s car", "a m4 rifle", "a 4k photo"]
+    "prompt",
+    [
+        "a sofa with 4 feet",
+        "a 2 in 1 laptop",
+        "a 12 in 1 tool",
+        "a 1920s car",
+        "a m4 rifle",
+        "a 4k photo",
+    ],
 )
 def test_numbers_without_a_unit_measure_nothing(prompt):
     text, sizes, others = set_apart(prompt)
@@ -95,9 +103,16 @@ def test_legs_behind_feet_are_no_inches():
     assert (words.size, words.part) == (Size(0.9144), "three legs")
 
 
+@pytest.mark.parametrize("end", [" m tall", "/7 m", "' 2\"", " x 2 m"])
+def test_a_number_beyond_all_measure_is_left_out(end):
+    words = parse(f"a robot {'9' * 900}{end}")
+    assert words.size is None
+    assert words.left_out[0].startswith("999")
+
+
 @pytest.mark.parametrize("text", ["1" + " x 1" * 400, "1" + (" " * 60 + "x 1") * 25])
 def test_a_long_row_of_numbers_is_read_at_once(text):
-    """It took hours: a blank could belong to a unit or not."""
+    """It took twice as long for each number more: a blank could belong to a unit or not."""
     assert set_apart(f"a grid of {text}")[1:] == ([], [])
 
 

@@ -117,11 +117,11 @@ class Findings:
         colors = list(dict.fromkeys((entry.word, shade(*entry[1:])) for entry in entries))
         for one in colors[2:]:
             self.leave_aside([one[1] or one[0]], "two colours are taken")
-        # In the order of the prompt: the first is the thing's, the next the pattern's.
         if self.figure:
             drawn = (self.figure.word, shade(*self.figure[1:]))
             rest = [one for one in colors if one != drawn]
             colors = [*(rest[:1] or [("", "")]), drawn, *rest[1:]]
+        # In the order of the prompt: the first is the thing's, the next the pattern's.
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
         # A second colour needs a place: without a pattern it goes to the accent parts.
         pattern = self.only("pattern") or ("two-tone" if second else "")

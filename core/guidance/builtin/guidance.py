@@ -213,11 +213,8 @@ class PromptedBuiltin(PromptedGuidance):
         """Of each of the drawn solid's parts, along which stripes follow one another; none where
         nothing is striped, or where the negative prompt is of another thing."""
         parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
-        if (
-            not self._known
-            or self.negative.noun
-            or not ALONG.intersection(one.pattern for one in parts)
-        ):
+        lies = ALONG.intersection(one.pattern for one in parts)
+        if not self._known or self.negative.noun or not lies:
             return ()
         return tuple(axis_of(extent) for extent in self._known.extents()[: len(parts)])
 

@@ -55,7 +55,7 @@ def hint(
 class PartColors(NamedTuple):
     """What the words make of the noun's parts; rows beyond them are zeros."""
 
-    colors: Float[Tensor, "8 6 4"]  # [2 srgb - 1, 1]: of the pattern, the part's own first
+    colors: Float[Tensor, "8 6 4"]  # [2 srgb - 1, 1]: of the pattern; of two the part's own first
     patterns: tuple[Laid, ...]
 
 

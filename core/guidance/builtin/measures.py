@@ -101,7 +101,6 @@ _STATED = re.compile(
     re.VERBOSE,
 )
 _ELSEWHERE = re.compile(rf"\b(?:{_any_of(OF_ANOTHER)})\b[^,;.:!?()]*$")
-_NOUNS = ("height", "width", "depth", "diameter", "length")  # "with a 30 cm height"
 _OTHER = re.compile(
     rf"(?<![\w.,])(?:{_NUMBER}|{_any_of(k for k in COUNTS if ' ' not in k and k != 'a')})[\s-]*"
     rf"(?:{_any_of(OTHERS)})(?![a-z0-9])(?:[\s-]+old\b)?"
@@ -127,7 +126,8 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
             return found[0]
         size = Size(round(_metres(found), 6), _SIDES.get(side, "length"))
         elsewhere = _ELSEWHERE.search(text, 0, found.start())
-        of_another = elsewhere and not (found["before"] or side in _NOUNS)
+        # But "with a 30 cm height".
+        of_another = elsewhere and not (found["before"] or side in SIDES)
         is_other = side in THICK or of_another or (not side and unit == CALIBRE)
         if is_other or not SIZES[0] <= size.metres <= SIZES[1]:
             others.append(found[0].strip())
@@ -155,7 +155,7 @@ def _metres(found: re.Match[str]) -> float:
         return max(_number(number) * _unit(unit or last) for number, unit in own)
     if found["feet"]:
         inches = int(found["inches"] or found["more"])
-        return int(found["feet"]) * METRES["ft"] + inches * METRES["in"]
+        return float(found["feet"]) * METRES["ft"] + inches * METRES["in"]
     if found["metres"]:
         return int(found["metres"]) + int(found["cm"]) / 100
     if found["count"] or found["several"]:
@@ -171,7 +171,7 @@ def _unit(text: str) -> float:
 def _number(text: str) -> float:
     if "/" in text:
         *whole, fraction = text.split()
-        above, below = map(int, fraction.split("/"))
-        return sum(map(int, whole)) + above / max(below, 1)
+        above, below = map(float, fraction.split("/"))  # no int: it may be too large to divide
+        return sum(map(float, whole)) + above / max(below, 1)
     thousands = re.fullmatch(r"[0-9]{1,3}(?:,[0-9]{3})+(?:\.[0-9]+)?", text)
     return float(text.replace(",", "" if thousands else "."))
