@@ -247,7 +247,7 @@ def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
     ("word", "near"),
     [
         ("samovar", ["teapot"]),
-        ("tumbler", ["goblet"]),
+        ("grail", ["goblet"]),
         ("tornado", ["cone"]),
         ("tornados", ["cone"]),
         ("periscope", ["telescope"]),

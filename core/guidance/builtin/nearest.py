@@ -10,7 +10,7 @@ NEAREST = {
     "chest": "treasure",
     "monitor": "display",
     "teapot": "samovar",
-    "goblet": "tumbler, grail",
+    "goblet": "grail",
     "candle": "match, lighter",
     "tower": "minaret",
     "telescope": "periscope",
@@ -148,7 +148,7 @@ REAL = frozenset(
     overs pacing packaged paddock paid paine painter painters pair palate palin pane pant panting
     pantry para parameter parameters park parks parsons past pastries pasty pats patter paving
     paying peachy pearl pearson pellet pellets pendants persona peter peters phase phased phases
-    phoned phony photographs piazza pickled pickles picky pier piers pierson pilates piling pinky
+    phoned phony photographs piazza pickled pickles picky piers pierson pilates piling pinky
     piped piper pistil piston pistons pitched pitches place places placid plain plan planner
     planners plans planted plat plated play pleasant plot plots plotter plumbers plumping pointer
     pointers pointing poke policemen poole pools port porter portion portions portman postal posted

@@ -26,9 +26,12 @@ from core.guidance.builtin.part_names import (
 )
 from core.guidance.builtin.tokens import DOING, Tokens, describes
 from core.guidance.builtin.wider import is_wider
+from core.guidance.builtin.word_order import set_in_order
 from core.guidance.builtin.words import (
     ALIVE,
     ALONE,
+    ARTICLES,
+    AS_MATERIAL,
     COUNTS,
     DEPICTIONS,
     FIGURES,
@@ -49,7 +52,6 @@ from core.guidance.builtin.words import (
     WITHOUT,
 )
 
-ARTICLES = ("a", "an", "the")
 EITHER = ("or", "nor")
 MADE_OF = ("of", "from", "in", "out")
 
@@ -79,6 +81,7 @@ class Reading:
         self._tokens = Tokens.of(prompt, known)
         self.got.sizes = self._tokens.sizes
         self.got.left_out += self._tokens.measures
+        set_in_order(self._tokens)
         set_parts_apart(self._tokens)
         at = 0
         while at < len(self._tokens.words):
@@ -90,6 +93,7 @@ class Reading:
             at += self._take(at)
         self._end_phrase()
         self._leave_strange_parts_aside()
+        self._make_as_qualified()
 
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
@@ -309,6 +313,10 @@ class Reading:
         own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
         if "shape" in own:
             self.got.leave_aside([own["shape"].form], "only the whole thing has a shape")
+        begun = (self._accessory or {}).get("weather", len(self.got.found["weather"]))
+        for one in self.got.found["weather"][begun:]:  # "with a mossy roof"
+            self.got.found["weather"].remove(one)
+            self.got.leave_aside([one.form], f"only the whole thing can be {one.word}")
         # "with gold metal legs": what is only metal says less.
         if self._looks.count("material") > 1 and own["material"].form in PLAIN:
             own["material"] = self.got.found["material"].pop()
@@ -414,6 +422,14 @@ class Reading:
             of = part.material.form if part.material else ""
             words = (part.color_form or part.color, of, part.pattern, part.form)
             self._leave_aside(" ".join(filter(None, words)), why)
+
+    def _make_as_qualified(self) -> None:
+        """ "A robot dog" is of metal, where nothing else is said."""
+        for form in AS_MATERIAL.keys() & set(self.got.qualifiers):
+            if not self.got.found["material"]:
+                self.got.left_out.remove(form)
+                self.got.notes.append(f"{form}: made as {AS_MATERIAL[form]}.")
+                self.got.found["material"].append(Entry("material", AS_MATERIAL[form], form))
 
     def _leave_aside(self, form: str, why: str = "one thing is made at a time") -> None:
         self.got.leave_aside([*self._of_accessory(), form], why)

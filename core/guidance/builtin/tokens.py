@@ -64,6 +64,12 @@ class Tokens:
         self.breaks = {k if k <= begin else max(k - gone, begin) for k in self.breaks}
         self.owners = {k if k < begin else k - gone for k in self.owners if not begin <= k < end}
 
+    def put(self, begin: int, end: int, words: list[str]) -> None:
+        """Put other words in the place of those from one index up to another, no more of them."""
+        self.cut(begin + len(words), end)
+        self.words[begin : begin + len(words)] = words
+        self.owners -= set(range(begin, begin + len(words)))
+
     def add_clause(self, words: list[str]) -> None:
         """Put words behind the rest, after a comma."""
         self.breaks.add(len(self.words))

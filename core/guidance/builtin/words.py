@@ -40,20 +40,24 @@ MATERIALS = {
     "wooden": "wood, timber; oak, walnut, bamboo, mahogany, wicker, rattan, pine, "
     "pinewood, spruce, birch, maple, cherry wood, cherrywood, rosewood, ebony, teak, cedar, beech, "
     "beechwood, plywood, driftwood, dark wood, light wood, pale wood, white wood, oak wood, "
-    "walnut wood, straw, thatched, thatch, lacquered wood, reclaimed wood",
+    "walnut wood, straw, thatched, thatch, lacquered wood, reclaimed wood, ash wood, light ash, "
+    "pale ash, solid ash, hickory, seagrass",
     "metal": "polished metal, shiny metal, metallic; brushed metal, brushed steel, "
     "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
-    "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum",
+    "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum, "
+    "robotic",
     "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
     "polished brass, rose gold, white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
+    "polypropylene, polycarbonate, acetate, pvc, "
     "fibreglass, bakelite, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
     "rubber": "; silicone, latex",
     "stone": "rock; marble, granite, concrete, brick, sandstone, slate, limestone, cobblestone, "
     "alabaster, onyx, obsidian, jade, quartz, travertine, plaster, stucco, basalt, white marble, "
-    "black marble, green marble, lapis lazuli, malachite",
+    "black marble, green marble, lapis lazuli, malachite, "
+    "terrazzo",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, glazed ceramic; clay, terracotta, terra cotta, earthenware, "
     "stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, made of bones, "
@@ -65,7 +69,7 @@ MATERIALS = {
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
     "jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, fleece, "
-    "paper, cardboard, papier mache, paper mache",
+    "paper, cardboard, papier mache, paper mache, boucle, chenille, mohair",
 }
 # Names of things that say that they are of glass, where no material is stated.
 GLASSWARE = frozenset(
@@ -171,6 +175,8 @@ PART_ALSO = {
     "saddle": "seat",
     "upholstery": "cushion, seat, back",
     "padding": "cushion, seat",
+    "pad": "cushion, seat",
+    "headboard": "backrest, back, frame",
     "dial": "face, plate",
     "face": "dial, skin, muzzle",
     "lens": "glass, glasses",
@@ -238,7 +244,9 @@ WHOLE = frozenset(
 # What is no thing by itself: "a guitar finish".
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
-PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone")  # materials
+# A thing that says, before another, what that is made of: "a robot dog".
+AS_MATERIAL = {"robot": "metal", "cyborg": "metal", "android": "metal"}
+PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
 # What the stripes lie on that a thing has by nature, where that is not most of it.
 STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
 STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
@@ -262,7 +270,7 @@ FILLER = PLACES | frozenset(
     lovely pretty infront shot statuette carving replica pose posed warm cool or nor but only extra
     some please pls plz i you we he she they me my your his her our their want need would make
     create generate give show draw build design lol idk omg btw tho kinda smth something just only
-    really number""".split()
+    really number also thats lowkey quite actually basically literally""".split()
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee"}
@@ -273,6 +281,7 @@ PHRASE_ENDS = PLACES | frozenset(
     """a an the of in on with and or nor but is it its made from out has have which that wearing
     holding""".split()
 )
+ARTICLES = ("a", "an", "the")
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
 GOES_WITH = PLACES | frozenset("of in on with has have wearing holding from".split())
 # After these all is about something else: a chest full of gold is not golden.
@@ -332,12 +341,13 @@ IGNORED_ADJECTIVES = frozenset(
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
     ornament cut sliced stained bent torn crooked percent
-    backwards upright sideways stuck kept solid premium mockup icon emoji exotic rugged
+    backwards upright sideways stuck kept tied hung sick laser lazer
+    solid premium mockup icon emoji exotic rugged
     spanish french italian german english british american japanese chinese korean indian mexican
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
     african european asian""".split()
 ) | {
-    *("old fashioned", "never used", "barely used"),
+    *("old fashioned", "never used", "barely used", "life cycle", "low key"),
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("leopard print", "zebra print", "tiger print", "animal print"),

@@ -55,7 +55,8 @@ BUILDINGS = {
         Usual(4.0, STONE),
     ),
     "bridge": Noun(
-        "arch bridge, road bridge; footbridge, drawbridge, aqueduct, viaduct",
+        "arch bridge, road bridge; footbridge, drawbridge, aqueduct, viaduct, pier, jetty, wharf, "
+        "boat dock, wooden dock, fishing dock, boardwalk",
         {
             "body": "*a9a196 bricks stone",
             "walls": "&bdb5a8 . stone",

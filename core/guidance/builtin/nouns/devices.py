@@ -20,7 +20,7 @@ DEVICES = {
         Usual(0.55, PLASTIC, 0.3),
     ),
     "keyboard": Noun(
-        "computer keyboard",
+        "computer keyboard, mechanical keyboard, gaming keyboard",
         {"body": "*33363c", "keys": "+d9dbde", "accents": "-d8562a"},
         Usual(0.44, PLASTIC, 0.17),
     ),

@@ -168,7 +168,7 @@ EQUIPMENT_SMALL = {
 EQUIPMENT_BUILDINGS = {
     "column": Noun(
         "pillar, greek column, roman column, doric column, ionic column, corinthian column, "
-        "roman pillar, greek pillar; pilaster, support column, plinth",
+        "roman pillar, greek pillar; pilaster, support column, plinth, bollard, mooring bollard",
         {
             "shaft": "*ebe5d8 . stone",
             "base": "&d9d1c0 . stone",

@@ -160,7 +160,7 @@ FURNITURE = {
     ),
     "cabinet": Noun(
         "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv stand, "
-        "buffet, locker, school locker",
+        "buffet, locker, school locker, display case, display cabinet, vitrine",
         {
             "body": "*7f5029 grain",
             "doors": "*a06c3a grain",

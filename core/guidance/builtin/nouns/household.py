@@ -52,7 +52,8 @@ HOUSEHOLD = {
     "goblet": Noun(
         "chalice; wine glass, wineglass, glass of wine, glass of water, glass of milk, "
         "wine cup, holy grail, champagne flute, champagne glass, cocktail, martini, "
-        "martini glass, cocktail glass, drinking glass",
+        "martini glass, cocktail glass, drinking glass, tumbler, pint glass, beer glass, "
+        "shot glass, whiskey glass, whisky glass, glass of juice, glass of lemonade",
         {"cup": "*e0b84a . golden", "stem": "&c9a03c . golden"},
         Usual(0.18, STEEL, 0.15),
     ),
@@ -97,7 +98,7 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door; wooden gate, castle gate, portcullis",
+        "front door; wooden gate, castle gate, portcullis, shoji screen, shoji",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",

@@ -19,7 +19,8 @@ from core.guidance.builtin.nouns.noun import (
 _GRIP = "-4a2c1a"
 PROPS = {
     "chest": Noun(
-        "treasure chest; trunk, coffer, loot box, blanket box",
+        "treasure chest; trunk, coffer, loot box, blanket box, toy box, toy chest, jewelry box, "
+        "jewellery box, music box, trinket box, keepsake box, memory box, treasure box",
         {
             "body": "*7a4a24 grain",
             "lid": "*7a4a24 grain",
@@ -61,7 +62,7 @@ PROPS = {
     ),
     "crate": Noun(
         "shipping crate, supply crate; packing case, ammo box, care package, ammo crate, wooden "
-        "box",
+        "box, storage box, storage bin, storage crate, lobster trap, lobster pot",
         {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import PLASTIC, STEEL, WOOD, Noun, Usual
 
 TOOLS_AND_TOYS = {
     "hammer": Noun(
-        "; mallet, sledgehammer, mjolnir, gavel",
+        "claw hammer; mallet, sledgehammer, mjolnir, gavel",
         {"head": "*8e949b . metal", "handle": "+b07a40 grain", "claw": "*8e949b . metal"},
         Usual(0.33, 2500.0, 0.28),
     ),

@@ -1,0 +1,151 @@
+"""Words that come in another order than that in which they are read."""
+
+import pytest
+
+from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.vocabulary import understood
+
+
+def read(prompt: str) -> dict:
+    return understood(prompt, known=SLOTS)
+
+
+def parts(prompt: str) -> dict[str, dict[str, str]]:
+    """What the prompt says of each part, without what it says of nothing."""
+    names = ("part_colours", "part_materials", "part_sheens", "part_patterns")
+    return {name: told for name in names if (told := read(prompt).get(name))}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        ("a car with wheels in black", {"part_colours": {"wheels": "black"}}),
+        ("a car with wheels that are black", {"part_colours": {"wheels": "black"}}),
+        ("hammer with a handle made of wood", {"part_materials": {"handle": "wooden"}}),
+        ("a table with legs made out of steel", {"part_materials": {"legs": "metal"}}),
+        ("a table, legs painted white", {"part_colours": {"legs": "white"}}),
+        ("bicycle with a frame painted in red", {"part_colours": {"frame": "red"}}),
+        ("lamp with a shade in signal orange", {"part_colours": {"shade": "orange"}}),
+        (
+            "lamp with a shade in a cream linen",
+            {"part_colours": {"shade": "cream"}, "part_materials": {"shade": "linen"}},
+        ),
+        (
+            "desk lamp, base in satin black, shade in dark green",
+            {
+                "part_colours": {"base": "black", "shade": "dark green"},
+                "part_sheens": {"base": "satin"},
+            },
+        ),
+        (
+            "a chair with legs of brushed brass and a seat in blue velvet",
+            {
+                "part_colours": {"seat": "blue"},
+                "part_materials": {"legs": "brass", "seat": "velvet"},
+            },
+        ),
+        (
+            "a longship with a striped red and white sail",
+            {
+                "part_colours": {"sail": "red"},
+                "part_patterns": {"sail": "striped with white"},
+            },
+        ),
+    ],
+)
+def test_what_is_said_behind_a_part_is_the_parts(prompt: str, said: dict) -> None:
+    assert parts(prompt) == said
+    assert not read(prompt)["colours"] and not read(prompt)["materials"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "same"),
+    [
+        ("a robot, head in blue", "a robot with a blue head"),
+        ("a teapot with a spout in gold", "a teapot with a golden spout"),
+        ("a mug with stripes in red", "a mug with red stripes"),
+        ("a king size bed with a headboard in beige", "a bed with a beige headboard"),
+    ],
+)
+def test_it_is_the_same_before_and_behind(prompt: str, same: str) -> None:
+    assert parts(prompt) == parts(same)
+    assert read(prompt)["colours"] == read(same)["colours"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "color", "material"),
+    [
+        ("a red chair made of oak", "red", "oak"),
+        ("a horse statue in bronze", "", "bronze"),
+        ("a car in black", "black", ""),
+        ("a powder coated mustard chair", "mustard", ""),
+        ("a bear with a red scarf in blue", "blue", ""),  # whose scarf is red already
+        ("an oak wardrobe with doors, in white", "white", "oak"),
+        ("a dragon in green with wings in gold", "green", ""),
+    ],
+)
+def test_what_is_said_of_the_thing_stays_the_things(prompt: str, color: str, material: str) -> None:
+    got = read(prompt)
+    assert got["colours"] == ([color] if color else [])
+    assert got["materials"] == ([material] if material else [])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "other"),
+    [
+        ("penguins on a block of ice", "block"),
+        ("a man on a horse in black", "horse"),
+        ("a girl with a hat made of gold", "hat"),
+    ],
+)
+def test_what_is_said_of_something_else_is_left_out_with_it(prompt: str, other: str) -> None:
+    got = read(prompt)
+    assert not got["colours"] and not got["materials"]
+    assert other in got["left_out"]
+    assert any(note.split(":")[0].endswith(f" {other}") for note in got["notes"])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "weather"),
+    [
+        ("a stack of old books", "stack of books", ["worn"]),
+        ("a stack of dusty leather bound books tied with twine", "stack of books", ["dusty"]),
+        ("a slice of juicy red watermelon", "watermelon slice", []),
+    ],
+)
+def test_a_name_may_have_words_within(prompt: str, thing: str, weather: list[str]) -> None:
+    got = read(prompt)
+    assert (got["thing"], got["weather"]) == (thing, weather)
+
+
+def test_the_coffee_is_black_not_the_cup() -> None:
+    assert read("a cup of hot black coffee")["colours"] == []
+
+
+def test_a_robot_dog_is_of_metal_where_nothing_else_is_said() -> None:
+    assert read("a robot dog")["materials"] == ["metal"]
+    assert "robot" not in read("a robot dog")["left_out"]
+    assert read("a golden robot dog")["materials"] == ["golden"]
+    assert read("a robot dog that is silver")["materials"] == ["silver"]
+
+
+def test_a_part_cannot_be_mossy_by_itself() -> None:
+    got = read("a stone well with a mossy roof")
+    assert got["weather"] == [] and got["materials"] == ["stone"]
+    assert "mossy: left out, as only the whole thing can be mossy." in got["notes"]
+    assert read("a mossy stone well with a roof")["weather"] == ["mossy"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("the life cycle of a frog", "frog"),
+        ("a music box", "chest"),
+        ("a shoji screen", "door"),
+        ("a tumbler", "goblet"),
+        ("a mooring bollard", "column"),
+        ("low key just want a fat pigeon", "bird"),
+    ],
+)
+def test_what_people_type(prompt: str, thing: str) -> None:
+    assert read(prompt)["thing"] == thing
