@@ -174,3 +174,23 @@ def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
         assert "office chair, red, wooden: 1.1 m" in layout.texts
     if "slug" in prompt:
         assert layout.operators == ["fantasia3d.replace_word"] * 4
+
+
+@pytest.mark.parametrize(
+    ("prompt", "size", "line"),
+    [
+        ("a robot 2 m tall", 0.0, "robot: 2 m (height)"),
+        ("a 60 cm robot", 0.0, "robot: 60 cm"),
+        ("a robot 2 m tall", 0.5, "robot: 50 cm"),  # what is set in the panel is the longest side
+    ],
+)
+def test_the_panel_says_of_which_side_a_stated_size_is(settings, prompt, size, line, monkeypatch):
+    from fantasia3d_addon.ui import text
+
+    settings(prompt)
+    bpy.context.scene.fantasia3d.size = size
+    answer(session.words, lambda: session.words.report(prompt))
+    monkeypatch.setattr(text, "wrapped", lambda line, width: [line])
+    layout = Recorder()
+    words_menu.draw_understood(layout, bpy.context)
+    assert line in layout.texts

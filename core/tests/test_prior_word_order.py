@@ -24,6 +24,19 @@ def parts(prompt: str) -> dict[str, dict[str, str]]:
         ("hammer with a handle made of wood", {"part_materials": {"handle": "wooden"}}),
         ("a table with legs made out of steel", {"part_materials": {"legs": "metal"}}),
         ("a table, legs painted white", {"part_colours": {"legs": "white"}}),
+        ("a car whose wheels are black", {"part_colours": {"wheels": "black"}}),
+        ("A car. The wheels are black.", {"part_colours": {"wheels": "black"}}),
+        ("a robot and its eyes are yellow", {"part_colours": {"eyes": "yellow"}}),
+        ("a robot with its head blue", {"part_colours": {"head": "blue"}}),
+        ("knife with handle wooden", {"part_materials": {"handle": "wooden"}}),
+        ("a teapot, make the lid gold", {"part_materials": {"lid": "golden"}}),
+        ("a teapot, the lid should be gold", {"part_materials": {"lid": "golden"}}),
+        ("a car, wheels silver", {"part_materials": {"wheels": "silver"}}),  # no car wheel
+        ("a table whose top is marble", {"part_materials": {"top": "marble"}}),
+        (
+            "a robot whose eyes glow yellow",
+            {"part_colours": {"eyes": "yellow"}, "part_sheens": {"eyes": "glowing"}},
+        ),
         ("bicycle with a frame painted in red", {"part_colours": {"frame": "red"}}),
         ("lamp with a shade in signal orange", {"part_colours": {"shade": "orange"}}),
         (
@@ -82,6 +95,9 @@ def test_it_is_the_same_before_and_behind(prompt: str, same: str) -> None:
         ("a bear with a red scarf in blue", "blue", ""),  # whose scarf is red already
         ("an oak wardrobe with doors, in white", "white", "oak"),
         ("a dragon in green with wings in gold", "green", ""),
+        ("the car is red and the wheels are black", "red", ""),
+        ("an armchair upholstered in green velvet", "green", "velvet"),
+        ("a dining table in light oak with tapered legs", "", "light oak"),
     ],
 )
 def test_what_is_said_of_the_thing_stays_the_things(prompt: str, color: str, material: str) -> None:
@@ -116,6 +132,13 @@ def test_what_is_said_of_something_else_is_left_out_with_it(prompt: str, other: 
 def test_a_name_may_have_words_within(prompt: str, thing: str, weather: list[str]) -> None:
     got = read(prompt)
     assert (got["thing"], got["weather"]) == (thing, weather)
+
+
+def test_of_two_materials_of_a_part_the_one_that_says_more_is_its_own() -> None:
+    got = read("sunglasses, tortoiseshell acetate frame")
+    assert got["part_materials"] == {"frame": "tortoiseshell"} and got["materials"] == []
+    assert "acetate" in got["left_out"]
+    assert parts("a chair with gold metal legs") == {"part_materials": {"legs": "golden"}}
 
 
 def test_the_coffee_is_black_not_the_cup() -> None:

@@ -117,11 +117,15 @@ class SolidAreas:
         """The area whose exact surface each point is on; or whose it is as it was drawn, where that
         lies under a larger one's by no more than what is drawn is off: a pane in a wall."""
         exact = self.near(points)[1]
-        drawn = self.field(points)[1].argmax(1)
         owner = exact.argmax(1)
-        behind = exact.amax(1) - exact.gather(1, drawn[:, None])[:, 0]
-        smaller = self.sizes[drawn] < self.sizes[owner]  # a wheel's rim is not the body's
-        return torch.where((behind < FLUSH) & smaller, drawn, owner)
+        first, second = exact.topk(2, 1).values.T
+        beside = first - second < FLUSH  # where another may be meant
+        drawn = self.field(points[beside])[1].argmax(1)
+        mine = owner[beside]
+        behind = first[beside] - exact[beside].gather(1, drawn[:, None])[:, 0]
+        smaller = self.sizes[drawn] < self.sizes[mine]  # a wheel's rim is not the body's
+        owner[beside] = torch.where((behind < FLUSH) & smaller, drawn, mine)
+        return owner
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]

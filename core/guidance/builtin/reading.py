@@ -25,6 +25,7 @@ from core.guidance.builtin.part_names import (
     own_name,
 )
 from core.guidance.builtin.tokens import DOING, Tokens, describes
+from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.word_order import set_in_order
 from core.guidance.builtin.words import (
@@ -311,15 +312,13 @@ class Reading:
         """ "with a blue leather handle": what is right before a part is the part's, not the
         thing's."""
         own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
+        own |= self._clearest(own)
         if "shape" in own:
             self.got.leave_aside([own["shape"].form], "only the whole thing has a shape")
         begun = (self._accessory or {}).get("weather", len(self.got.found["weather"]))
         for one in self.got.found["weather"][begun:]:  # "with a mossy roof"
             self.got.found["weather"].remove(one)
             self.got.leave_aside([one.form], f"only the whole thing can be {one.word}")
-        # "with gold metal legs": what is only metal says less.
-        if self._looks.count("material") > 1 and own["material"].form in PLAIN:
-            own["material"] = self.got.found["material"].pop()
         # "with a red and white striped sail": the first of two is what the other is drawn on.
         color, second = own.get("color"), None
         if "pattern" in own and color and self._ended_by == "and" and (red := self._color_before()):
@@ -332,6 +331,18 @@ class Reading:
         sheen, pattern = (own[look].word if look in own else "" for look in ("sheen", "pattern"))
         said = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
         self.got.parts.append(StatedPart(part, True, *said))
+
+    def _clearest(self, own: dict[str, Entry]) -> dict[str, Entry]:
+        """Of several looks of a slot right before a part the one that says most, in the place of
+        the last: "with gold metal legs", "a tortoiseshell acetate frame"."""
+        clearest = {}
+        for look, last in own.items():
+            more = [self.got.found[look].pop() for _ in range(self._looks.count(look) - 1)]
+            each = [last, *more]
+            clearest[look] = max(each, key=lambda x: (x.form not in PLAIN, has_own_look(x.form)))
+            plain = (one.form for one in each if one.form not in PLAIN)
+            self.got.left_out += [form for form in plain if form != clearest[look].form]
+        return clearest
 
     def _color_before(self) -> Entry | None:
         """Take back the one colour that the phrase about what goes with the thing began with."""

@@ -77,7 +77,8 @@ class Tokens:
 
     def phrases(self, at: int) -> list[str]:
         """What begins at the index, the longest first: "ice cream" is not the colour "cream"."""
-        words = self.words[at : at + LONGEST]
+        end = min((k for k in self.breaks if k > at), default=len(self.words))
+        words = self.words[at : min(at + LONGEST, end)]
         return [" ".join(words[:count]) for count in range(len(words), 0, -1)]
 
     def toned(self, at: int) -> tuple[Entry, int] | None:

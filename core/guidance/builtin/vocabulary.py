@@ -28,7 +28,7 @@ from core.guidance.builtin.prompt_errors import (
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words import GLASSWARE, WEATHERS
+from core.guidance.builtin.words import GLASSWARE, PLAIN, WEATHERS
 
 
 @dataclass(frozen=True)
@@ -183,7 +183,11 @@ def parse(
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
     words["is_toy"], words["size"] = got.is_toy, got.size()
-    words["material_form"] = next((entry.form for entry in got.found["material"]), "")
+    # "Upholstered in velvet": what only says that it is of fabric says less.
+    forms = [one.form for one in got.found["material"] if one.word == words["material"]]
+    words["material_form"] = next(
+        (form for form in forms if form not in PLAIN), forms[0] if forms else ""
+    )
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])

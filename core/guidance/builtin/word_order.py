@@ -3,9 +3,13 @@
 "A car with wheels in black" has black wheels, as "a car in black" is black. Standard library only.
 """
 
+import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
-from core.guidance.builtin.lexicon import look_up
+from core.guidance.builtin.colors import TOWARDS
+from core.guidance.builtin.lexicon import NAMED, look_up
+from core.guidance.builtin.part_names import is_own
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
@@ -19,8 +23,16 @@ from core.guidance.builtin.words import (
 
 OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what has it
 MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
-BARE = ("painted", "dyed")  # behind these a colour comes by itself: "legs painted white"
-BY = ("with", "by")  # behind these too: "covered in", "covered with"
+LINK = re.compile(
+    r"(?P<said>(?:(?:that|which|who) )?(?:is|are|should be) )?"
+    r"(?P<glow>(?:glow|glows|glowing|shine|shines|shining) )?"
+    rf"(?P<way>(?:{'|'.join(MADE)}) (?:out of |of |in |from |with |by )"
+    r"|(?:painted|dyed) |(?:in|of|from) )?"
+    r"(?P<article>(?:an?|the) )?"
+)
+LONGEST_LINK = 7  # words: "which are made out of the"
+# The link begins before what is right behind these.
+BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow shine".split()}
 STRANGE = 2  # words before a look that are not known: "in signal orange"
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
@@ -66,43 +78,61 @@ def _set_pattern_last(tokens: Tokens, at: int) -> None:
         tokens.put(at, at + 4, [*words[1:], words[0]])
 
 
+class Link(NamedTuple):
+    """What stands between a name and how it looks."""
+
+    end: int  # where the looks begin
+    is_said: bool  # as by "is", of whatever the sentence is about
+    is_bare: bool  # nothing at all: "with a handle wooden"
+    glowing: bool = False  # "glow", which says how besides
+
+
 def _set_looks_before(tokens: Tokens, at: int) -> None:
     """Put what is said of a part, or of what goes with the thing, from behind to before it; ``at``
     is where the link between them may begin."""
-    begin = _behind_link(tokens, at)
-    if begin is None or not tokens.breaks.isdisjoint(range(at, begin + 1)):
+    link = _link(tokens, at)
+    if link is None or not tokens.breaks.isdisjoint(range(at, link.end + 1)):
         return
-    end = _looks_end(tokens, begin)
-    if end == begin or not (tokens.ends_phrase(end) or tokens.words[end] == "and"):
+    end = _looks_end(tokens, link.end)
+    if end == link.end or not (tokens.ends_phrase(end) or tokens.words[end] == "and"):
         return
     head = _head_begins(tokens, at)
-    if head < at and _goes_with(tokens, head) and not _looks_so(tokens, head, begin, end):
-        tokens.put(head, end, [*tokens.words[begin:end], *tokens.words[head:at]])
+    if head == at or _looks_so(tokens, head, link.end, end):
+        return
+    of_part = _is_part(tokens, head, at) if link.is_said or link.is_bare else True
+    if of_part and (link.is_said or _goes_with(tokens, head)):
+        looks = ["glowing"] * link.glowing + tokens.words[link.end : end]
+        tokens.put(head, end, [*looks, *tokens.words[head:at]])
 
 
-def _behind_link(tokens: Tokens, at: int) -> int | None:
-    """The index behind "in", "made of", "that are painted" and the like, if one is there."""
-    words, k = tokens.words, at
-    if words[at - 1] in (*MADE, "out", "that", "which"):  # the link begins before
-        return None
+def _link(tokens: Tokens, at: int) -> Link | None:
+    """The link that begins at the index, if there is one."""
+    words = tokens.words
     whole = look_up(" ".join(words[at : at + 2]), tokens.known)
     if words[at] in OF_LOOKS and whole is not None and whole.slot in LOOKS:  # "of ice"
-        return at
-    if words[k : k + 1] in (["that"], ["which"]):
-        k += 1 + (words[k + 1 : k + 2] in (["is"], ["are"]))
-    said = k > at + 1  # "wheels that are black" needs no more
-    if words[k : k + 1] and words[k] in MADE:
-        k += 1
-        ways = (*OF_LOOKS, *BY)
-        k += words[k : k + 2] == ["out", "of"]
-        said = words[k - 1] in BARE and _look_ends(tokens, k) > k  # "painted white"
-    else:
-        ways = OF_LOOKS
-    if words[k : k + 1] and words[k] in ways:
-        k, said = k + 1, True
-    while said and words[k : k + 1] and words[k] in ARTICLES:
-        k += 1
-    return k if said else None
+        return Link(at, is_said=False, is_bare=False)
+    found = LINK.match(" ".join([*words[at : at + LONGEST_LINK], ""]))
+    assert found  # of nothing, if of no more
+    said, glow, way, article = found.group("said", "glow", "way", "article")
+    end = at + len(found[0].split())
+    if words[at - 1] in BEFORE or (article and not (said or way)):
+        return None
+    return Link(end, bool(said or glow), end == at, bool(glow))
+
+
+def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
+    """Whether the name between the indices is a part's of the thing before it."""
+    things = (_noun(phrase, tokens) for at in range(begin) for phrase in tokens.phrases(at))
+    thing, name = next(filter(None, things), ""), " ".join(tokens.words[begin:end])
+    entry = look_up(name, tokens.known)
+    is_named = (entry is not None and entry.slot == "part") or name in NAMED
+    # "In light oak" says nothing of a light.
+    return bool(thing) and name not in TOWARDS and (is_named or is_own(thing, name))
+
+
+def _noun(phrase: str, tokens: Tokens) -> str:
+    entry = look_up(phrase, tokens.known)
+    return entry.word if entry is not None and entry.slot == "noun" else ""
 
 
 def _looks_end(tokens: Tokens, begin: int) -> int:
@@ -151,7 +181,7 @@ def _goes_with(tokens: Tokens, head: int) -> bool:
         introduced = begin in tokens.breaks or (word in GOES_WITH and word != "of")
         if introduced:
             return any(map(tokens.has_thing, range(begin - (begin not in tokens.breaks))))
-        if word not in ("and", "or", "of", "made", "out"):
+        if word not in ("and", "or", "of", "made", "out", "its", "whose"):
             return False
     return False
 

@@ -261,7 +261,7 @@ PLACES = frozenset(
 )
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(
-    """a an the of in on with and is it its one single some made from out color colour colored
+    """a an the of in on with and is are it its one single some made from out color colour colored
     coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model object
     highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
@@ -273,12 +273,12 @@ FILLER = PLACES | frozenset(
     really number also thats lowkey quite actually basically literally""".split()
 )
 # What is short for a word where people type fast.
-SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee"}
+SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
-    """a an the of in on with and or nor but is it its made from out has have which that wearing
+    """a an the of in on with and or nor but is are it its made from out has have which that wearing
     holding""".split()
 )
 ARTICLES = ("a", "an", "the")
