@@ -6,8 +6,7 @@ library only.
 
 from collections.abc import Iterator
 
-from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.lexicon import PARTS, look_up
 from core.guidance.builtin.part_names import is_wide, own_name
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import LOOKS
@@ -37,26 +36,21 @@ def _meant(tokens: Tokens, at: int) -> str:
     """The part that the word at the index says how it looks, or ""."""
     word = tokens.words[at]
     # "A flower pot" and "a potted plant" are things by themselves.
-    if any(_noun(" ".join(words), tokens) for words in _around(tokens.words, at)):
+    if any(tokens.thing(" ".join(words)) for words in _around(tokens.words, at)):
         return ""
     entry = look_up(word, tokens.known)
     if entry is None and word.endswith(ENDING) and word not in OF_ALL:
         forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
-        return next((form for form in forms if form in _PARTS), "")
+        return next((form for form in forms if form in PARTS), "")
     if entry is not None and entry.slot in LOOKS:  # "a red stone crown", which has stones
         return ""
     # Of the thing right behind it.
-    things = (_noun(phrase, tokens) for phrase in tokens.phrases(at + 1))
+    things = (tokens.thing(phrase) for phrase in tokens.phrases(at + 1))
     noun = next(filter(None, things), "")
     if not noun or at + 1 in tokens.breaks or at in tokens.owners:
         return ""
     names = (own_name(noun, word), own_name(noun, f"{word}s"))
     return next((name for name in names if name and not is_wide(noun, word)), "")
-
-
-def _noun(phrase: str, tokens: Tokens) -> str:
-    entry = look_up(phrase, tokens.known)
-    return entry.word if entry and entry.slot == "noun" else ""
 
 
 def _around(words: list[str], at: int) -> Iterator[list[str]]:
@@ -73,6 +67,3 @@ def _stems(word: str) -> Iterator[str]:
     yield f"{stem}e"
     if stem[-1:] == stem[-2:-1]:
         yield stem[:-1]
-
-
-_PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.looks}

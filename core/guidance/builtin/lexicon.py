@@ -91,6 +91,7 @@ COMPOUNDS = tuple(form for form in LEXICON if " " in form)
 OFTEN = {form.replace(" ", ""): form for form in COMPOUNDS}
 OFTEN |= {form: word for word, text in MISSPELLED.items() for form in text.split()}
 NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
+PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.looks}
 
 
 def look_up(phrase: str, known: Vocabulary) -> Entry | None:
@@ -101,7 +102,7 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
         if slot in ("part", "weather", "sheen") or word in known.get(slot, ()):
             return Entry(slot, word, form)
     for form in forms:
-        if form in NAMED or any(form in noun.looks for noun in NOUNS.values()):
+        if form in PARTS:
             return Entry("part", PART_FORMS.get(form, form), form)
     return None
 

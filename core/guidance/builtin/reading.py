@@ -359,9 +359,10 @@ class Reading:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
         stands |= entry.form == RAINBOW and self._tokens.ends_phrase(end)
+        if not stands or self._accessory is None:
+            return False
         begin = self._tokens.qualities_begin(start)
-        article = begin > 0 and self._tokens.words[begin - 1] in ARTICLES
-        return stands and self._accessory is not None and article
+        return begin > 0 and self._tokens.words[begin - 1] in ARTICLES
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a

@@ -77,8 +77,9 @@ class Tokens:
 
     def phrases(self, at: int) -> list[str]:
         """What begins at the index, the longest first: "ice cream" is not the colour "cream"."""
-        end = min((k for k in self.breaks if k > at), default=len(self.words))
-        words = self.words[at : min(at + LONGEST, end)]
+        # Not across a comma: "a car, wheels silver" is no car wheel.
+        ends = (k for k in range(at + 1, at + LONGEST) if k in self.breaks)
+        words = self.words[at : next(ends, at + LONGEST)]
         return [" ".join(words[:count]) for count in range(len(words), 0, -1)]
 
     def toned(self, at: int) -> tuple[Entry, int] | None:
@@ -114,10 +115,14 @@ class Tokens:
         entry = look_up(phrase, self.known)
         return phrase in TOWARDS or (entry is not None and entry.slot in slots)
 
+    def thing(self, phrase: str) -> str:
+        """The thing that the phrase names, or ""."""
+        entry = look_up(phrase, self.known)
+        return entry.word if entry is not None and entry.slot == "noun" else ""
+
     def has_thing(self, at: int) -> bool:
         """Whether a thing's name begins at the index."""
-        found = (look_up(phrase, self.known) for phrase in self.phrases(at))
-        return any(entry is not None and entry.slot == "noun" for entry in found)
+        return any(map(self.thing, self.phrases(at)))
 
     def ends_phrase(self, end: int) -> bool:
         """Whether a phrase ends before the index, and goes on with no "and"."""

@@ -60,11 +60,9 @@ def _join_names_of(tokens: Tokens) -> None:
         for k in range(3, len(words)):
             between = words[2:k]
             ended = at + k in tokens.breaks or not PHRASE_ENDS.isdisjoint(between)
-            last = look_up(words[k - 1], tokens.known)
-            if ended or (last is not None and last.slot == "noun"):
+            if ended or tokens.thing(words[k - 1]):
                 break
-            entry = look_up(f"{words[0]} of {words[k]}", tokens.known)
-            if entry is not None and entry.slot == "noun":
+            if tokens.thing(f"{words[0]} of {words[k]}"):
                 tokens.put(at, at + k, [*between, words[0], "of"])
                 break
 
@@ -93,14 +91,14 @@ def _set_looks_before(tokens: Tokens, at: int) -> None:
     link = _link(tokens, at)
     if link is None or not tokens.breaks.isdisjoint(range(at, link.end + 1)):
         return
+    head = _head_begins(tokens, at)
+    if head == at or ((link.is_said or link.is_bare) and not _is_part(tokens, head, at)):
+        return
     end = _looks_end(tokens, link.end)
     if end == link.end or not (tokens.ends_phrase(end) or tokens.words[end] == "and"):
         return
-    head = _head_begins(tokens, at)
-    if head == at or _looks_so(tokens, head, link.end, end):
-        return
-    of_part = _is_part(tokens, head, at) if link.is_said or link.is_bare else True
-    if of_part and (link.is_said or _goes_with(tokens, head)):
+    is_its = link.is_said or _goes_with(tokens, head)
+    if is_its and not _looks_so(tokens, head, link.end, end):
         looks = ["glowing"] * link.glowing + tokens.words[link.end : end]
         tokens.put(head, end, [*looks, *tokens.words[head:at]])
 
@@ -122,17 +120,15 @@ def _link(tokens: Tokens, at: int) -> Link | None:
 
 def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
     """Whether the name between the indices is a part's of the thing before it."""
-    things = (_noun(phrase, tokens) for at in range(begin) for phrase in tokens.phrases(at))
-    thing, name = next(filter(None, things), ""), " ".join(tokens.words[begin:end])
+    name = " ".join(tokens.words[begin:end])
     entry = look_up(name, tokens.known)
+    # A colour is none, and "in light oak" says nothing of a light.
+    if name in TOWARDS or (entry is not None and entry.slot in LOOKS):
+        return False
+    things = (tokens.thing(phrase) for at in range(begin) for phrase in tokens.phrases(at))
+    thing = next(filter(None, things), "")
     is_named = (entry is not None and entry.slot == "part") or name in NAMED
-    # "In light oak" says nothing of a light.
-    return bool(thing) and name not in TOWARDS and (is_named or is_own(thing, name))
-
-
-def _noun(phrase: str, tokens: Tokens) -> str:
-    entry = look_up(phrase, tokens.known)
-    return entry.word if entry is not None and entry.slot == "noun" else ""
+    return bool(thing) and (is_named or is_own(thing, name))
 
 
 def _looks_end(tokens: Tokens, begin: int) -> int:
