@@ -294,8 +294,8 @@ DRAFT = Config(
         # The prior saw colours over this very shape and light: one step from much noise is the
         # mean of its pictures under all turns of the light, and more guidance would saturate kd.
         refine=RefineConfig(
-            rounds=3,
-            steps=60,
+            rounds=2,
+            steps=40,
             t=(0.95, 0.7),
             batch=6,
             denoise_steps=1,

@@ -47,6 +47,7 @@ ROUGHNESS = {
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
+    "eye": "fish whites",
     "bark": "acorn cap, sloth branch",
     "bone": "egg shell, feather shaft, sloth claws, roast chicken bones",
     "cast iron": "bench legs, bomb body, steamroller chimney",

@@ -212,7 +212,8 @@ def sheep(draw: Draw) -> Parts:
             both(capsule((0.2, y + 0.05, up + 0.14), (0.52, y + 0.05, up + 0.02), 0.11)),
         ),
         "legs": both(leg, 0, 1),
-        "eyes": both(ball((head * 0.5, y - head * 0.76, up + head * 0.3), 0.09)),
+        "eyes": both(ball((head * 0.5, y - head * 0.78, up + head * 0.34), 0.12)),
+        "pupils": both(ball((head * 0.54, y - head * 0.78 - 0.08, up + head * 0.34), 0.09)),
     }
 
 

@@ -7,6 +7,7 @@ from core.prior.solids import (
     ball,
     both,
     box,
+    capsule,
     cut,
     ellipsoid,
     join,
@@ -167,16 +168,26 @@ def snowman(draw: Draw) -> Parts:
     face = -head
     brim = z2 + head * 0.75
     eyes = both(ball((0.15, face * 0.85, z2 + 0.13), 0.085))
-    buttons = (ball((0, -middle * 0.97, z1 + d), 0.1) for d in (-0.17, 0.14))
+    buttons = (ball((0, -middle * 0.97, z1 + d), 0.1) for d in (-0.24, 0.04))
     nose = taper((0, face * 0.85, z2), (0, face - draw(0.3, 0.42), z2 - 0.04), 0.13, 0.06)
     hat = join(
         tube((0, 0, brim - 0.05), (0, 0, brim + 0.07), head * 1.12, 0.03),
         tube((0, 0, brim), (0, 0, brim + draw(0.4, 0.5)), head * 0.72, 0.03),
     )
+    neck = (z1 * head + z2 * middle) / (head + middle)
+    arm = join(
+        capsule((middle * 0.8, 0, z1 + 0.1), (middle + 0.62, -0.08, z1 + 0.5), 0.075),
+        capsule((middle + 0.36, -0.05, z1 + 0.33), (middle + 0.66, -0.06, z1 + 0.2), 0.065),
+    )
     parts = {
         "body": join(ball((0, 0, low), low), ball((0, 0, z1), middle), ball((0, 0, z2), head)),
         "nose": nose,
         "buttons": join(eyes, *buttons),
+        "arms": both(arm),
+        "scarf": join(
+            ring((0, 0, neck), head * 0.82, 0.13),
+            box((head * 0.55, -middle * 0.84, neck - 0.26), (0.12, 0.1, 0.28), 0.05),
+        ),
     }
     return parts | {"hat": hat} if draw.has("hat", 0.9) else parts
 

@@ -20,6 +20,7 @@ from core.prior.solids import (
     limb,
     moved,
     prism,
+    ring,
     smooth_curve,
     taper,
     tilted,
@@ -30,30 +31,24 @@ from core.prior.things.animals import fitted
 
 
 def snake(draw: Draw) -> Parts:
-    """Coiled or in bends, its head raised, its tongue out."""
+    """Coiled, its head raised, its tongue out."""
     thick, up = draw(0.17, 0.21), draw(0.7, 1.0)
-    if draw.chance(0.6):
-        wide, bends = draw(0.66, 0.78), []
-        for i in range(
-            30
-        ):  # two turns less a sixth, the second on top of the first; the tail apart
-            angle, r = math.radians(22 * i), wide - 0.01 * i + 0.06 * max(7 - i, 0)
-            lift = thick * 1.35 * min(max((i - 8) / 10, 0), 1)
-            bends.append((r * math.sin(angle), r * math.cos(angle), thick + lift))
-        y, z = 0.0, bends[-1][2] + 0.1
-    else:
-        wide, y, z = draw(0.3, 0.42), -0.65, thick + 0.06
-        bends = [(wide * math.sin(0.5 * i), 1.15 - 0.085 * i, thick) for i in range(20)]
+    # Two turns, a ring each, the smaller upon the larger; the tail aside.
+    wide = draw(0.66, 0.78)
+    y, z = -wide * 0.72, thick * 2.5
+    bends = [(1.15, wide * 0.2, 0.1), (1.1, wide * 0.6, thick), (0.7, wide, thick)]
+    lying = join(
+        ring((0, 0, thick), wide, thick),
+        ring((0, 0, z), wide * 0.72, thick * 0.95),
+        limb([*bends, (0, wide, thick)], 0.085, thick),
+    )
     top = z + up
     rise = [(0, y, z), (0, y + 0.06, z + up * 0.4), (0, y + 0.05, z + up * 0.75),
             (0, y - 0.08, top)]  # fmt: skip
-    tail = limb(bends[:8], 0.08, thick)
     head = egg((0, y - 0.26, top + 0.03), (thick * 1.4, 0.36, thick * 0.98))
     fork = capsule((0, y - 0.7, top - 0.03), (0.09, y - 0.82, top - 0.01), 0.07)
     return {
-        "body": join(
-            tail, limb([*bends[7:], rise[0]], thick, thick), limb(rise, thick, thick * 0.85), head
-        ),
+        "body": join(lying, limb(rise, thick, thick * 0.85), head),
         "belly": limb(
             [(x, b - thick * 0.35, h) for x, b, h in rise[1:]], thick * 0.78, thick * 0.72
         ),

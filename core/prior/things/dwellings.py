@@ -55,8 +55,8 @@ def barn(draw: Draw) -> Parts:
 
 def log_cabin(draw: Draw) -> Parts:
     """Round logs that cross at the corners, a gable roof, a chimney of stones, a door, a window."""
-    wide, deep, r, rows = draw(1.0, 1.12), draw(0.68, 0.8), 0.13, 5
-    rise, over, step = draw(0.6, 0.74), 0.24, 2 * 0.13
+    wide, deep, r, rows = draw(1.0, 1.12), draw(0.68, 0.8), 0.165, 4
+    rise, over, step = draw(0.6, 0.74), 0.26, 2 * 0.165
     top = rows * step
     sides = [
         tube((wide, -0.2, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r, 0.03)
@@ -76,7 +76,7 @@ def log_cabin(draw: Draw) -> Parts:
     x, y = draw(0.3, 0.44), -deep - r
     stack = wide * 0.62
     return {
-        "logs": join(logs, box((0, 0, top / 2), (wide, deep, top / 2)), gable),
+        "logs": join(logs, box((0, 0, top / 2), (wide, deep, top / 2))),
         "roof": both(prism(slope, 0, wide + over + 0.04), 1),
         "chimney": join(
             box((-stack, 0.34, top + rise * 0.6), (0.17, 0.17, rise * 0.7)),
@@ -91,6 +91,7 @@ def log_cabin(draw: Draw) -> Parts:
             ),
             ball((-x + 0.14, y - 0.08, 0.42), 0.075),
         ),
+        "gable": gable,
     }
 
 

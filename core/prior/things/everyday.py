@@ -137,13 +137,13 @@ def toilet_paper(draw: Draw) -> Parts:
 
 def stack_of_books(draw: Draw) -> Parts:
     """Four books that lie on one another, each smaller than the one below and turned a little."""
-    layout = draw.arranged(3)
+    layout = draw.arranged(2)
     groups: dict[str, list[Solid]] = {"books": [], "tomes": [], "volumes": []}
     pages, bands = [], []
     sizes = [(1.02, 0.74, 0.26), (0.88, 0.66, 0.21), (0.8, 0.6, 0.28), (0.64, 0.5, 0.22)]
-    z, thick = 0.0, 0.075
+    z, thick, scale = 0.0, 0.08, draw(0.94, 1.06)
     for k, size in enumerate(sizes):
-        x, y, high = (half * draw(0.94, 1.06) for half in size)
+        x, y, high = size[0] * scale, size[1], size[2]
         # The second one's back is behind.
         turn = layout(4, 15) * (1, -1, 1, -1)[k] + 180 * (k == 1)
         at = (layout(-0.08, 0.08), layout(-0.05, 0.05), z + high)
@@ -155,7 +155,7 @@ def stack_of_books(draw: Draw) -> Parts:
         cover = join(*boards, box((0, -y + thick, 0), (x, thick, high)))
         list(groups.values())[k % 3].append(laid(cover))
         pages.append(laid(box((0, 0, 0), (x - 0.08, y - 0.08, high - thick))))
-        bands.append(laid(both(box((x * 0.62, -y, 0), (0.075, 0.04, high)))))
+        bands.append(laid(both(box((x * 0.62, -y, 0), (0.085, 0.05, high)))))
         z += 2 * high
     return {
         **{name: join(*solids) for name, solids in groups.items()},

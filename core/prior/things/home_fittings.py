@@ -1,5 +1,7 @@
 """Kitchen, bathroom and what hangs or stands about the house."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
@@ -70,10 +72,10 @@ def refrigerator(draw: Draw) -> Parts:
     """Two doors, one above the other or side by side."""
     x, y, high, soft = draw(0.55, 0.72), draw(0.5, 0.58), draw(1.9, 2.3), 0.05
     if draw.chance(0.6):
-        split = high * draw(0.6, 0.72)
+        split = high * 0.64
         doors = join(
-            box((0, -y, split / 2 + 0.06), (x, 0.11, split / 2 - 0.12), 0.03),
-            box((0, -y, (split + high) / 2), (x, 0.11, (high - split) / 2 - 0.06), 0.03),
+            box((0, -y, split / 2 + 0.03), (x, 0.11, split / 2 - 0.12), 0.03),
+            box((0, -y, (split + high) / 2 + 0.03), (x, 0.11, (high - split) / 2 - 0.06), 0.03),
         )
         bars = [
             box((-x + 0.17, -y - 0.18, split + v), (0.075, 0.1, half), 0.02)
@@ -180,12 +182,9 @@ def bathtub(draw: Draw) -> Parts:
     top = leg + high
     body = cut(egg((0, 0, top), (x, y, high)), box((0, 0, top + 1), (3, 3, 1)))
     hole = egg((0, 0, top + 0.05), (x - 0.16, y - 0.16, high - 0.12))
-    rim = cut(
-        egg((0, 0, top), (x + 0.06, y + 0.06, 0.5)),
-        box((0, 0, top + 1.08), (3, 3, 1)),
-        box((0, 0, top - 1.08), (3, 3, 1)),
-        hole,
-    )
+    turn = [(math.cos(k * math.pi / 24), math.sin(k * math.pi / 24)) for k in range(48)]
+    outer, inner = ([((x + d) * u, (y + d) * v) for u, v in turn] for d in (0.09, -0.11))
+    rim = cut(prism(outer, 2, 0.09, top), prism(inner, 2, 1, top))
     tap = join(
         capsule((x - 0.04, 0, top - 0.1), (x - 0.04, 0, top + 0.4), 0.1),
         capsule((x - 0.04, 0, top + 0.4), (x - 0.4, 0, top + 0.34), 0.09),
@@ -193,10 +192,11 @@ def bathtub(draw: Draw) -> Parts:
     )
     water = cut(egg((0, 0, top), (x - 0.1, y - 0.1, high - 0.1)), box((0, 0, top + 0.8), (3, 3, 1)))
     return {
-        "body": join(cut(body, hole), rim),
+        "body": cut(body, hole),
         "water": water,
         "tap": tap,
         "feet": both(taper((x * 0.6, y * 0.55, 0.1), (x * 0.5, y * 0.45, 0.5), 0.13, 0.16), 0, 1),
+        "rim": rim,
     }
 
 

@@ -287,11 +287,6 @@ def bust(draw: Draw) -> Parts:
             sliced,
             tube((0, 0.02, low + 0.3), (0, 0.02, z - 0.2), head * 0.58),
             cut(skull, sockets),
-            prism(
-                [(face + 0.1, z + 0.1), (face - 0.16, z - 0.16), (face + 0.1, z - 0.18)], 0, 0.085
-            ),
-            both(capsule((0.1, face + 0.0, brow), (head * 0.6, face + 0.1, brow), 0.075)),
-            both(ball((head * 0.38, face + 0.1, z + 0.04), 0.11)),
             ears,
         ),
         "hair": join(
@@ -321,6 +316,13 @@ def bust(draw: Draw) -> Parts:
                 (0.34, low + 0.1),
             ],
             0.01,
+        ),
+        "face": join(
+            prism(
+                [(face + 0.1, z + 0.12), (face - 0.17, z - 0.16), (face + 0.1, z - 0.18)], 0, 0.085
+            ),
+            both(capsule((0.12, face - 0.02, brow), (head * 0.6, face + 0.1, brow), 0.075)),
+            both(ball((head * 0.38, face + 0.07, z + 0.02), 0.11)),
         ),
     }
 

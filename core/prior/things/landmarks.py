@@ -52,12 +52,11 @@ def bridge(draw: Draw) -> Parts:
 def windmill(draw: Draw) -> Parts:
     """A tapered tower with a cap, its four sails to the front."""
     low, top, high = draw(0.52, 0.62), draw(0.34, 0.4), draw(1.55, 1.72)
-    reach, wide, z, y = draw(1.08, 1.2), draw(0.19, 0.24), high + 0.12, -low - 0.2
-    first = draw(20, 70)
-    sail = box((reach * 0.62, 0.0, wide * 0.8), (reach * 0.38, 0.085, wide))
+    reach, wide, z, y = draw(1.08, 1.2), draw(0.19, 0.24), high + 0.12, -low - 0.3
+    sail = box((reach * 0.62, 0.0, 0), (reach * 0.38, 0.085, wide * 1.1))
     spar = box((reach * 0.5, -0.03, 0), (reach * 0.5, 0.1, 0.08))
     sails, spars = (
-        moved(join(*(turned(part, 1, first + 90 * k) for k in range(4))), (0, y, z))
+        moved(join(*(turned(part, 1, 45 + 90 * k) for k in range(4))), (0, y, z))
         for part in (sail, spar)
     )
     level = lathe([(low * 1.14, 0.0), (low * 1.08, high * 0.24)], 0.03)
@@ -71,7 +70,7 @@ def windmill(draw: Draw) -> Parts:
         "spars": join(spars, tube((0, y - 0.16, z), (0, 0, z), 0.13, 0.03)),
         "base": level,
         "door": box((0, -low * 1.02, 0.27), (0.18, 0.11, 0.27), 0.03),
-        "windows": join(pane, both(turned(pane, 2, 90))),
+        "windows": pane,
     }
 
 

@@ -220,18 +220,27 @@ def pig(draw: Draw) -> Parts:
 def fish(draw: Draw) -> Parts:
     """Its head to the front, its tail to the back."""
     thick, long, high = draw(0.28, 0.34), draw(0.88, 1.0), draw(0.48, 0.6)
-    tail = [(long - 0.25, 0.0), (long + 0.5, draw(0.42, 0.52)), (long + 0.36, 0.0)]
-    tail += [(b, -c) for b, c in reversed(tail[1:2])]
-    back = [(-0.4, high * 0.8), (0.25, high + draw(0.3, 0.4)), (0.55, high * 0.6)]
-    fin = turned(egg((0, 0.2, 0), (0.09, 0.26, 0.15)), 2, 25)
+    spread, up = draw(0.46, 0.58), draw(0.24, 0.34)
+    # Forked, its root within the body.
+    tail = [(long - 0.3, 0.1), (long + 0.26, spread), (long + 0.62, spread + 0.1),
+            (long + 0.36, 0.0)]  # fmt: skip
+    tail += [(b, -c) for b, c in reversed(tail[:3])]
+    back = [(-0.45, high * 0.75), (-0.2, high + up), (0.3, high + up * 0.8), (0.62, high * 0.5)]
+    below = [(0.05, -high * 0.8), (0.3, -high - up * 0.7), (0.55, -high * 0.55)]
+    fin = turned(egg((0, 0.24, 0), (0.09, 0.3, 0.16)), 2, 30)
+    at = (thick * 0.72, -long * 0.6, high * 0.24)
+    body = egg((0, 0, 0), (thick, long, high))
     return {
-        "body": egg((0, 0, 0), (thick, long, high)),
+        "body": body,
         "fins": join(
             prism(tail, 0, 0.085),
             prism(back, 0, 0.085),
-            both(moved(fin, (thick * 0.9, -0.2, -0.15))),
+            prism(below, 0, 0.085),
+            both(moved(fin, (thick * 0.85, -0.2, -high * 0.25))),
         ),
-        "eyes": both(ball((thick * 0.68, -long * 0.62, high * 0.2), 0.11)),
+        "eyes": both(ball((at[0] + 0.06, at[1] - 0.04, at[2]), 0.075)),
+        "whites": both(ball(at, 0.13)),
+        "lips": both(capsule((0, -long, -high * 0.18), (0.1, -long + 0.06, -high * 0.24), 0.085)),
     }
 
 

@@ -26,14 +26,13 @@ from core.prior.solids import (
 def factory(draw: Draw) -> Parts:
     """A hall with a saw-tooth roof, windows and a gate; two chimneys with bands."""
     x, y, eave = draw(1.05, 1.35), draw(0.6, 0.95), draw(0.85, 1.2)
-    tooth, high, r = draw(0.34, 0.58), draw(2.2, 3.0), draw(0.15, 0.24)
+    tooth, high, r = draw(0.4, 0.54), draw(2.2, 2.7), draw(0.2, 0.25)
     step = 2 * x / 3
-    teeth = [prism([(-x + step * k, eave - 0.02), (-x + step * k, eave + tooth),
-                    (-x + step * (k + 1), eave + 0.06), (-x + step * (k + 1), eave - 0.02)], 1,
+    teeth = [prism([(-x + step * k, eave - 0.15), (-x + step * k, eave + tooth),
+                    (-x + step * (k + 1), eave + 0.08), (-x + step * (k + 1), eave - 0.15)], 1,
                    y + 0.06) for k in range(3)]  # fmt: skip
     back = y + 0.1
-    stacks = [(x * 0.2, high), (x * 0.72, high - 0.32), (-x * 0.36, high - 0.16)]
-    stacks = stacks[: 1 + draw.which(3)]
+    stacks = [(x * 0.1, high), (x * 0.72, high - 0.32)]
     return {
         "hall": join(
             box((0, 0, eave / 2), (x, y, eave / 2)),
@@ -41,7 +40,7 @@ def factory(draw: Draw) -> Parts:
         ),
         "roof": join(*teeth),
         "chimneys": join(*(lathe([(r + 0.1, 0), (r, top)], 0.0, (u, back)) for u, top in stacks)),
-        "bands": join(*(tube((u, back, top - d - 0.16), (u, back, top - d), r + 0.08, 0.02)
+        "bands": join(*(tube((u, back, top - d - 0.2), (u, back, top - d), r + 0.1, 0.02)
                         for u, top in stacks for d in (0.0, 0.42))),
         "windows": join(
             *(box((-x + step * (k + 0.5), -y, eave * 0.66), (step * 0.32, 0.05, 0.16), 0.01)

@@ -248,14 +248,14 @@ def cargo_ship(draw: Draw) -> Parts:
     wide = [(u * 1.02 + 0.01, v * 1.02) for u, v in plan]
     hull, rear = outlined(side, wide), y - 0.34
     below = within(grown(hull, 0.04), box((0, 0, 0.06), (2, 2, 0.12)))
-    stacks, piles = draw.arranged(4), {0: [], 1: []}
+    high, piles = draw.which(2), {0: [], 1: []}
     first, step, tall = -y * 0.56, (rear - 0.22 + y * 0.56) / 4, draw(0.24, 0.29)
     for k in range(4):
-        for u in (-x * 0.46, x * 0.46):
-            for level in range((1, 2, 3, 2)[int(stacks(0, 4))] if k else 1):
+        for side, u in enumerate((-x * 0.46, x * 0.46)):
+            for level in range((1, 3, 2, 3)[k] - (high and side and k > 1)):
                 at = (u, first + (k + 0.5) * step, deck + (level + 0.5) * tall - 0.02)
-                crate = box(at, (x * 0.44, step * 0.47, tall / 2), 0.03)
-                piles[int(stacks(0, 2))].append(crate)
+                crate = box(at, (x * 0.46, step * 0.49, tall / 2), 0.03)
+                piles[(k + side + level) % 2].append(crate)
     top, bar = deck + draw(0.9, 1.1), box((0, (rear + first) / 2, deck), (x * 0.8, 0.9, 0.05))
     return {
         "hull": join(hull, bar),

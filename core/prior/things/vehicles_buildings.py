@@ -139,11 +139,10 @@ def airplane(draw: Draw) -> Parts:
             taper((0, nose + 0.2, 0), (0, 0.2, 0), radius * 0.9, radius),
             taper((0, 0.2, 0), (0, tail, 0.08), radius, 0.1),
         ),
-        "wings": join(
-            both(prism(wing, 2, 0.08, -0.04)), both(prism(rear, 2, 0.08, 0.08)), prism(fin, 0, 0.08)
-        ),
+        "wings": both(prism(wing, 2, 0.085, -0.04)),
         "windows": egg((0, nose + 0.38, radius * 0.55), (radius * 0.75, 0.26, radius * 0.7)),
         "engines": both(tube((span * 0.45, -0.55, -0.16), (span * 0.45, 0.0, -0.16), 0.14, 0.04)),
+        "tail": join(both(prism(rear, 2, 0.085, 0.08)), prism(fin, 0, 0.085)),
     }
 
 
@@ -170,7 +169,7 @@ def train(draw: Draw) -> Parts:
     # The plough is a ramp with a prow.
     ramp = [(-y - 0.42, 0.05), (-y + 0.12, 0.05), (-y + 0.12, 0.5), (-y - 0.05, 0.5)]
     prow = mirrored([(0.1, -y - 0.44), (0.46, -y + 0.04), (0.46, -y + 0.2)])
-    window = box((0, rear, roof - 0.3), (2, half - 0.19, 0.2), 0.02)
+    ahead = box((0.24, rear - half, roof - 0.24), (0.13, 0.05, 0.12), 0.02)
     arc = [(0.62 * math.sin(a), roof + 0.26 * math.cos(a)) for a in (0, 0.4, 0.8, 1.2, 1.57)]
     pairs = (_rimmed(0.56, v, r) for v, r in ((-y * 0.6, small), (-0.02, big), (rear, big)))
     rod = box((0.64, rear / 2, big), (0.1, rear / 2 + 0.12, 0.09), 0.02)
@@ -182,7 +181,7 @@ def train(draw: Draw) -> Parts:
             capsule((0, 0.02, z), (0, 0.02, z + radius + 0.08), 0.17),
         ),
         "cab": join(
-            cut(box((0, rear, (floor + roof) / 2), (0.48, half, (roof - floor) / 2)), window),
+            box((0, rear, (floor + roof) / 2), (0.48, half, (roof - floor) / 2)),
             prism(mirrored([*arc, (0.62, roof - 0.14)]), 1, half + 0.12, rear),
         ),
         "chimney": lathe(
@@ -194,6 +193,8 @@ def train(draw: Draw) -> Parts:
             both(rod),
         ),
         "wheels": both(join(*(solid for pair in pairs for solid in pair))),
+        "windows": join(box((0, rear, roof - 0.3), (0.52, half - 0.19, 0.2), 0.02), both(ahead)),
+        "lamp": tube((0, -y - 0.06, z + radius), (0, -y + 0.3, z + radius), 0.13, 0.03),
     }
 
 

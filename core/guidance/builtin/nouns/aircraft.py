@@ -11,6 +11,7 @@ AIRCRAFT = {
             "wings": "&c7ccd2 . paint",
             "windows": "-25303a . glass",
             "engines": "-3d6fb3",
+            "tail": "&c7ccd2 . paint",
         },
         Usual(12.0, STEEL, 0.0062),
     ),

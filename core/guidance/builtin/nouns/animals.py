@@ -11,7 +11,13 @@ ANIMALS = {
     "fish": Noun(
         "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish,"
         " swordfish, lionfish, catfish, pufferfish, angelfish, betta fish, barracuda",
-        {"body": "*ef7d1a", "fins": "+f5b03c", "eyes": "-111114"},
+        {
+            "body": "*ef7d1a",
+            "fins": "+f5b03c",
+            "eyes": "-111114",
+            "whites": "-f4f2ec",
+            "lips": "-d8601a",
+        },
         Usual(0.3, FLESH, 0.31),
     ),
     "rabbit": Noun(
@@ -41,7 +47,14 @@ ANIMALS = {
     ),
     "snowman": Noun(
         "snowmen",
-        {"body": "*edf0f5", "nose": "-f27314", "buttons": "-0f0f0f", "hat": "+141417"},
+        {
+            "body": "*edf0f5",
+            "nose": "-f27314",
+            "buttons": "-0f0f0f",
+            "arms": "-5a3a22 . wooden",
+            "scarf": "-c02a2a . fabric",
+            "hat": "+141417",
+        },
         Usual(1.6, SNOW),
     ),
     "cat": Noun(
@@ -116,7 +129,8 @@ ANIMALS = {
     ),
     "sheep": Noun(
         "; lamb, ewe",
-        {"wool": "*ece7da", "head": "+3a3431", "legs": "+3a3431", "eyes": "-f0f0f0"},
+        {"wool": "*ece7da", "head": "+3a3431", "legs": "+3a3431", "eyes": "-f0f0f0"}
+        | {"pupils": "-121212"},
         Usual(1.2, FLESH, 0.28),
     ),
     "elephant": Noun(

@@ -84,7 +84,12 @@ HOUSEHOLD = {
     ),
     "bust": Noun(
         "head bust, statue head; statue, sculpture, mannequin head",
-        {"body": "*dcd6ca . stone", "hair": "&c2b9a8 . stone", "base": "-6e6961 . stone"},
+        {
+            "body": "*dcd6ca . stone",
+            "hair": "&c2b9a8 . stone",
+            "base": "-6e6961 . stone",
+            "face": "&d9d3c6 . stone",
+        },
         Usual(0.5, STONE),
     ),
     "trophy": Noun(
@@ -174,6 +179,7 @@ HOUSEHOLD = {
             "water": "-7cc0de . glass",
             "tap": "+c9a03c . golden",
             "feet": "&c9a03c . golden",
+            "rim": "*f4f4f2",
         },
         Usual(1.7, STEEL, 0.03),
     ),

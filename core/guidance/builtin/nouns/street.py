@@ -103,6 +103,7 @@ STREET = {
             "door": "-5a351d . wooden",
             "window": "-9fd0ea . glass",
             "frame": "+f0e6d0 . wooden",
+            "gable": "*8a5a2e . wooden",
         },
         Usual(8.0, WOOD, 0.2),
     ),

@@ -63,6 +63,8 @@ VEHICLES = {
             "chimney": "-232326",
             "frame": "-2e2e31",
             "wheels": "-9c2a22",
+            "windows": "-9fc4d8 . glass",
+            "lamp": "+e8c860 . golden",
         },
         Usual(12.0, STEEL, 0.047),
     ),
