@@ -175,7 +175,7 @@ def local_ranges(config: AppearanceConfig, areas: Areas | None) -> LocalRanges |
     """Each area's own bounds; None where the areas are unknown, or all is matte."""
     if areas is None or config.shading == "diffuse":
         return None
-    return LocalRanges(areas.nearest(), [one.ranges for one in areas.each])
+    return LocalRanges(areas.nearest(), [one.ranges for one in areas.each], config.kd_range)
 
 
 def _calmer(t: tuple[float, float], strength: float) -> tuple[float, float]:

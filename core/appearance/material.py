@@ -96,14 +96,15 @@ def to_ranges(
     the eye tells apart, lie in the sigmoid's flat end.
     """
     share = raw.sigmoid()
+    least, most = constant(config.kd_range, raw.device, raw.dtype)
+    here = here or RangesHere(config.roughness_range, config.metallic_range, (least, most))
+    rough, metal, color = here
     kd = share[:, 0:3]
     if config.kd_curve == "srgb":
-        # The bounds stay the config's linear ones under both curves.
-        low, high = linear_to_srgb(constant(config.kd_range, raw.device, raw.dtype))
-        kd = srgb_to_linear(low + (high - low) * kd)
+        # The bounds stay linear ones under both curves.
+        kd = srgb_to_linear(_between(kd, tuple(map(linear_to_srgb, color))))
     else:
-        kd = _between(kd, config.kd_range)
-    rough, metal = here or (config.roughness_range, config.metallic_range)
+        kd = _between(kd, color)
     roughness, metallic = _between(share[:, 3:4], rough), _between(share[:, 4:5], metal)
     # 0 at the start, so flat; z stays above 0, so that no normal points into the surface.
     tilt = (2 * share[:, 5:7] - 1) * config.bump

@@ -10,6 +10,8 @@ from core.appearance.material_ranges import LocalRanges, MaterialRanges
 from core.config import AppearanceConfig, preset
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import SolidAreas
+from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.palette import looks
 from core.guidance.load import make_guidance
 from core.job_config import local_ranges, within
 from core.ops import linear_to_srgb, srgb_to_linear
@@ -98,7 +100,7 @@ def halves() -> LocalRanges:
     band = (side > 0.2) & (side < 0.4)
     areas[:, band] = (side > 0).long()[None, None].expand(22, int(band.sum()), 22)
     ranges = [MaterialRanges((0.8, 0.9), (0.0, 0.0)), MaterialRanges((0.1, 0.2), (1.0, 1.0))]
-    return LocalRanges(areas, ranges)
+    return LocalRanges(areas, ranges, CONFIG.kd_range)
 
 
 def test_each_place_has_its_areas_ranges():
@@ -113,6 +115,37 @@ def test_each_place_has_its_areas_ranges():
     assert close.metallic[:, 0].tolist() == [1, 0]
     far = net(torch.tensor([[9.0, 0, 0], [-9.0, 0, 0]]))  # outside of the cube too
     assert far.metallic[:, 0].tolist() == [1, 0]
+
+
+def test_an_areas_colour_stays_in_its_range_and_begins_in_the_middle_of_it():
+    red = ((0.2, 0.01, 0.01), (0.5, 0.02, 0.03))
+    ranges = [MaterialRanges((0.5, 0.5), (0.0, 0.0), red), MaterialRanges((0.5, 0.5), (0.0, 0.0))]
+    local = LocalRanges(torch.zeros(2, 2, 2, dtype=torch.long), ranges, CONFIG.kd_range)
+    points = torch.rand(64, 3, generator=torch.Generator().manual_seed(0)) - 0.5
+    raw = torch.linspace(-9, 9, 64)[:, None].expand(64, 8)
+    for curve in ("linear", "srgb"):
+        config = replace(CONFIG, kd_curve=curve)
+        kd = to_ranges(raw, config, local(points)).kd
+        low, high = map(torch.tensor, red)
+        assert ((kd > low - 1e-6) & (kd < high + 1e-6)).all()
+        torch.testing.assert_close(kd[[0, -1]], torch.stack([low, high]), atol=1e-3, rtol=0)
+        other = to_ranges(raw, config, local(points, torch.ones(64, dtype=torch.long))).kd
+        torch.testing.assert_close(other, to_ranges(raw, config).kd)
+
+
+def test_a_drawn_parts_colour_is_looked_for_around_the_words_own():
+    builtin = load_builtin("cpu")
+    areas = builtin.prompted("a snowman with a green scarf", "").of_object(0).areas()
+    names = list(looks("snowman"))
+    hat, scarf = (areas.each[names.index(part)].ranges.color for part in ("hat", "scarf"))
+    assert max(hat[1]) < 0.03  # black, without a tinge of green
+    assert scarf[0][1] > 3 * scarf[1][0]  # its green is far above its red
+    both = builtin.prompted("a red and white striped mug", "").of_object(0).areas()
+    red, white = (both.each[k].ranges.color for k in (0, 1))
+    assert red[1][1] < 0.2 < min(white[0])
+    arch = builtin.prompted("an arch", "").of_object(0).areas()
+    assert not all(one.plain for one in arch.each)  # its bricks are learnt
+    assert all((one.ranges.color is None) == (not one.plain) for one in arch.each)
 
 
 def test_the_ranges_of_places_are_not_kept_in_checkpoints_and_go_to_the_device():

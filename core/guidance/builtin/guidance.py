@@ -33,7 +33,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import FINISHES, Finish, looks, painted
+from core.guidance.builtin.palette import FINISHES, Color, Finish, looks, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import part_map, solid_part_map
@@ -56,9 +56,12 @@ from core.guidance.guidance import (
     coarse_latent,
 )
 from core.guidance.sds import eps_from_v
+from core.ops import srgb_to_linear
 
 SIZE = 64
 GLOSS = 0.03  # of a part's roughness, around what its finish has
+SHADE = 0.06  # of each channel of a part's colour, sRGB, around what the words make it
+DARKEST, LIGHTEST = 0.03, 0.985  # sRGB: a reflectance of .0023 and of .966
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
@@ -186,8 +189,9 @@ class PromptedBuiltin(PromptedGuidance):
         for part, pattern in zip(parts, laid, strict=True):
             # What is patterned by nature alone is not plain: where its colours lie is learnt.
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
-            area = Area(plain, ranges_of(part.finish), surface_of(self.words, part))
-            each += [area] * pattern.colors
+            colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
+            surface = surface_of(self.words, part)
+            each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
         margins = [pattern.margins() for pattern in laid]
         assert self._known is not None  # of a drawn solid
         fields = (self._known.distances, self._known.near)
@@ -298,11 +302,17 @@ class PromptedBuiltin(PromptedGuidance):
         return [self.words, *([Words()] if none else []), self.negative]
 
 
-def ranges_of(finish: Finish) -> MaterialRanges:
-    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached."""
+def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
+    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached. Of
+    what is of one ``color`` (sRGB) a range around that: the pictures made black things green."""
     rough = finish.roughness
     low, high = max(rough - GLOSS, 0.05), min(rough + GLOSS, 0.95)
-    return MaterialRanges((low, high), (finish.metallic, finish.metallic))
+    metallic = (finish.metallic, finish.metallic)
+    if color is None:
+        return MaterialRanges((low, high), metallic)
+    around = torch.tensor(color) + torch.tensor([[-SHADE], [SHADE]])
+    least, most = srgb_to_linear(around.clamp(DARKEST, LIGHTEST)).tolist()
+    return MaterialRanges((low, high), metallic, (tuple(least), tuple(most)))
 
 
 def has_fast_bfloat16(device: torch.device) -> bool:
