@@ -41,7 +41,7 @@ class LocalRanges(nn.Module):
         color: tuple[float, float],
     ) -> None:
         """``areas``: of each node, by x, y and z, an index into ``ranges``; ``color``: the bounds
-        of kd where a range has none."""
+        of all kd, and of what has none of its own."""
         super().__init__()
         grey = ([color[0]] * 3, [color[1]] * 3)
         colors = [one.color or grey for one in ranges]
@@ -50,6 +50,7 @@ class LocalRanges(nn.Module):
             for one, (least, most) in zip(ranges, colors, strict=True)
         ]
         bounds = torch.tensor(rows)
+        bounds[:, 4:].clamp_(*color)
         # Of the prompt and not learnt: not in the checkpoints.
         self.register_buffer("areas", areas, persistent=False)
         self.register_buffer("bounds", bounds, persistent=False)

@@ -370,5 +370,5 @@ def test_the_material_is_learnt_within_each_areas_ranges(tmp_path, monkeypatch):
     run = RunFolder.create(tmp_path / "run", Job(prompt="a dumbbell", max_faces=100))
     with pytest.raises(SeenError) as caught:
         generate(run, prepare(run.job), Progress(run))
-    metallic = caught.value.args[0].bounds[:, 2:]
+    metallic = caught.value.args[0].bounds[:, 2:4]
     assert metallic.unique().tolist() == [1.0]  # of iron and steel, and no range around it

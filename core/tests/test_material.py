@@ -117,8 +117,8 @@ def test_each_place_has_its_areas_ranges():
     assert far.metallic[:, 0].tolist() == [1, 0]
 
 
-def test_an_areas_colour_stays_in_its_range_and_begins_in_the_middle_of_it():
-    red = ((0.2, 0.01, 0.01), (0.5, 0.02, 0.03))
+def test_an_areas_colour_stays_in_its_range():
+    red = ((0.2, 0.04, 0.04), (0.5, 0.05, 0.06))
     ranges = [MaterialRanges((0.5, 0.5), (0.0, 0.0), red), MaterialRanges((0.5, 0.5), (0.0, 0.0))]
     local = LocalRanges(torch.zeros(2, 2, 2, dtype=torch.long), ranges, CONFIG.kd_range)
     points = torch.rand(64, 3, generator=torch.Generator().manual_seed(0)) - 0.5
@@ -143,6 +143,9 @@ def test_a_drawn_parts_colour_is_looked_for_around_the_words_own():
     both = builtin.prompted("a red and white striped mug", "").of_object(0).areas()
     red, white = (both.each[k].ranges.color for k in (0, 1))
     assert red[1][1] < 0.2 < min(white[0])
+    config = replace(CONFIG, kd_range=(0.1, 0.4))  # the job's own bounds hold there too
+    drawn = local_ranges(config, both)(torch.zeros(2, 3), torch.tensor([0, 1])).color
+    assert torch.stack(drawn).aminmax() == (torch.tensor(0.1), torch.tensor(0.4))
     arch = builtin.prompted("an arch", "").of_object(0).areas()
     assert not all(one.plain for one in arch.each)  # its bricks are learnt
     assert all((one.ranges.color is None) == (not one.plain) for one in arch.each)

@@ -61,7 +61,6 @@ from core.ops import srgb_to_linear
 SIZE = 64
 GLOSS = 0.03  # of a part's roughness, around what its finish has
 SHADE = 0.06  # of each channel of a part's colour, sRGB, around what the words make it
-DARKEST, LIGHTEST = 0.03, 0.985  # sRGB: a reflectance of .0023 and of .966
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
@@ -311,7 +310,7 @@ def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
     if color is None:
         return MaterialRanges((low, high), metallic)
     around = torch.tensor(color) + torch.tensor([[-SHADE], [SHADE]])
-    least, most = srgb_to_linear(around.clamp(DARKEST, LIGHTEST)).tolist()
+    least, most = srgb_to_linear(around.clamp(0, 1)).tolist()
     return MaterialRanges((low, high), metallic, (tuple(least), tuple(most)))
 
 
