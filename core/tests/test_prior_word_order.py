@@ -95,6 +95,7 @@ def test_it_is_the_same_before_and_behind(prompt: str, same: str) -> None:
         ("a bear with a red scarf in blue", "blue", ""),  # whose scarf is red already
         ("an oak wardrobe with doors, in white", "white", "oak"),
         ("a dragon in green with wings in gold", "green", ""),
+        ("a vase of roses in blue glass", "blue", "glass"),  # not what it is full of
         ("the car is red and the wheels are black", "red", ""),
         ("an armchair upholstered in green velvet", "green", "velvet"),
         ("a dining table in light oak with tapered legs", "", "light oak"),
@@ -194,3 +195,8 @@ def test_a_long_list_of_colours_is_read_in_time_that_grows_with_it() -> None:
         understood("a chair " + "red " * colors, known=known)
         counts.append(count)
     assert 0 < counts[1] < 2.2 * counts[0]
+
+
+def test_the_words_between_a_part_and_its_look_are_not_reported() -> None:
+    got = read("a teapot, the lid should be gold")
+    assert got["part_materials"] == {"lid": "golden"} and not got["left_out"] and not got["notes"]

@@ -25,7 +25,7 @@ OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what ha
 MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
 LINK = re.compile(
     r"(?P<said>(?:(?:that|which|who) )?(?:is|are|should be) )?"
-    r"(?P<glow>(?:glow|glows|glowing|shine|shines|shining) )?"
+    r"(?P<glow>(?:glow|glowing|shine|shines|shining) )?"
     rf"(?P<way>(?:{'|'.join(MADE)}) (?:out of |of |in |from |with |by )"
     r"|(?:painted|dyed) |(?:in|of|from) )?"
     r"(?P<article>(?:an?|the) )?"
