@@ -246,16 +246,8 @@ SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating fini
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # A thing that says, before another, what that is made of: "a robot dog".
 AS_MATERIAL = {"robot": "metal", "cyborg": "metal", "android": "metal"}
-PLAIN = (
-    "metal",
-    "metallic",
-    "wood",
-    "wooden",
-    "fabric",
-    "plastic",
-    "stone",
-    "upholstered",
-)  # materials
+# Materials that say little.
+PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
 # What the stripes lie on that a thing has by nature, where that is not most of it.
 STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
 STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
