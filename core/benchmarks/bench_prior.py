@@ -29,7 +29,7 @@ from core.io.job import Job, write_text
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
-from core.prior.retrieval import mesh_cloud, ranking, reference_clouds
+from core.prior.retrieval import kept_clouds, mesh_cloud, ranking
 from core.stages.start_color import surface_colors
 
 FOLDER = Path("out/bench_prior")
@@ -57,7 +57,7 @@ def bench_prior(
     """
     nouns, known = known_nouns(nouns), offered_words()
     torch.set_num_threads(1)
-    references = reference_clouds(known["noun"])
+    references = kept_clouds(known["noun"])
     scores = []
     for noun in nouns:
         for seed in range(seeds):

@@ -23,7 +23,7 @@ from core.geometry.assembly import assembled
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
 from core.guidance.builtin.offered import offered_words
 from core.io.job import write_text
-from core.prior.retrieval import Cloud, mesh_cloud, ranking, reference_clouds
+from core.prior.retrieval import Cloud, kept_clouds, mesh_cloud, ranking
 
 CREASE = (0.85, 1.15)  # over the family's own: edges are neither rounded nor ragged
 MORE_MISSING = 0.03  # than a noun's objects lack of one another
@@ -36,7 +36,7 @@ def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
     """Score ``seeds`` shapes of each noun (all, if empty), print a table; JSON to ``out``."""
     torch.set_num_threads(1)
     nouns = known_nouns(nouns)
-    references = reference_clouds(offered_words()["noun"])
+    references = kept_clouds(offered_words()["noun"])
     guidance, scores = load_builtin("cpu"), {}
     for noun in nouns:
         scores[noun] = solid_scores(guidance, noun, seeds, references)

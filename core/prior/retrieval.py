@@ -5,11 +5,18 @@ The distance is the mean over both clouds of the way to the other's nearest poin
 is still that thing.
 """
 
+import hashlib
+from pathlib import Path
+
 import torch
 from jaxtyping import Float, Int
+from safetensors import safe_open
+from safetensors.torch import save_file
 from torch import Tensor
 
 from core.geometry.mesh import NORMAL_RADIUS, face_areas
+from core.io.atomic import atomic_file
+from core.prior import draw, families, solids, things
 from core.prior.draw import Draw
 from core.prior.families import build, surface_points
 
@@ -19,6 +26,7 @@ SCREEN_POINTS = 96  # of each cloud, to tell which nouns are far
 NEAR = 24  # nouns that all points are compared with
 REFERENCES = 4  # held-out shapes of each noun
 SEED = 2_000_000  # beyond those of the data and of ``evaluate``
+KEPT = Path("out/bench_prior/references.safetensors")  # made in minutes, read in no time
 
 Cloud = Float[Tensor, "n 3"]
 
@@ -31,6 +39,29 @@ def reference_clouds(nouns: list[str], count: int = REFERENCES) -> dict[str, lis
         shapes = [build(noun, "", draw, jitter=0.0) for _ in range(count)]
         clouds[noun] = [_some(surface_points(shape.sdf, 2.4), draw.generator) for shape in shapes]
     return clouds
+
+
+def kept_clouds(nouns: list[str], path: Path = KEPT) -> dict[str, list[Cloud]]:
+    """``reference_clouds``, from the file if the families are as they were when it was written."""
+    state = _state(nouns)
+    if path.is_file():
+        with safe_open(path, "pt") as kept:
+            if (kept.metadata() or {}).get("state") == state:
+                return {noun: list(kept.get_tensor(noun)) for noun in nouns}
+    clouds = reference_clouds(nouns)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with atomic_file(path) as part:
+        save_file({noun: torch.stack(c) for noun, c in clouds.items()}, part, {"state": state})
+    return clouds
+
+
+def _state(nouns: list[str]) -> str:
+    """Of all that decides what the clouds are: the nouns, and the sources of their families."""
+    found = hashlib.sha256("\n".join(nouns).encode())
+    modules = [Path(str(module.__file__)) for module in (draw, families, solids)]
+    for file in [Path(__file__), *modules, *sorted(Path(things.__path__[0]).glob("*.py"))]:
+        found.update(file.read_bytes())
+    return found.hexdigest()
 
 
 def mesh_cloud(

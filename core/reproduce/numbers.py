@@ -76,9 +76,9 @@ def rank(run: Path, noun: str) -> str:
 @cache
 def _references() -> dict[str, list[torch.Tensor]]:
     from core.guidance.builtin.offered import offered_words
-    from core.prior.retrieval import reference_clouds
+    from core.prior.retrieval import kept_clouds
 
-    return reference_clouds(offered_words()["noun"])
+    return kept_clouds(offered_words()["noun"])
 
 
 def color_error(run: Path, noun: str, color: str) -> float:

@@ -13,7 +13,14 @@ from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import build
-from core.prior.retrieval import chamfer, mesh_cloud, ranking, reference_clouds, turns
+from core.prior.retrieval import (
+    chamfer,
+    kept_clouds,
+    mesh_cloud,
+    ranking,
+    reference_clouds,
+    turns,
+)
 
 
 def _generator(seed: int = 0) -> torch.Generator:
@@ -61,6 +68,25 @@ def test_few_points_tell_which_nouns_all_points_are_compared_with(monkeypatch):
     whole = ranking(cloud, references)
     assert found[:15] == whole[:15]  # each of the 24, by the same distance
     assert len(dict(found)) == 40
+
+
+def test_reference_clouds_are_kept_until_what_makes_them_changes(tmp_path, monkeypatch):
+    path = tmp_path / "new" / "references.safetensors"
+    made = kept_clouds(["ball", "mug"], path)
+    fresh = reference_clouds(["ball", "mug"])
+    assert all(map(torch.equal, made["mug"], fresh["mug"]))
+    asked = []
+    monkeypatch.setattr(
+        "core.prior.retrieval.reference_clouds", lambda nouns: asked.append(nouns) or fresh
+    )
+    again = kept_clouds(["ball", "mug"], path)
+    assert not asked
+    assert list(again) == ["ball", "mug"]
+    assert all(map(torch.equal, again["mug"], made["mug"]))
+    kept_clouds(["mug", "ball"], path)  # other nouns
+    monkeypatch.setattr("core.prior.retrieval._state", lambda _: "another family")
+    kept_clouds(["ball", "mug"], path)
+    assert asked == [["mug", "ball"], ["ball", "mug"]]
 
 
 def test_lab_has_its_known_values():

@@ -20,6 +20,9 @@ def parts(prompt: str) -> dict[str, dict[str, str]]:
     ("prompt", "said"),
     [
         ("a car with wheels in black", {"part_colours": {"wheels": "black"}}),
+        ("a mirror with red and gold bands", {}),  # stripes, of the whole
+        ("a chest with gold and iron bands", {"part_materials": {"bands": "iron"}}),
+        ("a castle with blue roofs", {"part_colours": {"roof": "blue"}}),
         ("a car with wheels that are black", {"part_colours": {"wheels": "black"}}),
         ("hammer with a handle made of wood", {"part_materials": {"handle": "wooden"}}),
         ("a table with legs made out of steel", {"part_materials": {"legs": "metal"}}),
@@ -200,3 +203,18 @@ def test_a_long_list_of_colours_is_read_in_time_that_grows_with_it() -> None:
 def test_the_words_between_a_part_and_its_look_are_not_reported() -> None:
     got = read("a teapot, the lid should be gold")
     assert got["part_materials"] == {"lid": "golden"} and not got["left_out"] and not got["notes"]
+
+
+def test_what_a_thing_is_for_is_a_part_of_its_name():
+    assert read("the lamp for desk with a red base")["thing"] == "desk lamp"
+    assert read("a house for the birds")["thing"] == "birdhouse"
+    assert read("a table for coffee in oak")["thing"] == "coffee table"
+    assert read("a mug for coffee")["thing"] == "mug"
+    assert read("a lamp, for desk lovers")["thing"] == "lamp"
+
+
+def test_bands_of_two_colours_are_stripes_where_a_thing_has_no_bands():
+    told = read("lighthouse with red and white bands on a small rock")
+    assert (told["pattern"], told["colours"]) == ("striped", ["red", "white"])
+    assert "materials" not in told or not told["materials"]
+    assert read("a chest with red and blue bands")["part_colours"] == {"bands": "blue"}

@@ -378,3 +378,33 @@ def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
             parse(prompt)
         assert 0 < len(caught.value.window_fix) < 80
         assert "--" not in caught.value.window_fix
+
+
+def test_what_is_left_out_is_said_for_its_own_reason():
+    notes = understood("a book with three brass corners", known=SLOTS)["notes"]
+    assert notes == [
+        "'brass': left out with what is not known beside it.",
+        "'three': left out, as parts are not counted.",
+        "The built-in model does not know 'corners': left out.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        # What follows a part that the thing has not is still the thing's.
+        ("an armchair with walnut legs and mustard fabric", {"colours": ["mustard"]}),
+        ("an armchair with walnut legs and mustard fabric", {"materials": ["fabric"]}),
+        ("a lighthouse, flat shading", {"shape": None}),
+        ("a piano, polished black lacquer, lid open", {"colours": ["black"]}),
+        ("a chair whit four legs", {"thing": "chair"}),
+        ("a key, tarnished bronze", {"weather": ["worn"]}),
+        ("a vase in smoked glass", {"materials": ["smoked glass"]}),
+        ("a paper coffee cup with a brown sleeve", {"thing": "paper cup"}),
+        ("a kitchen island with a white countertop", {"part_colours": {"top": "white"}}),
+        ("a drone with four black propellers", {"part_colours": {"rotors": "black"}}),
+    ],
+)
+def test_prompts_of_six_people_are_read_as_they_are_meant(prompt, said):
+    told = understood(prompt, known=SLOTS)
+    assert {name: told.get(name) or None for name in said} == said

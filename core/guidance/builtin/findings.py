@@ -5,11 +5,11 @@ from typing import Any
 
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
-from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary
+from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
-from core.guidance.builtin.words import OPTIONS
+from core.guidance.builtin.words import COUNTS, LOOKS, OPTIONS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
@@ -98,17 +98,25 @@ class Findings:
         ]
 
     def omissions(self) -> list[str]:
-        """A note for all that is left out. A qualifier comes with the colour or the like that it
+        """Notes for all that is left out. A qualifier comes with the colour or the like that it
         may mean; there is nothing to suggest for the rest."""
-        if not self.left_out:
-            return []
-        texts = [
+        left = dict.fromkeys(self.left_out)
+        entries = {token: look_up(token, self.known) for token in left}
+        looks = [token for token, entry in entries.items() if entry and entry.slot in LOOKS]
+        counts = [token for token in left if token in COUNTS]
+        unknown = [
             with_hint(token, near_words(token, self.qualifiers, self.known))
             if token in self.qualifiers
             else repr(token)
-            for token in dict.fromkeys(self.left_out)
+            for token in left
+            if token not in (*looks, *counts)
         ]
-        return [f"The built-in model does not know {', '.join(texts)}: left out."]
+        notes = {
+            f"{', '.join(map(repr, looks))}: left out with what is not known beside it.": looks,
+            f"{', '.join(map(repr, counts))}: left out, as parts are not counted.": counts,
+            f"The built-in model does not know {', '.join(unknown)}: left out.": unknown,
+        }
+        return [note for note, tokens in notes.items() if tokens]
 
     def colors(self) -> dict[str, Any]:
         """The first colour, the second, the pattern that a second one implies, the part that the

@@ -100,7 +100,7 @@ def _names(part: str, also: bool = True) -> list[str]:
     forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
     names = [part, PART_FORMS.get(part, part), *forms]
     names += forms_of(PART_ALSO.get(part, "")) if also else []
-    return [form for name in names for form in (name, f"{name}s")]
+    return [form for name in names for form in (name, f"{name}s", name.removesuffix("s"))]
 
 
 def looks_of(noun: str) -> dict[str, str]:

@@ -361,8 +361,10 @@ class Reading:
         stands |= entry.form == RAINBOW and self._tokens.ends_phrase(end)
         if not stands or self._accessory is None:
             return False
-        begin = self._tokens.qualities_begin(start)
-        return begin > 0 and self._tokens.words[begin - 1] in ARTICLES
+        before = self._tokens.words[: self._tokens.qualities_begin(start)]
+        while before and before[-1] in FILLER - PHRASE_ENDS:  # "on a small rock"
+            before.pop()
+        return bool(before) and before[-1] in ARTICLES
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
@@ -433,7 +435,7 @@ class Reading:
         for part in self.got.strange_parts():
             of = part.material.form if part.material else ""
             words = (part.color_form or part.color, of, part.pattern, part.form)
-            self._leave_aside(" ".join(filter(None, words)), why)
+            self.got.leave_aside([" ".join(filter(None, words))], why)
 
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""

@@ -131,7 +131,7 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),
     "frosted glass": Variant("glass", (0.96, 0.98, 0.98), 0.5, 0.85),
-    "tinted glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
+    "tinted glass, smoked glass, smoky glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
     "stained glass": Variant("glass", None, 0.08, 0.7),
     "of ice, made of ice, icy": Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6),
     # of copper

@@ -13,6 +13,7 @@ from core.guidance.builtin.part_names import is_own
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
+    BANDS,
     COUNTS,
     FILLER,
     GOES_WITH,
@@ -35,12 +36,14 @@ LONGEST_LINK = 7  # words: "which are made out of the"
 BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow shine".split()}
 STRANGE = 2  # words before a look that are not known: "in signal orange"
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
+OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "some")
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
 def set_in_order(tokens: Tokens) -> None:
     """Change the words' order where it is another than that of "with black wheels"."""
     _join_names_of(tokens)
+    _join_names_for(tokens)
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
     for at in reversed(range(1, len(tokens.words))):
@@ -67,13 +70,30 @@ def _join_names_of(tokens: Tokens) -> None:
                 break
 
 
+def _join_names_for(tokens: Tokens) -> None:
+    """ "A lamp for the desk" is a desk lamp, "a house for birds" a bird house."""
+    for at in reversed(range(1, len(tokens.words) - 1)):
+        own = tokens.words[at + 1] in OWN
+        end = at + 2 + own
+        if tokens.words[at] != "for" or end > len(tokens.words) or not tokens.ends_phrase(end):
+            continue
+        head, purpose = tokens.words[at - 1], tokens.words[end - 1]
+        names = [f"{form} {head}" for form in (purpose, purpose.removesuffix("s"))]
+        if tokens.breaks.isdisjoint(range(at, end)) and any(map(tokens.thing, names)):
+            tokens.put(at - 1, end, next(filter(tokens.thing, names)).split())
+
+
 def _set_pattern_last(tokens: Tokens, at: int) -> None:
-    """ "A striped red and white awning" is a red and white striped one."""
+    """ "A striped red and white awning" is a red and white striped one; "red and white bands", on
+    what has no bands, are stripes."""
     words = tokens.words[at : at + 4]
     slots = [entry.slot if (entry := look_up(word, tokens.known)) else word for word in words]
     together = tokens.breaks.isdisjoint(range(at + 1, at + 4))
     if together and slots == ["pattern", "color", "and", "color"]:
         tokens.put(at, at + 4, [*words[1:], words[0]])
+    banded = together and slots[:3] == ["color", "and", "color"] and words[-1] in BANDS
+    if banded and not is_own(_thing_before(tokens, at), words[-1]):
+        tokens.put(at, at + 4, [*words[:3], "stripes"])
 
 
 class Link(NamedTuple):
@@ -125,10 +145,15 @@ def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
     # A colour is none, and "in light oak" says nothing of a light.
     if name in TOWARDS or (entry is not None and entry.slot in LOOKS):
         return False
-    things = (tokens.thing(phrase) for at in range(begin) for phrase in tokens.phrases(at))
-    thing = next(filter(None, things), "")
+    thing = _thing_before(tokens, begin)
     is_named = (entry is not None and entry.slot == "part") or name in NAMED
     return bool(thing) and (is_named or is_own(thing, name))
+
+
+def _thing_before(tokens: Tokens, end: int) -> str:
+    """The first thing that is named before the index, or ""."""
+    things = (tokens.thing(phrase) for at in range(end) for phrase in tokens.phrases(at))
+    return next(filter(None, things), "")
 
 
 def _looks_end(tokens: Tokens, begin: int) -> int:

@@ -64,7 +64,7 @@ MATERIALS = {
     "of bone, of bones",
     "leather": "; suede, faux leather, patent leather, snakeskin",
     "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
-    "tinted glass, stained glass, of crystal, of ice, icy, made of ice",
+    "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
@@ -84,8 +84,8 @@ WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
     "distressed, aged, used, battered, scuffed, timeworn, time worn, weather beaten, beat up, "
     "beaten up, with scratches; chipped, cracked, peeling, faded, dented, chipped paint, "
-    "peeling paint, cracked paint, faded paint, rust spots, rust stains, patches of rust, "
-    "abandoned, derelict, crumbling",
+    "peeling paint, cracked paint, faded paint, tarnished, patinated, rust spots, rust stains, "
+    "patches of rust, abandoned, derelict, crumbling",
     "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
     "dusty": "dust covered, covered in dust, covered with dust",
     "mossy": "moss covered, overgrown, covered in moss, covered with moss, with moss, moss on",
@@ -97,7 +97,7 @@ SHEENS = {
     "matte": "matt, dull, unglazed, unpolished",
     "satin": "semi gloss, silky",
     "glossy": "gloss, shiny, polished, high gloss, lacquered, varnished, "
-    "glazed, shining, sleek, mirror polished",
+    "glazed, shining, sleek, mirror polished, lacquer",
     "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
 PATTERNS = {
@@ -106,6 +106,8 @@ PATTERNS = {
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
+# What is striped with two colours before it, where the thing has no such part.
+BANDS = ("bands", "rings", "lines")
 # Of them what lies on a thing: "a crate with orange stripes" is orange nowhere else.
 FIGURES = ("stripe", "spot", "dot", "polka dot", "check")
 # The names of the parts that a caption may state (``CHOICES`` and ``LEGS``).
@@ -126,6 +128,7 @@ PART_SYNONYMS = {
     "wheels": "wheel, tyres, tyre, tires, tire",
     "windows": "window",
     "cushion": "seat, cushions",
+    "top": "countertop, tabletop, table top, worktop",
     "scoop": "scoops",
     "shade": "lampshade",
     "leaves": "leaf, foliage",
@@ -157,6 +160,8 @@ PART_ALSO = {
     "grip": "handle",
     "blade": "head",
     "blades": "blade, sails, rotor",
+    "propeller": "rotor, blades",
+    "propellers": "rotors, blades",
     "legs": "limbs, base, stand, foot, tripod, posts",
     "stand": "base, foot, stem, pole, post, tripod, mount, holder",
     "base": "stand, foot, holder, mount, legs, feet",
@@ -171,6 +176,12 @@ PART_ALSO = {
     "barrel": "tube",
     "tube": "barrel, hull",
     "deck": "board, hull",
+    "top": "cap, lid, roof, seat, deck, board",
+    "fretboard": "neck",
+    "fingerboard": "neck",
+    "headstock": "neck",
+    "cabinets": "body, doors",
+    "cabinet": "body",
     "backboard": "board",
     "saddle": "seat",
     "upholstery": "cushion, seat, back",
@@ -275,6 +286,8 @@ FILLER = PLACES | frozenset(
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
+# Slips that are words of their own, or too short to tell.
+SHORT |= {"whit": "with", "wiht": "with", "wih": "with", "wth": "with", "witht": "with"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
 # Fillers that end a noun phrase: what is unknown before them describes no noun after them.
@@ -324,6 +337,8 @@ STYLES = frozenset(
         "close up",
         "vivid colors",
         "vivid colours",
+        *("flat shading", "flat shaded", "smooth shaded", "cel shaded", "cel shading"),
+        *("clay render", "matcap", "hard surface", "soft shading"),
         "front view",
         "side view",
         "top view",

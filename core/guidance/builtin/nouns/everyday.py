@@ -138,7 +138,8 @@ EVERYDAY_CLOTHES = {
 EVERYDAY_THINGS = {
     "paper cup": Noun(
         "takeaway cup, coffee to go, takeaway coffee, to go cup, disposable cup, take away cup, "
-        "takeout cup, to go coffee, takeout coffee; coffee, coffee paper cup, latte, "
+        "paper coffee cup, takeaway coffee cup, disposable coffee cup, takeout cup, to go coffee, "
+        "takeout coffee; coffee, coffee paper cup, latte, "
         "cappuccino, espresso, tea, bubble tea, boba, boba tea, iced coffee, iced tea, "
         "smoothie, frappuccino, soft drink, soda cup, plastic cup, lemonade, juice, yogurt, "
         "yoghurt",

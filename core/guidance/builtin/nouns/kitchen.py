@@ -53,8 +53,8 @@ KITCHEN_WARE = {
         Usual(0.15, CERAMIC, 0.4),
     ),
     "cooking pot": Noun(
-        "saucepot, stockpot, stock pot, soup pot, casserole, casserole dish; stew pot, pressure "
-        "cooker, dutch oven, crock pot, saucepan with lid",
+        "saucepot, pot for cooking, stockpot, stock pot, soup pot, casserole, casserole dish; "
+        "stew pot, pressure cooker, dutch oven, crock pot, saucepan with lid",
         {
             "body": "*c43a2c . paint",
             "rim": "-c3c8cd . metal",
