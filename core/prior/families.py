@@ -45,6 +45,7 @@ from core.prior.things.leisure import LEISURE
 from core.prior.things.machines import MACHINES
 from core.prior.things.market import MARKET
 from core.prior.things.nature import NATURE
+from core.prior.things.novel import NOVEL
 from core.prior.things.novelties import NOVELTIES
 from core.prior.things.office import OFFICE
 from core.prior.things.parlour import PARLOUR
@@ -180,6 +181,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | FESTIVE
     | HAULAGE
     | SPEED
+    | NOVEL
 )
 
 

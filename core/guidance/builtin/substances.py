@@ -65,7 +65,7 @@ OF_A_THING = {
         "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
     ),
     "felt": "cowboy hat, dartboard reds, dartboard greens",
-    "flesh": "grill food, salad onion, salad cucumber, mushroom stem",
+    "flesh": "grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem",
     "foliage": (
         "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
         "tree leaves"
@@ -89,7 +89,8 @@ OF_A_THING = {
     "metal": (
         "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
         "meter needle, screwdriver collar, blender collar, coffee machine collar, ninja sword, "
-        "harp strings, magnet bands, stove plates, compass tail"
+        "harp strings, magnet bands, stove plates, compass tail, alarm clock hands, pocket watch "
+        "hands"
     ),
     "paint": (
         "fence pickets, mailbox flag, tower windows, castle windows, pencil body, knight shield, "
@@ -99,11 +100,12 @@ OF_A_THING = {
         "watch face, clock face, grandfather clock face, compass dial, picture frame hills, "
         "picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, easel "
         "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, clipboard "
-        "lines, clipboard boxes, notice board notes, notice board cards, atm notes"
+        "lines, clipboard boxes, notice board notes, notice board cards, atm notes, alarm clock "
+        "face, pocket watch face"
     ),
     "peel": (
         "snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath berries, "
-        "jack-o-lantern body"
+        "jack-o-lantern body, mushroom house cap, mushroom house dots"
     ),
     "petal": "fairy wings",
     "plain": (
@@ -120,7 +122,7 @@ OF_A_THING = {
     ),
     "skin": (
         "monkey face, demon mouth, zombie mouth, yeti face, mouse tail, mouse ears, bat ears, "
-        "minotaur body"
+        "minotaur body, caterpillar feet"
     ),
     "wet skin": "brain folds, yeti mouth",
     "wicker": "crossbow string, bow string, barn hay",
@@ -217,7 +219,7 @@ OF_THE_REST = {
         "fish, snake, crocodile, lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, "
         "mermaid"
     ),
-    "skin": "hand, eyeball, brain, tooth, goblin",
+    "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
     "soil": "volcano, mountain, igloo, sandcastle",
     "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
     "wicker": "basket, rope, hay bale, beehive, sack, scarecrow",

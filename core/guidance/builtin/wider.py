@@ -33,7 +33,7 @@ _OF_THINGS = {  # the things that may be called so
         "owl, penguin, chicken, parrot, eagle, duck, swan, flamingo, peacock, ostrich, rubber duck"
     ),
     "fish": "shark, dolphin, whale, seahorse, stingray, jellyfish, starfish",
-    "insect bug": "ant, bee, butterfly, dragonfly, ladybug, spider, scorpion",
+    "insect bug": "ant, bee, butterfly, caterpillar, dragonfly, ladybug, spider, scorpion",
     "reptile": "snake, lizard, crocodile, turtle, dinosaur",
     "bear": "panda, koala, teddy bear",
     "monkey ape": "gorilla, monkey",
@@ -58,7 +58,7 @@ _OF_THINGS = {  # the things that may be called so
     "building": "house, cottage, log cabin, barn, lighthouse",
     "tower": "lighthouse, water tower, windmill, skyscraper, pagoda",
     "sword blade": "dagger, lightsaber",
-    "guitar": "ukulele, banjo",
+    "guitar": "ukulele, banjo, electric guitar",
     "chair seat": (
         "armchair, office chair, rocking chair, throne, stool, bench, high chair, beanbag"
     ),

@@ -37,6 +37,13 @@ from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
 from core.guidance.builtin.nouns.leisure import GADGETS, GAMES, RIDES, SHOTS
 from core.guidance.builtin.nouns.noun import Noun
+from core.guidance.builtin.nouns.novel import (
+    NOVEL_ANIMALS,
+    NOVEL_CLOCKS,
+    NOVEL_HOMES,
+    NOVEL_INSTRUMENTS,
+    NOVEL_SMALL,
+)
 from core.guidance.builtin.nouns.novelties import (
     NOVELTY_ANIMALS,
     NOVELTY_ARMS,
@@ -68,9 +75,9 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS,
+    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | NOVEL_CLOCKS,
     "Fixtures and Utensils": FIXTURES,
-    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL,
+    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL,
     "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
@@ -78,15 +85,15 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
     "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
-    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS,
+    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS,
     "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE,
     "Aircraft and Space": AIRCRAFT,
-    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS,
+    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS | NOVEL_HOMES,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
     "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
-    "Instruments": INSTRUMENTS | PASTIME_TOOLS,
+    "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}

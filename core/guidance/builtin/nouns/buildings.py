@@ -17,8 +17,7 @@ BUILDINGS = {
         Usual(8.0, STONE, 0.15),
     ),
     "cottage": Noun(
-        "; hut, shack, fairy house, mushroom house, gingerbread house, hobbit house, tavern, inn,"
-        " saloon, chalet, bothy",
+        "; hut, shack, gingerbread house, hobbit house, tavern, inn, saloon, chalet, bothy",
         {
             "walls": "*f0e6d0",
             "roof": "+8a5f2f thatch",

@@ -13,7 +13,7 @@ from core.guidance.builtin.nouns.noun import (
 
 CLOTHES = {
     "watch": Noun(
-        "wristwatch, wrist watch; smartwatch, rolex, stopwatch",
+        "wristwatch, wrist watch; smartwatch, rolex",
         {
             "strap": "*5a3520",
             "case": "+d8b04a . golden",

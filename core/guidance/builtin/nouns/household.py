@@ -194,7 +194,7 @@ HOUSEHOLD = {
         Usual(0.9, CERAMIC, 0.12),
     ),
     "clock": Noun(
-        "alarm clock; wall clock",
+        "; wall clock",
         {
             "body": "*c0302a . paint",
             "face": "+f4f0e4",

@@ -668,4 +668,10 @@ ORDER = (
     "raft",
     "gas pump",
     "water tower",
+    "electric guitar",
+    "mushroom house",
+    "caterpillar",
+    "map pin",
+    "alarm clock",
+    "pocket watch",
 )

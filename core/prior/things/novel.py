@@ -1,0 +1,218 @@
+"""Two clocks, a guitar with horns, a house in a mushroom, a caterpillar, a pin for a map."""
+
+import math
+
+from core.prior.draw import Draw
+from core.prior.solids import (
+    Parts,
+    Solid,
+    ball,
+    both,
+    box,
+    capsule,
+    cut,
+    egg,
+    grown,
+    join,
+    lathe,
+    limb,
+    mirrored,
+    moved,
+    prism,
+    ring,
+    smooth_curve,
+    tube,
+    turned,
+)
+
+Point = tuple[float, float]
+
+# From the strap's end at the floor to a horn's tip, and from there to the neck.
+EVEN_SIDE = ((0.0, 0.0), (0.34, 0.03), (0.62, 0.18), (0.71, 0.46), (0.58, 0.8), (0.54, 1.0),
+             (0.63, 1.24), (0.62, 1.5))  # fmt: skip
+EVEN_HORN = ((0.62, 1.5), (0.42, 1.36), (0.3, 1.18), (0.22, 1.02))
+LEFT_SIDE = ((0.0, 0.0), (-0.4, 0.03), (-0.68, 0.22), (-0.7, 0.52), (-0.54, 0.86), (-0.58, 1.2),
+             (-0.6, 1.6))  # fmt: skip
+LEFT_HORN = ((-0.6, 1.6), (-0.42, 1.42), (-0.3, 1.22), (-0.22, 1.06))
+RIGHT_SIDE = ((0.0, 0.0), (0.4, 0.0), (0.7, 0.16), (0.75, 0.46), (0.57, 0.8), (0.55, 1.02),
+              (0.62, 1.34))  # fmt: skip
+RIGHT_HORN = ((0.62, 1.34), (0.42, 1.22), (0.3, 1.08), (0.22, 0.98))
+
+
+def _bent(*rows: tuple[Point, ...]) -> list[Point]:
+    return [point for row in rows for point in smooth_curve(list(row))]
+
+
+def electric_guitar(draw: Draw) -> Parts:
+    """Upright, its strings to the front: even horns and pegs on both sides, or uneven and a row."""
+    even, wide, thick = draw.chance(0.5), draw(0.97, 1.03), draw(0.15, 0.18)
+    top, head = draw(1.94, 2.02), draw(0.78, 0.84)
+    front, edge = -thick, 0.05
+    if even:
+        outline = mirrored(_bent(EVEN_SIDE, EVEN_HORN))
+        plate = mirrored([(0.1, 0.4), (0.36, 0.4), (0.4, 0.6), (0.36, 0.86), (0.42, 1.14),
+                          (0.1, 1.14)])  # fmt: skip
+        nut = mirrored([(0.13, top), (0.24, top + 0.14), (0.22, top + head), (0.08, top + head)])
+        pegs = both(join(*(ball((0.31, front, top + 0.18 + 0.25 * k), 0.105) for k in range(3))))
+        knobs = [(0.46, 0.54), (0.4, 0.26)]
+    else:
+        left, right = _bent(LEFT_SIDE, LEFT_HORN), _bent(RIGHT_SIDE, RIGHT_HORN)
+        outline = [*left, *reversed(right)]
+        plate = [(-0.3, 0.42), (0.24, 0.34), (0.36, 0.14), (0.6, 0.2), (0.6, 0.5), (0.44, 0.8),
+                 (0.46, 1.1), (-0.44, 1.28), (-0.42, 0.9)]  # fmt: skip
+        nut = [(0.13, top), (0.22, top + 0.12), (0.22, top + head - 0.06), (0.1, top + head + 0.04),
+               (-0.06, top + head), (-0.2, top + head - 0.2), (-0.13, top)]  # fmt: skip
+        pegs = join(*(ball((0.29, front, top + 0.16 + 0.25 * k), 0.105) for k in range(3)))
+        knobs = [(0.48, 0.54), (0.5, 0.28)]
+    controls = (
+        tube((x * wide, front - 0.18, z), (x * wide, front, z), 0.11, 0.02) for x, z in knobs
+    )
+    return {
+        "body": grown(prism([(x * wide, z) for x, z in outline], 1, thick - edge), edge),
+        "neck": join(
+            box((0, front - 0.04, (1.02 + top) / 2), (0.13, 0.13, (top - 1.02) / 2 + 0.04), 0.02),
+            prism(nut, 1, 0.12, front - 0.01),
+        ),
+        "pickguard": prism([(x * wide, z) for x, z in plate], 1, 0.1, front + 0.03),
+        "pickups": join(*(box((0, front - 0.09, z), (0.27, 0.1, 0.1), 0.02) for z in (0.87, 0.54))),
+        "bridge": box((0, front - 0.06, 0.22), (0.24, 0.11, 0.1), 0.02),
+        "knobs": join(pegs, *controls),
+    }
+
+
+def mushroom_house(draw: Draw) -> Parts:
+    """A stem with a round door and a round window or two, a chimney in the spotted cap."""
+    r, wall, cap, dome = draw(0.62, 0.67), draw(1.06, 1.14), draw(1.06, 1.14), draw(0.82, 0.9)
+    turns = (-58, 58) if draw.chance(0.5) else (58,)
+    arch = [(0.24 * math.cos(a), 0.56 + 0.24 * math.sin(a)) for a in (0, 0.4, 0.8, 1.2)]
+    shell = [(r - 0.1, wall - 0.04), (cap - 0.14, wall - 0.12), (cap, wall),
+             (cap * 0.93, wall + dome * 0.4), (cap * 0.66, wall + dome * 0.78),
+             (cap * 0.32, wall + dome * 0.96), (0, wall + dome)]  # fmt: skip
+
+    def spot(east: float, north: float, size: float) -> Solid:
+        a, b = math.radians(east - 90), math.radians(north)
+        out = cap * math.cos(b) * 0.92
+        return ball((out * math.cos(a), out * math.sin(a), wall + dome * math.sin(b) * 0.92), size)
+
+    spots = [(0, 38, 0.26), (64, 26, 0.23), (-64, 26, 0.23), (128, 38, 0.26), (-128, 38, 0.26),
+             (180, 16, 0.22)]  # fmt: skip
+    frame = tube((0, -r - 0.05, 0.66), (0, 0, 0.66), 0.28, 0.02)
+    pane = tube((0, -r - 0.12, 0.66), (0, 0, 0.66), 0.19, 0.02)
+    x, y, top = cap * 0.48, 0.1, wall + dome
+    return {
+        "stem": lathe(smooth_curve([(r + 0.14, 0), (r + 0.04, 0.2), (r - 0.02, wall * 0.6),
+                                    (r - 0.04, wall + 0.1)]), 0.02),
+        "cap": lathe(smooth_curve(shell)),
+        "dots": join(*(spot(*each) for each in spots)),
+        "door": join(prism(mirrored([(0.24, 0), *arch, (0, 0.8)]), 1, 0.13, -r - 0.02),
+                     *(turned(frame, 2, angle) for angle in turns)),
+        "windows": join(*(turned(pane, 2, angle) for angle in turns)),
+        "chimney": join(tube((x, y, wall + 0.3), (x, y, top + 0.1), 0.15),
+                        tube((x, y, top), (x, y, top + 0.2), 0.21, 0.03)),
+    }  # fmt: skip
+
+
+def caterpillar(draw: Draw) -> Parts:
+    """A row of balls, its head raised to the front, or its back in an arch."""
+    r, step, foot, head = draw(0.4, 0.43), draw(0.47, 0.5), 0.14, draw(0.44, 0.48)
+    heights = (0.42, 0.08, 0.0, 0.04, 0.16) if draw.chance(0.5) else (0.06, 0.34, 0.52, 0.34, 0.0)
+    spots = [(step * (k - 1.5), foot + r + rise) for k, rise in enumerate(heights)]
+    y, z = spots[0][0] - 0.42, spots[0][1] + 0.3
+    beads = [ball((0, v, w), r) for v, w in spots]
+    low = [(v, w) for v, w in spots if w < r + 0.25]
+    feet = [capsule((0.2, v, w - 0.2), (0.26, v, w - r), 0.14) for v, w in low]
+    feeler = [(0.16, y, z + head * 0.7), (0.24, y - 0.02, z + head + 0.22)]
+    return {
+        "body": join(*beads[1::2]),
+        "rings": join(*beads[::2]),
+        "head": ball((0, y, z), head),
+        "eyes": both(ball((0.19, y - head * 0.82, z + 0.12), 0.14)),
+        "antennae": both(join(limb(feeler, 0.1, 0.1), ball(feeler[-1], 0.16))),
+        "feet": both(join(*feet)),
+    }
+
+
+def map_pin(draw: Draw) -> Parts:
+    """A thick drop on its point: with a round hole, or with a disc on each side."""
+    r, z, half, edge = draw(0.78, 0.86), draw(1.5, 1.64), draw(0.24, 0.3), 0.06
+    small, inner = r - edge, r * draw(0.42, 0.48)
+    # The sides touch the circle at this angle below its middle.
+    first = -math.asin(small / (z - 0.1))
+    angles = (first + (math.pi / 2 - first) * k / 10 for k in range(11))
+    side = [(0.0, 0.1), *((small * math.cos(a), z + small * math.sin(a)) for a in angles)]
+    drop = grown(prism(mirrored(side), 1, half - edge), edge)
+    if draw.chance(0.5):
+        return {"body": cut(drop, tube((0, -1, z), (0, 1, z), inner))}
+    deep = half + 0.09
+    return {"body": drop, "disc": tube((0, -deep, z), (0, deep, z), inner + 0.06, 0.03)}
+
+
+def _dial(y: float, r: float, hand: float) -> tuple[Solid, Solid]:
+    """A face to the front, in the middle; and its two hands, at ten past ten, and four marks."""
+    mark, steep = box((0, y, r - 0.15), (0.08, 0.08, 0.1), 0.01), math.radians(60)
+    ends = [(s * math.sin(steep), y, math.cos(steep) * abs(s)) for s in (r * 0.6, -r * 0.42)]
+    pointers = (capsule((0, y, 0), end, hand) for end in ends)
+    marks = (turned(mark, 1, 90 * k) for k in range(4))
+    return tube((0, y, 0), (0, y + 0.2, 0), r), join(*marks, *pointers)
+
+
+def alarm_clock(draw: Draw) -> Parts:
+    """Round, on two legs, two bells on top: between them a hammer, or over them a handle."""
+    r, y, lean = draw(0.82, 0.9), draw(0.3, 0.36), 34
+    face, hands = _dial(-y - 0.02, r - 0.1, 0.09)
+    bell = join(
+        lathe([(0.34, 0), (0.32, 0.12), (0.2, 0.26), (0.05, 0.31)], 0.02),
+        tube((0, 0, -0.16), (0, 0, 0.1), 0.09),
+        ball((0, 0, 0.36), 0.1),
+    )
+    if draw.chance(0.5):
+        top = cut(ring((0, 0, r + 0.3), 0.4, 0.09, 1), box((0, 0, r - 0.1), (2, 2, 0.4)))
+    else:
+        top = join(
+            capsule((0, 0, r - 0.1), (0, 0, r + 0.3), 0.09),
+            capsule((-0.12, 0, r + 0.34), (0.12, 0, r + 0.34), 0.13),
+        )
+    foot = join(capsule((0, 0, r - 0.1), (0, 0, r + 0.24), 0.12), ball((0, 0, r + 0.24), 0.15))
+    return {
+        "body": tube((0, -y, 0), (0, y, 0), r, 0.05),
+        "face": face,
+        "hands": hands,
+        "bells": join(both(turned(moved(bell, (0, 0, r + 0.1)), 1, lean)), top),
+        "rim": ring((0, -y, 0), r - 0.05, 0.11, 1),
+        "feet": both(turned(foot, 1, 180 - lean)),
+    }
+
+
+def pocket_watch(draw: Draw) -> Parts:
+    """Upright, its dial to the front, a crown and a bow on top, which may hang on a chain."""
+    r, y, bow = draw(0.88, 0.94), draw(0.2, 0.24), draw(0.23, 0.26)
+    face, hands = _dial(-y - 0.04, r - 0.1, 0.095)
+    top = r + 0.3
+    parts = {
+        "case": join(
+            tube((0, -y, 0), (0, y, 0), r, 0.05), egg((0, y, 0), (r - 0.1, 0.16, r - 0.1))
+        ),
+        "face": face,
+        "hands": hands,
+        "rim": ring((0, -y, 0), r - 0.05, 0.12, 1),
+        "crown": join(
+            tube((0, 0, r - 0.1), (0, 0, r + 0.14), 0.13),
+            tube((0, 0, r + 0.1), (0, 0, top), 0.2, 0.04),
+            ring((0, 0, top + bow), bow, 0.1, 1),
+        ),
+    }
+    if draw.chance(0.5):
+        far = top + bow
+        links = (ring((0, 0, far), 0.22, 0.105, 1 + k % 2) for k in range(1, 5))
+        parts["chain"] = join(*(turned(link, 1, 14 * k) for k, link in enumerate(links, 1)))
+    return parts
+
+
+NOVEL = {
+    "electric guitar": electric_guitar,
+    "mushroom house": mushroom_house,
+    "caterpillar": caterpillar,
+    "map pin": map_pin,
+    "alarm clock": alarm_clock,
+    "pocket watch": pocket_watch,
+}
