@@ -668,4 +668,10 @@ ORDER = (
     "raft",
     "gas pump",
     "water tower",
+    "monster truck",
+    "nest",
+    "paper lantern",
+    "wall sconce",
+    "pendant lamp",
+    "gas mask",
 )
