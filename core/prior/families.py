@@ -21,6 +21,7 @@ from core.prior.things.chests import CHESTS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
+from core.prior.things.curios import CURIOS
 from core.prior.things.devices import DEVICES
 from core.prior.things.dwellings import DWELLINGS
 from core.prior.things.equipment import EQUIPMENT
@@ -182,6 +183,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | HAULAGE
     | SPEED
     | NOVEL
+    | CURIOS
 )
 
 

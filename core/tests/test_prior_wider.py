@@ -45,7 +45,7 @@ def test_a_wider_word_behind_the_thing_changes_nothing(prompt, thing):
         ("a fox mask", "mask"),
         ("a teapot lamp", "lamp"),
         ("a dragon lamp", "lamp"),
-        ("a dragon monster truck", "pickup truck"),  # a longer name begins with the wider word
+        ("a dragon monster truck", "monster truck"),  # a longer name begins with the wider word
         ("a knight, the man", "knight"),
     ],
 )

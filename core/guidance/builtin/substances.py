@@ -49,7 +49,7 @@ BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 OF_A_THING = {
     "eye": "fish whites",
     "bark": "acorn cap, sloth branch",
-    "bone": "egg shell, feather shaft, sloth claws, roast chicken bones",
+    "bone": "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones",
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",
     "chitin": "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell",
@@ -60,7 +60,9 @@ OF_A_THING = {
         "snow globe snow, snow globe flakes"
     ),
     "crust": "croissant folds, fried egg edge, roast chicken meat, roast chicken drumsticks",
-    "fabric": "glove band, jeep seats, baseball cap badge, hot air balloon balloon",
+    "fabric": (
+        "glove band, jeep seats, baseball cap badge, hot air balloon balloon, paper lantern tassels"
+    ),
     "feathers": (
         "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
     ),
@@ -207,7 +209,8 @@ OF_THE_REST = {
     "leather": "suitcase, handbag, boot",
     "paint": "bowling pin, slide, basketball hoop, carousel",
     "paper": (
-        "scroll, envelope, book, stack of books, paper cup, toilet paper, gift, cardboard box"
+        "scroll, envelope, book, stack of books, paper cup, toilet paper, gift, cardboard box, "
+        "paper lantern"
     ),
     "peel": (
         "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, "
@@ -222,7 +225,7 @@ OF_THE_REST = {
     "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
     "soil": "volcano, mountain, igloo, sandcastle",
     "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
-    "wicker": "basket, rope, hay bale, beehive, sack, scarecrow",
+    "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",
 }
 # What is left of the things of a group.
@@ -274,11 +277,11 @@ GLOW = {
     0.4: (
         "light bulb bulb, lantern glass, street lamp lamp, flashlight lens, lighthouse lantern, "
         "jukebox lights, mech visor, golem eyes, staff crystal, server rack lights, server rack "
-        "lamps"
+        "lamps, wall sconce bulb, pendant lamp bulb"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "
-        "shade, gas pump globe"
+        "shade, gas pump globe, wall sconce shade, paper lantern globe, paper lantern ribs"
     ),
 }
 

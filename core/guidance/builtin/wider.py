@@ -69,7 +69,7 @@ _OF_THINGS = {  # the things that may be called so
     "shelf": "bookshelf",
     "lamp light": (
         "lantern, floor lamp, desk lamp, chandelier, street lamp, candle, torch, lamp, light bulb, "
-        "traffic light, flashlight"
+        "traffic light, flashlight, paper lantern, wall sconce, pendant lamp"
     ),
     "cake": "cupcake, pancakes",
     "shoe": "sneaker, sandal, high heel, boot, roller skate",

@@ -9,6 +9,12 @@ from core.guidance.builtin.nouns.arms import ARMS
 from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.characters import CHARACTERS
 from core.guidance.builtin.nouns.clothes import CLOTHES
+from core.guidance.builtin.nouns.curios import (
+    CURIO_CLOTHES,
+    CURIO_LAMPS,
+    CURIO_PROPS,
+    CURIO_VEHICLES,
+)
 from core.guidance.builtin.nouns.devices import DEVICES
 from core.guidance.builtin.nouns.equipment import (
     EQUIPMENT_BUILDINGS,
@@ -75,10 +81,10 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": FURNITURE,
-    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | NOVEL_CLOCKS,
+    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | NOVEL_CLOCKS | CURIO_LAMPS,
     "Fixtures and Utensils": FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL,
-    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS,
+    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS | CURIO_PROPS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
     "Fruit and Vegetables": FRUIT,
@@ -86,11 +92,16 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS,
-    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE,
+    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES,
     "Aircraft and Space": AIRCRAFT,
     "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS | NOVEL_HOMES,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
-    "Clothes": CLOTHES | JEWELLERY | EVERYDAY_CLOTHES | NOVELTY_CLOTHES | EQUIPMENT_CLOTHES,
+    "Clothes": CLOTHES
+    | JEWELLERY
+    | EVERYDAY_CLOTHES
+    | NOVELTY_CLOTHES
+    | EQUIPMENT_CLOTHES
+    | CURIO_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
     "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,

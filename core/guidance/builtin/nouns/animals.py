@@ -231,7 +231,7 @@ ANIMALS = {
     "bird": Noun(
         "songbird, birdie; sparrow, crow, raven, pigeon, dove, seagull, robin, bluebird, "
         "blackbird, canary, finch, woodpecker, hummingbird, magpie, kingfisher, cardinal, blue "
-        "jay, cuckoo, swallow, starling, puffin, pelican, songbird nest, phoenix, nightingale, "
+        "jay, cuckoo, swallow, starling, puffin, pelican, phoenix, nightingale, "
         "albatross",
         {
             "body": "*4f83bd",

@@ -5,8 +5,7 @@ from core.guidance.builtin.nouns.vehicles import GLASS_LOOK, TYRES_LOOK
 
 HAULAGE = {
     "pickup truck": Noun(
-        "pickup, pick up truck, pick up, ute, pickup trucks; tow truck, monster truck, flatbed "
-        "truck, farm truck",
+        "pickup, pick up truck, pick up, ute, pickup trucks; tow truck, flatbed truck, farm truck",
         {
             "body": "*2f6f9e . paint",
             "windows": GLASS_LOOK,

@@ -267,8 +267,7 @@ HOUSEHOLD = {
         Usual(0.4, PLASTIC, 0.35),
     ),
     "chandelier": Noun(
-        "crystal chandelier; ceiling lamp, hanging lamp, ceiling light, pendant lamp, pendant "
-        "light",
+        "crystal chandelier",
         {
             "stem": "*d0a040 . golden",
             "arms": "*d0a040 . golden",

@@ -674,4 +674,10 @@ ORDER = (
     "map pin",
     "alarm clock",
     "pocket watch",
+    "monster truck",
+    "nest",
+    "paper lantern",
+    "wall sconce",
+    "pendant lamp",
+    "gas mask",
 )
