@@ -228,19 +228,21 @@ def dumbbell(draw: Draw) -> Parts:
 
 
 def rocket(draw: Draw) -> Parts:
-    radius, shoulder, tip = draw(0.36, 0.44), draw(1.3, 1.5), draw(2.2, 2.5)
-    hull = [(radius * 0.75, 0.2), (radius, 0.6), (radius, shoulder)]
+    """A round window in front, four swept fins."""
+    radius, shoulder, tip = draw(0.42, 0.48), draw(1.3, 1.45), draw(2.15, 2.4)
+    hull = [(radius * 0.72, 0.24), (radius * 0.95, 0.6), (radius, 0.95), (radius, shoulder)]
     split = shoulder + 0.12
-    nose = [(radius, shoulder), (radius * 0.75, shoulder + (tip - shoulder) * 0.5), (0.03, tip)]
-    reach, high = radius + draw(0.38, 0.5), draw(0.7, 0.85)
-    fin = [(0, 0.2), (reach, 0.0), (reach, 0.32), (0, high)]
-    mirrored = [(-a, b) for a, b in reversed(fin)]
-    fins = (prism(f, axis, 0.08) for axis in (0, 1) for f in (fin, mirrored))
+    nose = [(radius, shoulder), (radius * 0.75, shoulder + (tip - shoulder) * 0.5), (0.05, tip)]
+    reach, high, z = radius + draw(0.36, 0.46), draw(0.78, 0.88), shoulder - draw(0.3, 0.36)
+    fin = [(0, 0.26), (radius, 0.26), (reach, 0), (reach, 0.42), (radius - 0.05, high), (0, high)]
+    fins = (prism(f, axis, 0.1) for axis in (0, 1) for f in (fin, [(-a, b) for a, b in fin[::-1]]))
     return {
         "hull": lathe(smooth_curve(hull, 4)),
         "nose": cut(lathe(smooth_curve(nose, 5)), box((0, 0, split - 1), (1, 1, 1))),
         "fins": join(*fins),
-        "nozzle": tube((0, 0, 0.05), (0, 0, 0.3), radius * 0.6),
+        "nozzle": lathe([(radius * 0.72, 0), (radius * 0.5, 0.3)]),
+        "window": tube((0, -radius - 0.08, z), (0, 0, z), 0.2, 0.03),
+        "rim": tube((0, -radius - 0.01, z), (0, 0, z), 0.3),
     }
 
 

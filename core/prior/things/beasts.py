@@ -21,6 +21,7 @@ from core.prior.solids import (
     smooth_curve,
     taper,
     tube,
+    turned,
     within,
 )
 from core.prior.things.animals import Beast, fitted
@@ -114,28 +115,30 @@ def corgi(draw: Draw) -> Parts:
 
 
 def dragon(draw: Draw) -> Parts:
-    """Bat's wings, horns, a long neck and tail."""
-    b = Beast(draw, 0.38, 0.62, 0.4, 0.27, (0.1, 0.8))
-    y, z, long = b.y, b.z, b.long
-    up, span = b.belly + 0.2, draw(1.3, 1.6)
+    """Bat's wings, horns, spikes along its back, a tail with a tip."""
+    b = Beast(draw, 0.44, 0.66, 0.42, 0.34, (0.1, 0.86))
+    y, z, h, long = b.y, b.z, b.head, b.long
+    back, span = b.belly + b.wide * 0.8, draw(1.45, 1.6)
+    end, tip = (0, long + 0.4, 0.26), draw(0.36, 0.5)
     tail = join(
-        taper((0, long * 0.6, b.belly), (0, long + 0.45, 0.25), 0.28, 0.17),
-        taper((0, long + 0.45, 0.25), (0, long + 0.85, draw(0.3, 0.6)), 0.17, 0.1),
+        taper((0, long * 0.6, b.belly), end, 0.32, 0.18),
+        taper(end, (0, long + 0.76, tip), 0.18, 0.13),
     )
-    wing = prism(
-        [(0.1, up - 0.1), (0.5, up + 0.8), (span, up + draw(0.75, 1.1)), (span * 0.92, up + 0.1),
-         (span * 0.72, up + 0.3), (span * 0.55, up - 0.1), (0.45, up + 0.12)],
-        1, 0.075, 0.05,
-    )  # fmt: skip
-    spikes = [ball((0, long * t, b.belly + b.wide * 0.9), 0.13) for t in (-0.25, 0.1, 0.45)]
-    horn = taper((0.13, y, z + 0.18), (0.24, y + 0.4, z + draw(0.45, 0.6)), 0.11, 0.05)
-    throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.2), 0.22, 0.13)
+    wing = [(0, 0), (0.4, 0.95), (span * 0.68, 0.98), (span, 0.36), (span * 0.76, 0.4),
+            (span * 0.66, -0.06), (span * 0.46, 0.14), (0.42, -0.34), (0.1, -0.24)]  # fmt: skip
+    spikes = [
+        prism([(t - 0.2, back - 0.1), (t + 0.24, back - 0.1), (t + 0.14, back + 0.28)], 0, 0.13)
+        for t in (-long * 0.28, long * 0.18, long * 0.64)
+    ]
+    point = [(long + 0.9, tip - 0.24), (long + 1.1, tip + 0.34), (long + 0.54, tip + 0.26)]
+    horn = taper((h * 0.42, y, z + h * 0.6), (h * 0.85, y + 0.32, z + h + 0.22), 0.15, 0.1)
+    throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.24), 0.28, 0.17)
     return {
-        "body": join(b.trunk(0.2), tail, b.muzzle(0.3, 0.17)),
-        "belly": join(egg((0, -0.12, b.belly - 0.08), (b.wide * 0.8, long * 0.95, 0.36)), throat),
-        "wings": both(wing),
-        "horns": join(both(horn), *spikes),
-        "eyes": both(ball((0.16, y - 0.2, z + 0.12), 0.085)),
+        "body": join(b.trunk(0.24), tail, b.muzzle(0.3, 0.22)),
+        "belly": join(egg((0, -0.12, b.belly - 0.08), (b.wide * 0.8, long * 0.95, 0.42)), throat),
+        "wings": both(moved(turned(prism(wing, 1, 0.13), 2, draw(24, 32)), (0.16, -0.1, back))),
+        "horns": join(both(horn), *spikes, prism(point, 0, 0.13)),
+        "eyes": both(ball((h * 0.55, y - h * 0.72, z + h * 0.36), 0.14)),
     }
 
 

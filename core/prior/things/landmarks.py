@@ -74,44 +74,38 @@ def windmill(draw: Draw) -> Parts:
     }
 
 
-def _battlements(x: float, y: float, z: float, count: int) -> Solid:
-    """Merlons along the four sides of a rectangle of half sizes x, y."""
-    steps = [2 * (k + 0.5) / count - 1 for k in range(count)]
-    size = 0.5 / count
-    long = [box((x * s, y, z), (x * size, 0.1, 0.12)) for s in steps]
-    deep = [box((x, y * s, z), (0.1, y * size, 0.12)) for s in steps]
-    return both(join(*long, *deep), 0, 1)
+def _merlons(x: float, y: float, z: float, *places: tuple[float, float]) -> Solid:
+    """Blocks of half sizes x, y on a wall that ends at z, mirrored to all four sides."""
+    return both(join(*(box((a, b, z + 0.08), (x, y, 0.2)) for a, b in places)), 0, 1)
 
 
 def castle(draw: Draw) -> Parts:
     """Walls between four round towers, a gate in front, a keep within."""
-    half, wall, r, high = draw(0.9, 1.0), draw(0.62, 0.75), draw(0.26, 0.31), draw(1.15, 1.3)
-    keep, top, gate = draw(0.38, 0.46), draw(1.5, 1.75), draw(0.3, 0.36)
-    spire, front = draw(0.55, 0.7), -half - 0.12
+    half, wall, r, high = draw(0.95, 1.02), draw(0.66, 0.76), draw(0.3, 0.34), draw(1.15, 1.28)
+    keep, top, gate = draw(0.42, 0.48), draw(1.6, 1.78), draw(0.38, 0.42)
+    spire, front, arch = draw(0.62, 0.76), -half - 0.3, draw(0.21, 0.25)
     tower = tube((half, half, 0), (half, half, high), r)
-    crown = tube((half, half, high - 0.14), (half, half, high + 0.06), r + 0.07)
-    gatehouse = box((0, -half, wall * 0.6), (gate + 0.16, 0.24, wall * 0.6))
-    slit = box((half, half + r - 0.03, high * 0.66), (0.08, 0.08, 0.14), 0.02)
+    crown = tube((half, half, high - 0.2), (half, half, high + 0.04), r + 0.08)
+    over, corner = wall + 0.26, keep - 0.13
     opening = join(
-        box((0, front, gate * 0.5), (gate * 0.62, 0.2, gate * 0.5)),
-        tube((0, front - 0.2, gate), (0, front + 0.2, gate), gate * 0.62),
+        box((0, front, 0.18), (arch, 0.06, 0.18)),
+        tube((0, front - 0.06, 0.36), (0, front + 0.06, 0.36), arch),
     )
-    roofs = lathe([(r + 0.14, high), (0.02, high + spire)], 0.04, (half, half))
+    pane = box((half, half + r - 0.06, high * 0.6), (0.12, 0.1, 0.17))
     return {
         "walls": join(
             box((0, 0, wall / 2), (half, half, wall / 2)),
-            _battlements(half, half, wall + 0.08, 5),
+            _merlons(0.12, 0.16, wall, (0.25, half - 0.16)),
+            _merlons(0.16, 0.12, wall, (half - 0.16, 0.25)),
             box((0, 0, top / 2), (keep, keep, top / 2)),
-            _battlements(keep - 0.06, keep - 0.06, top + 0.08, 3),
+            _merlons(0.13, 0.13, top, (corner, corner)),
             both(join(tower, crown), 0, 1),
-            gatehouse,
-            moved(_battlements(gate + 0.08, 0.16, wall * 1.2 + 0.08, 2), (0, -half, 0)),
+            box((0, (front - keep) / 2, over / 2), (gate, (-front - keep) / 2, over / 2)),
+            both(box((gate - 0.12, front + 0.17, over + 0.08), (0.12, 0.17, 0.2))),
         ),
-        "roof": both(roofs, 0, 1),
+        "roof": both(lathe([(r + 0.18, high), (0.04, high + spire)], 0.03, (half, half)), 0, 1),
         "door": opening,
-        "windows": join(
-            both(slit, 0, 1), both(box((0.0, keep, top - 0.32), (0.1, 0.05, 0.16), 0.02), 1)
-        ),
+        "windows": join(both(pane, 0, 1), both(box((0, keep, top - 0.3), (0.13, 0.05, 0.18)), 1)),
     }
 
 

@@ -213,33 +213,29 @@ def greenhouse(draw: Draw) -> Parts:
 
 def treehouse(draw: Draw) -> Parts:
     """A hut with a gabled roof on a platform in a tree, a ladder up to it."""
-    floor, x, y = draw(0.95, 1.1), draw(0.44, 0.5), draw(0.4, 0.46)
-    wall, gable, r = draw(0.5, 0.58), draw(0.36, 0.44), draw(0.5, 0.58)
-    top, front = floor + wall, -y - 0.32
-    roof = [(-x - 0.16, top - 0.08), (x + 0.16, top - 0.08), (0, top + gable)]
-    rungs = [box((0, front + 0.02, floor * k), (0.2, 0.07, 0.05)) for k in (0.15, 0.42, 0.69)]
-    back = 0.36
+    floor, x, y, wall = draw(1.0, 1.1), draw(0.58, 0.64), draw(0.42, 0.48), draw(0.62, 0.68)
+    gable, r, top, front = draw(0.46, 0.54), draw(0.54, 0.6), floor + wall, -y - 0.34
+    roof = [(-x - 0.2, top - 0.04), (x + 0.2, top - 0.04), (0, top + gable)]
+    rungs = (box((0, front, floor * k), (0.28, 0.07, 0.08)) for k in (0.22, 0.5, 0.78))
+    sill = floor + wall * 0.55
     return {
         "trunk": join(
-            lathe([(0.4, 0), (0.27, 0.34), (0.23, floor + 0.05)], 0, (0, 0.06)),
-            taper((0, back, floor), (0, back + 0.06, top + 0.4), 0.2, 0.14),
-            both(taper((0.1, back, floor), (0.62, back, top), 0.14, 0.11)),
+            lathe([(0.42, 0), (0.3, 0.3), (0.27, floor + 0.05)], 0, (0, 0.12)),
+            taper((0, y + 0.16, floor), (0, y + 0.16, top + 0.3), 0.2, 0.18),
         ),
         "leaves": join(
-            ball((0, back + 0.14, top + 0.66), r * 1.08),
-            both(ball((0.68, back, top + 0.26), r * 0.88)),
-            both(ball((0.34, back + 0.36, top + 0.24), r * 0.8)),
+            ball((0, y + 0.24, top + 0.72), r * 1.1), both(ball((0.62, y + 0.26, top + 0.28), r))
         ),
-        "walls": box((0, -0.05, floor + wall / 2), (x, y, wall / 2)),
-        "roof": moved(prism(roof, 1, y + 0.14), (0, -0.05, 0)),
+        "walls": box((0, 0, floor + wall / 2), (x, y, wall / 2)),
+        "roof": prism(roof, 1, y + 0.12),
         "floor": join(
-            box((0, 0, floor), (x + 0.28, y + 0.32, 0.08)),
-            both(box((0.2, front + 0.02, floor / 2), (0.06, 0.07, floor / 2))),
+            box((0, 0, floor), (x + 0.28, y + 0.34, 0.1)),
+            both(box((0.32, front, floor / 2 + 0.05), (0.1, 0.1, floor / 2 + 0.05))),
             *rungs,
         ),
-        "door": join(
-            box((0, -y - 0.05, floor + 0.25), (0.14, 0.06, 0.2)),
-            both(box((x, -0.05, floor + wall * 0.56), (0.05, 0.14, 0.12))),
+        "door": box((-0.25, -y, floor + 0.26), (0.17, 0.08, 0.22)),
+        "windows": join(
+            box((0.28, -y, sill), (0.17, 0.08, 0.14)), both(box((x, 0, sill), (0.08, 0.2, 0.14)))
         ),
     }
 

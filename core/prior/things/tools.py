@@ -4,12 +4,12 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     ball,
-    blend,
     both,
     box,
     capsule,
     cut,
     join,
+    mirrored,
     moved,
     prism,
     smooth_curve,
@@ -77,21 +77,24 @@ def anvil(draw: Draw) -> Parts:
 
 
 def guitar(draw: Draw) -> Parts:
-    """Upright, its strings to the front."""
-    low, high, thick = draw(0.6, 0.68), draw(0.44, 0.5), draw(0.14, 0.18)
-    z, top = low + draw(0.72, 0.8), draw(2.5, 2.7)
-    front = -thick
-    body = blend(
-        0.2, *(tube((0, -thick, c), (0, thick, c), r, 0.03) for c, r in ((low, low), (z, high)))
-    )
+    """Upright, its strings to the front; two pegs on either side of its head."""
+    low, half, neck = draw(0.66, 0.72), draw(0.18, 0.21), draw(0.74, 0.84)
+    waist, up, high = low * draw(0.6, 0.66), low * draw(0.74, 0.8), draw(1.32, 1.42)
+    right = [(0, 0), (low * 0.62, 0.04), (low, 0.4), (waist, 0.86), (up, 1.12), (up * 0.5, high)]
+    side = smooth_curve([*right, (0, high + 0.02)], 6)
+    top, front, z = high + neck, -half, high * 0.64
+    head = [(-0.18, top), (0.18, top), (0.25, top + 0.64), (-0.25, top + 0.64)]
+    pegs = (tube((-0.4, 0, k), (0.4, 0, k), 0.1, 0.03) for k in (top + 0.17, top + 0.49))
     return {
-        "body": body,
+        "body": prism(mirrored(side), 1, half),
         "neck": join(
-            box((0, front, (z + top) / 2), (0.12, 0.1, (top - z) / 2)),
-            box((0, front, top), (0.18, 0.09, 0.2), 0.04),
+            box((0, front, (z + 0.2 + top) / 2), (0.13, 0.11, (top - z) / 2)),
+            prism(head, 1, 0.11, front),
+            tube((0, front - 0.06, z), (0, 0, z), 0.31),
         ),
-        "hole": tube((0, front - 0.07, z - 0.28), (0, front, z - 0.28), draw(0.2, 0.23)),
-        "bridge": box((0, front, low * 0.68), (0.27, 0.09, 0.09), 0.02),
+        "hole": tube((0, front - 0.1, z), (0, 0, z), draw(0.2, 0.22)),
+        "bridge": box((0, front, 0.36), (0.3, 0.11, 0.1)),
+        "pegs": moved(join(*pegs), (0, front, 0)),
     }
 
 

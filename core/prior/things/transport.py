@@ -49,26 +49,34 @@ def rods(radius: float, *ends: tuple[Vector, Vector]) -> Solid:
 
 
 def bicycle(draw: Draw) -> Parts:
-    """Two wheels, a frame of tubes, a saddle, a handlebar."""
-    y, r, tire, rod = draw(0.74, 0.84), draw(0.44, 0.5), draw(0.1, 0.12), draw(0.085, 0.1)
-    seat, bar, z = draw(1.2, 1.36), draw(1.3, 1.5), r + tire
-    rear, front, low = (0, y, z), (0, -y, z), (0, 0.1, z - 0.04)
-    post, head = (0, 0.32, seat - 0.1), (0, -y + 0.2, seat - 0.12)
-    top = (0, -y + 0.1, bar)
-    frame = [(rear, low), (low, post), (low, head), (post, head), (rear, post), (head, front)]
-    spokes = join(*(box((0, 0, 0), (0.06, r, 0.05)), box((0, 0, 0), (0.06, 0.05, r))))
-    wheel = join(ring((0, 0, 0), r, tire, 0), turned(spokes, 0, 45))
+    """Two wheels, a diamond of tubes, a saddle, a handlebar."""
+    y, r, tire, rod = draw(0.88, 0.94), draw(0.46, 0.5), draw(0.09, 0.1), draw(0.08, 0.09)
+    saddle = [(-0.09, 0), (0.09, 0), (0.2, 0.34), (0.18, 0.62), (-0.18, 0.62), (-0.2, 0.34)]
+    z, seat, bar = r + tire, draw(1.32, 1.42), draw(1.5, 1.62)
+    low, post, head = (0, 0.12, z - 0.06), (0, 0.32, seat - 0.16), (0, -y + 0.26, seat - 0.14)
+    top, out = (0, -y + 0.2, bar), tire + rod - 0.01
+    stays = [((out, y, z), (out, *low[1:])), ((out, y, z), (out, *post[1:]))]
+    fork = ((out, -y, z), (out, head[1] - 0.02, head[2]))
+    hub = tube((-out - 0.05, 0, 0), (out + 0.05, 0, 0), 0.15)
+    spokes = join(*(box((0, 0, 0), half) for half in ((0.07, 0.06, r), (0.07, r, 0.06))))
+    wheel = join(ring((0, 0, 0), r, tire, 0), turned(spokes, 0, 45), hub)
     return {
-        "frame": rods(rod, *frame),
-        "wheels": join(moved(wheel, rear), moved(wheel, front)),
-        "seat": egg((0, 0.34, seat), (0.19, 0.3, 0.13)),
+        "frame": join(
+            rods(rod, (low, post), (low, head), (post, head)), both(rods(rod, *stays, fork))
+        ),
+        "wheels": join(moved(wheel, (0, y, z)), moved(wheel, (0, -y, z))),
+        "seat": moved(prism(saddle, 2, 0.09), (0, 0.02, seat)),
         "handlebar": join(
-            rods(rod, (head, top)), both(capsule(top, (0.42, -y + draw(0.1, 0.3), bar), rod))
+            capsule(head, top, rod),
+            tube((-0.56, *top[1:]), (0.56, *top[1:]), rod),
+            both(tube((0.32, *top[1:]), (0.58, *top[1:]), rod + 0.03)),
         ),
         "pedals": join(
-            tube((-0.14, 0.1, z - 0.04), (0.14, 0.1, z - 0.04), 0.19, 0.02),
-            box((0.24, 0.1, z - 0.2), (0.14, 0.13, 0.07)),
-            box((-0.24, 0.1, z + 0.12), (0.14, 0.13, 0.07)),
+            tube((-0.14, *low[1:]), (0.14, *low[1:]), 0.24),
+            box((0.28, low[1], low[2] - 0.33), (0.15, 0.13, 0.08)),
+            box((-0.28, low[1], low[2] + 0.33), (0.15, 0.13, 0.08)),
+            box((0.16, low[1], low[2] - 0.2), (0.08, 0.08, 0.21)),
+            box((-0.16, low[1], low[2] + 0.2), (0.08, 0.08, 0.21)),
         ),
     }
 

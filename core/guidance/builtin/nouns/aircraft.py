@@ -17,7 +17,14 @@ AIRCRAFT = {
     ),
     "rocket": Noun(
         "rocket ship, space rocket; missile, firework, rocketship, torpedo",
-        {"hull": "*e6e6e8", "nose": "+cc1a14", "fins": "+cc1a14", "nozzle": "-4d4d52 . metal"},
+        {
+            "hull": "*e6e6e8",
+            "nose": "+cc1a14",
+            "fins": "+cc1a14",
+            "nozzle": "-4d4d52 . metal",
+            "window": "-6fb4e6 . glass",
+            "rim": "-8f959c . metal",
+        },
         Usual(20.0, STEEL, 0.0029),
     ),
     "helicopter": Noun(

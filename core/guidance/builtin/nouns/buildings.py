@@ -270,6 +270,7 @@ BUILDINGS = {
             "roof": "+a8432c",
             "floor": "&8f5f34 grain",
             "door": "-4a2f1c",
+            "windows": "-8cbfe6 . glass",
         },
         Usual(6.0, WOOD, 0.3),
     ),

@@ -5,7 +5,13 @@ from core.guidance.builtin.nouns.noun import COPPER, WOOD, Noun, Usual
 INSTRUMENTS = {
     "guitar": Noun(
         "",
-        {"body": "*c4772e . paint", "neck": "+5c3519", "hole": "-1d1410", "bridge": "-3c2416"},
+        {
+            "body": "*c4772e . paint",
+            "neck": "+5c3519",
+            "hole": "-1d1410",
+            "bridge": "-3c2416",
+            "pegs": "-e8dcc0",
+        },
         Usual(1.0, WOOD, 0.11),
     ),
     "drum": Noun(
