@@ -49,7 +49,7 @@ MODELS = {
     "chair": "antiqueChair, chair, chair2, chairWithCushion, designChair, oakChair, osakaChair, "
     "plasticChair, sillaBlanca, thonet",
     "cupcake": "cupcake",
-    "guitar": "electricGuitar",
+    "electric guitar": "electricGuitar",
     "lamp": "desklamp",
     "mug": "caffe_final",
     "sofa": "couch, sofa2, winchesterSofa",
