@@ -45,6 +45,7 @@ from core.geometry.union import is_solid, profile, union
 
 ALIKE = 1.25  # times the area of the least of pieces that may be the same
 WORDY = 0.001  # errors in the mean, for each number of an outline
+STANDS_OUT = 2.5  # errors
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
@@ -196,7 +197,10 @@ def matched(distances: Distances, pieces: list[Piece]) -> list[Primitive | None]
 
 
 def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 1.0) -> bool:
-    """Whether the whole surface of a primitive is about where the piece is drawn."""
+    """Whether the whole surface of a primitive is about where the piece is drawn, and nothing of
+    the piece stands far out of it: a fountain's jet is few points of its water."""
+    if float(one.distance(piece.verts).abs().max()) > STANDS_OUT * slack * piece.error:
+        return False
     generator = torch.Generator().manual_seed(0)
     points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
     off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)

@@ -410,3 +410,19 @@ def test_near_is_the_distance_from_the_exact_surfaces(wavy_parts, wavy_mesh):
     assert near.amin(1).abs().max() < 4e-3  # the union's vertices are on one of them
     inside = wavy_parts.near(torch.tensor([[0.0, 0.0, 0.2], [0.2, 0.1, 0.33]]))
     assert inside[0, BOARD] < -0.04 and inside[1, BALL] < -0.03
+
+
+@pytest.mark.parametrize(("high", "stays"), [(0.05, True), (0.3, False)])
+def test_a_primitive_is_not_what_has_a_spike(high, stays):
+    """A fountain's jet is few points of its water, and no layer has it."""
+
+    def distances(points):
+        board = box(points, (0.0, 0.0, 0.0), (0.8, 0.8, 0.15))
+        spike = box(points, (0.3, 0.2, 0.15), (0.05, 0.05, high))
+        return torch.stack([torch.minimum(board, spike), torch.ones(len(points))], 1)
+
+    (place,) = places_of(distances, 1)
+    piece = drawn_at(distances, place)
+    assert piece is not None
+    board = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.8, 0.8, 0.15, 0.0]))
+    assert assembly.is_drawn(distances, board, piece) == stays
