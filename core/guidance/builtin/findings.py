@@ -9,7 +9,7 @@ from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
-from core.guidance.builtin.words import COUNTS, LOOKS, OPTIONS
+from core.guidance.builtin.words import COUNTS, LOOKS, OPTIONS, WHOLE
 
 FOUND = (*SLOTS, "weather", "sheen")
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
@@ -127,7 +127,7 @@ class Findings:
             self.leave_aside([one[1] or one[0]], "two colours are taken")
         if self.figure:
             drawn = (self.figure.word, shade(*self.figure[1:]))
-            rest = [one for one in colors if one != drawn]
+            rest = [one for one in colors if one != drawn] or self._ground()
             colors = [*(rest[:1] or [("", "")]), drawn, *rest[1:]]
         # In the order of the prompt: the first is the thing's, the next the pattern's.
         (color, form), (second, other) = (*colors, ("", ""), ("", ""))[:2]
@@ -145,6 +145,15 @@ class Findings:
         told = tuple(accent for accent in accents if any(accent[1:]))
         found = {"color": color, "second": second, "pattern": pattern, "target": target}
         return found | {"color_form": form, "second_form": other, "accents": told}
+
+    def _ground(self) -> list[tuple[str, str]]:
+        """The colour of the whole that stripes lie on, taken from what is said of it as of a part:
+        "red paint, white stripes"."""
+        for at, part in enumerate(self.parts):
+            if part.form in WHOLE and part.color and not part.pattern:
+                self.parts[at] = part._replace(color="", color_form="")
+                return [(part.color, part.color_form)]
+        return []
 
     def options(self, noun: str) -> list[str]:
         """What may be stated of the noun's parts."""

@@ -53,7 +53,7 @@ KITCHEN_WARE = {
         Usual(0.15, CERAMIC, 0.4),
     ),
     "cooking pot": Noun(
-        "saucepot, pot for cooking, stockpot, stock pot, soup pot, casserole, casserole dish; "
+        "saucepot, stockpot, stock pot, soup pot, casserole, casserole dish; "
         "stew pot, pressure cooker, dutch oven, crock pot, saucepan with lid",
         {
             "body": "*c43a2c . paint",
