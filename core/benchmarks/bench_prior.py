@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import torch
+from jaxtyping import Float
 from torch import Tensor
 
 from core.benchmarks import machine, row, table_line
@@ -26,11 +27,13 @@ from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.prompt_errors import known_things
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
+from core.io.maps import Maps
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.ops import lab, srgb_to_linear
 from core.prior.retrieval import kept_clouds, mesh_cloud, ranking
 from core.stages.start_color import surface_colors
+from core.texture.detail.detail import THIN
 
 FOLDER = Path("out/bench_prior")
 # Holes that make a thing what it is, and what must not have any: what stands on legs that are
@@ -139,7 +142,7 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
     }
     mesh = asset.mesh
     shape |= likeness(Surface.of_mesh(mesh.verts, mesh.faces), noun)
-    _, kd = surface_colors(mesh, asset.maps.base_color, POINTS, generator)
+    _, kd = surface_colors(mesh, one_wall(asset.maps), POINTS, generator)
     _, orm = surface_colors(mesh, asset.maps.orm, POINTS, generator)
     finish = FINISHES[facts["material"]]
     roughness, metallic = orm[:, 1].median().item(), orm[:, 2].median().item()
@@ -152,6 +155,13 @@ def score(run: Path, facts: dict[str, Any], references: dict) -> dict[str, Any]:
         "metallic": round(metallic, 3),
         "material_right": right,
     }
+
+
+def one_wall(maps: Maps) -> Float[Tensor, "s s 3"]:
+    """The base colour, which of what is clear is a lighter one, as light goes through two walls."""
+    if maps.transmission is None:
+        return maps.base_color
+    return maps.base_color ** (1 / (1 - THIN * maps.transmission))
 
 
 def main_delta_e(kd: Tensor, noun: str, color: str) -> float:

@@ -3,12 +3,21 @@
 import pytest
 import torch
 
-from core.benchmarks.bench_prior import ADDED, GENUS, line, main_delta_e, summary, words_for
+from core.benchmarks.bench_prior import (
+    ADDED,
+    GENUS,
+    line,
+    main_delta_e,
+    one_wall,
+    summary,
+    words_for,
+)
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import COLOR_VALUES
 from core.guidance.builtin.vocabulary import parse
+from core.io.maps import Maps
 from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
@@ -21,6 +30,7 @@ from core.prior.retrieval import (
     reference_clouds,
     turns,
 )
+from core.texture.detail.detail import THIN
 
 
 def _generator(seed: int = 0) -> torch.Generator:
@@ -129,3 +139,12 @@ def test_a_failed_run_counts_as_wrong_in_every_rate():
     assert set(rates.values()) == {0.5}
     assert "FAILED: The surface" in line(bad)
     assert "rank  1 " in line(good)
+
+
+def test_the_colour_of_what_is_clear_is_that_of_one_wall():
+    green = torch.tensor([0.05, 0.4, 0.1]).expand(2, 2, 3)
+    clear = torch.tensor([[0.0, 0.95], [0.95, 0.0]])[..., None]
+    maps = Maps(green ** (1 - THIN * clear), green, green, None, clear)
+    assert maps.base_color[0, 1, 0] > 0.2
+    torch.testing.assert_close(one_wall(maps), green)
+    assert one_wall(maps._replace(transmission=None)) is maps.base_color

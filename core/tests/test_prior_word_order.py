@@ -218,3 +218,18 @@ def test_bands_of_two_colours_are_stripes_where_a_thing_has_no_bands():
     assert (told["pattern"], told["colours"]) == ("striped", ["red", "white"])
     assert "materials" not in told or not told["materials"]
     assert read("a chest with red and blue bands")["part_colours"] == {"bands": "blue"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("car sports like that but purple", "sports car"),
+        ("a chair office black", "office chair"),
+        ("a table coffee of oak", "coffee table"),
+        ("a lamp, desk with it", "lamp"),
+        ("a cat robot", "robot"),
+        ("a lamp post", "street lamp"),
+    ],
+)
+def test_what_qualifies_a_thing_may_come_last(prompt, thing):
+    assert read(prompt)["thing"] == thing

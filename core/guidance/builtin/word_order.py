@@ -44,6 +44,7 @@ def set_in_order(tokens: Tokens) -> None:
     """Change the words' order where it is another than that of "with black wheels"."""
     _join_names_of(tokens)
     _join_names_for(tokens)
+    _set_qualifiers_first(tokens)
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
     for at in reversed(range(1, len(tokens.words))):
@@ -81,6 +82,21 @@ def _join_names_for(tokens: Tokens) -> None:
         names = [f"{form} {head}" for form in (purpose, purpose.removesuffix("s"))]
         if tokens.breaks.isdisjoint(range(at, end)) and any(map(tokens.thing, names)):
             tokens.put(at - 1, end, next(filter(tokens.thing, names)).split())
+
+
+def _set_qualifiers_first(tokens: Tokens) -> None:
+    """ "A car sports", "a guitar electric red": of some languages what qualifies comes last."""
+    for at in range(len(tokens.words) - 1):
+        name, word = tokens.words[at : at + 2]
+        own = tokens.thing(name) and not tokens.thing(f"{name} {word}")
+        entry = look_up(word, tokens.known)
+        apart = (
+            at + 1 in tokens.breaks
+            or word in FILLER
+            or (entry and entry.slot not in ("noun", "part"))
+        )
+        if own and not apart and tokens.thing(f"{word} {name}"):
+            tokens.put(at, at + 2, [word, name])
 
 
 def _set_pattern_last(tokens: Tokens, at: int) -> None:

@@ -292,6 +292,7 @@ FILLER = PLACES | frozenset(
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
 # Slips that are words of their own, or too short to tell.
+SHORT |= {"amor": "armor", "comin": "coming", "acustic": "acoustic"}
 SHORT |= {"whit": "with", "wiht": "with", "wih": "with", "wth": "with", "witht": "with"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
@@ -368,6 +369,7 @@ IGNORED_ADJECTIVES = frozenset(
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
     african european asian""".split()
 ) | {
+    *("stove top", "table top", "wall mounted", "free standing", "floor standing"),
     *("old fashioned", "never used", "barely used", "life cycle", "low key"),
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
