@@ -213,6 +213,16 @@ def test_what_a_thing_is_for_is_a_part_of_its_name():
     assert read("a lamp, for desk lovers")["thing"] == "lamp"
 
 
+def test_looks_behind_what_a_thing_is_for_are_the_things():
+    assert read("helmet for motorbike black and neon green pls")["colours"] == [
+        "black",
+        "neon green",
+    ]
+    assert read("a helmet for a biker in black")["colours"] == ["black"]
+    assert read("a chest for gold coins")["materials"] == []
+    assert read("a helmet for me, black")["colours"] == ["black"]
+
+
 def test_bands_of_two_colours_are_stripes_where_a_thing_has_no_bands():
     told = read("lighthouse with red and white bands on a small rock")
     assert (told["pattern"], told["colours"]) == ("striped", ["red", "white"])

@@ -403,6 +403,8 @@ def test_what_is_left_out_is_said_for_its_own_reason():
         ("a car, cherry red paint, white stripes", {"colours": ["cherry red", "white"]}),
         ("a car with white stripes and a red body", {"colours": ["red", "white"]}),
         ("a car with white stripes and red windows", {"colours": ["white"]}),
+        ("a door, oak planks", {"part_materials": {"door": "oak", "panels": "oak"}}),
+        ("a crate with blue planks", {"part_colours": {"planks": "blue"}}),
         ("a desk lamp with a red dome", {"part_colours": {"shade": "red"}}),
         ("a paper coffee cup with a brown sleeve", {"thing": "paper cup"}),
         ("a kitchen island with a white countertop", {"part_colours": {"top": "white"}}),

@@ -72,16 +72,23 @@ def _join_names_of(tokens: Tokens) -> None:
 
 
 def _join_names_for(tokens: Tokens) -> None:
-    """ "A lamp for the desk" is a desk lamp, "a house for birds" a bird house."""
+    """ "A lamp for the desk" is a desk lamp, "a house for birds" a bird house; "a helmet for a
+    biker in black" is a black helmet."""
     for at in reversed(range(1, len(tokens.words) - 1)):
-        own = tokens.words[at + 1] in OWN
-        end = at + 2 + own
-        if tokens.words[at] != "for" or end > len(tokens.words) or not tokens.ends_phrase(end):
+        end = at + 2 + (tokens.words[at + 1] in OWN)
+        if tokens.words[at] != "for" or end > len(tokens.words):
             continue
         head, purpose = tokens.words[at - 1], tokens.words[end - 1]
+        begin = end + (tokens.words[end : end + 1] == ["in"])
+        looks = _looks_end(tokens, begin)
+        ended = tokens.ends_phrase(looks) or tokens.words[looks] in FILLER
+        if not ended or not tokens.breaks.isdisjoint(range(at, looks)):
+            continue
         names = [f"{form} {head}" for form in (purpose, purpose.removesuffix("s"))]
-        if tokens.breaks.isdisjoint(range(at, end)) and any(map(tokens.thing, names)):
-            tokens.put(at - 1, end, next(filter(tokens.thing, names)).split())
+        if name := next(filter(tokens.thing, names), ""):
+            tokens.put(at - 1, end, name.split())
+        elif looks > begin:
+            tokens.put(at, looks, [*tokens.words[begin:looks], *tokens.words[at:end]])
 
 
 def _set_qualifiers_first(tokens: Tokens) -> None:

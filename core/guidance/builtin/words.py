@@ -255,7 +255,7 @@ BORNE = {
 # What most of a thing is, whatever it calls that; and what else it has.
 WHOLE = frozenset(
     """body case casing housing shell frame chassis bodywork exterior surface paint paintwork
-    glaze varnish coating finish outside""".split()
+    glaze varnish coating finish outside planks boards""".split()
 )
 # What is no thing by itself: "a guitar finish".
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
