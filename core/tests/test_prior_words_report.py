@@ -404,6 +404,21 @@ def test_what_is_left_out_is_said_for_its_own_reason():
         ("a car with white stripes and a red body", {"colours": ["red", "white"]}),
         ("a car with white stripes and red windows", {"colours": ["white"]}),
         ("a door, oak planks", {"part_materials": {"door": "oak", "panels": "oak"}}),
+        ("a knights shield", {"thing": "shield"}),
+        ("a pirates ship", {"thing": "pirate ship"}),
+        ("perfume, thick clear glass", {"shape": None, "materials": ["clear glass"]}),
+        ("a table made of thin steel", {"shape": None}),
+        ("a thick wooden table", {"shape": "thick"}),
+        ("a crossbow made from scrap metal and car springs", {"materials": ["metal"]}),
+        ("a pumpkin with a candle glowing inside", {"sheen": None}),
+        ("a pumpkin, glowing", {"sheen": ["glowing"]}),
+        ("a lamp with a white linen drum shade", {"part_colours": {"shade": "white"}}),
+        ("a bottle with a bamboo screw lid", {"part_materials": {"cap": "bamboo"}}),
+        (
+            "headphones, tan leather ear cushions, walnut ear cups",
+            {"part_materials": {"cushions": "leather", "cups": "walnut"}},
+        ),
+        ("a samurai in black and red armor", {"colours": None}),
         ("a crate with blue planks", {"part_colours": {"planks": "blue"}}),
         ("a desk lamp with a red dome", {"part_colours": {"shade": "red"}}),
         ("a paper coffee cup with a brown sleeve", {"thing": "paper cup"}),
@@ -414,3 +429,9 @@ def test_what_is_left_out_is_said_for_its_own_reason():
 def test_prompts_of_six_people_are_read_as_they_are_meant(prompt, said):
     told = understood(prompt, known=SLOTS)
     assert {name: told.get(name) or None for name in said} == said
+
+
+def test_a_letter_of_the_alphabet_is_no_envelope():
+    with pytest.raises(UnknownWordsError, match="letter b"):
+        parse("the letter B of wood")
+    assert parse("a sealed letter").noun == "envelope"

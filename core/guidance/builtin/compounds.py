@@ -35,8 +35,9 @@ def set_parts_apart(tokens: Tokens) -> None:
 def _meant(tokens: Tokens, at: int) -> str:
     """The part that the word at the index says how it looks, or ""."""
     word = tokens.words[at]
-    # "A flower pot" and "a potted plant" are things by themselves.
-    if any(tokens.thing(" ".join(words)) for words in _around(tokens.words, at)):
+    # "A flower pot" and "a potted plant" are things by themselves, "ear cups" are parts.
+    around = (look_up(" ".join(words), tokens.known) for words in _around(tokens.words, at))
+    if any(entry.slot in ("noun", "part") for entry in around if entry):
         return ""
     entry = look_up(word, tokens.known)
     if entry is None and word.endswith(ENDING) and word not in OF_ALL:

@@ -7,6 +7,7 @@ NEAREST = {
     "curtain": "folding screen, room divider",
     "bottle": "cocktail shaker",
     "shelf": "rack",
+    "bucket": "jerrycan, jerry can, gas can, fuel can",
     "chest": "treasure",
     "monitor": "display",
     "teapot": "samovar",

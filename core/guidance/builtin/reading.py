@@ -1,5 +1,7 @@
 """A prompt's words, sorted into slots: the grammar of the built-in prior. Standard library only."""
 
+import re
+
 from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.colors import RAINBOW, shade
 from core.guidance.builtin.compounds import set_parts_apart
@@ -78,6 +80,7 @@ class Reading:
         self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began
         self._late = False  # whether a comma has ended the clause that has the thing
         self._ended_by = ""  # the word that began the phrase
+        self._aside_end = -1  # the index behind the last noun that goes with the thing
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens = Tokens.of(prompt, known)
         self.got.sizes = self._tokens.sizes
@@ -124,6 +127,8 @@ class Reading:
                 self._go_with(phrase)
                 self._of_another = True
                 return count
+            if re.fullmatch("letter [a-z0-9]", phrase):  # which is no envelope
+                return self._leave_out(phrase, count)
             # "a computer mouse" is no mouse.
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
                 return self._leave_out(phrase, count)
@@ -215,9 +220,9 @@ class Reading:
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""
         self._end_phrase()
-        self._ended_by = word
+        made_of, self._ended_by = self._ended_by in ("of", "from", "out"), word
         # "between the blue and emerald pieces" is one phrase.
-        if word != "and" or self._accessory is None:
+        if word != "and" or self._accessory is None or made_of:  # "of scrap and car springs"
             self._accessory = self.got.counts()
 
     def _correct(self, token: str, at: int) -> int:
@@ -250,7 +255,7 @@ class Reading:
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
-        owner = entry.slot == "noun" and end - 1 in self._tokens.owners
+        owner = entry.slot == "noun" and self._is_owner(entry, end)
         if owner and self._tokens.has_thing(end):  # "a knight's shield"
             self._leave_out(entry.form, end - start)
             return
@@ -259,6 +264,12 @@ class Reading:
             return
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
+            return
+        if word == "glowing" and start == self._aside_end:  # "with a candle glowing inside"
+            self.got.left_out.append(entry.form)
+            return
+        if slot == "shape" and self._is_of_material(entry, end):
+            self.got.leave_aside([entry.form], "only the whole thing has a shape")
             return
         if slot == "weather" and self._without:  # "without scratches"
             self.got.left_out.append(entry.form)
@@ -280,6 +291,7 @@ class Reading:
                 slot = "part"
             if slot == "noun" and self._accessory is not None:
                 self._leave_aside(entry.form)
+                self._aside_end = end
                 return
         if slot == "part" and not self.got.found["noun"] and entry.form not in LEXICON:
             # Until the phrase ends: before a noun ("a fin whale") it only qualifies that.
@@ -406,6 +418,22 @@ class Reading:
 
     def _has_gems(self) -> bool:
         return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])
+
+    def _is_owner(self, entry: Entry, end: int) -> bool:
+        """Whether what follows is the noun's: "a knight's shield", "a knights shield"."""
+        living = any(entry.word in GROUPS[group] for group in ALIVE)
+        plural = self._tokens.words[end - 1] == f"{entry.form}s"
+        return (living and plural) or end - 1 in self._tokens.owners
+
+    def _is_of_material(self, entry: Entry, end: int) -> bool:
+        """Whether a shape is that of the material behind it: "a bottle of thick clear glass"."""
+        if entry.word not in ("thick", "thin") or not self.got.found["noun"]:
+            return False
+        looked = ((look_up(phrase, self.known), phrase) for phrase in self._tokens.phrases(end))
+        found = next(((one, phrase) for one, phrase in looked if one), None)
+        if found is None or found[0].slot != "material":
+            return False
+        return self._tokens.ends_phrase(end + len(found[1].split()))
 
     def _is_said_of(self, entry: Entry, start: int) -> bool:
         """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""

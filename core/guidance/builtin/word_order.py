@@ -95,6 +95,9 @@ def _set_qualifiers_first(tokens: Tokens) -> None:
     """ "A car sports", "a guitar electric red": of some languages what qualifies comes last."""
     for at in range(len(tokens.words) - 1):
         name, word = tokens.words[at : at + 2]
+        single = name.removesuffix("s")
+        if tokens.thing(f"{single} {word}") and not tokens.thing(f"{name} {word}"):
+            tokens.words[at] = name = single  # "a pirates ship"
         own = tokens.thing(name) and not tokens.thing(f"{name} {word}")
         entry = look_up(word, tokens.known)
         apart = (

@@ -47,7 +47,7 @@ MATERIALS = {
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
     "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum, "
-    "robotic",
+    "robotic, scrap metal, sheet metal, corrugated metal, corrugated iron, steel mesh, wire mesh",
     "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
     "polished brass, rose gold, white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
@@ -84,8 +84,8 @@ WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
     "distressed, aged, used, battered, scuffed, timeworn, time worn, weather beaten, beat up, "
     "beaten up, with scratches; chipped, cracked, peeling, faded, dented, chipped paint, "
-    "peeling paint, cracked paint, faded paint, tarnished, patinated, rust spots, rust stains, "
-    "patches of rust, abandoned, derelict, crumbling",
+    "peeling paint, cracked paint, faded paint, tarnished, patinated, scratch marks, rust spots, "
+    "rust stains, patches of rust, abandoned, derelict, crumbling",
     "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
     "dusty": "dust covered, covered in dust, covered with dust",
     "mossy": "moss covered, overgrown, covered in moss, covered with moss, with moss, moss on",
@@ -115,7 +115,7 @@ PART_WORDS = {
     "armrests": "armrest, arm, arm rest, arm rests",
     "backrest": "back, back rest",
     "handle": "ear",
-    "cap": "lid, cork, stopper",
+    "cap": "lid, cork, stopper, screw cap, screw lid, screw top",
     "hat": "top hat",
     "chimney": "",
     "one leg": "single leg, pedestal, one foot",
@@ -130,7 +130,7 @@ PART_SYNONYMS = {
     "cushion": "seat, cushions",
     "top": "countertop, tabletop, table top, worktop",
     "scoop": "scoops",
-    "shade": "lampshade",
+    "shade": "lampshade, lamp shade, drum shade, drum lampshade",
     "leaves": "leaf, foliage",
     "sails": "sail",
     "awning": "canopy",
@@ -149,6 +149,8 @@ PART_SYNONYMS = {
     "bill": "beak",
     "claws": "claw, pincers, pincer",
     "antlers": "antler",
+    "cups": "ear cups",
+    "pads": "ear cushions, ear pads",
     "flame": "flames",
 }
 # What else a thing may call a part, the likeliest first: a fan's base is its stand.
@@ -225,6 +227,10 @@ PART_ALSO = {
     "string": "strings, rope, chain",
     "cord": "rope, string",
     "strap": "band, belt, handle",
+    "headband": "band, strap",
+    "earcups": "cups",
+    "pads": "cushions, cushion",
+    "earpads": "cushions",
     "band": "strap, belt, ribbon, bands",
     "ribbon": "bow, band, sash",
     "liquid": "brew, water, flask, body",

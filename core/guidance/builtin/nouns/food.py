@@ -102,7 +102,8 @@ FOOD = {
     ),
     "can": Noun(
         "soda can, tin can, beverage can; beer can, soup can, energy drink, can of soda, can of "
-        "beans, can of soup, soda, cola, coke, pepsi, spray can, aerosol can, paint can",
+        "beans, can of soup, canned food, canned beans, canned soup, canned fish, soda, cola, "
+        "coke, pepsi, spray can, aerosol can, paint can",
         {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
         Usual(0.12, STEEL, 0.071),
     ),

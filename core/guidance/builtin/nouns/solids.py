@@ -16,7 +16,8 @@ SOLIDS = {
     ),
     "torus": Noun(
         "; inner tube, bracelet, lifebuoy, life preserver, steering wheel, life buoy, life "
-        "ring, swim ring, pool float, rubber ring, rubber tube",
+        "ring, swim ring, swimming ring, pool ring, inflatable ring, pool float, rubber ring, "
+        "rubber tube",
         {"body": "*b87838 icing"},
         Usual(0.3, RUBBER, 0.3),
     ),
