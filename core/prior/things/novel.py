@@ -53,7 +53,7 @@ def electric_guitar(draw: Draw) -> Parts:
         plate = mirrored([(0.1, 0.4), (0.36, 0.4), (0.4, 0.6), (0.36, 0.86), (0.42, 1.14),
                           (0.1, 1.14)])  # fmt: skip
         nut = mirrored([(0.13, top), (0.24, top + 0.14), (0.22, top + head), (0.08, top + head)])
-        pegs = both(join(*(ball((0.31, front, top + 0.18 + 0.25 * k), 0.105) for k in range(3))))
+        pegs = both(join(*(ball((0.31, front, top + 0.18 + 0.4 * k), 0.13) for k in range(2))))
         knobs = [(0.46, 0.54), (0.4, 0.26)]
     else:
         left, right = _bent(LEFT_SIDE, LEFT_HORN), _bent(RIGHT_SIDE, RIGHT_HORN)
@@ -62,7 +62,7 @@ def electric_guitar(draw: Draw) -> Parts:
                  (0.46, 1.1), (-0.44, 1.28), (-0.42, 0.9)]  # fmt: skip
         nut = [(0.13, top), (0.22, top + 0.12), (0.22, top + head - 0.06), (0.1, top + head + 0.04),
                (-0.06, top + head), (-0.2, top + head - 0.2), (-0.13, top)]  # fmt: skip
-        pegs = join(*(ball((0.29, front, top + 0.16 + 0.25 * k), 0.105) for k in range(3)))
+        pegs = join(*(ball((0.29, front, top + 0.16 + 0.4 * k), 0.13) for k in range(2)))
         knobs = [(0.48, 0.54), (0.5, 0.28)]
     controls = (
         tube((x * wide, front - 0.18, z), (x * wide, front, z), 0.11, 0.02) for x, z in knobs
@@ -161,14 +161,13 @@ def alarm_clock(draw: Draw) -> Parts:
     r, y, lean = draw(0.82, 0.9), draw(0.3, 0.36), 34
     face, hands = _dial(-y - 0.02, r - 0.1, 0.09)
     bell = join(
-        lathe([(0.34, 0), (0.32, 0.12), (0.2, 0.26), (0.05, 0.31)], 0.02),
-        tube((0, 0, -0.16), (0, 0, 0.1), 0.09),
-        ball((0, 0, 0.36), 0.1),
+        lathe([(0.38, 0), (0.36, 0.14), (0.24, 0.3), (0.0, 0.36)], 0.02),
+        tube((0, 0, -0.16), (0, 0, 0.1), 0.12),
     )
     if draw.chance(0.5):
-        top = cut(ring((0, 0, r + 0.3), 0.4, 0.09, 1), box((0, 0, r - 0.1), (2, 2, 0.4)))
+        handle = cut(ring((0, 0, r + 0.3), 0.42, 0.1, 1), box((0, 0, r - 0.1), (2, 2, 0.4)))
     else:
-        top = join(
+        handle = join(
             capsule((0, 0, r - 0.1), (0, 0, r + 0.3), 0.09),
             capsule((-0.12, 0, r + 0.34), (0.12, 0, r + 0.34), 0.13),
         )
@@ -177,9 +176,10 @@ def alarm_clock(draw: Draw) -> Parts:
         "body": tube((0, -y, 0), (0, y, 0), r, 0.05),
         "face": face,
         "hands": hands,
-        "bells": join(both(turned(moved(bell, (0, 0, r + 0.1)), 1, lean)), top),
+        "bells": both(turned(moved(bell, (0, 0, r + 0.1)), 1, lean)),
         "rim": ring((0, -y, 0), r - 0.05, 0.11, 1),
         "feet": both(turned(foot, 1, 180 - lean)),
+        "handle": handle,
     }
 
 

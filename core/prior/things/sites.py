@@ -216,7 +216,7 @@ def treehouse(draw: Draw) -> Parts:
     floor, x, y, wall = draw(1.0, 1.1), draw(0.58, 0.64), draw(0.42, 0.48), draw(0.62, 0.68)
     gable, r, top, front = draw(0.46, 0.54), draw(0.54, 0.6), floor + wall, -y - 0.34
     roof = [(-x - 0.2, top - 0.04), (x + 0.2, top - 0.04), (0, top + gable)]
-    rungs = (box((0, front, floor * k), (0.28, 0.07, 0.08)) for k in (0.22, 0.5, 0.78))
+    rungs = (box((0, front, floor * k), (0.4, 0.09, 0.09)) for k in (0.3, 0.66))
     sill = floor + wall * 0.55
     return {
         "trunk": join(
@@ -230,12 +230,12 @@ def treehouse(draw: Draw) -> Parts:
         "roof": prism(roof, 1, y + 0.12),
         "floor": join(
             box((0, 0, floor), (x + 0.28, y + 0.34, 0.1)),
-            both(box((0.32, front, floor / 2 + 0.05), (0.1, 0.1, floor / 2 + 0.05))),
+            both(box((0.46, front, floor / 2 + 0.05), (0.11, 0.11, floor / 2 + 0.05))),
             *rungs,
         ),
         "door": box((-0.25, -y, floor + 0.26), (0.17, 0.08, 0.22)),
         "windows": join(
-            box((0.28, -y, sill), (0.17, 0.08, 0.14)), both(box((x, 0, sill), (0.08, 0.2, 0.14)))
+            box((0.28, -y, sill), (0.19, 0.11, 0.17)), both(box((x, 0, sill), (0.11, 0.24, 0.17)))
         ),
     }
 

@@ -78,6 +78,7 @@ NOVEL_CLOCKS = {
             "bells": "+dcb048 . golden",
             "rim": "&8f201b . paint",
             "feet": "-c9a043 . golden",
+            "handle": "-c9a043 . golden",
         },
         Usual(0.16, STEEL, 0.1),
     ),
