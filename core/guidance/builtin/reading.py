@@ -427,7 +427,7 @@ class Reading:
 
     def _is_of_material(self, entry: Entry, end: int) -> bool:
         """Whether a shape is that of the material behind it: "a bottle of thick clear glass"."""
-        if entry.word not in ("thick", "thin") or not self.got.found["noun"]:
+        if entry.word not in ("thick", "thin"):
             return False
         looked = ((look_up(phrase, self.known), phrase) for phrase in self._tokens.phrases(end))
         found = next(((one, phrase) for one, phrase in looked if one), None)
