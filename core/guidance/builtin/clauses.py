@@ -1,0 +1,213 @@
+"""A prompt's clauses while it is read: what is the thing's, what goes with it, what is of another.
+
+Standard library only.
+"""
+
+from core.guidance.builtin.accents import StatedPart
+from core.guidance.builtin.colors import RAINBOW
+from core.guidance.builtin.findings import Findings
+from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.part_names import is_own, is_wide, may_state, own_name
+from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.wider import is_wider
+from core.guidance.builtin.words import (
+    ALIVE,
+    ALONE,
+    ARTICLES,
+    DEPICTIONS,
+    FILLER,
+    LEGS,
+    LOOKS,
+    PHRASE_ENDS,
+    ROLES,
+    SURFACE,
+    WHOLE,
+)
+
+EITHER = ("or", "nor")
+MADE_OF = ("of", "from", "in", "out")
+
+
+class Clauses:
+    """The state of a reading: what was found, and what the words mean where they stand."""
+
+    def __init__(self, prompt: str, known: Vocabulary, alone: bool) -> None:
+        self.known = known
+        self._alone = alone
+        self.got = Findings(known)
+        self._pending: list[str] = []  # unknown words since the noun phrase began
+        self._before: list[StatedPart] = []  # parts in a phrase that has no noun yet
+        self._without = False
+        self._looks: list[str] = []  # slots of the colours and materials right before
+        # How many words each slot had when a phrase about what goes with the thing began; else None
+        self._accessory: dict[str, int] | None = None
+        self._strange = False  # whether the last word that was read in the phrase is unknown
+        self._of_another = False  # whether all of it is about another thing
+        self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began
+        self._late = False  # whether a comma has ended the clause that has the thing
+        self._ended_by = ""  # the word that began the phrase
+        self._aside_end = -1  # the index behind the last noun that goes with the thing
+        self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
+        self._tokens = Tokens.of(prompt, known)
+
+    def _end_clause(self) -> None:
+        """A comma, or the like."""
+        self._end_phrase()
+        self._without = False
+        self._accessory, self._of_another = None, False
+        self._late = bool(self.got.found["noun"])
+
+    def _is_wider(self, token: str, at: int) -> bool:
+        """Whether a word right behind the thing only says what it is a sort of, and begins no
+        other thing's name: "a bird bath"."""
+        if self._noun_end != at:
+            return False
+        longer = self._tokens.phrases(at)[:-1]
+        other = any(look_up(phrase, self.known) for phrase in longer)
+        return not other and is_wider(token, self.got.found["noun"][-1].word)
+
+    def _is_part_of_look(self, entry: Entry, tokens: list[str]) -> bool:
+        """Whether another thing's name is a part of the thing and how it looks: "a cactus in a
+        terracotta pot"."""
+        *looks, last = tokens
+        if not looks or entry.slot != "noun" or not is_own(self.got.thing, last):
+            return False
+        known = [look_up(word, self.known) for word in looks]
+        return all(one is not None and one.slot in LOOKS for one in known)
+
+    def _are_things(self, entry: Entry, phrase: str) -> bool:
+        """Whether a material's plural is no material, "a campfire with stones"; or a word for most
+        of the thing is about another: "a mug full of paint"."""
+        if self._of_another and entry.word in WHOLE:
+            return True
+        of = self._ended_by in MADE_OF
+        return entry.slot == "material" and phrase not in LEXICON and not of
+
+    def _end_phrase(self) -> None:
+        """A noun phrase is over: what is unknown in it qualified no known noun. The last of it is
+        the phrase's own noun."""
+        # The accessory is unknown, or all is of another thing: its colours are not the thing's.
+        if self._strange or self._of_another:
+            self.got.left_out += self._of_accessory()
+        self.got.parts += self._before
+        beside = self._late or self._ended_by != "and"  # "a chair and an okapi" are two things
+        if self.got.found["noun"] and self._noun_end < 0 and beside:
+            # "a car, exposed copper pipes": of something else, which goes with the thing.
+            if self._strange:
+                self.got.left_out += self._taken_back(self._begun)
+        else:
+            self.got.refused += self._pending
+        self.got.qualifiers += self._pending[:-1]
+        self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
+        self._begun, self._strange = self.got.counts(), False
+
+    def _go_with(self, word: str) -> None:
+        """``word`` begins a phrase about what goes with the thing."""
+        self._end_phrase()
+        made_of, self._ended_by = self._ended_by in ("of", "from", "out"), word
+        # "between the blue and emerald pieces" is one phrase.
+        if word != "and" or self._accessory is None or made_of:  # "of scrap and car springs"
+            self._accessory = self.got.counts()
+
+    def _leave_out(self, unknown: str, count: int) -> int:
+        """Leave an unknown word, or a phrase of ``count``, out."""
+        self.got.left_out.append(unknown)
+        self._strange = True
+        # What goes with the thing may be unknown, the thing itself may not.
+        if self._accessory is None:
+            self._pending.append(unknown)
+        return count
+
+    def _color_before(self) -> Entry | None:
+        """Take back the one colour that the phrase about what goes with the thing began with."""
+        begun = (self._accessory or {}).get("color", 0)
+        colors = self.got.found["color"]
+        return colors.pop() if self._accessory and len(colors) == begun + 1 else None
+
+    def _stands(self, end: int) -> bool:
+        """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
+        moss", but "orange and blue", "in orange"."""
+        return self._ended_by not in ("and", "in", "with") and self._tokens.ends_phrase(end)
+
+    def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
+        """Whether a material or a colour is another thing, which goes with the thing."""
+        stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
+        stands |= entry.form == RAINBOW and self._tokens.ends_phrase(end)
+        if not stands or self._accessory is None:
+            return False
+        before = self._tokens.words[: self._tokens.qualities_begin(start)]
+        while before and before[-1] in FILLER - PHRASE_ENDS:  # "on a small rock"
+            before.pop()
+        return bool(before) and before[-1] in ARTICLES
+
+    def _lacks_more(self, tokens: list[str]) -> bool:
+        """Whether a list of what is lacking goes on: "without wheels or windows", "without wheels
+        and windows", but not "without wheels and a red roof"."""
+        before, after = self.got.parts[-1:], tokens[1] if tokens[1:] else ""
+        if not before or before[0].there or tokens[0] not in (*EITHER, "and"):
+            return False
+        entry = look_up(after, self.known)
+        return (
+            tokens[0] in EITHER
+            or self._is_own(after)
+            or (entry is not None and entry.slot == "part")
+        )
+
+    def _is_own(self, form: str) -> bool:
+        """Whether the thing has a part of this name, whatever it means elsewhere: "a printer with
+        white paper", "a tiger with blue stripes", "a hot dog with mustard"."""
+        if self._ended_by in MADE_OF or form in SLOTS["color"]:
+            return False
+        return is_own(self.got.thing, form)
+
+    def _has_gems(self) -> bool:
+        return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])
+
+    def _is_owner(self, entry: Entry, end: int) -> bool:
+        """Whether what follows is the noun's: "a knight's shield", "a knights shield"."""
+        living = any(entry.word in GROUPS[group] for group in ALIVE)
+        plural = self._tokens.words[end - 1] == f"{entry.form}s"
+        return (living and plural) or end - 1 in self._tokens.owners
+
+    def _is_of_material(self, entry: Entry, end: int) -> bool:
+        """Whether a shape is that of the material behind it: "a bottle of thick clear glass"."""
+        if entry.word not in ("thick", "thin"):
+            return False
+        looked = ((look_up(phrase, self.known), phrase) for phrase in self._tokens.phrases(end))
+        found = next(((one, phrase) for one, phrase in looked if one), None)
+        if found is None or found[0].slot != "material":
+            return False
+        return self._tokens.ends_phrase(end + len(found[1].split()))
+
+    def _is_said_of(self, entry: Entry, start: int) -> bool:
+        """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""
+        living = any(self.got.thing in GROUPS[group] for group in ALIVE)
+        role = living and self._noun_end == start and entry.word in ROLES
+        return role or (self._late and self._accessory is None and entry.form in DEPICTIONS)
+
+    def _is_head(self, part: str, start: int) -> bool:
+        """Whether a part that the thing right before it has not is the thing that is meant: "a
+        guitar case"."""
+        if self._noun_end != start or self._without or part in SURFACE:
+            return False
+        noun = self.got.found["noun"][-1].word
+        has = own_name(noun, part) and not is_wide(noun, part)
+        return not (may_state(noun, part) or has or part in LEGS)
+
+    def _leave_aside(self, form: str, why: str = "one thing is made at a time") -> None:
+        self.got.leave_aside([*self._of_accessory(), form], why)
+
+    def _of_accessory(self) -> list[str]:
+        """Take back the colours and the like that were read in a phrase about an accessory, since
+        they are not the thing's; their forms."""
+        return self._taken_back(self._accessory or {})
+
+    def _taken_back(self, before: dict[str, int]) -> list[str]:
+        self._looks = []
+        return self.got.taken_back(before)
+
+    def _looks_before(self) -> list[str]:
+        """Take back the colours and the like right before; their forms."""
+        slots, self._looks = self._looks, []
+        return [self.got.found[slot].pop().form for slot in reversed(slots)][::-1]
