@@ -611,3 +611,13 @@ def test_pips_sources_become_uvs():
 )
 def test_pips_version_is_read(said, version):
     assert pip_output.pip_version(said) == version
+
+
+def test_threads_sleep_while_they_wait_unless_the_user_says_otherwise(monkeypatch):
+    monkeypatch.setenv("PYTHONPATH", "elsewhere")
+    monkeypatch.delenv("OMP_WAIT_POLICY", raising=False)
+    environ = environment.clean_environ()
+    assert environ["OMP_WAIT_POLICY"] == "PASSIVE"
+    assert "PYTHONPATH" not in environ
+    monkeypatch.setenv("OMP_WAIT_POLICY", "ACTIVE")
+    assert environment.clean_environ()["OMP_WAIT_POLICY"] == "ACTIVE"
