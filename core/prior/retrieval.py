@@ -15,6 +15,7 @@ from safetensors.torch import save_file
 from torch import Tensor
 
 from core.geometry.mesh import NORMAL_RADIUS, face_areas
+from core.guidance.builtin import stretch
 from core.io.atomic import atomic_file
 from core.prior import draw, families, solids, things
 from core.prior.draw import Draw
@@ -56,9 +57,9 @@ def kept_clouds(nouns: list[str], path: Path = KEPT) -> dict[str, list[Cloud]]:
 
 
 def _state(nouns: list[str]) -> str:
-    """Of all that decides what the clouds are: the nouns, and the sources of their families."""
+    """Of all that decides what the clouds are: the nouns, and what their families are made by."""
     found = hashlib.sha256("\n".join(nouns).encode())
-    modules = [Path(str(module.__file__)) for module in (draw, families, solids)]
+    modules = [Path(str(module.__file__)) for module in (draw, families, solids, stretch)]
     for file in [Path(__file__), *modules, *sorted(Path(things.__path__[0]).glob("*.py"))]:
         found.update(file.read_bytes())
     return found.hexdigest()

@@ -92,7 +92,8 @@ def _join_names_for(tokens: Tokens) -> None:
 
 
 def _set_qualifiers_first(tokens: Tokens) -> None:
-    """ "A car sports", "a guitar electric red": of some languages what qualifies comes last."""
+    """ "A car sports", "a guitar electric red": of some languages what qualifies comes last; "a
+    pirates ship" is a pirate ship."""
     for at in range(len(tokens.words) - 1):
         name, word = tokens.words[at : at + 2]
         single = name.removesuffix("s")
