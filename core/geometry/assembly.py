@@ -48,6 +48,7 @@ WORDY = 0.001  # errors in the mean, for each number of an outline
 STANDS_OUT = 2.5  # errors
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
+LEAST_FLAT = 0.05  # of a part's surface, from which it may have boxes
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
 STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
@@ -75,7 +76,7 @@ class KnownParts:
         """All that have a surface; those of a part that are alike are so exactly."""
         found = places_of(self.distances, len(self.forms.flat))
         drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
-        pairs = zip(drawn, matched(self.distances, drawn), strict=True)
+        pairs = zip(drawn, matched(self.distances, drawn, self.forms.flat), strict=True)
         told = [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
@@ -179,17 +180,24 @@ def assembled(
     return drop_floaters(*union(meshes, STRUT), floaters)
 
 
-def matched(distances: Distances, pieces: list[Piece]) -> list[Primitive | None]:
+def matched(
+    distances: Distances, pieces: list[Piece], flat: Sequence[float]
+) -> list[Primitive | None]:
     """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
-    they are, or as mirrored, or as turned about the vertical, and each where none of these fits."""
+    they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
+
+    ``flat``: of each part, the fraction of its surface; of one that has hardly any nothing is a
+    box: a stripe around a tiger's tail was a block.
+    """
     points = [points_of(piece) for piece in pieces]
     found: list[Primitive | None] = [None] * len(pieces)
     for group in alike(pieces):
-        together = fitted_together([pieces[k] for k in group], [points[k] for k in group])
-        pairs = list(zip(group, together, strict=True))
+        boxes = flat[pieces[group[0]].place.part] >= LEAST_FLAT
+        some = [pieces[k] for k in group], [points[k] for k in group]
+        pairs = list(zip(group, fitted_together(*some, boxes), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, primitive_of(points[k], pieces[k].error)) for k in group]
+            pairs = [(k, primitive_of(points[k], pieces[k].error, boxes)) for k in group]
             pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
@@ -227,7 +235,7 @@ def slack_of(count: int) -> float:
 
 
 def fitted_together(
-    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]]
+    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], boxes: bool = True
 ) -> Sequence[Primitive | None]:
     """One primitive for all, each at its place; Nones where it does not fit all."""
     if len(pieces) > 1:
@@ -236,7 +244,7 @@ def fitted_together(
         for placed in (unturned, mirrored, around):
             frames = [placed(middle) for middle in middles]
             local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
-            one = primitive_of(np.concatenate(local)[:: len(points)], error)
+            one = primitive_of(np.concatenate(local)[:: len(points)], error, boxes)
             if one is not None and all(one.fits(some, error) for some in local):
                 return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
     return [None] * len(points)

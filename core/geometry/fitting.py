@@ -29,8 +29,11 @@ TIP = 1.7, 2.5, 3.5
 TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
-def primitive_of(points: Points, error: float) -> Primitive | None:
-    """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
+def primitive_of(points: Points, error: float, boxes: bool = True) -> Primitive | None:
+    """The primitive whose surface the points are on, up to errors of about ``error``; or None.
+
+    ``boxes``: whether it may be one. Of what is hardly larger than the errors points do not tell.
+    """
 
     def off(one: Primitive) -> float:
         return one.off(points, error)
@@ -41,7 +44,8 @@ def primitive_of(points: Points, error: float) -> Primitive | None:
     best, limit = None, np.inf
     gain = TURNED_GAIN  # of what lies along the coordinate axes
     for frame in frames_of(points):
-        fixed = [_fitted(one, points, error) for one in _starts(points, frame)]
+        starts = (one for one in _starts(points, frame) if boxes or one.form != "box")
+        fixed = [_fitted(one, points, error) for one in starts]
         likely = sorted(fixed, key=off)[:TURNED]
         freely = [_fitted(one, points, error, turns=True) for one in likely]
         for found, needed in ((fixed, 1.0), (freely, gain)):

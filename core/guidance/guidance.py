@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol, runtime_checkable
 
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
@@ -147,9 +147,13 @@ class Areas(Protocol):
         """The area of each place of the surface, training units."""
         ...
 
-    def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
-        """The area of each place of the surface, and where the place takes its material from:
-        farther inside its area where it is near a border."""
+    def told(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
+        """The area of each place of the surface, and whether no border is near."""
+        ...
+
+    def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:
+        """Where each place of an area takes its material from: farther inside the area where a
+        border is near."""
         ...
 
     def nearest(self) -> Int[Tensor, "k k k"]:

@@ -1,15 +1,13 @@
-"""Patterns that parts have by nature, or by a material word: the training pictures show them.
+"""What a material word, or nature, makes of a colour: the training pictures show it.
 
-As those that words ask for (``core.guidance.builtin.patterns``), in the object's space or on its
+As the patterns of two colours (``core.guidance.builtin.patterns``), in the object's space or on its
 normals; lengths are in training units.
 """
 
 import torch
 from torch import Tensor
 
-from core.guidance.builtin.patterns import PATTERNS, Pattern, Place, where
-
-CREAM = (0.94, 0.93, 0.90)
+from core.guidance.builtin.patterns import PATTERNS, Pattern, Place
 
 
 def grain(color: Tensor, _: Tensor, place: Place) -> Tensor:
@@ -32,55 +30,6 @@ def rust(color: Tensor, _: Tensor, place: Place) -> Tensor:
     flake = (9 * x + 3 * (5 * z).sin()).sin() + (8 * z + 3 * (6 * y).sin()).sin()
     bright = color * color.new_tensor([1.5, 1.4, 1.1])
     return torch.where((flake > 0.5)[:, None], bright, color * (1 - 0.25 * (flake < -0.7))[:, None])
-
-
-def icing(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A doughnut's pink upper side, with a wavy edge."""
-    angle = torch.atan2(place.point[:, 1], place.point[:, 0])
-    return where(place.normal[:, 2] > 0.12 + 0.22 * (6 * angle).sin(), color, (0.95, 0.55, 0.70))
-
-
-def band(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A light band about the middle."""
-    return where((place.point[:, 2] + 0.08).abs() < 0.13, color, CREAM)
-
-
-def hoops(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A lighthouse's red rings."""
-    rings = (place.point[:, 2] * (2 * torch.pi / 0.62) + 0.6).sin() > 0
-    return where(rings, color, (0.76, 0.14, 0.12))
-
-
-def collar(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A bowling pin's two red rings."""
-    z = place.point[:, 2]
-    rings = ((z - 0.42).abs() < 0.05) | ((z - 0.24).abs() < 0.05)
-    return where(rings, color, (0.76, 0.10, 0.10))
-
-
-def dots(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """White spots where the normal points to one of a few directions; none below."""
-    turns = torch.arange(6) * (torch.pi / 3)
-    low = torch.stack([turns.cos() * 0.8, turns.sin() * 0.8, torch.full((6,), 0.6)], 1)
-    axes = torch.cat([torch.tensor([[0.0, 0.0, 1.0]]), low]).to(color)
-    return where((place.normal @ axes.T).amax(1) > 0.965, color, (0.95, 0.93, 0.88))
-
-
-def _lattice(place: Place, turns: int, rise: float) -> Tensor:
-    """How near a point of a turned solid is to two crossing sets of lines: 1 on a line."""
-    angle = torch.atan2(place.point[:, 1], place.point[:, 0]) * turns
-    height = place.point[:, 2] * rise
-    return torch.maximum((angle + height).cos(), (angle - height).cos())
-
-
-def scales(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A pineapple's: darker crossing lines."""
-    return color * (1 - 0.4 * (_lattice(place, 4, 10) > 0.8))[:, None]
-
-
-def waffle(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A wafer's: darker crossing lines."""
-    return color * (1 - 0.35 * (_lattice(place, 4, 14) > 0.75))[:, None]
 
 
 def plates(color: Tensor, _: Tensor, place: Place) -> Tensor:
@@ -119,13 +68,6 @@ ALL_PATTERNS: dict[str, Pattern] = {
     "grain": grain,
     "mottle": mottle,
     "rust": rust,
-    "icing": icing,
-    "band": band,
-    "hoops": hoops,
-    "collar": collar,
-    "dots": dots,
-    "scales": scales,
-    "waffle": waffle,
     "plates": plates,
     "spines": spines,
     "thatch": thatch,

@@ -120,15 +120,29 @@ def test_what_is_a_box_up_to_its_errors_is_one_and_a_cushion_is_none():
         half = (0.4 - radius, 0.3 - radius, 0.1 - radius)
         return lambda points: (box(points, (0.0, 0.1, 0.0), half) - radius)[:, None]
 
-    verts, _ = made(rounded(0.02), Forms((0.0,), ((0.0,),) * 3))
+    verts, _ = made(rounded(0.02), Forms((1.0,), ((0.0,),) * 3))
     low, high = verts.amin(0), verts.amax(0)
     torch.testing.assert_close(low, torch.tensor([-0.4, -0.2, -0.1]), atol=0.003, rtol=0)
     on = torch.minimum((verts - low).abs(), (verts - high).abs()).amin(1)
     assert on.max() < 1e-3  # corners too
     corner = torch.stack([low, high]).T
     assert torch.cdist(torch.cartesian_prod(*corner), verts).amin(1).max() < 1e-3
-    soft, _ = made(rounded(0.09), Forms((0.0,), ((0.0,),) * 3))
+    soft, _ = made(rounded(0.09), Forms((1.0,), ((0.0,),) * 3))
     assert torch.cdist(torch.cartesian_prod(*corner), soft).amin(1).min() > 0.03
+
+
+def test_of_a_part_without_a_flat_face_nothing_is_a_box():
+    """A stripe around a tiger's tail, hardly larger than what a network is off, was a block."""
+
+    def stripe(points):
+        return (box(points, (0.1, 0.0, 0.0), (0.02, 0.03, 0.09)) - 0.055)[:, None]
+
+    def told(flat):
+        (piece,) = KnownParts(stripe, Forms((flat,), ((0.0,),) * 3)).pieces
+        return piece.primitive.form if piece.primitive else ""
+
+    assert told(1.0) == "box"
+    assert told(0.0) not in ("box", "")
 
 
 def test_what_is_round_is_told_by_the_piece_itself():

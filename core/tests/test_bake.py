@@ -7,7 +7,7 @@ from torch import Tensor
 from core.appearance.material import Material
 from core.errors import Cancelled, UserError
 from core.geometry.mesh import Mesh
-from core.tests.texture_shapes import one_material, smooth_material, square, torus, torus_uv
+from core.tests.texture_shapes import area, one_material, smooth_material, square, torus, torus_uv
 from core.texture import bake as module
 from core.texture.bake import bake
 
@@ -92,6 +92,44 @@ def test_checks_below_a_texel_are_averaged() -> None:
     assert (bake(Mesh(*square()), stripes, 32, samples=1).base_color - 0.5).abs().min() == 0.5
 
 
+def test_where_no_border_is_near_a_texel_is_asked_for_once_and_else_at_each_point() -> None:
+    """Checks far finer than a texel: their mean at x < 0, one of the two colours beyond."""
+    asked: list[Tensor] = []
+
+    class Halves:
+        each = (area(), area())
+
+        def of(self, points):
+            return (points[:, 0] > 0).long()
+
+        def told(self, points):
+            return self.of(points), points[:, 0] > 0
+
+        def inside(self, points, _area):
+            raise NotImplementedError
+
+        nearest = inside
+
+    def checks(points: Tensor, which: Tensor | None = None) -> Material:
+        assert which is None or torch.equal(which, Halves().of(points))
+        asked.append(points)
+        odd = (points * 4096).floor().sum(1, keepdim=True).remainder(2)
+        return Material(odd.expand(-1, 3), odd, odd, torch.tensor([[0.0, 0.0, 1.0]]) + 0 * points)
+
+    mesh = torus_mesh()
+    uv = {"uv": mesh[2], "face_uvs": mesh[3]}
+    whole = bake(Mesh(*mesh[:2], **uv), checks, 128)
+    count = sum(len(points) for points in asked)
+    asked.clear()
+    maps = bake(Mesh(*mesh[:2], **uv), checks, 128, areas=Halves())
+    asked_left = sum(int((points[:, 0] < 0).sum()) for points in asked)
+    assert 0.55 * count < sum(len(points) for points in asked) < 0.7 * count
+    assert asked_left > 0.45 * count
+    between = (maps.base_color[..., 0] > 0.01) & (maps.base_color[..., 0] < 0.99)
+    blurred = (whole.base_color[..., 0] > 0.01) & (whole.base_color[..., 0] < 0.99)
+    assert 0.3 < between.float().mean() / blurred.float().mean() < 0.7
+
+
 def test_normals_are_unit() -> None:
     maps = bake(Mesh(*torus_mesh()), smooth_material, 64)
     torch.testing.assert_close(maps.normal.norm(dim=-1), torch.ones(64, 64))
@@ -113,7 +151,7 @@ def test_what_glows_and_what_is_clear_is_padded_as_the_others_are() -> None:
         def __init__(self, mesh: Mesh) -> None:
             self.attributes = mesh.verts[mesh.faces]
 
-        def __call__(self, _attributes, values):
+        def __call__(self, _attributes, values, _area=None):
             return torch.cat([values, values[:, :3], values[:, :1]], 1)
 
     mesh = Mesh(*torus_mesh())

@@ -292,16 +292,19 @@ def test_where_the_areas_are_known_the_colours_do_not_decide():
         def of(self, points):
             return (points[:, 2] > 0).long()
 
-        def at(self, points):
+        def told(self, points):
+            return self.of(points), points[:, 2].abs() > 0.1
+
+        def inside(self, points, area):
             raise NotImplementedError
 
-        nearest = at
+        nearest = inside
 
     mesh, material = ring(), one_material(BROWN)
     surfaces = (Surface("glass", (0.58, 0.41, 0.28)),)
     options = {"strength": 1.0, "size": 512, "seed": 0}
     detail = detail_of(mesh, material, surfaces, Areas(), **options)
-    maps = bake(mesh.mesh, material, 512, finish=Finish(mesh, None, detail, Areas()))
+    maps = bake(mesh.mesh, material, 512, finish=Finish(mesh, None, detail), areas=Areas())
 
     def height(points):
         return Material(points[:, 2:].expand(-1, 3), *(0 * points[:, :1],) * 2, 0 * points + 1)
@@ -324,10 +327,13 @@ class Halves:
     def of(self, points):
         return (points[:, 2] > 0).long()
 
-    def at(self, points):
+    def told(self, points):
+        return self.of(points), points[:, 2].abs() > 0.1
+
+    def inside(self, points, area):
         raise NotImplementedError
 
-    nearest = at
+    nearest = inside
 
 
 def lit_ring(low: Surface, high: Surface, strength: float = 1.0, known: bool = True):
@@ -336,7 +342,7 @@ def lit_ring(low: Surface, high: Surface, strength: float = 1.0, known: bool = T
     areas = Halves(low, high) if known else None
     options = {"strength": strength, "size": SIZE, "seed": 0}
     detail = detail_of(mesh, material, (low, high), areas, **options)
-    maps = bake(mesh.mesh, material, SIZE, finish=Finish(mesh, None, detail, areas))
+    maps = bake(mesh.mesh, material, SIZE, finish=Finish(mesh, None, detail), areas=areas)
 
     def height(points):
         return Material(points[:, 2:].expand(-1, 3), *(0 * points[:, :1],) * 2, 0 * points + 1)

@@ -18,16 +18,17 @@ class Halves:
     each = tuple(area(plain) for plain in (True, False))
 
     def of(self, points):
-        return self.at(points)[0]
+        return (points[:, 0] > 0).long()
 
     def nearest(self):
         raise NotImplementedError
 
-    def at(self, points):
-        right = points[:, 0] > 0
-        way = torch.where(right, 0.1, -0.1)
+    told = nearest
+
+    def inside(self, points, area):
+        way = torch.where(area > 0, 0.1, -0.1)
         away = torch.where(points[:, 0].abs() < 0.1, way, points[:, 0])
-        return right.long(), torch.cat([away[:, None], points[:, 1:]], 1)
+        return torch.cat([away[:, None], points[:, 1:]], 1)
 
 
 def learnt(points, _area=None):
@@ -45,23 +46,27 @@ def some():
     return points, points[:, 0] > 0
 
 
+def even(points, evenness, material=learnt):
+    return evened(material, Halves(), MESH, evenness)(points, Halves().of(points))
+
+
 def test_a_plain_area_loses_what_varies_and_another_keeps_it():
     points, right = some()
-    there = learnt(Halves().at(points)[1])
-    all_of_it = evened(learnt, Halves(), MESH, 1.0)(points)
+    there = learnt(Halves().inside(points, right))
+    all_of_it = even(points, 1.0)
     assert all_of_it.kd[~right].std(0).max() < 1e-6
     assert all_of_it.kd[~right].mean().item() == pytest.approx(0.3, abs=0.02)
     assert all_of_it.roughness[~right].std() < 1e-6 and all_of_it.metallic[~right].std() < 1e-6
     torch.testing.assert_close(all_of_it.kd[right], there.kd[right])
     torch.testing.assert_close(all_of_it.kn, there.kn)  # relief stays
-    part = evened(learnt, Halves(), MESH, 0.75)(points)
+    part = even(points, 0.75)
     ratio = part.kd[~right].std(0) / there.kd[~right].std(0)
     torch.testing.assert_close(ratio, torch.full((3,), 0.25), atol=1e-3, rtol=0)
 
 
 def test_a_border_is_sharp_where_it_was_learnt_to_fade():
     points = torch.zeros(2, 3) + torch.tensor([[-0.001, 0.3, 0.2], [0.001, 0.3, 0.2]])
-    faded, sharp = learnt(points).kd, evened(learnt, Halves(), MESH, 0.0)(points).kd
+    faded, sharp = learnt(points).kd, even(points, 0.0).kd
     assert (faded[1] - faded[0]).max() < 0.01
     torch.testing.assert_close(sharp[1] - sharp[0], torch.full((3,), 0.4))
 
@@ -71,5 +76,5 @@ def test_what_is_learnt_is_asked_for_in_the_area_of_the_place():
         return learnt(points)._replace(metallic=area[:, None].float())
 
     points, right = some()
-    metallic = evened(by_area, Halves(), MESH, 0.5)(points).metallic[:, 0]
+    metallic = even(points, 0.5, by_area).metallic[:, 0]
     assert torch.equal(metallic, right.float())

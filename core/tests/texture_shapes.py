@@ -60,7 +60,7 @@ def smooth_material(points: Tensor) -> Material:
 def one_material(kd: tuple[float, float, float]) -> "callable":
     """The same material everywhere."""
 
-    def material(points: Tensor) -> Material:
+    def material(points: Tensor, _area: Tensor | None = None) -> Material:
         ones = torch.ones_like(points[:, :1])
         return Material(
             ones * torch.tensor(kd), 0.3 * ones, 0.2 * ones, torch.tensor([[0.0, 0, 1]]) * ones

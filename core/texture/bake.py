@@ -13,12 +13,16 @@ from torch import Tensor
 
 from core.appearance.material import Material
 from core.geometry.mesh import Mesh
+from core.guidance.guidance import Areas
 from core.io.maps import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
 from core.texture.texels import Texels, texel_bands
 
 CHUNK = 1 << 18  # points given to the material at once
+
+
+MaterialAt = Callable[..., Material]  # of points; where areas are known, and of the area of each
 
 
 @runtime_checkable
@@ -29,23 +33,28 @@ class TexelFinish(Protocol):
     lights: bool  # whether it adds emission (3) and transmission (1) to the values
 
     def __call__(
-        self, attributes: Float[Tensor, "t c"], values: Float[Tensor, "t 8"]
+        self,
+        attributes: Float[Tensor, "t c"],
+        values: Float[Tensor, "t 8"],
+        area: Int[Tensor, " t"] | None = None,
     ) -> Float[Tensor, "t w"]: ...
 
 
 @torch.no_grad()
 def bake(
     mesh: Mesh,
-    material: Callable[[Float[Tensor, "n 3"]], Material],
+    material: MaterialAt,
     size: int,
     progress: Callable[[float], None] | None = None,
     samples: int = 4,
     finish: TexelFinish | None = None,
+    areas: Areas | None = None,
 ) -> Maps:
     """Evaluate ``material`` on the surface; every texel of the maps has a value.
 
     A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
-    unit length again; ``finish`` then makes the last change to it. Occlusion is 1: the light's
+    unit length again; ``finish`` then makes the last change to it. Where no border between two
+    ``areas`` is near one point says as much. Occlusion is 1: the light's
     shadows are the renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in
     [0, 1]; what it raises stops it.
 
@@ -60,7 +69,7 @@ def bake(
     covered = torch.zeros(size * size, dtype=torch.bool)
     for texels in texel_bands(*mesh.atlas, size, samples):
         if len(texels.index):
-            where, mean = _means(mesh, texels, material, finish)
+            where, mean = _means(mesh, texels, material, finish, areas)
             maps.base_color[where] = mean[:, :3]
             maps.orm[where, 1:] = mean[:, 3:5]
             maps.normal[where] = normalize(mean[:, 5:8])
@@ -85,25 +94,43 @@ def bake(
 def _means(
     mesh: Mesh,
     texels: Texels,
-    material: Callable[[Float[Tensor, "n 3"]], Material],
+    material: MaterialAt,
     finish: TexelFinish | None,
+    areas: Areas | None,
 ) -> tuple[Int[Tensor, " t"], Float[Tensor, "t w"]]:
     """The covered texels and, for each, the mean of kd, roughness, metallic and kn, finished."""
     # A texel's points follow each other, so no sort is needed.
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
-    total = torch.zeros(len(where), 8, device=mesh.verts.device)
-    width = finish.attributes.shape[-1] if finish else 0
-    place = torch.zeros(len(where), width, device=mesh.verts.device)
+    corners = mesh.verts[mesh.faces]
+    attributes = torch.cat([corners, finish.attributes], -1) if finish else corners
+    place = torch.zeros(len(where), attributes.shape[-1], device=mesh.verts.device)
     for face, bary, to in zip(
         texels.face.split(CHUNK), texels.bary.split(CHUNK), slot.split(CHUNK), strict=True
     ):
-        points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
-        total.index_add_(0, to, torch.cat(material(points), -1).to(total))
-        if finish:
-            place.index_add_(0, to, torch.einsum("nk,nkc->nc", bary, finish.attributes[face]))
-    mean = total / count[:, None]
+        place.index_add_(0, to, _at(attributes, face, bary))
+    place /= count[:, None]
+    middle, place = place.split([3, place.shape[1] - 3], 1)
+
+    mean, area = torch.zeros(len(where), 8, device=mesh.verts.device), None
+    once = torch.zeros_like(count, dtype=torch.bool)  # what one point says all of
+    if areas:
+        told = [areas.told(part) for part in middle.split(CHUNK)]
+        area, once = (torch.cat(x) for x in zip(*told, strict=True))
+        for here in once.nonzero().squeeze(1).split(CHUNK):
+            mean[here] = torch.cat(material(middle[here], area[here]), -1).to(mean)
+    for here in (~once[slot]).nonzero().squeeze(1).split(CHUNK):
+        to, points = slot[here], _at(corners, texels.face[here], texels.bary[here])
+        values = material(points, *([areas.of(points)] if areas else []))
+        mean.index_add_(0, to, torch.cat(values, -1).to(mean) / count[to, None])
     if finish:
         mean[:, 5:] = normalize(mean[:, 5:])
         # Once a texel, at the middle of its points: the detail is made of waves that texels show.
-        mean = finish(place / count[:, None], mean)
+        mean = finish(place, mean, area)
     return where.cpu(), mean.cpu()
+
+
+def _at(
+    values: Float[Tensor, "f 3 c"], face: Int[Tensor, " n"], bary: Float[Tensor, "n 3"]
+) -> Float[Tensor, "n c"]:
+    """Values by corner, at points of faces."""
+    return torch.einsum("nk,nkc->nc", bary, values[face])

@@ -18,17 +18,16 @@ from core.texture.detail.survey import spread
 
 SURVEYED = 1 << 14  # points of the surface, for the medians
 
-MaterialAt = Callable[[Float[Tensor, "n 3"]], Material]
 MaterialIn = Callable[[Float[Tensor, "n 3"], Int[Tensor, " n"]], Material]  # in a known area
 
 
-def evened(learnt: MaterialIn, areas: Areas, mesh: UvMesh, evenness: float) -> MaterialAt:
+def evened(learnt: MaterialIn, areas: Areas, mesh: UvMesh, evenness: float) -> MaterialIn:
     """``learnt`` with sharp borders, and with ``evenness`` of the variation within each plain area
     taken out of colour, roughness and metallic; relief stays."""
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
     points = torch.einsum("nk,nkc->nc", bary, mesh.verts[mesh.faces[face]])
-    area, inside = areas.at(points)
-    values = _values(learnt(inside, area))
+    area = areas.of(points)
+    values = _values(learnt(areas.inside(points, area), area))
     median = torch.zeros(len(areas.each), values.shape[1])
     share = torch.zeros(len(areas.each), 1)
     for index, meant in enumerate(areas.each):
@@ -36,9 +35,8 @@ def evened(learnt: MaterialIn, areas: Areas, mesh: UvMesh, evenness: float) -> M
         if meant.plain and len(mine):
             median[index], share[index] = mine.median(0).values, evenness
 
-    def at(points: Float[Tensor, "n 3"]) -> Material:
-        area, inside = areas.at(points)
-        material = learnt(inside, area)
+    def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Material:
+        material = learnt(areas.inside(points, area), area)
         values = torch.lerp(_values(material), median[area], share[area])
         return Material(values[:, :3], values[:, 3:4], values[:, 4:5], material.kn)
 

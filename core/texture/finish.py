@@ -1,18 +1,18 @@
 """The last hand on each texel: the fine surface's normals, and the materials' detail."""
 
-from collections.abc import Callable
 from dataclasses import replace
+from itertools import repeat
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.appearance.material import Material
 from core.appearance.shade import perturb
 from core.appearance.shaded import UvMesh
 from core.geometry.mesh import face_areas
 from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
+from core.texture.bake import MaterialAt
 from core.texture.detail.detail import Coat, Detail, Spots, lit
 from core.texture.detail.grain import convexity, lengths
 from core.texture.detail.noise import Noise
@@ -24,8 +24,6 @@ CHUNK = 1 << 17  # texels at once
 SURVEYED = 1 << 14  # points of the surface, for the parts' colours and their means
 LEAST_Z = 0.05  # of a normal in tangent space: none points into the surface
 
-MaterialAt = Callable[[Float[Tensor, "n 3"]], Material]
-
 
 class Finish:
     """What a texel's material becomes, from the surface's attributes there."""
@@ -35,10 +33,8 @@ class Finish:
         mesh: UvMesh,
         fine: FineSurface | None = None,
         detail: Detail | None = None,
-        areas: Areas | None = None,
     ) -> None:
-        """``areas``: those that the detail is told apart by."""
-        self.fine, self.detail, self.areas = fine, detail, areas
+        self.fine, self.detail = fine, detail
         self.lights = bool(detail and detail.lights)
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
         # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
@@ -48,15 +44,23 @@ class Finish:
         self.attributes = torch.cat([by_vert, mesh.tangents, grain[mesh.faces]], -1)
 
     def __call__(
-        self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
+        self,
+        attributes: Float[Tensor, "t 14"],
+        values: Float[Tensor, "t 8"],
+        area: Int[Tensor, " t"] | None = None,
     ) -> Float[Tensor, "t w"]:
         """``values``: kd, roughness, metallic and kn, the means of each texel; then emission and
-        transmission too, where some of the detail ``lights``."""
-        parts = zip(attributes.split(CHUNK), values.split(CHUNK), strict=True)
+        transmission too, where some of the detail ``lights``. ``area``: that the detail is told
+        apart by."""
+        known = area.split(CHUNK) if area is not None else repeat(None)
+        parts = zip(attributes.split(CHUNK), values.split(CHUNK), known, strict=False)
         return torch.cat([self._finished(*part) for part in parts])
 
     def _finished(
-        self, attributes: Float[Tensor, "t 14"], values: Float[Tensor, "t 8"]
+        self,
+        attributes: Float[Tensor, "t 14"],
+        values: Float[Tensor, "t 8"],
+        area: Int[Tensor, " t"] | None,
     ) -> Float[Tensor, "t w"]:
         point, normal, tangent, length, edge = attributes.split([3, 3, 4, 3, 1], 1)
         coat = Coat(*values[:, :5].split([3, 1, 1], 1))
@@ -67,7 +71,6 @@ class Finish:
             fine = self.fine.normals(point, shape)
             shape, bumpy = fine, turned(bumpy, shape, fine)
         if self.detail:
-            area = self.areas.of(point) if self.areas else None
             coat, slope = self.detail(Spots(point * self.scale, shape, length, edge, area), coat)
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
@@ -93,11 +96,11 @@ def detail_of(
     finish = Finish(mesh)
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)
     at = torch.einsum("nk,nkc->nc", bary, finish.attributes[face])
-    learnt = material(at[:, :3])
+    area = areas.of(at[:, :3]) if areas else None
+    learnt = material(at[:, :3], *([] if area is None else [area]))
     own = (mesh.verts, mesh.faces)
     grain = torch.cat([lengths(*own), convexity(*own)], 1)
     long, edge = torch.einsum("nk,nkc->nc", bary, grain[mesh.faces[face]]).split([3, 1], 1)
-    area = areas.of(at[:, :3]) if areas else None
     spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, edge, area)
     noise = Noise(seed, footprint(mesh, size) * finish.scale)
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)

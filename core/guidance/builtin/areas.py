@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import torch
 import torch.nn.functional as F
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
@@ -23,6 +23,7 @@ STEPS = 3  # on the way; each looks anew where the border is
 UNCLEAR = 2.5  # cells: where areas are as deep up to this, the lattice does not tell whose it is
 FLUSH = 0.015  # training units
 LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
+STEEPEST = 3.0  # a margin's slope, at most: it is the difference of two distances
 
 Field = Callable[
     [Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]
@@ -82,24 +83,29 @@ class SolidAreas:
 
     def of(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The area of each point."""
-        return self._of(points, self._at(points)[:, 1:])
+        return self.told(points)[0]
 
-    def _of(self, points: Float[Tensor, "n 3"], depths: Float[Tensor, "n a"]) -> Int[Tensor, " n"]:
+    def told(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
+        """The area of each point, and whether no border is near."""
+        depths = self._at(points)[:, 1:]
         area = depths.argmax(1)
-        if depths.shape[1] > 1:
-            first, second = depths.topk(2, 1).values.T
-            near = first - second < UNCLEAR * self.spacing
-            area[near] = self._owner(points[near])
-        return area
+        clear = torch.ones_like(area, dtype=torch.bool)
+        if depths.shape[1] == 1:
+            return area, clear
+        first, second = depths.topk(2, 1).values.T
+        near = first - second < UNCLEAR * self.spacing
+        if near.any():
+            area[near], clear[near] = self._owner(points[near])
+        return area, clear
 
-    def at(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, "n 3"]]:
-        """The area of each point, and the point itself, or where it is near a border the place
-        along the surface that is ``INSET`` from the border, in the same area."""
+    def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:
+        """The points themselves, or of what is near a border the places along the surface that are
+        ``INSET`` from the border, each in its ``area``."""
         start = self._at(points)
-        area, level = self._of(points, start[:, 1:]), start[:, 0]
         if start.shape[1] == 2:  # no border
-            return area, points
-        moved, here = points.clone(), torch.arange(len(points), device=points.device)
+            return points
+        moved, level = points.clone(), start[:, 0]
+        here = (self._over(start, area)[:, 0] < STEEPEST * INSET).nonzero().squeeze(1)
         for step in range(STEPS):  # of the points that are near a border
             place, mine = moved[here], area[here]
             margin, slope, normal = self._margin(place, mine)
@@ -111,11 +117,12 @@ class SolidAreas:
             to = place[go] + (way * slope / steep)[go] / (STEPS - step)
             # Back to the distance from the surface that the point had.
             moved[here] = to - (self._at(to)[:, :1] - level[here, None]) * normal[go]
-        return area, moved
+        return moved
 
-    def _owner(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+    def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
         """The area whose exact surface each point is on; or whose it is as it was drawn, where that
-        lies under a larger one's by no more than what is drawn is off: a pane in a wall."""
+        lies under a larger one's by no more than what is drawn is off: a pane in a wall. And
+        whether it is on no other's."""
         exact = self.near(points)[1]
         owner = exact.argmax(1)
         first, second = exact.topk(2, 1).values.T
@@ -125,7 +132,7 @@ class SolidAreas:
         behind = first[beside] - exact[beside].gather(1, drawn[:, None])[:, 0]
         smaller = self.sizes[drawn] < self.sizes[mine]  # a wheel's rim is not the body's
         owner[beside] = torch.where((behind < FLUSH) & smaller, drawn, mine)
-        return owner
+        return owner, ~beside
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]

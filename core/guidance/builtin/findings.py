@@ -103,16 +103,18 @@ class Findings:
         left = dict.fromkeys(self.left_out)
         entries = {token: look_up(token, self.known) for token in left}
         looks = [token for token, entry in entries.items() if entry and entry.slot in LOOKS]
+        things = [token for token, entry in entries.items() if entry and entry.slot == "noun"]
         counts = [token for token in left if token in COUNTS]
         unknown = [
             with_hint(token, near_words(token, self.qualifiers, self.known))
             if token in self.qualifiers
             else repr(token)
             for token in left
-            if token not in (*looks, *counts)
+            if token not in (*looks, *things, *counts)
         ]
         notes = {
             f"{', '.join(map(repr, looks))}: left out with what is not known beside it.": looks,
+            f"{', '.join(map(repr, things))}: left out, as one thing is made at a time.": things,
             f"{', '.join(map(repr, counts))}: left out, as parts are not counted.": counts,
             f"The built-in model does not know {', '.join(unknown)}: left out.": unknown,
         }

@@ -36,7 +36,7 @@ from core.guidance.builtin.offered import (
 from core.guidance.builtin.palette import FINISHES, Color, Finish, looks, painted
 from core.guidance.builtin.part_forms import part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
-from core.guidance.builtin.part_map import part_map, solid_part_map
+from core.guidance.builtin.part_map import has_parts, part_map, solid_part_map
 from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
@@ -268,9 +268,9 @@ class PromptedBuiltin(PromptedGuidance):
         given = None  # the hint, of the appearance network alone
         if views.surface is not None:
             surface = torch.nn.functional.adaptive_avg_pool2d(views.surface, SIZE)
-            surface = surface.repeat(branches, 1, 1, 1)
             stated = [one for one in self._branches(HINT_SLOTS, apart) for _ in range(len(z_t))]
             parts = self._parts(surface, words[:, 0], camera)
+            surface = surface.repeat(branches, 1, 1, 1)
             given = hint(surface, parts, words, stated, self._axes)
         with torch.autocast(words.device.type, torch.bfloat16, enabled=self.builtin.half):
             # Back to 32 bit at once: the gradient is a small difference of predictions.
@@ -279,12 +279,17 @@ class PromptedBuiltin(PromptedGuidance):
         return Predictions(cond, uncond, negative=negative[0] if negative else None)
 
     def _parts(
-        self, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " b"], camera: Tensor
-    ) -> Float[Tensor, "b 8 s s"]:
+        self, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " n"], camera: Tensor
+    ) -> Float[Tensor, "n 8 s s"]:
+        """Which part each place of the views' ``surface`` is, of each branch's ``nouns``."""
+        branches = len(nouns) // len(surface)
         if self.builtin.parts is None:  # no colour is then stated of any place
-            return surface.new_zeros(len(surface), PART_COUNT, SIZE, SIZE)
+            return surface.new_zeros(len(nouns), PART_COUNT, SIZE, SIZE)
         if self.solid is not None and not self.negative.noun:
-            return solid_part_map(self.solid, surface, nouns)
+            # The branch without words has no parts.
+            known = solid_part_map(self.solid, surface)
+            return known.repeat(branches, 1, 1, 1) * has_parts(nouns)
+        surface = surface.repeat(branches, 1, 1, 1)
         with torch.autocast(nouns.device.type, torch.bfloat16, enabled=self.builtin.half):
             return part_map(self.builtin.parts, surface, nouns, camera)
 

@@ -5,6 +5,8 @@
 NEAREST = {
     "cutting board": "knife block",
     "curtain": "folding screen, room divider",
+    "saw": "hand plane, block plane, bench plane, jack plane, wood plane",
+    "mug": "pen holder, pencil holder, pencil cup",
     "bottle": "cocktail shaker",
     "shelf": "rack",
     "bucket": "jerrycan, jerry can, gas can, fuel can",

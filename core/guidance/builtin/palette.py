@@ -24,7 +24,7 @@ from core.guidance.builtin.colors import (
 )
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.patterns import RAINBOW_COLORS
+from core.guidance.builtin.patterns import RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 from core.guidance.builtin.words import STRIPED_PARTS
 
@@ -230,7 +230,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             name,
             look,
             color,
-            second,
+            natural_second(pattern, color) or second,
             finish,
             pattern,
             material,

@@ -30,21 +30,20 @@ def part_map(
         camera: ``camera_map`` at half the picture's size.
     """
     logits = part_logits(net, surface, nouns, camera)
-    has = _has().to(nouns.device)[nouns][:, :, None, None]
+    has = has_parts(nouns)
     sure = logits.masked_fill(~has, -1e4).softmax(1)
     return sure * has * (surface[:, 3:4] > -1)
 
 
-def solid_part_map(
-    solid: Solid, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " b"]
-) -> Float[Tensor, "b 8 s s"]:
+def solid_part_map(solid: Solid, surface: Float[Tensor, "b 7 s s"]) -> Float[Tensor, "b 8 s s"]:
     """The same of a drawn solid, whose parts are known: 1 where a place is of the part, else 0."""
+    seen = surface[:, 3] > -1
     covered = (surface[:, 3] + 1) / 2
     points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
-    part = solid.part(points.reshape(-1, 3)).view(covered.shape)
-    has = _has().to(nouns.device)[nouns][:, :, None, None]
+    part = torch.zeros_like(seen, dtype=torch.long)
+    part[seen] = solid.part(points[seen])
     one = torch.nn.functional.one_hot(part, PARTS).permute(0, 3, 1, 2).to(surface)
-    return one * has * (surface[:, 3:4] > -1)
+    return one * seen[:, None]
 
 
 def part_logits(
@@ -59,7 +58,8 @@ def part_logits(
     return net(pictures, t, nouns[:, None], camera).float()
 
 
-def _has() -> Bool[Tensor, "n 8"]:
-    """Which parts each noun has, by its row."""
-    counts = [0, *(len(noun.looks) for noun in NOUNS.values())]
-    return torch.arange(PARTS)[None] < torch.tensor(counts)[:, None]
+def has_parts(nouns: Int[Tensor, " b"]) -> Bool[Tensor, "b 8 1 1"]:
+    """Which parts each of the nouns has, by its row; 0 is none and has none."""
+    counts = torch.tensor([0, *(len(noun.looks) for noun in NOUNS.values())])
+    has = torch.arange(PARTS)[None] < counts[:, None]
+    return has.to(nouns.device)[nouns][:, :, None, None]

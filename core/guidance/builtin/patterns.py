@@ -1,4 +1,5 @@
-"""Patterns that words may ask for, in the object's space: the same in every view.
+"""Patterns that words may ask for, or that parts have by nature, in the object's space: the same in
+every view.
 
 Most have two colours, and are given by their margin: how far inside the second colour a place is,
 about in training units, negative in the first. A pixel of the prior's pictures is 0.034.
@@ -14,7 +15,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.colors import RAINBOW
+from core.guidance.builtin.colors import RAINBOW, Color
 
 
 class Place(NamedTuple):
@@ -28,7 +29,7 @@ class Place(NamedTuple):
 Pattern = Callable[[Tensor, Tensor, Place], Tensor]
 Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
 Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of the colours
-STRIPE, CELL, SPOT, CHECK = 0.21, 0.42, 0.14, 0.21
+STRIPE, CELL, SPOT, CHECK, HOOP = 0.21, 0.42, 0.14, 0.21, 0.62
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
 ALONG = frozenset(("striped", RAINBOW))  # patterns whose colours follow one another
@@ -80,12 +81,70 @@ def rainbow(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, "p 6"]
     return (0.5 - away.abs()) * BAND
 
 
+def hoops(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """A lighthouse's rings."""
+    return (points[:, 2] * (math.tau / HOOP) + 0.6).sin() * (HOOP / math.tau)
+
+
+def band(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """A band about the middle of a vase."""
+    return 0.13 - (points[:, 2] + 0.08).abs()
+
+
+def collar(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """The two rings of a bowling pin."""
+    middles = points.new_tensor([0.42, 0.24])
+    return 0.05 - (points[:, 2, None] - middles).abs().amin(1)
+
+
+def crossing(points: Float[Tensor, "p 3"], rise: float, lines: float) -> Float[Tensor, " p"]:
+    """Two sets of lines that cross on a turned solid, such as a wafer's.
+
+    Args:
+        rise: radians of them in a unit of height.
+        lines: cosine from which a place is on one.
+    """
+    angle = torch.atan2(points[:, 1], points[:, 0]) * 4
+    height = points[:, 2] * rise
+    nearest = torch.maximum((angle + height).cos(), (angle - height).cos())
+    return (nearest - lines) / (rise * math.sqrt(1 - lines**2))
+
+
 MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
     "checkered": checkered,
     "two-tone": two_tone,
 }
+
+
+class Natural(NamedTuple):
+    """A pattern of two colours that parts have by nature, where no words say otherwise."""
+
+    margin: Margin
+    second: Color | float  # or what the part's own colour is multiplied by
+
+
+NATURAL: dict[str, Natural] = {
+    "hoops": Natural(hoops, (0.76, 0.14, 0.12)),
+    "band": Natural(band, (0.94, 0.93, 0.90)),
+    "collar": Natural(collar, (0.76, 0.10, 0.10)),
+    "dots": Natural(spotted, (0.95, 0.93, 0.88)),  # of a mushroom
+    "scales": Natural(partial(crossing, rise=10, lines=0.8), 0.6),  # a pineapple's
+    "waffle": Natural(partial(crossing, rise=14, lines=0.75), 0.65),
+}
+MARGINS |= {name: natural.margin for name, natural in NATURAL.items()}
+
+
+def natural_second(pattern: str, color: Color) -> Color | None:
+    """The second colour of a pattern that a part has by nature; None of any other pattern."""
+    if pattern not in NATURAL:
+        return None
+    second = NATURAL[pattern].second
+    if isinstance(second, float):
+        red, green, blue = (second * x for x in color)
+        return red, green, blue
+    return second
 
 
 class Laid(NamedTuple):

@@ -23,6 +23,8 @@ from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.word_order import set_in_order
 from core.guidance.builtin.words import (
+    AGES,
+    ALIVE,
     ALONE,
     ARTICLES,
     AS_MATERIAL,
@@ -63,6 +65,7 @@ class Reading(Clauses):
         self._end_phrase()
         self._leave_strange_parts_aside()
         self._make_as_qualified()
+        self._spare_the_living()
 
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
@@ -100,7 +103,7 @@ class Reading(Clauses):
         if token in WITHOUT:
             self._without = True
             self._end_phrase()
-        elif token in IGNORED_ADJECTIVES:
+        elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
             self.got.left_out.append(token)
             # Of the thing itself: not "a child with a toy".
             self.got.is_toy |= token in TOYS and self._accessory is None
@@ -255,7 +258,7 @@ class Reading(Clauses):
         for look, last in own.items():
             more = [self.got.found[look].pop() for _ in range(self._looks.count(look) - 1)]
             each = [last, *more]
-            clearest[look] = max(each, key=lambda x: (x.form not in PLAIN, has_own_look(x.form)))
+            clearest[look] = max(each, key=_says)
             plain = (one.form for one in each if one.form not in PLAIN)
             self.got.left_out += [form for form in plain if form != clearest[look].form]
         return clearest
@@ -293,6 +296,15 @@ class Reading(Clauses):
             words = (part.color_form or part.color, of, part.pattern, part.form)
             self.got.leave_aside([" ".join(filter(None, words))], why)
 
+    def _spare_the_living(self) -> None:
+        """ "An old wizard" is not worn."""
+        if not any(self.got.thing in GROUPS[group] for group in ALIVE):
+            return
+        weather = self.got.found["weather"]
+        for one in [one for one in weather if one.form in AGES]:
+            weather.remove(one)
+            self.got.leave_aside([one.form], "what is alive is not worn")
+
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""
         for form in AS_MATERIAL.keys() & set(self.got.qualifiers):
@@ -315,3 +327,8 @@ class Reading(Clauses):
         self.got.left_out += parts
         self.got.qualifiers += [*parts, *self._pending]
         self._pending, self._before, self._noun_end = [], [], end
+
+
+def _says(look: Entry) -> tuple[bool, bool, bool]:
+    """How much a look says, of several of one part: "a rusted corrugated metal roof"."""
+    return look.form not in PLAIN, look.word == "rusty", has_own_look(look.form)

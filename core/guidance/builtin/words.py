@@ -338,7 +338,18 @@ STYLES = frozenset(
     """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
     cinematic ultra zoomed vivid macro""".split()
 ) | {
-    *("low poly", "high poly", "pixel art", "voxel art", "concept art", "digital art"),
+    *(
+        "low poly",
+        "high poly",
+        "low detail",
+        "high detail",
+        "low res",
+        "high res",
+        "pixel art",
+        "voxel art",
+        "concept art",
+        "digital art",
+    ),
     *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
     *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
     *("white background", "black background", "plain background", "transparent background"),
@@ -369,6 +380,7 @@ IGNORED_ADJECTIVES = frozenset(
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
     ornament cut sliced stained bent torn crooked percent
+    double triple
     backwards upright sideways stuck kept tied hung sick laser lazer
     solid premium mockup icon emoji exotic rugged
     spanish french italian german english british american japanese chinese korean indian mexican
@@ -392,8 +404,9 @@ IGNORED_ADJECTIVES |= {
 TOYS = frozenset("toy figurine miniature ornament".split())
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
-# What one that is alive may be besides: "a goblin archer" is a goblin.
+# What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
 ALIVE = ("Characters", "Animals", "Wild Animals")
+AGES = frozenset("old ancient aged".split())
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
     soldier cowboy""".split()
