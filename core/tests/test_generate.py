@@ -257,6 +257,9 @@ def test_retouching_keeps_more_the_stronger_it_is():
     assert kept.early.steps == 0
     assert kept.late.t_high == tuple(t / 2 for t in a.late.t_high)
     assert kept.learning_rate == pytest.approx(0.02 * a.learning_rate)
+    assert kept.refine.rounds == 0
+    half = retouching(config, 0.5).appearance.refine
+    assert (half.rounds, half.steps) == (a.refine.rounds, a.refine.steps // 2)
 
 
 def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(fork, tmp_path):

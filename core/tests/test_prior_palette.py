@@ -5,6 +5,7 @@ import colorsys
 import pytest
 import torch
 
+from core.guidance.builtin.colors import color_value
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import GROUPS, PART_NAMES
 from core.guidance.builtin.nouns import NOUNS as KNOWN
@@ -416,3 +417,44 @@ def test_other_stripes_than_its_own_are_drawn():
         words = parse(prompt)
         found = {one.name: one for one in painted(words.noun, words)}
         assert found[part].pattern == "striped", prompt
+
+
+@pytest.mark.parametrize(
+    ("noun", "part", "pattern", "second"),
+    [
+        ("lighthouse", "tower", "hoops", (0.76, 0.14, 0.12)),
+        ("mushroom", "cap", "dots", (0.95, 0.93, 0.88)),
+        ("pineapple", "body", "scales", None),  # of its own colour, but darker
+    ],
+)
+def test_a_pattern_by_nature_has_a_second_colour_until_a_colour_is_stated(
+    noun, part, pattern, second
+):
+    parts = {one.name: one for one in painted(noun, Caption())}
+    own = parts[part]
+    assert own.pattern == pattern
+    assert own.second == (second or tuple(0.6 * x for x in own.color))
+    red = next(one for one in painted(noun, Caption("blue")) if one.name == part)
+    assert red.pattern == "" and red.color == color_value("blue")
+    spotted = next(
+        one for one in painted(noun, Caption("blue", pattern="checkered")) if one.name == part
+    )
+    assert spotted.pattern == "checkered"
+
+
+@pytest.mark.parametrize(
+    ("noun", "part", "kind"),
+    [
+        ("mug", "handle", "ceramic"),
+        ("microphone", "handle", "plastic"),
+        ("penguin", "feet", "hide"),
+        ("rocket", "nose", "paint"),
+        ("tiger", "stripes", "fur"),
+        ("pawn", "collar", "wooden"),
+        ("gift", "box", "paper"),
+        ("knife", "handle", "wooden"),
+    ],
+)
+def test_what_a_part_is_of_goes_by_the_thing_before_the_parts_name(noun, part, kind):
+    """Handles are mostly of wood, and a nose is mostly wet."""
+    assert looks(noun)[part].material == kind

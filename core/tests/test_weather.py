@@ -87,7 +87,7 @@ def test_words_of_age_are_seen_and_what_lives_is_not_worn():
     assert {surface.weather for surface in surfaces_of(words)} == {("worn", "dusty")}
     assert parse("an old wooden chair").weather == ("worn",)
     assert parse("a moss covered stone well").weather == ("mossy",)
-    person = parse("an old muddy man")
+    person = parse("a shabby muddy man")
     kinds = {part.name: surface_of(person, part) for part in painted("person", person)}
     assert kinds["skin"].weather == ("dirty",) and kinds["eyes"].weather == ()
     assert kinds["shirt"].weather == ("worn", "dirty")

@@ -47,67 +47,84 @@ ROUGHNESS = {
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
-    "eye": "fish whites",
-    "bark": "acorn cap, sloth branch",
+    "bark": "acorn cap, sloth branch, fireplace logs",
     "bone": "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones",
     "cast iron": "bench legs, bomb body, steamroller chimney",
-    "ceramic": "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray",
-    "chitin": "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell",
-    "clay": "snowman buttons",
-    "cream": (
-        "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man "
-        "eyes, gingerbread man bow, donut sprinkles, donut strands, donut drops, "
-        "snow globe snow, snow globe flakes"
+    "ceramic": (
+        "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray, mug "
+        "handle, teapot handle, bowl foot"
     ),
+    "chitin": (
+        "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell, "
+        "dragonfly stripes"
+    ),
+    "clay": "snowman buttons, greenhouse pots",
+    "cream": (
+        "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man eyes, "
+        "gingerbread man bow, donut sprinkles, donut strands, donut drops, snow globe snow, snow "
+        "globe flakes, candy cane stripes, scroll seal, envelope seal"
+    ),
+    "crumb": "notice board cork",
     "crust": "croissant folds, fried egg edge, roast chicken meat, roast chicken drumsticks",
+    "eye": "fish whites",
     "fabric": (
         "glove band, jeep seats, baseball cap badge, hot air balloon balloon, paper lantern tassels"
     ),
     "feathers": (
         "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
     ),
-    "felt": "cowboy hat, dartboard reds, dartboard greens",
+    "felt": "cowboy hat, dartboard reds, dartboard greens, elf shoes, snowman hat",
+    "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
     "flesh": "grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem",
     "foliage": (
         "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
         "tree leaves"
     ),
-    "fur": "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks",
+    "fur": (
+        "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks, tiger "
+        "stripes, zebra stripes, raccoon stripes"
+    ),
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
         "panels"
     ),
+    "hair": "paintbrush bristles",
     "hide": (
         "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
         "wings, dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, "
-        "beaver lines, bat arms, eagle legs, gorilla face, drum kit skins"
+        "beaver lines, bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
     ),
     "leaf": "palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
-        "chestplate lining, belt holes"
+        "chestplate lining, belt holes, suitcase handle"
     ),
     "liquid": "teacup tea",
+    "masonry": "igloo arch",
     "metal": (
         "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
         "meter needle, screwdriver collar, blender collar, coffee machine collar, ninja sword, "
         "harp strings, magnet bands, stove plates, compass tail, alarm clock hands, pocket watch "
-        "hands"
+        "hands, radio handle, toolbox handle, wagon handle, suitcase feet, clock feet, safe feet, "
+        "floor lamp foot, golf club neck, rover mast, fan stand, vending machine cans, vending "
+        "machine flap, solar panel lines, trumpet buttons, parking meter slot, microscope stage, "
+        "train wheels, tank wheels"
     ),
     "paint": (
         "fence pickets, mailbox flag, tower windows, castle windows, pencil body, knight shield, "
-        "mask paint, mask mouth, shield plate"
+        "mask paint, mask mouth, shield plate, train frame, kettlebell badge, rocket nose, space "
+        "shuttle nose, carousel trim"
     ),
     "paper": (
         "watch face, clock face, grandfather clock face, compass dial, picture frame hills, "
         "picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, easel "
         "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, clipboard "
         "lines, clipboard boxes, notice board notes, notice board cards, atm notes, alarm clock "
-        "face, pocket watch face"
+        "face, pocket watch face, gift box, envelope flap, popcorn stripes"
     ),
     "peel": (
         "snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath berries, "
-        "jack-o-lantern body, mushroom house cap, mushroom house dots"
+        "jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes"
     ),
     "petal": "fairy wings",
     "plain": (
@@ -116,25 +133,29 @@ OF_A_THING = {
     ),
     "plastic": (
         "duck body, duck wings, duck bill, toothbrush grip, vacuum cleaner grip, security camera "
-        "hood, sunglasses arms, office chair arms"
+        "hood, sunglasses arms, office chair arms, microphone handle, screwdriver handle, blender "
+        "handle, coffee machine handle, clothes iron handle, toothbrush handle, scissors handles, "
+        "refrigerator feet, sunglasses frame, binoculars bridge, basketball hoop board, monitor "
+        "stand, television stand, toothbrush bristles, hairbrush bristles, toaster base, vacuum "
+        "cleaner base, stapler base, hair dryer grip, dumpster lid, clown nose"
     ),
     "rubber": (
         "pistol grip, boxing glove band, camera grip, binoculars rims, traffic cone body, "
         "saxophone mouthpiece"
     ),
+    "scales": "lizard feet",
     "skin": (
         "monkey face, demon mouth, zombie mouth, yeti face, mouse tail, mouse ears, bat ears, "
-        "minotaur body, caterpillar feet"
-    ),
-    "wet skin": "brain folds, yeti mouth",
-    "wicker": "crossbow string, bow string, barn hay",
-    "wooden": (
-        "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
-        "trim, log cabin roof, whistle pea, raft ends"
+        "minotaur body, caterpillar feet, mouse feet, hedgehog feet"
     ),
     "soil": "dump truck load",
-    "crumb": "notice board cork",
-    "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
+    "wet skin": "brain folds, yeti mouth, brain stem",
+    "wicker": "crossbow string, bow string, barn hay, hay bale stalks, beehive knob",
+    "wooden": (
+        "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
+        "trim, log cabin roof, whistle pea, raft ends, treehouse roof, spinning top stem, pirate "
+        "ship masts, pawn base, pawn collar"
+    ),
 }
 # A part, whatever it is of.
 OF_A_PART = {
@@ -197,7 +218,7 @@ OF_THE_REST = {
     ),
     "crumb": "cake, popcorn",
     "crust": (
-        "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, torus, fries,"
+        "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, fries,"
         " donut, gingerbread man"
     ),
     "fabric": "armchair, rug, parachute",
@@ -217,7 +238,7 @@ OF_THE_REST = {
         "orange fruit, banana, pumpkin, carrot, potato, avocado, onion, coconut, pineapple, "
         "watermelon slice"
     ),
-    "plastic": "ball, balloon",
+    "plastic": "ball, balloon, torus",
     "scales": (
         "fish, snake, crocodile, lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, "
         "mermaid"

@@ -18,7 +18,7 @@ SOLIDS = {
         "; inner tube, bracelet, lifebuoy, life preserver, steering wheel, life buoy, life "
         "ring, swim ring, swimming ring, pool ring, inflatable ring, pool float, rubber ring, "
         "rubber tube",
-        {"body": "*b87838"},
+        {"body": "*e07a2c"},
         Usual(0.3, RUBBER, 0.3),
     ),
     "cylinder": Noun(
