@@ -48,7 +48,7 @@ WORDY = 0.001  # errors in the mean, for each number of an outline
 STANDS_OUT = 2.5  # errors
 SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
-LEAST_FLAT = 0.05  # of a part's surface, from which it may have boxes
+LEAST_FLAT = 0.05  # of a part's surface, from which its pieces may have flat faces
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
 STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
@@ -186,18 +186,18 @@ def matched(
     """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
     they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
 
-    ``flat``: of each part, the fraction of its surface; of one that has hardly any nothing is a
-    box: a stripe around a tiger's tail was a block.
+    ``flat``: of each part, the fraction of its surface; of one that has hardly any nothing has flat
+    faces: a stripe around a tiger's tail was a block, a panda's eyes were discs.
     """
     points = [points_of(piece) for piece in pieces]
     found: list[Primitive | None] = [None] * len(pieces)
     for group in alike(pieces):
-        boxes = flat[pieces[group[0]].place.part] >= LEAST_FLAT
+        faces = flat[pieces[group[0]].place.part] >= LEAST_FLAT
         some = [pieces[k] for k in group], [points[k] for k in group]
-        pairs = list(zip(group, fitted_together(*some, boxes), strict=True))
+        pairs = list(zip(group, fitted_together(*some, faces), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, primitive_of(points[k], pieces[k].error, boxes)) for k in group]
+            pairs = [(k, primitive_of(points[k], pieces[k].error, faces)) for k in group]
             pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
@@ -235,7 +235,7 @@ def slack_of(count: int) -> float:
 
 
 def fitted_together(
-    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], boxes: bool = True
+    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], flat: bool = True
 ) -> Sequence[Primitive | None]:
     """One primitive for all, each at its place; Nones where it does not fit all."""
     if len(pieces) > 1:
@@ -244,7 +244,7 @@ def fitted_together(
         for placed in (unturned, mirrored, around):
             frames = [placed(middle) for middle in middles]
             local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
-            one = primitive_of(np.concatenate(local)[:: len(points)], error, boxes)
+            one = primitive_of(np.concatenate(local)[:: len(points)], error, flat)
             if one is not None and all(one.fits(some, error) for some in local):
                 return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
     return [None] * len(points)

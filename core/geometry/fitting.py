@@ -26,25 +26,27 @@ STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wi
 # A tip is rounded off, not cut: errors, at most, of the radius where it ends, of its rounding's,
 # and of its height.
 TIP = 1.7, 2.5, 3.5
+ENDS = 0.3  # of a surface, the ends of what is still a rod
 TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
-def primitive_of(points: Points, error: float, boxes: bool = True) -> Primitive | None:
+def primitive_of(points: Points, error: float, flat: bool = True) -> Primitive | None:
     """The primitive whose surface the points are on, up to errors of about ``error``; or None.
 
-    ``boxes``: whether it may be one. Of what is hardly larger than the errors points do not tell.
+    ``flat``: whether it may have flat faces, more than the ends of a rod. Of what is hardly larger
+    than the errors points do not tell.
     """
 
     def off(one: Primitive) -> float:
         return one.off(points, error)
 
     def covered(one: Primitive) -> bool:
-        return _covered(one, points, error)
+        return _covered(one, points, error) and (flat or _flat_share(one) < ENDS)
 
     best, limit = None, np.inf
     gain = TURNED_GAIN  # of what lies along the coordinate axes
     for frame in frames_of(points):
-        starts = (one for one in _starts(points, frame) if boxes or one.form != "box")
+        starts = (one for one in _starts(points, frame) if flat or one.form != "box")
         fixed = [_fitted(one, points, error) for one in starts]
         likely = sorted(fixed, key=off)[:TURNED]
         freely = [_fitted(one, points, error, turns=True) for one in likely]
@@ -108,6 +110,15 @@ def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primiti
             yield Primitive("capsule", center, turn, np.array([height - radius, radius, radius]))
         if height < TUBE * radius:
             yield Primitive("ring", center, turn, np.array([radius - height, height]))
+
+
+def _flat_share(one: Primitive) -> float:
+    """The fraction of the surface that is flat."""
+    if one.form != "frustum":
+        return float(one.form == "box")
+    half, below, above, _ = one.lengths
+    ends = below**2 + above**2
+    return float(ends / (ends + (below + above) * np.hypot(2 * half, below - above)))
 
 
 def _covered(one: Primitive, points: Points, error: float) -> bool:

@@ -131,18 +131,26 @@ def test_what_is_a_box_up_to_its_errors_is_one_and_a_cushion_is_none():
     assert torch.cdist(torch.cartesian_prod(*corner), soft).amin(1).min() > 0.03
 
 
-def test_of_a_part_without_a_flat_face_nothing_is_a_box():
-    """A stripe around a tiger's tail, hardly larger than what a network is off, was a block."""
+def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
+    """A stripe around a tiger's tail, hardly larger than what a network is off, was a block, and a
+    panda's eyes were cut flat."""
 
     def stripe(points):
-        return (box(points, (0.1, 0.0, 0.0), (0.02, 0.03, 0.09)) - 0.055)[:, None]
+        return (box(points, (0.1, 0.0, 0.0), (0.05, 0.06, 0.11)) - 0.025)[:, None]
 
-    def told(flat):
-        (piece,) = KnownParts(stripe, Forms((flat,), ((0.0,),) * 3)).pieces
+    def eye(points):  # of 0.04 by 0.055, with an edge
+        across = points[:, :2].norm(dim=1) - 0.035
+        edge = torch.stack([across, points[:, 2].abs() - 0.02], 1)
+        return (edge.clamp_min(0).norm(dim=1) + edge.amax(1).clamp_max(0) - 0.02)[:, None]
+
+    def told(part, flat):
+        (piece,) = KnownParts(part, Forms((flat,), ((0.0,),) * 3)).pieces
         return piece.primitive.form if piece.primitive else ""
 
-    assert told(1.0) == "box"
-    assert told(0.0) not in ("box", "")
+    assert told(stripe, 1.0) == "box"
+    assert told(stripe, 0.0) not in ("box", "")
+    assert told(eye, 1.0) in ("frustum", "box")
+    assert told(eye, 0.0) in ("ellipsoid", "capsule", "ring")
 
 
 def test_what_is_round_is_told_by_the_piece_itself():
