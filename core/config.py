@@ -286,17 +286,16 @@ DRAFT = Config(
         log2_hash_size=15,
         finest=128,
         early=PhaseConfig(
-            steps=20, size=64, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=1.5
+            steps=20, size=128, weighting="sigma2_sqrt", t_high=(0.98, 0.7), guidance_scale=1.5
         ),
         late=PhaseConfig(
-            steps=10, size=64, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.5
+            steps=10, size=128, weighting="inv_sigma2", t_high=(0.7, 0.5), guidance_scale=1.5
         ),
         # The prior saw colours over this very shape and light: one step from much noise is the
         # mean of its pictures under all turns of the light, and more guidance would saturate kd.
         refine=RefineConfig(
             rounds=1,
             steps=40,
-            size=64,
             t=(0.95, 0.95),
             batch=6,
             denoise_steps=1,

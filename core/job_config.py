@@ -10,6 +10,7 @@ from core.io.job import Job
 from core.settings import check, with_settings
 
 BUILTIN = "builtin"  # the guidance of that name
+SEEN = 64  # pixels of the built-in prior's pictures
 # Scale of the lattice that holds what Ψ lacks of a guide: it then moves a tenth as fast as Ψ.
 GUIDE_RESIDUAL = 0.1
 
@@ -94,6 +95,9 @@ def with_builtin(config: Config) -> Config:
     preset's.
     """
     g, a = DRAFT.geometry, DRAFT.appearance
+    refine = config.appearance.refine
+    # Where fitting has the last word, the pictures are as small as the prior sees them.
+    small = {"size": SEEN} if refine.rounds else {}
     return replace(
         config,
         geometry=replace(
@@ -105,8 +109,9 @@ def with_builtin(config: Config) -> Config:
         ),
         appearance=replace(
             config.appearance,
-            early=replace(a.early, steps=config.appearance.early.steps),
-            late=replace(a.late, steps=config.appearance.late.steps),
+            early=replace(a.early, steps=config.appearance.early.steps, **small),
+            late=replace(a.late, steps=config.appearance.late.steps, **small),
+            refine=replace(refine, **small),
             cameras=a.cameras,
             learning_rate=a.learning_rate,
             learning_rate_end=a.learning_rate_end,
@@ -154,8 +159,8 @@ def retouching(config: Config, strength: float) -> Config:
     early = replace(a.early, steps=round(a.early.steps * keep))
     steps = max(1, round(a.late.steps * (0.2 + 0.8 * keep)))
     late = replace(a.late, steps=steps, t_high=_calmer(a.late.t_high, strength))
-    rounds, steps = (a.refine.rounds if keep else 0), max(1, round(a.refine.steps * keep))
-    refine = replace(a.refine, rounds=rounds, steps=steps, t=_calmer(a.refine.t, strength))
+    rounds, fewer = (a.refine.rounds if keep else 0), max(1, round(a.refine.steps * keep))
+    refine = replace(a.refine, rounds=rounds, steps=fewer, t=_calmer(a.refine.t, strength))
     rate = a.learning_rate * (0.02 + 0.98 * keep)
     less = replace(a, early=early, late=late, refine=refine, learning_rate=rate)
     return replace(config, appearance=less)

@@ -61,6 +61,12 @@ class Forms(NamedTuple):
     flat: Sequence[float]  # of each, the fraction of its surface that is flat
     round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
 
+    def may_be_flat(self, part: int) -> bool:
+        """Whether pieces of the part may have flat faces; of what is small or was never seen the
+        table knows nothing."""
+        known = self.flat[part] or any(axis[part] for axis in self.round)
+        return not known or self.flat[part] >= LEAST_FLAT
+
 
 class KnownParts:
     """The parts of one object, each a solid of its own, and the pieces that they are of."""
@@ -76,7 +82,7 @@ class KnownParts:
         """All that have a surface; those of a part that are alike are so exactly."""
         found = places_of(self.distances, len(self.forms.flat))
         drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
-        pairs = zip(drawn, matched(self.distances, drawn, self.forms.flat), strict=True)
+        pairs = zip(drawn, matched(self.distances, drawn, self.forms), strict=True)
         told = [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
@@ -180,24 +186,22 @@ def assembled(
     return drop_floaters(*union(meshes, STRUT), floaters)
 
 
-def matched(
-    distances: Distances, pieces: list[Piece], flat: Sequence[float]
-) -> list[Primitive | None]:
+def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Primitive | None]:
     """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
     they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
 
-    ``flat``: of each part, the fraction of its surface; of one that has hardly any nothing has flat
-    faces: a stripe around a tiger's tail was a block, a panda's eyes were discs.
+    What a part's forms say it has no flat faces of is no box and no disc: a stripe around a tiger's
+    tail was a block, a panda's eyes were discs.
     """
     points = [points_of(piece) for piece in pieces]
     found: list[Primitive | None] = [None] * len(pieces)
     for group in alike(pieces):
-        faces = flat[pieces[group[0]].place.part] >= LEAST_FLAT
+        flat = forms.may_be_flat(pieces[group[0]].place.part)
         some = [pieces[k] for k in group], [points[k] for k in group]
-        pairs = list(zip(group, fitted_together(*some, faces), strict=True))
+        pairs = list(zip(group, fitted_together(*some, flat), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, primitive_of(points[k], pieces[k].error, faces)) for k in group]
+            pairs = [(k, primitive_of(points[k], pieces[k].error, flat)) for k in group]
             pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
         for k, one in pairs:
             found[k] = one.sharp() if one else None

@@ -147,8 +147,10 @@ class Areas(Protocol):
         """The area of each place of the surface, training units."""
         ...
 
-    def told(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
-        """The area of each place of the surface, and whether no border is near."""
+    def told(
+        self, points: Float[Tensor, "n 3"], reach: float
+    ) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
+        """The area of each place of the surface, and whether that of all within ``reach``."""
         ...
 
     def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:

@@ -53,11 +53,13 @@ def test_a_point_near_the_border_goes_to_the_inset_and_others_stay():
 def test_a_place_is_told_to_be_clear_where_no_border_is_near():
     borders, _ = _ball()
     points = _on_the_ball()
-    area, clear = borders.told(points)
+    area, clear = borders.told(points, 0.0)
     assert torch.equal(area == 1, points[:, 0] > 0)
     assert torch.equal(clear, 2 * points[:, 0].abs() >= FLUSH)
+    _, clear = borders.told(points, 0.1)  # of a coarse texture
+    assert torch.equal(clear, points[:, 0].abs() >= 0.1)
     one = SolidAreas(lambda p: (p[:, 0], p[:, :1]), TWO[:1], cells=4)
-    area, clear = one.told(points)
+    area, clear = one.told(points, 0.0)
     assert clear.all() and not area.any()
 
 

@@ -144,13 +144,16 @@ def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
         return (edge.clamp_min(0).norm(dim=1) + edge.amax(1).clamp_max(0) - 0.02)[:, None]
 
     def told(part, flat):
-        (piece,) = KnownParts(part, Forms((flat,), ((0.0,),) * 3)).pieces
+        (piece,) = KnownParts(part, Forms((flat,), ((0.5,),) * 3)).pieces
         return piece.primitive.form if piece.primitive else ""
 
     assert told(stripe, 1.0) == "box"
     assert told(stripe, 0.0) not in ("box", "")
     assert told(eye, 1.0) in ("frustum", "box")
     assert told(eye, 0.0) in ("ellipsoid", "capsule", "ring")
+    # A row of zeros says nothing: of a part that is small, or was never seen.
+    assert Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(0)
+    assert not Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(1)
 
 
 def test_what_is_round_is_told_by_the_piece_itself():

@@ -172,4 +172,9 @@ def test_sds_is_score_distillation_alone() -> None:
     assert sds.appearance.refine.rounds == 0
     draft = preset("draft")
     distilled = config_of(Job(prompt="a mug", settings={"geometry.start": "ellipsoid"}))
-    assert distilled == replace(draft, geometry=replace(draft.geometry, start="ellipsoid"))
+    a = draft.appearance
+    # Pictures as small as the prior sees them, where they are fitted to, and there alone.
+    phases = {name: replace(getattr(a, name), size=64) for name in ("early", "late", "refine")}
+    expected = replace(draft, geometry=replace(draft.geometry, start="ellipsoid"))
+    assert distilled == replace(expected, appearance=replace(a, **phases))
+    assert config_of(Job(prompt="a mug", preset="sds")).appearance.early.size == 128

@@ -13,7 +13,8 @@ from core.ops import dot, normalize
 from core.tests.texture_shapes import one_material, torus, torus_uv
 from core.texture.bake import bake
 from core.texture.fine_surface import FineSurface, turned
-from core.texture.finish import Finish, footprint, in_tangent_space
+from core.texture.finish import Finish, in_tangent_space
+from core.texture.texels import footprint
 
 PLAIN = one_material((0.5, 0.5, 0.5))
 
@@ -99,7 +100,7 @@ def test_the_same_surface_gives_a_flat_map_and_a_thin_parts_other_side_none_of_i
 
 
 def test_a_texels_side_on_the_surface():
-    assert abs(footprint(UvMesh.of(sheet(4, 0.0)), 128) - 1 / 128) < 1e-6
+    assert abs(footprint(UvMesh.of(sheet(4, 0.0)).mesh, 128) - 1 / 128) < 1e-6
 
 
 def test_normals_turn_at_an_edge_of_the_fine_surface_and_not_before():

@@ -17,7 +17,7 @@ from core.guidance.guidance import Areas
 from core.io.maps import Maps
 from core.ops import normalize
 from core.texture.padding import nearest_covered, pad
-from core.texture.texels import Texels, texel_bands
+from core.texture.texels import Texels, footprint, texel_bands
 
 CHUNK = 1 << 18  # points given to the material at once
 
@@ -67,9 +67,10 @@ def bake(
             emission=torch.zeros(size * size, 3), transmission=torch.zeros(size * size, 1)
         )
     covered = torch.zeros(size * size, dtype=torch.bool)
+    reach = footprint(mesh, size)
     for texels in texel_bands(*mesh.atlas, size, samples):
         if len(texels.index):
-            where, mean = _means(mesh, texels, material, finish, areas)
+            where, mean = _means(mesh, texels, material, finish, areas, reach)
             maps.base_color[where] = mean[:, :3]
             maps.orm[where, 1:] = mean[:, 3:5]
             maps.normal[where] = normalize(mean[:, 5:8])
@@ -97,29 +98,36 @@ def _means(
     material: MaterialAt,
     finish: TexelFinish | None,
     areas: Areas | None,
+    reach: float,
 ) -> tuple[Int[Tensor, " t"], Float[Tensor, "t w"]]:
-    """The covered texels and, for each, the mean of kd, roughness, metallic and kn, finished."""
+    """The covered texels and, for each, the mean of kd, roughness, metallic and kn, finished.
+
+    ``reach``: no texel goes farther from its middle.
+    """
     # A texel's points follow each other, so no sort is needed.
     where, slot, count = texels.index.unique_consecutive(return_inverse=True, return_counts=True)
-    corners = mesh.verts[mesh.faces]
-    attributes = torch.cat([corners, finish.attributes], -1) if finish else corners
-    place = torch.zeros(len(where), attributes.shape[-1], device=mesh.verts.device)
+    device = mesh.verts.device
+    width = finish.attributes.shape[-1] if finish else 0
+    place, middle = (torch.zeros(len(where), n, device=device) for n in (width, 3))
     for face, bary, to in zip(
         texels.face.split(CHUNK), texels.bary.split(CHUNK), slot.split(CHUNK), strict=True
     ):
-        place.index_add_(0, to, _at(attributes, face, bary))
-    place /= count[:, None]
-    middle, place = place.split([3, place.shape[1] - 3], 1)
+        if finish:
+            place.index_add_(0, to, _at(finish.attributes[face], bary))
+        if areas:
+            middle.index_add_(0, to, _at(mesh.verts[mesh.faces[face]], bary))
+    place, middle = place / count[:, None], middle / count[:, None]
 
-    mean, area = torch.zeros(len(where), 8, device=mesh.verts.device), None
+    mean, area = torch.zeros(len(where), 8, device=device), None
     once = torch.zeros_like(count, dtype=torch.bool)  # what one point says all of
     if areas:
-        told = [areas.told(part) for part in middle.split(CHUNK)]
+        told = [areas.told(part, reach) for part in middle.split(CHUNK)]
         area, once = (torch.cat(x) for x in zip(*told, strict=True))
         for here in once.nonzero().squeeze(1).split(CHUNK):
             mean[here] = torch.cat(material(middle[here], area[here]), -1).to(mean)
     for here in (~once[slot]).nonzero().squeeze(1).split(CHUNK):
-        to, points = slot[here], _at(corners, texels.face[here], texels.bary[here])
+        to = slot[here]
+        points = _at(mesh.verts[mesh.faces[texels.face[here]]], texels.bary[here])
         values = material(points, *([areas.of(points)] if areas else []))
         mean.index_add_(0, to, torch.cat(values, -1).to(mean) / count[to, None])
     if finish:
@@ -129,8 +137,6 @@ def _means(
     return where.cpu(), mean.cpu()
 
 
-def _at(
-    values: Float[Tensor, "f 3 c"], face: Int[Tensor, " n"], bary: Float[Tensor, "n 3"]
-) -> Float[Tensor, "n c"]:
-    """Values by corner, at points of faces."""
-    return torch.einsum("nk,nkc->nc", bary, values[face])
+def _at(values: Float[Tensor, "n 3 c"], bary: Float[Tensor, "n 3"]) -> Float[Tensor, "n c"]:
+    """Of values at the corners of points' faces, those at the points."""
+    return torch.einsum("nk,nkc->nc", bary, values)

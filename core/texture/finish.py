@@ -9,7 +9,6 @@ from torch import Tensor
 
 from core.appearance.shade import perturb
 from core.appearance.shaded import UvMesh
-from core.geometry.mesh import face_areas
 from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
 from core.texture.bake import MaterialAt
@@ -19,6 +18,7 @@ from core.texture.detail.noise import Noise
 from core.texture.detail.parts import ByArea, ByColor
 from core.texture.detail.survey import spread
 from core.texture.fine_surface import FineSurface, turned
+from core.texture.texels import footprint
 
 CHUNK = 1 << 17  # texels at once
 SURVEYED = 1 << 14  # points of the surface, for the parts' colours and their means
@@ -102,18 +102,10 @@ def detail_of(
     grain = torch.cat([lengths(*own), convexity(*own)], 1)
     long, edge = torch.einsum("nk,nkc->nc", bary, grain[mesh.faces[face]]).split([3, 1], 1)
     spots = Spots(at[:, :3] * finish.scale, normalize(at[:, 3:6]), long, edge, area)
-    noise = Noise(seed, footprint(mesh, size) * finish.scale)
+    noise = Noise(seed, footprint(mesh.mesh, size) * finish.scale)
     coat = Coat(learnt.kd, learnt.roughness, learnt.metallic)
     parts = ByArea(each) if areas else ByColor.of(surfaces, coat.kd)
     return replace(Detail.of(parts, noise, strength, spots, coat), grain=grain)
-
-
-def footprint(mesh: UvMesh, size: int) -> float:
-    """Side of a texel on the surface, in the mesh's units, in the mean over its faces."""
-    a, b, c = mesh.uv[mesh.face_uvs].unbind(1)
-    (p, q), (r, s) = (b - a).unbind(1), (c - a).unbind(1)
-    in_texels = float((p * s - q * r).abs().sum()) / 2 * size**2
-    return (float(face_areas(mesh.verts, mesh.faces).sum()) / max(in_texels, 1.0)) ** 0.5
 
 
 def in_tangent_space(

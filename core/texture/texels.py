@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
+from core.geometry.mesh import Mesh, face_areas
 from core.render.visibility import visibility
 
 BAND = 1 << 22  # looked-at points at once: bounds the memory at about 400 MB
@@ -48,6 +49,15 @@ def texel_bands(
         # Only the faces that the band can hold are drawn.
         near = ((high >= bottom) & (low <= top)).nonzero().squeeze(1)
         yield _band(uv, face_uvs, near, (first, count, size, grid))
+
+
+def footprint(mesh: Mesh, size: int) -> float:
+    """Side of a texel on the surface, in the mesh's units, in the mean over its faces."""
+    uv, face_uvs = mesh.atlas
+    a, b, c = uv[face_uvs].unbind(1)
+    (p, q), (r, s) = (b - a).unbind(1), (c - a).unbind(1)
+    in_texels = float((p * s - q * r).abs().sum()) / 2 * size**2
+    return (float(face_areas(mesh.verts, mesh.faces).sum()) / max(in_texels, 1.0)) ** 0.5
 
 
 def grid_side(samples: int) -> int:

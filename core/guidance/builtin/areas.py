@@ -1,5 +1,5 @@
-"""The areas of a drawn solid that are of one colour each: its parts, and in a part that the words
-give a pattern the places of its colours.
+"""The areas of a drawn solid that are of one colour each: its parts, and in a part that has a
+pattern the places of its colours.
 
 Γ learns colours from pictures of 64², where a border between two areas is a pixel or two wide, 6 %
 of the object. The areas themselves are known in space, so a texel near a border takes the material
@@ -83,19 +83,22 @@ class SolidAreas:
 
     def of(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The area of each point."""
-        return self.told(points)[0]
+        return self.told(points, 0.0)[0]
 
-    def told(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
-        """The area of each point, and whether no border is near."""
+    def told(
+        self, points: Float[Tensor, "n 3"], reach: float
+    ) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
+        """The area of each point, and whether it surely is that of all within ``reach``."""
         depths = self._at(points)[:, 1:]
         area = depths.argmax(1)
         clear = torch.ones_like(area, dtype=torch.bool)
         if depths.shape[1] == 1:
             return area, clear
         first, second = depths.topk(2, 1).values.T
-        near = first - second < UNCLEAR * self.spacing
+        near = first - second < max(UNCLEAR * self.spacing, 2 * reach)
         if near.any():
-            area[near], clear[near] = self._owner(points[near])
+            area[near], margin = self._owner(points[near])
+            clear[near] = margin >= max(FLUSH, 2 * reach)  # a margin is of two distances
         return area, clear
 
     def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:
@@ -119,10 +122,10 @@ class SolidAreas:
             moved[here] = to - (self._at(to)[:, :1] - level[here, None]) * normal[go]
         return moved
 
-    def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
+    def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, " n"]]:
         """The area whose exact surface each point is on; or whose it is as it was drawn, where that
-        lies under a larger one's by no more than what is drawn is off: a pane in a wall. And
-        whether it is on no other's."""
+        lies under a larger one's by no more than what is drawn is off: a pane in a wall. And by
+        how much more than of any other."""
         exact = self.near(points)[1]
         owner = exact.argmax(1)
         first, second = exact.topk(2, 1).values.T
@@ -132,7 +135,7 @@ class SolidAreas:
         behind = first[beside] - exact[beside].gather(1, drawn[:, None])[:, 0]
         smaller = self.sizes[drawn] < self.sizes[mine]  # a wheel's rim is not the body's
         owner[beside] = torch.where((behind < FLUSH) & smaller, drawn, mine)
-        return owner, ~beside
+        return owner, first - second
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]

@@ -178,7 +178,7 @@ class PromptedBuiltin(PromptedGuidance):
         return self.solid and self.solid.shape()
 
     def areas(self) -> SolidAreas | None:
-        """The drawn solid's parts, each in the colours of its stated pattern."""
+        """The drawn solid's parts, each in the colours of its pattern."""
         if self.solid is None:
             return None
         parts = list(painted(self.words.noun, self.words))
@@ -186,7 +186,7 @@ class PromptedBuiltin(PromptedGuidance):
         laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
         for part, pattern in zip(parts, laid, strict=True):
-            # What is patterned by nature alone is not plain: where its colours lie is learnt.
+            # Where the colours of some patterns lie is learnt, such as of a turtle's plates.
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
             surface = surface_of(self.words, part)

@@ -29,7 +29,7 @@ def hint(
     axes: tuple[int, ...] = (),
 ) -> Float[Tensor, "b c h w"]:
     """``surface`` ([n, 2o - 1, p], weighted by coverage), then each place's colour by the words and
-    by nature, [2 srgb - 1, 1], drawn in the stated pattern; last the second swatch, even.
+    by nature, [2 srgb - 1, 1], drawn in the pattern; last the second swatch, even.
 
     So the network need not learn what a colour word looks like on each part of each thing, nor to
     draw a pattern: given the points alone, or their Fourier features, it painted its mean colour.

@@ -13,6 +13,8 @@ from core.guidance.builtin.nouns import NOUNS, PART_NAMES
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
     COLORS,
+    FILLER,
+    IGNORED_ADJECTIVES,
     MATERIALS,
     PART_ALSO,
     PART_SYNONYMS,
@@ -90,6 +92,7 @@ COMPOUNDS = tuple(form for form in LEXICON if " " in form)
 # What is meant by what is often written.
 OFTEN = {form.replace(" ", ""): form for form in COMPOUNDS}
 OFTEN |= {form: word for word, text in MISSPELLED.items() for form in text.split()}
+SAID = LEXICON.keys() | IGNORED_ADJECTIVES | FILLER  # words that are no slips of others
 NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
 PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.looks}
 
@@ -138,7 +141,7 @@ def corrected_phrase(tokens: list[str]) -> str:
         wrong = [(token, word) for token, word in pairs if token != word]
         if len(wrong) == 1 and len(tokens) >= len(words):
             token, word = wrong[0]
-            if token not in LEXICON and any(_one_slip_away(token, [word], 6)):
+            if token not in SAID and any(_one_slip_away(token, [word], 6)):
                 return form
     return ""
 

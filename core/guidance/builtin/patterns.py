@@ -107,7 +107,8 @@ def crossing(points: Float[Tensor, "p 3"], rise: float, lines: float) -> Float[T
     angle = torch.atan2(points[:, 1], points[:, 0]) * 4
     height = points[:, 2] * rise
     nearest = torch.maximum((angle + height).cos(), (angle - height).cos())
-    return (nearest - lines) / (rise * math.sqrt(1 - lines**2))
+    steep = (4 / points[:, :2].norm(dim=1).clamp_min(1e-3)).hypot(points.new_tensor(float(rise)))
+    return (nearest - lines) / (steep * math.sqrt(1 - lines**2))
 
 
 MARGINS: dict[str, Margin] = {
@@ -155,7 +156,7 @@ class Laid(NamedTuple):
 
     @property
     def colors(self) -> int:
-        """How many; one of what the words cannot ask for."""
+        """How many; one of what is learnt."""
         return len(RAINBOW_COLORS) if self.name == RAINBOW else 1 + (self.name in MARGINS)
 
     def margins(self) -> Margins | None:

@@ -35,6 +35,7 @@ from core.guidance.builtin.words import (
     GEMS,
     GOES_WITH,
     IGNORED_ADJECTIVES,
+    LIFELESS,
     LOOKS,
     OF_ANOTHER,
     PHRASE_ENDS,
@@ -278,6 +279,7 @@ class Reading(Clauses):
             thing, depiction = before, entry
         else:
             return False
+        self._depicted = True
         self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
         return True
 
@@ -297,8 +299,10 @@ class Reading(Clauses):
             self.got.leave_aside([" ".join(filter(None, words))], why)
 
     def _spare_the_living(self) -> None:
-        """ "An old wizard" is not worn."""
-        if not any(self.got.thing in GROUPS[group] for group in ALIVE):
+        """ "An old wizard" is not worn; an old doll, a stone lion and the statue of a king are."""
+        thing = self.got.thing
+        alive = any(thing in GROUPS[group] for group in ALIVE) and thing not in LIFELESS
+        if not alive or self.got.found["material"] or self._depicted:
             return
         weather = self.got.found["weather"]
         for one in [one for one in weather if one.form in AGES]:

@@ -345,6 +345,8 @@ STYLES = frozenset(
         "high detail",
         "low res",
         "high res",
+        "low quality",
+        "low resolution",
         "pixel art",
         "voxel art",
         "concept art",
@@ -407,6 +409,10 @@ DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
 # What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
 ALIVE = ("Characters", "Animals", "Wild Animals")
 AGES = frozenset("old ancient aged".split())
+# Of these groups what is made, or dead.
+LIFELESS = frozenset(
+    """moai obelisk mask doll nutcracker mech golem skeleton scarecrow snowman bone tooth""".split()
+) | {"totem pole", "teddy bear"}
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
     soldier cowboy""".split()

@@ -40,7 +40,7 @@ AIRCRAFT = {
     ),
     "hot air balloon": Noun(
         "hot-air balloon, air balloon; montgolfier",
-        {"balloon": "*d6322a hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
+        {"balloon": "*f1e3c2 hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
         Usual(25.0, FABRIC, 0.00069),
     ),
     "ufo": Noun(
