@@ -106,9 +106,9 @@ OF_A_THING = {
         "meter needle, screwdriver collar, blender collar, coffee machine collar, ninja sword, "
         "harp strings, magnet bands, stove plates, compass tail, alarm clock hands, pocket watch "
         "hands, radio handle, toolbox handle, wagon handle, suitcase feet, clock feet, safe feet, "
-        "floor lamp foot, golf club neck, rover mast, fan stand, vending machine cans, vending "
-        "machine flap, solar panel lines, trumpet buttons, parking meter slot, microscope stage, "
-        "train wheels, tank wheels"
+        "floor lamp foot, golf club neck, rover mast, vending machine cans, vending machine flap, "
+        "solar panel lines, trumpet buttons, parking meter slot, microscope stage, train wheels, "
+        "tank wheels"
     ),
     "paint": (
         "fence pickets, mailbox flag, tower windows, castle windows, pencil body, knight shield, "
@@ -136,8 +136,8 @@ OF_A_THING = {
         "hood, sunglasses arms, office chair arms, microphone handle, screwdriver handle, blender "
         "handle, coffee machine handle, clothes iron handle, toothbrush handle, scissors handles, "
         "refrigerator feet, sunglasses frame, binoculars bridge, basketball hoop board, monitor "
-        "stand, television stand, toothbrush bristles, hairbrush bristles, toaster base, vacuum "
-        "cleaner base, stapler base, hair dryer grip, dumpster lid, clown nose"
+        "stand, television stand, fan stand, toothbrush bristles, hairbrush bristles, toaster "
+        "base, vacuum cleaner base, stapler base, hair dryer grip, dumpster lid, clown nose"
     ),
     "rubber": (
         "pistol grip, boxing glove band, camera grip, binoculars rims, traffic cone body, "
