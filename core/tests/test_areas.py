@@ -144,6 +144,16 @@ def test_a_pattern_is_as_far_from_its_border_as_it_says(name):
     assert ((MARGINS[name](moved) > 0) == (margin[near] > 0)).float().mean() > 0.99
 
 
+@pytest.mark.parametrize("name", ["scales", "waffle"])
+def test_lines_that_meet_at_the_axis_are_as_near_as_they_say(name):
+    """At a cone's tip a turn is a short way."""
+    points = torch.rand(4000, 3, generator=torch.Generator().manual_seed(4)) * 0.1 - 0.05
+    margin = MARGINS[name](points)
+    way = 0.6 * margin.abs()[:, None] * points.roll(1, 1) / points.norm(dim=1, keepdim=True)
+    stays = (MARGINS[name](points + way) > 0) == (margin > 0)
+    assert stays.float().mean() > 0.97
+
+
 @pytest.mark.usefixtures("coarse")  # the weights
 @pytest.mark.parametrize(
     ("prompt", "plain"),

@@ -10,6 +10,7 @@ from core.geometry.mesh import Mesh
 from core.tests.texture_shapes import area, one_material, smooth_material, square, torus, torus_uv
 from core.texture import bake as module
 from core.texture.bake import bake
+from core.texture.texels import footprint
 
 SIZE = 128
 
@@ -103,6 +104,7 @@ def test_where_no_border_is_near_a_texel_is_asked_for_once_and_else_at_each_poin
             return (points[:, 0] > 0).long()
 
         def told(self, points, reach):
+            assert reach == pytest.approx(footprint(Mesh(*mesh[:2], **uv), 128))
             return self.of(points), points[:, 0] > 0
 
         def inside(self, points, _area):

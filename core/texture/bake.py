@@ -21,7 +21,6 @@ from core.texture.texels import Texels, footprint, texel_bands
 
 CHUNK = 1 << 18  # points given to the material at once
 
-
 MaterialAt = Callable[..., Material]  # of points; where areas are known, and of the area of each
 
 
@@ -54,9 +53,9 @@ def bake(
 
     A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
     unit length again; ``finish`` then makes the last change to it. Where no border between two
-    ``areas`` is near one point says as much. Occlusion is 1: the light's
-    shadows are the renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in
-    [0, 1]; what it raises stops it.
+    ``areas`` is near one point says as much. Occlusion is 1: the light's shadows are the
+    renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in [0, 1]; what it
+    raises stops it.
 
     Raises UserError where the uv map covers no texel.
     """

@@ -1,7 +1,6 @@
 """The last hand on each texel: the fine surface's normals, and the materials' detail."""
 
 from dataclasses import replace
-from itertools import repeat
 
 import torch
 from jaxtyping import Float, Int
@@ -52,8 +51,9 @@ class Finish:
         """``values``: kd, roughness, metallic and kn, the means of each texel; then emission and
         transmission too, where some of the detail ``lights``. ``area``: that the detail is told
         apart by."""
-        known = area.split(CHUNK) if area is not None else repeat(None)
-        parts = zip(attributes.split(CHUNK), values.split(CHUNK), known, strict=False)
+        texels = attributes.split(CHUNK)
+        known = [None] * len(texels) if area is None else area.split(CHUNK)
+        parts = zip(texels, values.split(CHUNK), known, strict=True)
         return torch.cat([self._finished(*part) for part in parts])
 
     def _finished(
