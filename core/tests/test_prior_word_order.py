@@ -243,3 +243,47 @@ def test_bands_of_two_colours_are_stripes_where_a_thing_has_no_bands():
 )
 def test_what_qualifies_a_thing_may_come_last(prompt, thing):
     assert read(prompt)["thing"] == thing
+
+
+@pytest.mark.parametrize(
+    ("prompt", "material"),
+    [
+        ("an egyptian pyramid, sandstone blocks, with a small entrance", "sandstone"),
+        ("a fireplace made of granite slabs and a wooden mantel", "granite"),
+        ("a pyramid of sandstone", "sandstone"),
+    ],
+)
+def test_what_a_material_comes_in_is_no_thing(prompt: str, material: str) -> None:
+    read = understood(prompt)
+    assert read["materials"] == [material]
+    assert not any("block" in left or "slab" in left for left in read["left_out"])
+
+
+def test_pieces_that_the_thing_has_are_its_part() -> None:
+    read = understood("a raft with oak boards")
+    assert read["materials"] == [] or read["part_materials"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "pot"),
+    [
+        ("a terracotta plant pot with a monstera", "potted plant", {"pot": "terracotta"}),
+        ("white ceramic flower pot containing a cactus", "cactus", {"pot": "ceramic"}),
+        ("a flower pot with a blue rim", "flower pot", {}),
+    ],
+)
+def test_a_pot_with_a_plant_is_the_plant(prompt: str, thing: str, pot: dict) -> None:
+    read = understood(prompt)
+    assert (read["thing"], read["part_materials"]) == (thing, pot)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("my daughter wants a purple butterfly", "butterfly"),
+        ("our client would like to have an armchair", "armchair"),
+        ("a robot who wants a hug", "robot"),
+    ],
+)
+def test_who_it_is_for_is_not_read(prompt: str, thing: str) -> None:
+    assert understood(prompt)["thing"] == thing

@@ -32,22 +32,29 @@ SHADES: dict[str, dict[str, str]] = {
     "red": {
         "bright red": "e01414", "cherry red": "b3122a", "crimson": "a80f2b", "scarlet": "d8210c",
         "ruby red": "9b111e", "blood red": "7c0a0a", "vermilion": "e0402c", "brick red": "9c3a2c",
-        "tomato red": "d8402a",
+        "tomato red": "d8402a", "coral red": "e5533f", "rust red": "97412a",
+        "raspberry red": "b3204a", "candy red": "d2122e", "fire engine red": "ce2029",
+        "strawberry red": "cf2b3a", "rose red": "c21e4f",
     },
     "orange": {
         "bright orange": "ff7a0a", "burnt orange": "c1541b", "amber": "e09a20",
         "rust orange": "b1521c", "tangerine orange": "f28500", "apricot orange": "f5a86a",
+        "pumpkin orange": "ee7a1e", "carrot orange": "ed8128", "safety orange": "ff6a00",
+        "coral orange": "ff7f50", "peach orange": "fbb27c",
     },
     "yellow": {
         "bright yellow": "ffe01a", "lemon yellow": "f4e04d", "golden yellow": "f5b81f",
         "mustard": "cc9a22", "mustard yellow": "cc9a22", "canary yellow": "ffe733",
         "saffron": "f0b32a", "ochre": "c08030", "sunny yellow": "ffd42a",
+        "honey yellow": "e8a628", "butter yellow": "f7e08a", "banana yellow": "ffe135",
     },
     "green": {
         "bright green": "1fb82a", "grass green": "4d9a2a", "olive": "6b7a2a",
         "olive green": "6b7a2a", "emerald": "0f8f56", "emerald green": "0f8f56",
         "sea green": "2e8b57", "jade green": "2aa06b", "moss green": "6b7a3a",
         "leaf green": "4f9a35", "army green": "4b5320", "sage green": "9caf88", "sage": "9caf88",
+        "apple green": "8db600", "seafoam green": "9fe2bf", "seafoam": "9fe2bf",
+        "fern green": "4f7942", "kelly green": "4cbb17", "avocado green": "568203",
     },
     "cyan": {
         "turquoise": "30c5c0", "teal": "0d7f80", "aqua": "3fd0d4", "aquamarine": "7fe0cf",
@@ -58,22 +65,26 @@ SHADES: dict[str, dict[str, str]] = {
         "cobalt": "0f47ab", "slate blue": "5f6ea8", "electric blue": "2b6cff",
         "sapphire blue": "1438a0", "azure": "2a7fe0", "steel blue": "4682b4",
         "cerulean": "2a7fb8", "ocean blue": "1f6a9c", "denim blue": "3a5580",
+        "cornflower blue": "6495ed", "duck egg blue": "b8dcd4", "periwinkle": "9aa5e8",
+        "periwinkle blue": "9aa5e8",
     },
     "purple": {
         "violet": "7a3fc0", "lilac": "c0a0d8", "lavender": "b8a4e0", "indigo": "3f1f8f",
         "mauve": "a8799a", "royal purple": "5a2a96", "aubergine purple": "3f1a3c",
+        "plum purple": "6a2a5a", "grape purple": "5c2d82", "eggplant purple": "3f1a3c",
     },
     "pink": {
         "light red": "f08080", "rose pink": "e8799a", "hot pink": "ff3f9a", "magenta": "d0207f",
         "fuchsia": "e0208f", "baby pink": "f6c2d0", "blush": "e8b4b8", "blush pink": "e8b4b8",
         "dusty pink": "cf9a9e", "salmon pink": "f58f7c", "coral pink": "f57f6c",
-        "bubblegum pink": "ff8fc0",
+        "bubblegum pink": "ff8fc0", "flamingo pink": "fc8eac", "candy pink": "f57fa8",
     },
     "brown": {
         "chocolate brown": "3f2416", "light brown": "a97c50", "chestnut": "6f3a22",
         "chestnut brown": "6f3a22", "cognac": "8f4a22", "caramel": "b8742e",
         "coffee brown": "4b3020", "golden brown": "b07a35", "umber": "5c4030", "sienna": "a0522d",
-        "mocha": "6b4a3a",
+        "mocha": "6b4a3a", "walnut brown": "5d4030", "rust brown": "7a3f20",
+        "camel brown": "c19a6b",
     },
     "black": {"jet black": "060606", "coal black": "121212", "pitch black": "050505"},
     "white": {
@@ -85,6 +96,8 @@ SHADES: dict[str, dict[str, str]] = {
         "slate colored": "6b7684", "charcoal": "36393d", "charcoal grey": "36393d",
         "charcoal gray": "36393d", "anthracite": "2f3236", "silver grey": "b0b4b8",
         "silver gray": "b0b4b8", "ash grey": "a8aaa6", "taupe": "8a7d70",
+        "dove grey": "a9a9a6", "gunmetal grey": "53565b", "graphite": "3a3c3f",
+        "graphite grey": "3a3c3f", "space grey": "55585c", "space gray": "55585c",
     },
     "dark red": {
         "maroon": "5c0f1f", "burgundy": "6a1027", "wine red": "5f0f22", "oxblood": "4f0c0e",

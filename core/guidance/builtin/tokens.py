@@ -14,6 +14,12 @@ DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 # What it is like; a catfish is a thing.
 LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural)")
+# Who it is for: "my daughter wants a purple butterfly".
+ASKED = re.compile(
+    r"^\s*(?:(?:my|our|the|his|her) )?\w+ (?:wants|needs|ask(?:s|ed) for|would (?:like|love))"
+    r"(?: to have)? (?=(?:an?|the|some|one) )",
+    re.IGNORECASE,
+)
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -32,7 +38,7 @@ class Tokens:
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
         """The words of a prompt; ``known`` are those that may be asked for."""
         found = cls(known)
-        plain, found.sizes, found.measures = set_apart(prompt)
+        plain, found.sizes, found.measures = set_apart(ASKED.sub("", prompt))
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
                 found.owners.add(len(found.words) - 1)

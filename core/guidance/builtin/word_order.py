@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from core.guidance.builtin.colors import TOWARDS
 from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.part_names import is_own
+from core.guidance.builtin.part_names import is_own, own_name
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
@@ -37,18 +37,53 @@ BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow s
 STRANGE = 2  # words before a look that are not known: "in signal orange"
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
 OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "some")
+# What a material comes in: "sandstone blocks" are sandstone, where the thing has no such part.
+PIECES = frozenset("blocks bricks slabs planks boards slats sheets panels tiles".split())
+POT = "flower pot"
+FULL = ("with", "containing", "holding")
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
 def set_in_order(tokens: Tokens) -> None:
     """Change the words' order where it is another than that of "with black wheels"."""
+    _take_plants_first(tokens)
     _join_names_of(tokens)
     _join_names_for(tokens)
     _set_qualifiers_first(tokens)
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
     for at in reversed(range(1, len(tokens.words))):
+        _drop_pieces(tokens, at)
+    for at in reversed(range(1, len(tokens.words))):
         _set_looks_before(tokens, at)
+
+
+def _take_plants_first(tokens: Tokens) -> None:
+    """ "A terracotta plant pot with a cactus" is a cactus with a terracotta pot."""
+    for at in range(len(tokens.words)):
+        name = next((p for p in tokens.phrases(at) if tokens.thing(p) == POT), "")
+        with_at = at + len(name.split())
+        if not name or tokens.words[with_at : with_at + 1] not in [[word] for word in FULL]:
+            continue
+        begin = with_at + 1 + (tokens.words[with_at + 1 : with_at + 2] in [[one] for one in OWN])
+        plant = next((p for p in tokens.phrases(begin) if is_own(tokens.thing(p), "pot")), "")
+        end = begin + len(plant.split())
+        if plant and tokens.ends_phrase(end) and tokens.breaks.isdisjoint(range(at + 1, end)):
+            first = tokens.qualities_begin(at)
+            looks = tokens.words[first:at]
+            tokens.put(first, end, [*plant.split(), "with", *looks, "pot"])
+            return
+
+
+def _drop_pieces(tokens: Tokens, at: int) -> None:
+    """ "A pyramid, sandstone blocks" is one of sandstone."""
+    word, ended = tokens.words[at], tokens.ends_phrase(at + 1)
+    if word not in PIECES or at in tokens.breaks or not (ended or tokens.words[at + 1] == "and"):
+        return
+    begin = tokens.qualities_begin(at, ("material",))
+    thing = _thing_before(tokens, begin)
+    if begin < at and thing and not own_name(thing, word):
+        tokens.cut(at, at + 1)
 
 
 def _join_names_of(tokens: Tokens) -> None:

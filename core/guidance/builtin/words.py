@@ -41,7 +41,7 @@ MATERIALS = {
     "pinewood, spruce, birch, maple, cherry wood, cherrywood, rosewood, ebony, teak, cedar, beech, "
     "beechwood, plywood, driftwood, dark wood, light wood, pale wood, white wood, oak wood, "
     "walnut wood, straw, thatched, thatch, lacquered wood, reclaimed wood, ash wood, light ash, "
-    "pale ash, solid ash, hickory, seagrass",
+    "pale ash, solid ash, hickory, seagrass, hardwood, softwood, hard wood",
     "metal": "polished metal, shiny metal, metallic; brushed metal, brushed steel, "
     "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
@@ -216,6 +216,16 @@ PART_ALSO = {
     "drawers": "drawer",
     "shelves": "shelf, boards",
     "cover": "lid, canopy, cap",
+    "tub": "tray, body",
+    "scroll wheel": "wheel",
+    "engine": "boiler",
+    "locomotive": "boiler",
+    "sides": "legs, walls, arms",
+    "walls": "glass",
+    "railing": "rails, rail",
+    "lantern": "lamp, lamps, glass",
+    "continents": "land",
+    "toast": "bread",
     "knobs": "handles, knob, buttons",
     "pegs": "knobs",
     "knob": "knobs, handle, handles",
@@ -336,7 +346,7 @@ COUNTS = frozenset(
 # How the picture or the mesh is wanted, of which a shape and its materials know nothing.
 STYLES = frozenset(
     """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
-    cinematic ultra zoomed vivid macro""".split()
+    cinematic ultra zoomed vivid macro archviz""".split()
 ) | {
     *(
         "low poly",
@@ -352,6 +362,8 @@ STYLES = frozenset(
         "concept art",
         "digital art",
     ),
+    *("pastel colors", "pastel colours", "soft colors", "soft colours", "bright colors"),
+    *("product render", "product photo", "product photography", "product design", "studio shot"),
     *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
     *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
     *("white background", "black background", "plain background", "transparent background"),
@@ -384,7 +396,10 @@ IGNORED_ADJECTIVES = frozenset(
     ornament cut sliced stained bent torn crooked percent
     double triple
     backwards upright sideways stuck kept tied hung sick laser lazer
-    solid premium mockup icon emoji exotic rugged
+    solid premium mockup icon emoji exotic rugged ergonomic wireless portable foldable folding
+    inflatable adjustable lightweight waterproof electronic digital analog analogue automatic
+    industrial commercial gooseneck curly wavy spiky pointy bumpy fuzzy puffy bushy frilly smug
+    grumpy sleepy sad shy proud brave clever silly goofy derpy wacky quirky lazy hungry
     spanish french italian german english british american japanese chinese korean indian mexican
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
     african european asian""".split()
@@ -393,6 +408,8 @@ IGNORED_ADJECTIVES = frozenset(
     *("old fashioned", "never used", "barely used", "life cycle", "low key"),
     *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
+    *("lawn ornament", "garden ornament", "lawn decoration", "garden decoration"),
+    *("you can", "can see", "you can see", "so you can"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
 }
