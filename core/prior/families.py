@@ -59,6 +59,7 @@ from core.prior.things.props import PROPS
 from core.prior.things.provisions import PROVISIONS
 from core.prior.things.relics import RELICS
 from core.prior.things.reptiles import REPTILES
+from core.prior.things.residence import RESIDENCE
 from core.prior.things.rides import RIDES
 from core.prior.things.roadside import ROADSIDE
 from core.prior.things.roles import ROLES
@@ -68,6 +69,7 @@ from core.prior.things.small_things import SMALL_THINGS
 from core.prior.things.speed import SPEED
 from core.prior.things.sport import SPORT
 from core.prior.things.street import STREET
+from core.prior.things.study import STUDY
 from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
@@ -184,6 +186,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | SPEED
     | NOVEL
     | CURIOS
+    | RESIDENCE
+    | STUDY
 )
 
 

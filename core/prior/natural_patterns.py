@@ -32,13 +32,6 @@ def rust(color: Tensor, _: Tensor, place: Place) -> Tensor:
     return torch.where((flake > 0.5)[:, None], bright, color * (1 - 0.25 * (flake < -0.7))[:, None])
 
 
-def plates(color: Tensor, _: Tensor, place: Place) -> Tensor:
-    """A turtle's shell: lines between its plates."""
-    x, y, _ = (place.normal * 4.2).unbind(1)
-    lines = torch.maximum((1.5 * x).cos().abs(), (1.5 * y + 0.8 * x).cos().abs())
-    return color * (1.15 - 0.5 * (lines > 0.9))[:, None]
-
-
 def spines(color: Tensor, _: Tensor, place: Place) -> Tensor:
     """Books: upright strips of several colours."""
     strip = (place.point[:, 0] / 0.1).floor()
@@ -68,7 +61,6 @@ ALL_PATTERNS: dict[str, Pattern] = {
     "grain": grain,
     "mottle": mottle,
     "rust": rust,
-    "plates": plates,
     "spines": spines,
     "thatch": thatch,
     "bricks": bricks,

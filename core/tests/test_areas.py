@@ -161,7 +161,8 @@ def test_lines_that_meet_at_the_axis_are_as_near_as_they_say(name):
         ("a blue chair", (True,) * 4),
         ("a red ball with white stripes", (True, True)),
         ("a lighthouse", (True,) * 6),  # its rings are known, though no words ask for them
-        ("a turtle", (False, True, True)),  # the plates of its shell are learnt
+        ("a turtle", (True,) * 4),  # the plates of its shell too
+        ("a tower", (False, True, True)),  # its bricks are learnt
     ],
 )
 def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):

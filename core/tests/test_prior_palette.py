@@ -14,6 +14,7 @@ from core.guidance.builtin.palette import (
     FINISHES,
     METAL_LEFT,
     SWATCHES,
+    Painted,
     companion,
     looks,
     painted,
@@ -424,7 +425,6 @@ def test_other_stripes_than_its_own_are_drawn():
     [
         ("lighthouse", "tower", "hoops", (0.76, 0.14, 0.12)),
         ("mushroom", "cap", "dots", (0.95, 0.93, 0.88)),
-        ("pineapple", "body", "scales", None),  # of its own colour, but darker
     ],
 )
 def test_a_pattern_by_nature_has_a_second_colour_until_a_colour_is_stated(
@@ -433,13 +433,44 @@ def test_a_pattern_by_nature_has_a_second_colour_until_a_colour_is_stated(
     parts = {one.name: one for one in painted(noun, Caption())}
     own = parts[part]
     assert own.pattern == pattern
-    assert own.second == (second or tuple(0.6 * x for x in own.color))
+    assert own.second == second
     red = next(one for one in painted(noun, Caption("blue")) if one.name == part)
     assert red.pattern == "" and red.color == color_value("blue")
     spotted = next(
         one for one in painted(noun, Caption("blue", pattern="checkered")) if one.name == part
     )
     assert spotted.pattern == "checkered"
+
+
+@pytest.mark.parametrize(
+    ("noun", "part", "pattern", "second"),
+    [
+        ("pineapple", "body", "scales", 0.6),  # of its own colour, but darker
+        ("turtle", "shell", "plates", 0.5),
+        ("basketball", "ball", "seams", (0.13, 0.10, 0.09)),
+    ],
+)
+@pytest.mark.parametrize("stated", [{}, {"color": "blue"}, {"material": "golden"}])
+def test_lines_that_are_of_a_things_form_stay(noun, part, pattern, second, stated):
+    own = _part(noun, part, **stated)
+    assert own.pattern == pattern
+    dark = second if isinstance(second, tuple) else tuple(second * x for x in own.color)
+    assert own.second == pytest.approx(dark)
+    # Of a finish with a pattern of its own, too; not under a pattern that is stated.
+    assert _part(noun, part, material="wooden").pattern == pattern
+    assert _part(noun, part, pattern="spotted").pattern == "spotted"
+    assert _part(noun, part, color="red", color_form="rainbow").pattern == "rainbow"
+
+
+def test_two_colours_of_a_basketball_are_its_own_and_its_seams():
+    own = _part("basketball", "ball", color="black", pattern="two-tone", second="white")
+    assert (own.pattern, own.second) == ("seams", color_value("white"))
+    # Black lines on black are none.
+    assert min(_part("basketball", "ball", color="black").second) > 0.8
+
+
+def _part(noun: str, part: str, **stated: str) -> Painted:
+    return next(one for one in painted(noun, Caption(**stated)) if one.name == part)
 
 
 @pytest.mark.parametrize(

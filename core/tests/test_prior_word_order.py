@@ -2,6 +2,7 @@
 
 import pytest
 
+from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.vocabulary import understood
 
@@ -246,35 +247,41 @@ def test_what_qualifies_a_thing_may_come_last(prompt, thing):
 
 
 @pytest.mark.parametrize(
-    ("prompt", "material"),
+    ("prompt", "materials"),
     [
-        ("an egyptian pyramid, sandstone blocks, with a small entrance", "sandstone"),
-        ("a fireplace made of granite slabs and a wooden mantel", "granite"),
-        ("a pyramid of sandstone", "sandstone"),
+        ("an egyptian pyramid, sandstone blocks, with a small entrance", ["sandstone"]),
+        ("a fireplace made of granite slabs and a wooden mantel", ["granite"]),
+        ("a fireplace of blue ceramic tiles", ["ceramic"]),
+        ("a fireplace of red bricks", ["brick"]),
+        ("a house with slate tiles", []),  # these are its roof's
+        ("a red car with carbon fiber panels", []),
     ],
 )
-def test_what_a_material_comes_in_is_no_thing(prompt: str, material: str) -> None:
-    read = understood(prompt)
-    assert read["materials"] == [material]
-    assert not any("block" in left or "slab" in left for left in read["left_out"])
+def test_what_a_material_comes_in_is_no_thing(prompt: str, materials: list[str]) -> None:
+    assert understood(prompt)["materials"] == materials
 
 
-def test_pieces_that_the_thing_has_are_its_part() -> None:
-    read = understood("a raft with oak boards")
-    assert read["materials"] == [] or read["part_materials"]
+def test_pieces_that_a_thing_has_are_its_part() -> None:
+    assert understood("a door of glass panels")["part_materials"] == {"panels": "glass"}
 
 
 @pytest.mark.parametrize(
-    ("prompt", "thing", "pot"),
+    ("prompt", "thing", "pot", "color"),
     [
-        ("a terracotta plant pot with a monstera", "potted plant", {"pot": "terracotta"}),
-        ("white ceramic flower pot containing a cactus", "cactus", {"pot": "ceramic"}),
-        ("a flower pot with a blue rim", "flower pot", {}),
+        ("a terracotta plant pot with a monstera", "potted plant", "terracotta", []),
+        ("white ceramic flower pot containing a small cactus", "cactus", "ceramic", []),
+        ("a handmade copper plant pot with a green cactus", "cactus", "copper", ["green"]),
+        # What a cactus's pot has not.
+        ("a tall ceramic plant pot with a cactus", "flower pot", None, []),
+        ("a ceramic plant pot with a cactus, blue rim", "flower pot", None, []),
     ],
 )
-def test_a_pot_with_a_plant_is_the_plant(prompt: str, thing: str, pot: dict) -> None:
+def test_a_pot_with_a_plant_is_the_plant(
+    prompt: str, thing: str, pot: str | None, color: list[str]
+) -> None:
     read = understood(prompt)
-    assert (read["thing"], read["part_materials"]) == (thing, pot)
+    assert (read["thing"], read["part_materials"].get("pot")) == (thing, pot)
+    assert read["colours"] == color
 
 
 @pytest.mark.parametrize(
@@ -282,8 +289,44 @@ def test_a_pot_with_a_plant_is_the_plant(prompt: str, thing: str, pot: dict) -> 
     [
         ("my daughter wants a purple butterfly", "butterfly"),
         ("our client would like to have an armchair", "armchair"),
-        ("a robot who wants a hug", "robot"),
+        ("my kids want a robot", "robot"),
+        ("my boyfriend really wants a sports car", "sports car"),
     ],
 )
 def test_who_it_is_for_is_not_read(prompt: str, thing: str) -> None:
+    assert understood(prompt)["thing"] == thing
+
+
+def test_a_thing_that_wants_another_is_not_left_out_silently() -> None:
+    with pytest.raises(UserError):
+        understood("a dragon needs a knight")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "color"),
+    [
+        ("a pumpkin orange with a green stem", "pumpkin", ["orange"]),
+        ("an apple green", "apple", ["green"]),
+        ("a periwinkle blue jay", "bird", ["periwinkle"]),
+        ("a coral red stapler", "stapler", ["coral red"]),
+        ("a stapler in glossy coral red", "stapler", ["coral red"]),
+    ],
+)
+def test_a_shade_that_is_a_things_name(prompt: str, thing: str, color: list[str]) -> None:
+    read = understood(prompt)
+    assert (read["thing"], read["colours"]) == (thing, color)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("a modern white house", "modern house"),
+        ("a spiral stone staircase", "spiral staircase"),
+        ("an electric red guitar", "electric guitar"),
+        ("a red torii gate", "arch"),
+        ("a wooden gate", "gate"),
+        ("a king bed", "bed"),
+    ],
+)
+def test_a_name_may_have_looks_within(prompt: str, thing: str) -> None:
     assert understood(prompt)["thing"] == thing

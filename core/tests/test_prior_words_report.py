@@ -203,7 +203,7 @@ def test_a_part_of_the_thing_is_no_compound():
     [
         ("a pony", "pony: made as a horse."),
         ("woks", "wok: made as a pan."),
-        ("a gate", "gate: made as an arch."),
+        ("a gateway", "gateway: made as an arch."),
         ("a wild boar", "wild boar: made as a pig."),
         ("a grizzly", "grizzly: made as a bear."),
         ("a school desk", "school desk: made as a desk."),

@@ -77,6 +77,18 @@ class Clauses:
         known = [look_up(word, self.known) for word in looks]
         return all(one is not None and one.slot in LOOKS for one in known)
 
+    def _is_thing_and_color(self, entry: Entry, at: int, count: int) -> bool:
+        """Whether a shade that begins with a thing's name is that thing: "a pumpkin orange with a
+        stem", or its last word begins another's: "a periwinkle blue jay"."""
+        if entry.slot != "color" or count == 1 or self.got.found["noun"]:
+            return False
+        words = self._tokens.words
+        other = " ".join(words[at + count - 1 : at + count + 1])
+        if at + count not in self._tokens.breaks and self._tokens.thing(other):
+            return True
+        named = self._tokens.thing(" ".join(words[at : at + count - 1]))
+        return bool(named) and self._stands(at + count) and self._is_first(at)
+
     def _are_things(self, entry: Entry, phrase: str) -> bool:
         """Whether a material's plural is no material, "a campfire with stones"; or a word for most
         of the thing is about another: "a mug full of paint"."""
@@ -130,6 +142,10 @@ class Clauses:
         """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with
         moss", but "orange and blue", "in orange"."""
         return self._ended_by not in ("and", "in", "with") and self._tokens.ends_phrase(end)
+
+    def _is_first(self, at: int) -> bool:
+        """Whether nothing but an article and the like stands before the index."""
+        return all(word in FILLER for word in self._tokens.words[:at])
 
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""

@@ -66,7 +66,7 @@ SHADES: dict[str, dict[str, str]] = {
         "sapphire blue": "1438a0", "azure": "2a7fe0", "steel blue": "4682b4",
         "cerulean": "2a7fb8", "ocean blue": "1f6a9c", "denim blue": "3a5580",
         "cornflower blue": "6495ed", "duck egg blue": "b8dcd4", "periwinkle": "9aa5e8",
-        "periwinkle blue": "9aa5e8",
+        "periwinkle blue": "9aa5e8", "seafoam blue": "7fc4c8",
     },
     "purple": {
         "violet": "7a3fc0", "lilac": "c0a0d8", "lavender": "b8a4e0", "indigo": "3f1f8f",
@@ -92,12 +92,12 @@ SHADES: dict[str, dict[str, str]] = {
         "bone white": "e8e0cc", "eggshell white": "f0ead6", "pure white": "fafafa",
     },
     "grey": {
-        "slate grey": "6b7684", "slate gray": "6b7684", "slate coloured": "6b7684",
+        "slate grey": "6b7684", "slate coloured": "6b7684",
         "slate colored": "6b7684", "charcoal": "36393d", "charcoal grey": "36393d",
-        "charcoal gray": "36393d", "anthracite": "2f3236", "silver grey": "b0b4b8",
-        "silver gray": "b0b4b8", "ash grey": "a8aaa6", "taupe": "8a7d70",
+        "anthracite": "2f3236", "silver grey": "b0b4b8",
+        "ash grey": "a8aaa6", "taupe": "8a7d70",
         "dove grey": "a9a9a6", "gunmetal grey": "53565b", "graphite": "3a3c3f",
-        "graphite grey": "3a3c3f", "space grey": "55585c", "space gray": "55585c",
+        "graphite grey": "3a3c3f", "space grey": "55585c",
     },
     "dark red": {
         "maroon": "5c0f1f", "burgundy": "6a1027", "wine red": "5f0f22", "oxblood": "4f0c0e",
@@ -131,6 +131,7 @@ MANY_COLORS = (
     *("multicolour", "multi color", "multi colour"),
 )
 SHADES["red"] |= dict.fromkeys(MANY_COLORS, "dc1a1f")
+SHADES["grey"] |= {form.replace("grey", "gray"): rgb for form, rgb in SHADES["grey"].items()}
 _RGB = {form: value for shades in SHADES.values() for form, value in shades.items()}
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
 # Before a colour: how far it is then on the way to black, or to white.

@@ -186,7 +186,7 @@ class PromptedBuiltin(PromptedGuidance):
         laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
         for part, pattern in zip(parts, laid, strict=True):
-            # Where the colours of some patterns lie is learnt, such as of a turtle's plates.
+            # Where the colours of some patterns lie is learnt, such as of a tower's bricks.
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
             surface = surface_of(self.words, part)

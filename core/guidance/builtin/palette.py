@@ -24,7 +24,7 @@ from core.guidance.builtin.colors import (
 )
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.patterns import RAINBOW_COLORS, natural_second
+from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
 from core.guidance.builtin.words import STRIPED_PARTS
 
@@ -226,11 +226,16 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         tone = next((tone for tone in tones if tone is not None), None)
         if tone is not None and pattern in ("", finish.pattern, "striped"):
             pattern = RAINBOW
+        natural = natural_second(pattern, color)
+        if look.pattern in LINES and pattern in ("", finish.pattern):
+            pattern, natural = look.pattern, natural_second(look.pattern, color)
+        elif look.pattern in LINES and pattern == "two-tone":  # "a black and white basketball"
+            pattern = look.pattern
         yield Painted(
             name,
             look,
             color,
-            natural_second(pattern, color) or second,
+            natural or second,
             finish,
             pattern,
             material,

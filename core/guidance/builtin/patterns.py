@@ -30,6 +30,8 @@ Pattern = Callable[[Tensor, Tensor, Place], Tensor]
 Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
 Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of the colours
 STRIPE, CELL, SPOT, CHECK, HOOP = 0.21, 0.42, 0.14, 0.21, 0.62
+PLATE, PLATE_LINE = 0.4, 0.022  # across a plate; half the line between two
+FAINT = 0.15  # of sRGB, between two colours of which one is hardly seen on the other
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
 ALONG = frozenset(("striped", RAINBOW))  # patterns whose colours follow one another
@@ -111,6 +113,25 @@ def crossing(points: Float[Tensor, "p 3"], rise: float, lines: float) -> Float[T
     return (nearest - lines) / (steep * math.sqrt(1 - lines**2))
 
 
+def seams(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """The lines of a basketball: two great circles, and a curve at either side."""
+    x, _, z = points.abs().unbind(1)
+    # Of a ball of radius .9: a round wall, as seen from the front, comes out of it at either side.
+    side = (torch.hypot(x - 1.13, z) - 0.64).abs()
+    return 0.03 - torch.minimum(side, torch.minimum(x, z))
+
+
+def plates(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """The lines between the plates of a turtle's shell: hexagons, seen from above, a row of them
+    along its back."""
+    flat, pitch = points[:, :2], points.new_tensor([math.sqrt(3) * PLATE, PLATE])
+    at = torch.stack([flat, flat + pitch / 2]) / pitch
+    away = ((at - at.round()) * pitch).abs()  # of the two lattices that make the hexagons' middles
+    x, y = away.unbind(2)
+    side = PLATE / 2 - torch.maximum(y, x * math.sqrt(3) / 2 + y / 2).amin(0)
+    return PLATE_LINE - side
+
+
 MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
@@ -133,19 +154,26 @@ NATURAL: dict[str, Natural] = {
     "dots": Natural(spotted, (0.95, 0.93, 0.88)),  # of a mushroom
     "scales": Natural(partial(crossing, rise=10, lines=0.8), 0.6),  # a pineapple's
     "waffle": Natural(partial(crossing, rise=14, lines=0.75), 0.65),
+    "plates": Natural(plates, 0.5),  # a turtle's
+    "seams": Natural(seams, (0.13, 0.10, 0.09)),  # a basketball's
 }
+# Of these what is of the thing's form, and stays whatever its colour and material are, where no
+# other pattern is stated.
+LINES = ("scales", "waffle", "plates", "seams")
 MARGINS |= {name: natural.margin for name, natural in NATURAL.items()}
 
 
 def natural_second(pattern: str, color: Color) -> Color | None:
-    """The second colour of a pattern that a part has by nature; None of any other pattern."""
+    """The second colour of a pattern that a part has by nature; None of any other pattern, and
+    where it is hardly another than the part's own."""
     if pattern not in NATURAL:
         return None
     second = NATURAL[pattern].second
     if isinstance(second, float):
         red, green, blue = (second * x for x in color)
         return red, green, blue
-    return second
+    faint = max(abs(a - b) for a, b in zip(second, color, strict=True)) < FAINT
+    return None if faint else second
 
 
 class Laid(NamedTuple):

@@ -82,6 +82,8 @@ class Reading(Clauses):
             entry, count = look_up(phrase, self.known), len(phrase.split())
             if entry is not None and self._is_part_of_look(entry, tokens[:count]):
                 continue
+            if entry is not None and self._is_thing_and_color(entry, at, count):
+                continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
                 entry = Entry("part", phrase, phrase)
             if entry is not None and self._are_things(entry, phrase):

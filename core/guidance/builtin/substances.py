@@ -137,7 +137,8 @@ OF_A_THING = {
         "handle, coffee machine handle, clothes iron handle, toothbrush handle, scissors handles, "
         "refrigerator feet, sunglasses frame, binoculars bridge, basketball hoop board, monitor "
         "stand, television stand, fan stand, toothbrush bristles, hairbrush bristles, toaster "
-        "base, vacuum cleaner base, stapler base, hair dryer grip, dumpster lid, clown nose"
+        "base, vacuum cleaner base, stapler base, hair dryer grip, dumpster lid, clown nose, "
+        "cassette reels, cassette window"
     ),
     "rubber": (
         "pistol grip, boxing glove band, camera grip, binoculars rims, traffic cone body, "
@@ -245,6 +246,7 @@ OF_THE_REST = {
     ),
     "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
     "soil": "volcano, mountain, igloo, sandcastle",
+    "stone": "planet",
     "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
     "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",

@@ -16,10 +16,11 @@ DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural)")
 # Who it is for: "my daughter wants a purple butterfly".
 ASKED = re.compile(
-    r"^\s*(?:(?:my|our|the|his|her) )?\w+ (?:wants|needs|ask(?:s|ed) for|would (?:like|love))"
-    r"(?: to have)? (?=(?:an?|the|some|one) )",
+    r"^\s*(?:(?:my|our|the|his|her) )?((?:\w+ ){1,2}?)(?:really )?"
+    r"(?:wants?|needs?|ask(?:s|ed) for|would (?:like|love))(?: to have)? (?=(?:an?|the|some|one) )",
     re.IGNORECASE,
 )
+PERSON = "person"  # "my kids want a robot"
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -38,7 +39,11 @@ class Tokens:
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
         """The words of a prompt; ``known`` are those that may be asked for."""
         found = cls(known)
-        plain, found.sizes, found.measures = set_apart(ASKED.sub("", prompt))
+        asked = ASKED.match(prompt)
+        # "A robot needs a hug" is about a robot.
+        if asked and {"", PERSON}.issuperset(map(found.thing, asked[1].lower().split())):
+            prompt = prompt[asked.end() :]
+        plain, found.sizes, found.measures = set_apart(prompt)
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
                 found.owners.add(len(found.words) - 1)

@@ -54,7 +54,7 @@ _OF_THINGS = {  # the things that may be called so
     "tree": "palm, bonsai, christmas tree, oak tree, bamboo plant",
     "hat": "beanie, baseball cap, crown, wizard hat, cowboy hat, helmet",
     "cap": "beanie, baseball cap",
-    "house home": "cottage, log cabin, barn, igloo, treehouse",
+    "house home": "modern house, cottage, log cabin, barn, igloo, treehouse",
     "building": "house, cottage, log cabin, barn, lighthouse",
     "tower": "lighthouse, water tower, windmill, skyscraper, pagoda",
     "sword blade": "dagger, lightsaber",
@@ -64,7 +64,7 @@ _OF_THINGS = {  # the things that may be called so
     ),
     "sofa couch": "armchair, bench",
     "table": "desk, coffee table, nightstand, counter, pool table",
-    "bed": "bunk bed, crib, hammock",
+    "bed": "four-poster bed, bunk bed, crib, hammock",
     "cabinet cupboard closet": "wardrobe, dresser, bookshelf, nightstand",
     "shelf": "bookshelf",
     "lamp light": (

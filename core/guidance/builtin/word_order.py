@@ -38,7 +38,8 @@ STRANGE = 2  # words before a look that are not known: "in signal orange"
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
 OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "some")
 # What a material comes in: "sandstone blocks" are sandstone, where the thing has no such part.
-PIECES = frozenset("blocks bricks slabs planks boards slats sheets panels tiles".split())
+BLOCKS = frozenset("blocks bricks slabs".split())
+PIECES = BLOCKS | frozenset("slats sheets panels tiles".split())
 POT = "flower pot"
 FULL = ("with", "containing", "holding")
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
@@ -49,6 +50,7 @@ def set_in_order(tokens: Tokens) -> None:
     _take_plants_first(tokens)
     _join_names_of(tokens)
     _join_names_for(tokens)
+    _join_split_names(tokens)
     _set_qualifiers_first(tokens)
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
@@ -62,27 +64,45 @@ def _take_plants_first(tokens: Tokens) -> None:
     """ "A terracotta plant pot with a cactus" is a cactus with a terracotta pot."""
     for at in range(len(tokens.words)):
         name = next((p for p in tokens.phrases(at) if tokens.thing(p) == POT), "")
-        with_at = at + len(name.split())
-        if not name or tokens.words[with_at : with_at + 1] not in [[word] for word in FULL]:
+        behind = at + len(name.split())
+        if not name or behind in tokens.breaks or tokens.words[behind : behind + 1] == []:
             continue
-        begin = with_at + 1 + (tokens.words[with_at + 1 : with_at + 2] in [[one] for one in OWN])
-        plant = next((p for p in tokens.phrases(begin) if is_own(tokens.thing(p), "pot")), "")
-        end = begin + len(plant.split())
-        if plant and tokens.ends_phrase(end) and tokens.breaks.isdisjoint(range(at + 1, end)):
-            first = tokens.qualities_begin(at)
-            looks = tokens.words[first:at]
-            tokens.put(first, end, [*plant.split(), "with", *looks, "pot"])
-            return
+        if tokens.words[behind] not in FULL or (first := _pots_looks_begin(tokens, at)) is None:
+            continue
+        begin = behind + 1 + (tokens.words[behind + 1 : behind + 2] in [[one] for one in OWN])
+        for start in range(begin, min(begin + STRANGE + 1, len(tokens.words))):
+            plant = next((p for p in tokens.phrases(start) if is_own(tokens.thing(p), "pot")), "")
+            end = start + len(plant.split())
+            ended = tokens.ends_phrase(end) and tokens.breaks.isdisjoint(range(first + 1, end))
+            more = any(is_own(POT, word) for word in tokens.words[end:])
+            if plant and ended and not more:
+                looks = tokens.words[first:at]
+                tokens.put(first, end, [*tokens.words[begin:end], "with", *looks, "pot"])
+                return
+
+
+def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
+    """Where what is said of the pot at the index begins; None where a plant's pot has no such."""
+    begin = at
+    while begin and begin not in tokens.breaks and tokens.words[begin - 1] not in OWN:
+        begin -= 1
+    slots = {one.slot for one in (look_up(w, tokens.known) for w in tokens.words[begin:at]) if one}
+    return begin if slots <= set(LOOKS) - {"shape"} else None
 
 
 def _drop_pieces(tokens: Tokens, at: int) -> None:
-    """ "A pyramid, sandstone blocks" is one of sandstone."""
+    """ "A pyramid, sandstone blocks" is one of sandstone, as one of sandstone tiles is; "a house
+    with slate tiles" is not of slate."""
     word, ended = tokens.words[at], tokens.ends_phrase(at + 1)
     if word not in PIECES or at in tokens.breaks or not (ended or tokens.words[at + 1] == "and"):
         return
-    begin = tokens.qualities_begin(at, ("material",))
+    if tokens.qualities_begin(at, ("material",)) == at:
+        return
+    begin = tokens.qualities_begin(at, ("material", "color"))
+    listed = begin in tokens.breaks and word in BLOCKS
     thing = _thing_before(tokens, begin)
-    if begin < at and thing and not own_name(thing, word):
+    made_of = listed or tokens.words[begin - 1] in ("of", "from")
+    if made_of and thing and not own_name(thing, word):
         tokens.cut(at, at + 1)
 
 
@@ -124,6 +144,20 @@ def _join_names_for(tokens: Tokens) -> None:
             tokens.put(at - 1, end, name.split())
         elif looks > begin:
             tokens.put(at, looks, [*tokens.words[begin:looks], *tokens.words[at:end]])
+
+
+def _join_split_names(tokens: Tokens) -> None:
+    """ "A modern white house" is a white modern house, which is a thing's name."""
+    for at in range(len(tokens.words) - 2):
+        qualifier = tokens.words[at]
+        if look_up(qualifier, tokens.known):  # a colour or a thing by itself
+            continue
+        looks = _looks_end(tokens, at + 1)
+        ahead = range(at + 1, looks + 1)
+        if looks == at + 1 or looks == len(tokens.words) or not tokens.breaks.isdisjoint(ahead):
+            continue
+        if tokens.thing(f"{qualifier} {tokens.words[looks]}"):
+            tokens.put(at, looks, [*tokens.words[at + 1 : looks], qualifier])
 
 
 def _set_qualifiers_first(tokens: Tokens) -> None:

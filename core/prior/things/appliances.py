@@ -344,25 +344,26 @@ def cash_register(draw: Draw) -> Parts:
 
 
 def calculator(draw: Draw) -> Parts:
-    """A wedge that lies, its keys in four rows and four columns, its display at the back."""
-    x, y, lift, low = draw(0.76, 0.88), draw(0.98, 1.12), draw(15, 20), 0.2
-    pane, key = draw(0.19, 0.23), draw(0.125, 0.14)
-    pitch, rows = x * 0.46, 4
-    step = (2 * y - 2 * pane - 0.42) / rows
+    """A wedge that lies, its large keys in four rows and three columns, its screen at the back."""
+    x, y, lift, low = draw(0.8, 0.9), draw(1.14, 1.24), draw(15, 20), 0.22
+    pane, pitch = draw(0.24, 0.28), (x - 0.06) * 2 / 3
+    step = (2 * y - 2 * pane - 0.34) / 4
     rise, run = math.sin(math.radians(lift)) * 2 * y, math.cos(math.radians(lift)) * y
     side = [(-run, 0), (run + 0.1, 0), (run, low + rise), (-run, low)]
     middle = (0.0, 0.0, low + rise / 2)
 
     def key_at(k: int, row: int) -> Solid:
-        place = (pitch * (k - 1.5), -y + 0.1 + step * (row + 0.5), 0)
-        return box(place, (key, step * 0.34, 0.09), 0.03)
+        place = (pitch * (k - 1), -y + 0.06 + step * (row + 0.5), 0)
+        return box(place, (pitch / 2 - 0.08, step / 2 - 0.07, 0.14))
 
-    digits = join(*(key_at(k, row) for k in range(3) for row in range(rows)))
+    def column(k: int) -> Solid:
+        return join(*(key_at(k, row) for row in range(4)))
+
     return {
         "body": prism(side, 0, x),
-        "display": tilted(box((0, y - pane - 0.12, 0), (x - 0.13, pane, 0.05)), lift, middle),
-        "keys": tilted(digits, lift, middle),
-        "accents": tilted(join(*(key_at(3, row) for row in range(rows))), lift, middle),
+        "display": tilted(box((0, y - pane - 0.12, 0), (x - 0.13, pane, 0.09)), lift, middle),
+        "keys": tilted(join(column(0), column(1)), lift, middle),
+        "accents": tilted(column(2), lift, middle),
     }
 
 

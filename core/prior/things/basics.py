@@ -103,17 +103,21 @@ def chair(draw: Draw) -> Parts:
 
 
 def armchair(draw: Draw) -> Parts:
+    """A cushion between arms and a back, on four short legs."""
     x, y, seat = draw(0.8, 1.0), draw(0.7, 0.8), draw(0.6, 0.75)
     arm, arm_top = draw(0.17, 0.24), seat + draw(0.28, 0.4)
     back, back_top = draw(0.17, 0.24), seat + draw(0.75, 0.95)
-    soft = draw(0.08, 0.15)
-    arms = (
-        box((side * (x - arm), 0, arm_top / 2), (arm, y, arm_top / 2), soft) for side in (-1, 1)
-    )
+    soft, low, thick = draw(0.08, 0.15), draw(0.24, 0.32), 0.1
+
+    def block(u: float, v: float, half: float, deep: float, top: float) -> Solid:
+        return box((u, v, (low + top) / 2), (half, deep, (top - low) / 2), soft)
+
+    leg = box((x - 0.14, y - 0.14, low / 2 + 0.05), (thick, thick, low / 2 + 0.05))
     return {
-        "cushion": box((0, 0, seat / 2), (x - arm, y, seat / 2), soft),
-        "back": box((0, y - back, back_top / 2), (x - 0.02, back, back_top / 2), soft),
-        "arms": join(*arms),
+        "cushion": block(0, 0, x - arm, y, seat),
+        "back": block(0, y - back, x - 0.02, back, back_top),
+        "arms": both(block(x - arm, 0, arm, y, arm_top)),
+        "legs": both(leg, 0, 1),
     }
 
 

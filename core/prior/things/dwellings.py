@@ -54,70 +54,61 @@ def barn(draw: Draw) -> Parts:
 
 
 def log_cabin(draw: Draw) -> Parts:
-    """Round logs that cross at the corners, a gable roof, a chimney of stones, a door, a window."""
-    wide, deep, r, rows = draw(1.0, 1.12), draw(0.68, 0.8), 0.165, 4
-    rise, over, step = draw(0.6, 0.74), 0.26, 2 * 0.165
+    """Thick logs that cross at the corners, a gable roof, a chimney, a door, a window."""
+    wide, deep, r, rows = draw(1.0, 1.12), draw(0.7, 0.8), 0.2, 3
+    rise, over, step = draw(0.6, 0.72), 0.28, 2 * 0.2
     top = rows * step
     sides = [
-        tube((wide, -0.2, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r, 0.03)
+        tube((wide, -0.2, r * 2 + k * step), (wide, deep + over, r * 2 + k * step), r)
         for k in range(rows - 1)
     ]
     fronts = [
-        tube((-0.2, deep, r + k * step), (wide + over, deep, r + k * step), r, 0.03)
-        for k in range(rows)
+        tube((-0.2, deep, r + k * step), (wide + over, deep, r + k * step), r) for k in range(rows)
     ]
     half = deep + over + 0.1
     # Up into the roof: a gap under it would be a slit.
     eaves = top + 0.08 + rise - (rise + 0.18) * deep / half
     gable = [(-deep, top - 0.1), (deep, top - 0.1), (deep, eaves), (0, top + rise + 0.08)]
-    gable = prism([*gable, (-deep, eaves)], 0, wide + 0.06)
-    slope = [(0.0, top + rise + 0.2), (half, top - 0.02), (half, top - 0.18), (0.0, top + rise)]
-    logs = both(join(*fronts, *sides), 0, 1)
-    x, y = draw(0.3, 0.44), -deep - r
-    stack = wide * 0.62
+    slope = [(0.0, top + rise + 0.22), (half, top), (half, top - 0.18), (0.0, top + rise)]
+    x, y = draw(0.42, 0.48), -deep - r
+    stack, peak = wide * 0.6, top + rise + 0.46
     return {
-        "logs": join(logs, box((0, 0, top / 2), (wide, deep, top / 2))),
+        "logs": join(
+            both(join(*fronts, *sides), 0, 1), box((0, 0, top / 2), (wide, deep, top / 2))
+        ),
         "roof": both(prism(slope, 0, wide + over + 0.04), 1),
         "chimney": join(
-            box((-stack, 0.34, top + rise * 0.6), (0.17, 0.17, rise * 0.7)),
-            box((-stack, 0.34, top + rise * 1.26), (0.22, 0.22, 0.09)),
+            box((-stack, 0.2, (top + peak) / 2), (0.2, 0.2, (peak - top) / 2)),
+            box((-stack, 0.2, peak), (0.28, 0.28, 0.1)),
         ),
-        "door": box((-x, y, 0.44), (0.25, 0.08, 0.44), 0.02),
-        "window": box((x + 0.1, y, 0.72), (0.2, 0.06, 0.18)),
+        "door": box((-x, y, 0.46), (0.28, 0.13, 0.46)),
+        "window": box((x, y, 0.66), (0.24, 0.18, 0.22)),
         "frame": join(
-            cut(
-                box((x + 0.1, y, 0.72), (0.29, 0.09, 0.27)),
-                box((x + 0.1, y, 0.72), (0.17, 1, 0.15)),
-            ),
-            ball((-x + 0.14, y - 0.08, 0.42), 0.075),
+            box((x, y, 0.66), (0.36, 0.09, 0.34)),
+            ball((-x + 0.13, y - 0.13, 0.44), 0.1),
         ),
-        "gable": gable,
+        "gable": prism([*gable, (-deep, eaves)], 0, wide + 0.06),
     }
 
 
 def skyscraper(draw: Draw) -> Parts:
-    """A tower in three steps with rows of windows, an entrance, a spire."""
-    wide, mast, row = draw(0.48, 0.56), draw(0.28, 0.4), draw(0.27, 0.3)
-    walls, glass, low = [], [], 0.24
-    for count, share in ((3, 1.0), (2, 0.76), (2, 0.5)):
-        half, middle, tall = wide * share, low + count * row / 2, count * row / 2
-        corner = box((half - 0.06, half - 0.06, middle), (0.08, 0.08, tall))
-        walls += [box((0, 0, middle), (half - 0.04, half - 0.04, tall + 0.1)), both(corner, 0, 1)]
-        if share > 0.6:
-            pier = box((0, 0, middle), (0.08, half + 0.02, tall))
-            walls += [pier, turned(pier, 2, 90)]
-        glass += [
-            box((0, 0, low + (k + 0.42) * row), (half, half, row * 0.29)) for k in range(count)
-        ]
-        low += 2 * tall + 0.08
-        walls.append(box((0, 0, low - 0.04), (half + 0.04, half + 0.04, 0.08)))
-    porch = box((0, -wide - 0.06, 0.36), (0.26, 0.14, 0.08))
+    """A slim tower with set-backs, bands of windows around it, an entrance, a spire."""
+    wide, low, mast, row = draw(0.4, 0.43), 0.33, draw(0.36, 0.44), draw(0.28, 0.292)
+    walls, glass = [box((0, 0, low / 2), (wide, wide, low / 2))], []
+    for count, share in ((5, 1.0), (2, 0.68)):
+        half, high = wide * share, (count - 0.24) * row + 0.145
+        walls.append(box((0, 0, low + high / 2 - 0.05), (half, half, high / 2 + 0.05)))
+        for k in range(count):
+            place = (0, 0, low + (k + 0.38) * row)
+            glass.append(box(place, (half + 0.065, half + 0.065, row * 0.26)))
+        low += high
+    walls.append(box((0, 0, low), (wide * 0.4, wide * 0.4, 0.135)))
     return {
         "walls": join(*walls),
         "windows": join(*glass),
-        "base": join(box((0, 0, 0.13), (wide + 0.1, wide + 0.1, 0.13)), porch),
-        "door": box((0, -wide - 0.1, 0.15), (0.17, 0.06, 0.15)),
-        "spire": lathe([(0.16, low), (0.085, low + 0.14), (0.08, low + mast)]),
+        "base": box((0, 0, 0.11), (wide + 0.145, wide + 0.145, 0.11)),
+        "door": box((0, -wide - 0.07, 0.17), (0.16, 0.145, 0.17)),
+        "spire": lathe([(0.082, low), (0.077, low + 0.135 + mast)]),
     }
 
 

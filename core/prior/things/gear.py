@@ -280,22 +280,18 @@ def knife(draw: Draw) -> Parts:
 
 
 def fork(draw: Draw) -> Parts:
-    """A table fork, its three or four tines up."""
-    count = 3 + draw.chance(0.4)
-    high, tine, pitch = draw(1.3, 1.6), draw(0.55, 0.7), draw(0.25, 0.28)
-    wide = (count - 1) * pitch / 2
-    palm = high + 0.35
-    tines = (
-        capsule((k * pitch - wide, 0, palm), (k * pitch - wide, -0.1, palm + tine), 0.09)
-        for k in range(count)
-    )
-    side = [(0.12, high - 0.1), (wide + 0.09, palm - 0.14), (wide + 0.09, palm + 0.1)]
-    root = prism(mirrored(side), 1, 0.09)
-    foot = draw(0.15, 0.24)
-    grip = smooth_curve([(foot * 0.8, 0), (foot, 0.15), (0.11, high * 0.7), (0.11, high)], 3)
+    """A table fork, its three tines up."""
+    high, tine, w = draw(1.2, 1.4), draw(0.66, 0.78), 0.1
+    pitch = 2 * w + draw(0.13, 0.15)
+    wide, palm, foot = pitch, high + 0.42, draw(0.19, 0.25)
+    tip = palm + tine
+    side = [(0.12, high - 0.06), (wide + w, palm - 0.16), (wide + w, palm + 0.04)]
+    half = [(w, palm), (w, tip - 0.16), (0.06, tip)]
+    tines = (prism([(u + k * pitch, v) for u, v in mirrored(half)], 1, 0.1) for k in (-1, 0, 1))
+    grip = [(foot - 0.06, 0), (foot, 0.1), (foot, 0.2), (0.12, high - 0.2), (0.12, high + 0.06)]
     return {
-        "head": join(root, *tines),
-        "handle": prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.1),
+        "head": join(prism(mirrored(side), 1, 0.1), *tines),
+        "handle": prism(mirrored(grip), 1, 0.12),
     }
 
 

@@ -97,26 +97,24 @@ def throne(draw: Draw) -> Parts:
 
 
 def bunk_bed(draw: Draw) -> Parts:
-    """Two beds, one above the other, and a ladder."""
-    x, y, low, high = draw(0.6, 0.7), draw(1.15, 1.3), draw(0.42, 0.5), draw(1.45, 1.65)
-    top = high + draw(0.45, 0.6)
-    beds = [box((0, 0, z), (x, y, 0.11)) for z in (low, high)]
-    ends = [both(box((0, y, z + 0.3), (x, 0.08, 0.1)), 1) for z in (low, high)]
-    rungs = [box((-x - 0.12, -y * 0.5, z), (0.07, 0.3, 0.07)) for z in (0.35, 0.75, 1.15, 1.55)]
-    rails = (box((-x - 0.12, -y * 0.5 + s, top / 2), (0.08, 0.08, top / 2)) for s in (-0.27, 0.27))
-    tie = box((-x - 0.05, -y * 0.5, high), (0.14, 0.3, 0.09))
+    """Two beds, one above the other, long sides to the front; a ladder there, the pillows left."""
+    x, y, low, high = draw(1.15, 1.3), draw(0.62, 0.7), draw(0.4, 0.46), draw(1.5, 1.65)
+    top, at, front, levels = high + draw(0.5, 0.6), x * 0.36, -y - 0.07, (low, high)
+    left, right = -x, at - 0.3
+    rungs = (box((at, front, low + (high - low) * k), (0.3, 0.085, 0.085)) for k in (0, 0.36, 0.7))
+    posts = both(box((x, y, top / 2), (0.12, 0.12, top / 2), 0.03), 0, 1)
+    ends = (both(box((x, 0, z + 0.2), (0.08, y, 0.24))) for z in levels)
+    guard = box(((left + right) / 2, -y, high + 0.42), ((right - left) / 2, 0.085, 0.09))
     return {
-        "blanket": join(
-            *(box((0, -0.2, z + 0.2), (x - 0.02, y - 0.3, 0.17), 0.08) for z in (low, high))
-        ),
+        "blanket": join(*(box((0.2, 0, z + 0.2), (x - 0.3, y - 0.02, 0.17), 0.08) for z in levels)),
         "mattress": join(
-            *(box((0, 0, z + 0.17), (x - 0.08, y - 0.06, 0.14), 0.05) for z in (low, high))
+            *(box((0, 0, z + 0.17), (x - 0.06, y - 0.06, 0.14), 0.05) for z in levels)
         ),
-        "pillow": join(
-            *(box((0, y - 0.32, z + 0.36), (x * 0.66, 0.2, 0.12), 0.1) for z in (low, high))
+        "pillow": join(*(box((0.34 - x, 0, z + 0.36), (0.2, y * 0.66, 0.13), 0.1) for z in levels)),
+        "frame": join(posts, *(box((0, 0, z), (x, y, 0.11)) for z in levels), *ends, guard),
+        "ladder": join(
+            *rungs, *(box((at + s, front, top / 2), (0.09, 0.095, top / 2)) for s in (-0.3, 0.3))
         ),
-        "frame": join(both(box((x, y, top / 2), (0.11, 0.11, top / 2), 0.03), 0, 1), *beds, *ends),
-        "ladder": join(*rungs, *rails, tie),
     }
 
 
@@ -207,42 +205,24 @@ def fireplace(draw: Draw) -> Parts:
 
 
 def piano(draw: Draw) -> Parts:
-    """Upright, or a grand one with its lid open; the keys to the front."""
-    x, desk_z = draw(0.95, 1.1), draw(0.85, 0.95)
-    u = x - 0.16
-    front = -0.85
-    keys = box((0, front + 0.12, desk_z + 0.1), (u, 0.2, 0.07), 0.01)
-    black = join(
-        *(
-            box((u * k / 5, front + 0.2, desk_z + 0.17), (0.055, 0.13, 0.07))
-            for k in (-4, -3, -1.2, -0.2, 0.8, 2.6, 3.6)
-        )
+    """An upright one: a tall case, to the front a shelf with the keys, on two legs."""
+    x, desk, high = draw(1.02, 1.12), draw(0.8, 0.9), draw(1.65, 1.85)
+    u, y, front = x - 0.17, -0.15, -0.8
+    pitch = 2 * u / 7  # of the white keys: an octave
+    black = (
+        box((k * pitch - u, -0.64, desk + 0.18), (0.07, 0.2, 0.1), 0.01) for k in (1, 2, 4, 5, 6)
     )
-    bed = box((0, front + 0.15, desk_z - 0.03), (x, 0.32, 0.13), 0.03)
-    cheeks = both(box((x - 0.09, front + 0.15, desk_z + 0.08), (0.09, 0.32, 0.16), 0.03))
-    if draw.chance(0.5):
-        high, y = draw(1.6, 1.9), -0.15
-        wall = box((0, y, high / 2), (x, 0.34, high / 2), 0.03)
-        body = join(wall, bed, cheeks)
-        legs = both(box((x - 0.12, front + 0.02, desk_z / 2), (0.11, 0.11, desk_z / 2), 0.02))
-        lid = box((0, y - 0.03, high), (x + 0.06, 0.42, 0.08), 0.02)
-    else:
-        long = draw(0.95, 1.3)
-        plan = [
-            (-x, front + 0.3),
-            (x, front + 0.3),
-            (x, 0.1),
-            (x * 0.45, long * 0.6),
-            (x * 0.1, long),
-            (-x * 0.7, long),
-            (-x, long - 0.2),
-        ]
-        body = join(prism(plan, 2, 0.2, desk_z + 0.05), bed, cheeks)
-        spots = ((-x + 0.2, front + 0.3), (x - 0.2, front + 0.3), (-x * 0.4, long - 0.35))
-        legs = join(*(capsule((a, b, 0.1), (a, b, desk_z), 0.12) for a, b in spots))
-        sheet = prism([(a + x, b) for a, b in plan], 2, 0.075)
-        lid = moved(turned(sheet, 1, -draw(28, 40)), (-x + 0.03, 0.05, desk_z + 0.26))
-    return {"body": body, "keys": keys, "black keys": black, "legs": legs, "lid": lid}
+    return {
+        "body": join(
+            box((0, y, high / 2), (x, 0.34, high / 2), 0.03),
+            box((0, front, desk - 0.04), (x, 0.36, 0.12), 0.02),
+            both(box((x - 0.085, front, desk + 0.06), (0.085, 0.36, 0.2), 0.03)),
+        ),
+        "keys": box((0, front + 0.02, desk + 0.09), (u + 0.01, 0.32, 0.09), 0.01),
+        "black keys": join(*black),
+        "legs": both(box((x - 0.13, front - 0.18, desk / 2), (0.12, 0.12, desk / 2), 0.02)),
+        "lid": box((0, y - 0.03, high), (x + 0.07, 0.43, 0.09), 0.02),
+    }
 
 
 def ottoman(draw: Draw) -> Parts:
@@ -266,26 +246,22 @@ def ottoman(draw: Draw) -> Parts:
 
 
 def crib(draw: Draw) -> Parts:
-    """A baby's bed behind bars."""
-    x, y, low, top = draw(0.95, 1.15), draw(0.55, 0.65), draw(0.4, 0.55), draw(1.25, 1.45)
-    count = 5
-    bars = [
-        box((x * (2 * k / (count + 1) - 1), y, (low + top) / 2), (0.07, 0.07, (top - low) / 2))
-        for k in range(1, count + 1)
-    ]
-    rail = box((0, y, top), (x, 0.085, 0.085), 0.03)
-    head = top + draw(0.05, 0.3)
-    ends = both(box((x, 0, (low + head) / 2), (0.09, y, (head - low) / 2), 0.04))
+    """A baby's bed: solid ends, four thick bars in each long side."""
+    x, y, low, top = draw(0.98, 1.15), draw(0.55, 0.65), draw(0.42, 0.52), draw(1.3, 1.45)
+    head = top + draw(0.1, 0.3)
+    middle, half = (low + top) / 2, (top - low) / 2
+    bars = (box((x * k, y, middle), (0.085, 0.085, half)) for k in (-0.6, -0.2, 0.2, 0.6))
+    rail = box((0, y, top), (x, 0.1, 0.1), 0.03)
     return {
         "frame": join(
             both(join(*bars, rail), 1),
-            ends,
-            box((0, 0, low), (x, y, 0.11)),
-            both(box((x, y, head / 2 + 0.02), (0.11, 0.11, head / 2 + 0.02), 0.03), 0, 1),
+            both(box((x, 0, (low + head) / 2), (0.09, y, (head - low) / 2), 0.03)),
+            both(box((x, y, head / 2 + 0.03), (0.13, 0.13, head / 2 + 0.03), 0.03), 0, 1),
+            box((0, 0, low), (x, y, 0.12)),
         ),
-        "mattress": box((0, 0, low + 0.2), (x - 0.1, y - 0.08, 0.15), 0.06),
-        "pillow": box((x - 0.36, 0, low + 0.38), (0.2, y * 0.6, 0.12), 0.1),
-        "blanket": box((-0.25, 0, low + 0.24), (x - 0.4, y - 0.06, 0.17), 0.07),
+        "mattress": box((0, 0, low + 0.2), (x - 0.06, y - 0.05, 0.15), 0.05),
+        "pillow": box((x - 0.36, 0, low + 0.38), (0.22, y * 0.62, 0.14), 0.1),
+        "blanket": box((-0.26, 0, low + 0.25), (x - 0.38, y - 0.05, 0.17), 0.06),
     }
 
 

@@ -94,25 +94,27 @@ def bed(draw: Draw) -> Parts:
 
 
 def bookshelf(draw: Draw) -> Parts:
-    """Boards with books of three colours, some of them leaning room to the right."""
-    x, y, high, wall = draw(0.72, 0.85), draw(0.3, 0.36), draw(1.9, 2.2), 0.12
-    shelves = 3
+    """Three boards with thick books, apart from one another, in three colours."""
+    x, y, high, wall = draw(0.74, 0.85), draw(0.3, 0.36), draw(1.9, 2.2), 0.11
+    shelves, each, apart, back = 3, 4, 0.1, 0.14
     gap, wide = (high - wall) / shelves, 2 * (x - wall)
     rooms = (
-        box((0, -0.14, wall + gap * k + (gap - wall) / 2), (wide / 2, y, (gap - wall) / 2), 0.01)
+        box((0, -back, wall + gap * k + (gap - wall) / 2), (wide / 2, y, (gap - wall) / 2))
         for k in range(shelves)
     )
     rows: list[list[Solid]] = [[], [], []]
-    order, thick = draw.arranged(3), wide / 5
+    thick, order = (wide - apart * (each + 1)) / each, draw.which(2)
     for k in range(shelves):
-        for book in range(int(order(3, 4.99))):
-            tall = (gap - wall) * order(0.66, 0.9) / 2
+        for book in range(each):
+            if (k, book) == ((0, 3), (2, 3))[order]:
+                continue
+            tall = (gap - wall) * (0.78, 0.62, 0.72, 0.56)[(book + k + order) % 4] / 2
+            u = -wide / 2 + apart + thick / 2 + (thick + apart) * book
             # A little sunk into the boards: of what only touches, the surfaces lie in each other.
-            at = (-wide / 2 + thick * (book + 0.48), 0, wall + gap * k + tall - 0.03)
-            one = box(at, (thick / 2, y - 0.1, tall), 0.02)
-            rows[(book + 2 * k) % 3].append(one)
+            at = (u, -0.02, wall + gap * k + tall - 0.03)
+            rows[(book + 2 * k) % 3].append(box(at, (thick / 2, y - 0.08, tall)))
     return {
-        "frame": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), *rooms),
+        "frame": cut(box((0, 0, high / 2), (x, y, high / 2)), *rooms),
         "books": join(*rows[0]),
         "volumes": join(*rows[1]),
         "tomes": join(*rows[2]),

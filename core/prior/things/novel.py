@@ -46,15 +46,14 @@ def _bent(*rows: tuple[Point, ...]) -> list[Point]:
 def electric_guitar(draw: Draw) -> Parts:
     """Upright, its strings to the front: even horns and pegs on both sides, or uneven and a row."""
     even, wide, thick = draw.chance(0.5), draw(0.97, 1.03), draw(0.15, 0.18)
-    top, head = draw(1.94, 2.02), draw(0.78, 0.84)
+    top, head = draw(1.94, 2.02), draw(0.86, 0.92)
     front, edge = -thick, 0.05
     if even:
         outline = mirrored(_bent(EVEN_SIDE, EVEN_HORN))
         plate = mirrored([(0.1, 0.4), (0.36, 0.4), (0.4, 0.6), (0.36, 0.86), (0.42, 1.14),
                           (0.1, 1.14)])  # fmt: skip
         nut = mirrored([(0.13, top), (0.24, top + 0.14), (0.22, top + head), (0.08, top + head)])
-        pegs = both(join(*(ball((0.31, front, top + 0.18 + 0.4 * k), 0.13) for k in range(2))))
-        knobs = [(0.46, 0.54), (0.4, 0.26)]
+        pegs = both(join(*(ball((0.32, front, top + v), 0.15) for v in (0.22, 0.66))))
     else:
         left, right = _bent(LEFT_SIDE, LEFT_HORN), _bent(RIGHT_SIDE, RIGHT_HORN)
         outline = [*left, *reversed(right)]
@@ -62,11 +61,9 @@ def electric_guitar(draw: Draw) -> Parts:
                  (0.46, 1.1), (-0.44, 1.28), (-0.42, 0.9)]  # fmt: skip
         nut = [(0.13, top), (0.22, top + 0.12), (0.22, top + head - 0.06), (0.1, top + head + 0.04),
                (-0.06, top + head), (-0.2, top + head - 0.2), (-0.13, top)]  # fmt: skip
-        pegs = join(*(ball((0.29, front, top + 0.16 + 0.4 * k), 0.13) for k in range(2)))
-        knobs = [(0.48, 0.54), (0.5, 0.28)]
-    controls = (
-        tube((x * wide, front - 0.18, z), (x * wide, front, z), 0.11, 0.02) for x, z in knobs
-    )
+        pegs = join(*(ball((0.31, front, top + v), 0.15) for v in (0.2, 0.64)))
+    knobs = ((0.48, 0.67), (0.44, 0.28))
+    controls = (tube((x, front - 0.2, z), (x, front, z), 0.125, 0.02) for x, z in knobs)
     return {
         "body": grown(prism([(x * wide, z) for x, z in outline], 1, thick - edge), edge),
         "neck": join(
@@ -74,8 +71,10 @@ def electric_guitar(draw: Draw) -> Parts:
             prism(nut, 1, 0.12, front - 0.01),
         ),
         "pickguard": prism([(x * wide, z) for x, z in plate], 1, 0.1, front + 0.03),
-        "pickups": join(*(box((0, front - 0.09, z), (0.27, 0.1, 0.1), 0.02) for z in (0.87, 0.54))),
-        "bridge": box((0, front - 0.06, 0.22), (0.24, 0.11, 0.1), 0.02),
+        "pickups": join(
+            *(box((0, front - 0.09, z), (0.23, 0.12, 0.1), 0.02) for z in (0.92, 0.56))
+        ),
+        "bridge": box((0, front - 0.06, 0.22), (0.18, 0.13, 0.1), 0.02),
         "knobs": join(pegs, *controls),
     }
 

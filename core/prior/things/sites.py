@@ -212,30 +212,27 @@ def greenhouse(draw: Draw) -> Parts:
 
 
 def treehouse(draw: Draw) -> Parts:
-    """A hut with a gabled roof on a platform in a tree, a ladder up to it."""
-    floor, x, y, wall = draw(1.0, 1.1), draw(0.58, 0.64), draw(0.42, 0.48), draw(0.62, 0.68)
+    """A hut with a gabled roof on a platform in a tree, a ladder up to its door."""
+    floor, x, y, wall = draw(1.08, 1.16), draw(0.6, 0.66), draw(0.44, 0.5), draw(0.66, 0.72)
     gable, r, top, front = draw(0.46, 0.54), draw(0.54, 0.6), floor + wall, -y - 0.34
-    roof = [(-x - 0.2, top - 0.04), (x + 0.2, top - 0.04), (0, top + gable)]
-    rungs = (box((0, front, floor * k), (0.4, 0.09, 0.09)) for k in (0.3, 0.66))
-    sill = floor + wall * 0.55
+    roof = [(-x - 0.2, top - 0.06), (x + 0.2, top - 0.06), (0, top + gable)]
+    at, sill, behind = -0.36, floor + wall * 0.56, y + 0.16
+    rungs = (box((at, front, floor * k), (0.3, 0.1, 0.095)) for k in (0.3, 0.64))
+    rails = (box((at + s, front, floor / 2), (0.11, 0.12, floor / 2)) for s in (-0.32, 0.32))
     return {
         "trunk": join(
-            lathe([(0.42, 0), (0.3, 0.3), (0.27, floor + 0.05)], 0, (0, 0.12)),
-            taper((0, y + 0.16, floor), (0, y + 0.16, top + 0.3), 0.2, 0.18),
+            lathe([(0.5, 0), (0.36, 0.3), (0.32, floor + 0.05)], 0, (0.12, 0.14)),
+            tube((0.12, behind, floor), (0.12, behind, top + 0.3), 0.2),
         ),
         "leaves": join(
-            ball((0, y + 0.24, top + 0.72), r * 1.1), both(ball((0.62, y + 0.26, top + 0.28), r))
+            ball((0, y + 0.24, top + 0.76), r * 1.12), both(ball((0.64, y + 0.24, top + 0.3), r))
         ),
         "walls": box((0, 0, floor + wall / 2), (x, y, wall / 2)),
-        "roof": prism(roof, 1, y + 0.12),
-        "floor": join(
-            box((0, 0, floor), (x + 0.28, y + 0.34, 0.1)),
-            both(box((0.46, front, floor / 2 + 0.05), (0.11, 0.11, floor / 2 + 0.05))),
-            *rungs,
-        ),
-        "door": box((-0.25, -y, floor + 0.26), (0.17, 0.08, 0.22)),
+        "roof": prism(roof, 1, y + 0.14),
+        "floor": join(box((0, 0, floor), (x + 0.28, y + 0.36, 0.11)), *rungs, *rails),
+        "door": box((-0.28, -y, floor + 0.34), (0.19, 0.1, 0.26)),
         "windows": join(
-            box((0.28, -y, sill), (0.19, 0.11, 0.17)), both(box((x, 0, sill), (0.11, 0.24, 0.17)))
+            box((0.28, -y, sill), (0.19, 0.1, 0.17)), both(box((x, 0, sill), (0.1, 0.22, 0.17)))
         ),
     }
 

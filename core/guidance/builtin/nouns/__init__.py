@@ -68,11 +68,13 @@ from core.guidance.builtin.nouns.pastimes import (
 from core.guidance.builtin.nouns.people import JEWELLERY, PEOPLE
 from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
+from core.guidance.builtin.nouns.residence import RESIDENCE_BUILDINGS, RESIDENCE_FURNITURE
 from core.guidance.builtin.nouns.roadside import HARDWARE, MACHINES, PARTS_OF_CARS, ROADSIDE
 from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.street import STREET
+from core.guidance.builtin.nouns.study import STUDY_SMALL, STUDY_SPACE
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
@@ -80,10 +82,10 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
-    "Furniture": FURNITURE,
+    "Furniture": FURNITURE | RESIDENCE_FURNITURE,
     "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | NOVEL_CLOCKS | CURIO_LAMPS,
     "Fixtures and Utensils": FIXTURES,
-    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL,
+    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL | STUDY_SMALL,
     "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS | CURIO_PROPS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
@@ -93,8 +95,14 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Animals": ANIMALS,
     "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS,
     "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES,
-    "Aircraft and Space": AIRCRAFT,
-    "Buildings": BUILDINGS | STREET | ROADSIDE | EQUIPMENT_BUILDINGS | ROADSIDE_MARKS | NOVEL_HOMES,
+    "Aircraft and Space": AIRCRAFT | STUDY_SPACE,
+    "Buildings": BUILDINGS
+    | STREET
+    | ROADSIDE
+    | EQUIPMENT_BUILDINGS
+    | ROADSIDE_MARKS
+    | NOVEL_HOMES
+    | RESIDENCE_BUILDINGS,
     "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
     "Clothes": CLOTHES
     | JEWELLERY

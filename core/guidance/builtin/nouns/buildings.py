@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 
 BUILDINGS = {
     "house": Noun(
-        "home; shed, villa, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
+        "home; shed, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
         "hospital, police station, fire station, kennel, outhouse, building, garden shed, "
         "bungalow, tiny house, cabin house, chicken coop, coop, hen house, henhouse, hutch",
         {
@@ -49,7 +49,8 @@ BUILDINGS = {
         Usual(25.0, STONE, 0.1),
     ),
     "arch": Noun(
-        "archway; gate, gateway, portal, torii, arc de triomphe",
+        "archway; gateway, portal, torii, arc de triomphe, torii gate, japanese gate, "
+        "portal gate, moon gate",
         {"body": "*cbb894 bricks stone", "cornice": "&e0d2b4 . stone"},
         Usual(4.0, STONE),
     ),

@@ -54,7 +54,9 @@ DEVICES = {
         Usual(0.2, STEEL, 0.087),
     ),
     "radio": Noun(
-        "transistor radio, portable radio; boombox, walkie talkie, stereo",
+        "transistor radio, portable radio; boombox, walkie talkie, stereo, cd player, "
+        "cassette player, "
+        "tape recorder, cassette recorder",
         {
             "body": "*b23a2a",
             "speaker": "+e6dcc3",
@@ -230,7 +232,9 @@ DEVICES = {
         Usual(0.42, STEEL, 0.23),
     ),
     "record player": Noun(
-        "gramophone, phonograph, grammophone, victrola; turntable, vinyl player, record deck",
+        "gramophone, phonograph, grammophone, victrola, vinyl record player, gramophone record "
+        "player; turntable, vinyl player, record deck, vinyl record deck, lp player, "
+        "lp record player",
         {
             "horn": "*e0ac3c . golden",
             "pipe": "-c79734 . golden",

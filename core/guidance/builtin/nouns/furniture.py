@@ -21,7 +21,7 @@ FURNITURE = {
     "armchair": Noun(
         "; recliner, easy chair, club chair, wing chair, wingback chair, lounge chair, egg "
         "chair, accent chair, reading chair",
-        {"cushion": "&9e523d", "back": "*8a4230", "arms": "*8a4230"},
+        {"cushion": "&9e523d", "back": "*8a4230", "arms": "*8a4230", "legs": "-4a2f1c grain"},
         Usual(1.0, FABRIC, 0.4),
     ),
     "sofa": Noun(
@@ -192,7 +192,7 @@ FURNITURE = {
         Usual(1.5, STONE),
     ),
     "piano": Noun(
-        "grand piano, upright piano; harpsichord, pianoforte, synthesizer",
+        "upright piano; grand piano, harpsichord, pianoforte, synthesizer",
         {
             "body": "*1d1b1c . paint",
             "keys": "-f6f2e8",

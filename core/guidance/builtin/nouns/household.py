@@ -103,7 +103,7 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door; wooden gate, castle gate, portcullis, shoji screen, shoji",
+        "front door; castle gate, portcullis, shoji screen, shoji",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",

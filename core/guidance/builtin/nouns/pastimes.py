@@ -24,7 +24,7 @@ PASTIME_SPORT = {
     ),
     "basketball": Noun(
         "basket ball; netball",
-        {"ball": "*dd6a20 . rubber", "seams": "+221a18 . rubber"},
+        {"ball": "*dd6a20 seams rubber"},
         Usual(0.24, RUBBER, 0.075),
     ),
     "american football": Noun(

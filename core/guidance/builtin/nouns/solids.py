@@ -4,8 +4,8 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun,
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; beach ball, planet, volleyball, baseball, snowball, saturn, jupiter, "
-        "venus, neptune, planet mars",
+        "sphere, orb; beach ball, volleyball, baseball, snowball, jupiter, venus, neptune, "
+        "planet mars",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),
