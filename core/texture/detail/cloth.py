@@ -54,7 +54,7 @@ def velvet(place: Place) -> Layer:
     lie = noise.waves(p + 0.05 * noise.waves(p, 4.0, 1)[:, None], 6.0, 2, 3)
     pile = noise.waves(p, 90.0, 3, 1)
     return Layer.of(
-        0.8 * lie + 0.3 * pile,
+        0.45 * lie + 0.3 * pile,
         (0.55, 0.55, 0.55),
         roughness=0.2 * lie,
         height=0.0006 * pile + 0.0008 * lie,
