@@ -321,6 +321,7 @@ def test_a_shade_that_is_a_things_name(prompt: str, thing: str, color: list[str]
     ("prompt", "thing"),
     [
         ("a modern white house", "modern house"),
+        ("modern two storey house with flat roof, white plaster walls", "modern house"),
         ("a spiral stone staircase", "spiral staircase"),
         ("an electric red guitar", "electric guitar"),
         ("a red torii gate", "arch"),

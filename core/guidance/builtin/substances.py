@@ -212,7 +212,7 @@ OF_THE_REST = {
     "cast iron": "dumbbell, kettlebell",
     "ceramic": "bathtub, sink, toilet, bowl, mug, teapot, plate, salt shaker",
     "chitin": "ant, ladybug, scorpion, crab, dragonfly, lobster",
-    "clay": "vase, flower pot",
+    "clay": "vase, flower pot, planet",
     "cream": (
         "ice cream, sundae, cheese, chocolate bar, lollipop, candy cane, popsicle, snowman, "
         "candle, cloud, fried egg"
@@ -246,7 +246,6 @@ OF_THE_REST = {
     ),
     "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
     "soil": "volcano, mountain, igloo, sandcastle",
-    "stone": "planet",
     "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
     "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",

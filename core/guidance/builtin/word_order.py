@@ -17,6 +17,7 @@ from core.guidance.builtin.words import (
     COUNTS,
     FILLER,
     GOES_WITH,
+    IGNORED_ADJECTIVES,
     LOOKS,
     PHRASE_ENDS,
     PLAIN,
@@ -152,12 +153,24 @@ def _join_split_names(tokens: Tokens) -> None:
         qualifier = tokens.words[at]
         if look_up(qualifier, tokens.known):  # a colour or a thing by itself
             continue
-        looks = _looks_end(tokens, at + 1)
+        looks = _adjectives_end(tokens, at + 1)
         ahead = range(at + 1, looks + 1)
         if looks == at + 1 or looks == len(tokens.words) or not tokens.breaks.isdisjoint(ahead):
             continue
         if tokens.thing(f"{qualifier} {tokens.words[looks]}"):
             tokens.put(at, looks, [*tokens.words[at + 1 : looks], qualifier])
+
+
+def _adjectives_end(tokens: Tokens, begin: int) -> int:
+    """Where the looks that begin at the index end, with what says nothing of them: "two storey"."""
+    end = begin
+    while end < len(tokens.words):
+        counted = next((p for p in tokens.phrases(end)[:-1] if p in IGNORED_ADJECTIVES), "")
+        step = end + len(counted.split()) if counted else _looks_end(tokens, end)
+        if step == end:
+            break
+        end = step
+    return end
 
 
 def _set_qualifiers_first(tokens: Tokens) -> None:
