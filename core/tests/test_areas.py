@@ -8,7 +8,14 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import FINISHES, looks
-from core.guidance.builtin.patterns import BAND, MARGINS, RAINBOW, Laid
+from core.guidance.builtin.patterns import (
+    BAND,
+    MARGINS,
+    PLATE,
+    PLATE_LINE,
+    RAINBOW,
+    Laid,
+)
 from core.tests.texture_shapes import area as any_area
 
 TWO = (any_area(), any_area())
@@ -152,6 +159,26 @@ def test_lines_that_meet_at_the_axis_are_as_near_as_they_say(name):
     way = 0.6 * margin.abs()[:, None] * points.roll(1, 1) / points.norm(dim=1, keepdim=True)
     stays = (MARGINS[name](points + way) > 0) == (margin > 0)
     assert stays.float().mean() > 0.97
+
+
+def test_a_turtles_plates_are_hexagons():
+    """Lines half way to each of the six next plates, which are all as far."""
+    turns = torch.deg2rad(torch.arange(0.0, 360, 60) + 90)
+    around = torch.stack([turns.cos(), turns.sin(), 0 * turns], 1)
+    middles, borders = (MARGINS["plates"](around * far) for far in (PLATE, PLATE / 2))
+    assert torch.allclose(middles, torch.full((6,), PLATE_LINE - PLATE / 2), atol=1e-5)
+    assert torch.allclose(borders, torch.full((6,), PLATE_LINE), atol=1e-5)
+
+
+def test_a_basketball_has_two_circles_and_a_curve_at_either_side():
+    """Points as (x, z) of its front, which is a disc of radius .9."""
+    lines = [(0.0, 0.5), (0.25, 0.0), (0.73, 0.5), (0.49, 0.05)]
+    fields = [(0.25, 0.3), (0.8, 0.2), (0.3, 0.7)]
+    for x, z in lines + fields:
+        sides = torch.tensor(
+            [(i * x, y, k * z) for i in (1, -1) for y in (0.2, -0.2) for k in (1, -1)]
+        )
+        assert ((MARGINS["seams"](sides) > 0) == ((x, z) in lines)).all(), (x, z)
 
 
 @pytest.mark.usefixtures("coarse")  # the weights

@@ -226,11 +226,10 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         tone = next((tone for tone in tones if tone is not None), None)
         if tone is not None and pattern in ("", finish.pattern, "striped"):
             pattern = RAINBOW
-        natural = natural_second(pattern, color)
-        if look.pattern in LINES and pattern in ("", finish.pattern):
-            pattern, natural = look.pattern, natural_second(look.pattern, color)
-        elif look.pattern in LINES and pattern == "two-tone":  # "a black and white basketball"
+        of_two = pattern == "two-tone"  # "a black and white basketball": its seams are white
+        if look.pattern in LINES and pattern in ("", finish.pattern, "two-tone"):
             pattern = look.pattern
+        natural = None if of_two else natural_second(pattern, color)
         yield Painted(
             name,
             look,

@@ -42,7 +42,7 @@ OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "some")
 BLOCKS = frozenset("blocks bricks slabs".split())
 PIECES = BLOCKS | frozenset("slats sheets panels tiles".split())
 POT = "flower pot"
-FULL = ("with", "containing", "holding")
+FULL = frozenset(("with", "containing", "holding"))
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
@@ -66,11 +66,12 @@ def _take_plants_first(tokens: Tokens) -> None:
     for at in range(len(tokens.words)):
         name = next((p for p in tokens.phrases(at) if tokens.thing(p) == POT), "")
         behind = at + len(name.split())
-        if not name or behind in tokens.breaks or tokens.words[behind : behind + 1] == []:
+        follows = tokens.words[behind : behind + 2]
+        if not name or behind in tokens.breaks or not FULL.intersection(follows[:1]):
             continue
-        if tokens.words[behind] not in FULL or (first := _pots_looks_begin(tokens, at)) is None:
+        if (first := _pots_looks_begin(tokens, at)) is None:
             continue
-        begin = behind + 1 + (tokens.words[behind + 1 : behind + 2] in [[one] for one in OWN])
+        begin = behind + 1 + (follows[-1] in OWN)
         for start in range(begin, min(begin + STRANGE + 1, len(tokens.words))):
             plant = next((p for p in tokens.phrases(start) if is_own(tokens.thing(p), "pot")), "")
             end = start + len(plant.split())

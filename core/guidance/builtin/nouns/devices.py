@@ -55,8 +55,7 @@ DEVICES = {
     ),
     "radio": Noun(
         "transistor radio, portable radio; boombox, walkie talkie, stereo, cd player, "
-        "cassette player, "
-        "tape recorder, cassette recorder",
+        "cassette player, tape recorder, cassette recorder",
         {
             "body": "*b23a2a",
             "speaker": "+e6dcc3",
