@@ -92,10 +92,12 @@ class Normalize(torch.autograd.Function):
     @staticmethod
     @once_differentiable
     def backward(ctx, g):
-        g, out, scale = _arrays(g, *ctx.saved_tensors)
+        # Read once: a recomputed forward (torch.utils.checkpoint) hands its tensors out but once.
+        arrays = _arrays(g, *ctx.saved_tensors)
         rows = (-1, g.shape[-1])
-        grad = _rasterizer.normalize_backward(g.reshape(rows), out.reshape(rows), scale, ctx.eps)
-        return torch.from_numpy(grad).view(ctx.saved_tensors[0].shape), None
+        slope, out, scale = arrays[0].reshape(rows), arrays[1].reshape(rows), arrays[2]
+        grad = _rasterizer.normalize_backward(slope, out, scale, ctx.eps)
+        return torch.from_numpy(grad).view(g.shape), None
 
 
 def weighted_sum(table: Tensor, index: Tensor, weight: Tensor) -> Tensor:

@@ -13,7 +13,7 @@ from core import kernels
 from core.camera import Cameras
 from core.hash_grid import HashGrid
 from core.kernels.compiled import compiled
-from core.ops import normalize
+from core.ops import normalize, recomputed
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.render.rasterizer import rasterize, to_clip
@@ -102,6 +102,20 @@ def test_a_zero_stays_zero_at_unit_length(both: Callable) -> None:
     assert torch.allclose(out, plain, atol=1e-6)
     assert torch.allclose(grad, plain_grad, rtol=1e-4, atol=1e-6)
     assert (out[0] == 0).all()
+
+
+def test_what_is_recomputed_for_its_gradient_hands_its_tensors_out_once(both: Callable) -> None:
+    """As in the shading of many points, whose backward computes it again (``recomputed``)."""
+    rows = torch.randn(6, 3, generator=torch.Generator().manual_seed(0))
+
+    def unit() -> Tensor:
+        x = rows.clone().requires_grad_()
+        recomputed(normalize, x).square()[:, 0].sum().backward()
+        return x.grad
+
+    grad, plain = both(unit)
+    assert torch.allclose(grad, plain, atol=1e-6)
+    assert plain.norm() > 0.1
 
 
 def test_edges_with_many_faces_agree(both: Callable) -> None:
