@@ -146,3 +146,8 @@ def test_the_stated_side_of_what_is_made_is_so_long(prompt, longest):
     assert longest_side(prompt, (2, 4, 1)) == pytest.approx(longest)
     assert size_of(Job(prompt=prompt), box) == pytest.approx(longest)
     assert size_of(Job(prompt=prompt, size_m=0.25), box) == 0.25
+
+
+@pytest.mark.parametrize(("prompt", "metres"), [("vase 120mm", 0.12), ("a 40 mm cube", 0.04)])
+def test_millimetres_are_a_size_of_what_has_no_calibre(prompt, metres):
+    assert parse(prompt).size == Size(metres)

@@ -489,3 +489,18 @@ def _part(noun: str, part: str, **stated: str) -> Painted:
 def test_what_a_part_is_of_goes_by_the_thing_before_the_parts_name(noun, part, kind):
     """Handles are mostly of wood, and a nose is mostly wet."""
     assert looks(noun)[part].material == kind
+
+
+def test_spots_lie_on_what_has_a_colour_of_its_own_where_that_is_all() -> None:
+    cap = next(
+        part
+        for part in painted("mushroom", parse("a mushroom with a red cap and white spots"))
+        if part.name == "cap"
+    )
+    assert (cap.pattern, cap.color) == ("spotted", color_value("red", "red"))
+    assert cap.second == color_value("white", "white")
+    body, handle = (
+        next(p for p in painted("mug", parse("a mug with a red handle and stripes")) if p.name == n)
+        for n in ("body", "handle")
+    )
+    assert (body.pattern, handle.pattern) == ("striped", "")

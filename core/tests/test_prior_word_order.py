@@ -331,3 +331,27 @@ def test_a_shade_that_is_a_things_name(prompt: str, thing: str, color: list[str]
 )
 def test_a_name_may_have_looks_within(prompt: str, thing: str) -> None:
     assert understood(prompt)["thing"] == thing
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        ("the seat is red and the legs are white, chair", {"seat": "red", "legs": "white"}),
+        ("the handle is black, the pan is copper", {"handle": "black"}),
+        ("white legs and red seat, a stool", {"legs": "white", "seat": "red"}),
+        ("red lid white teapot", {"lid": "red"}),
+        ("green shade brass desk lamp", {"shade": "green"}),
+        ("a red chair", {}),
+    ],
+)
+def test_parts_may_come_before_their_thing(prompt: str, said: dict[str, str]) -> None:
+    found = read(prompt)
+    assert found["part_colours"] == said
+    assert found["pattern"] is None
+
+
+def test_dots_on_a_part_are_the_parts() -> None:
+    found = parts("a lamp with a red shade with white dots")
+    shade = {"part_colours": {"shade": "red"}, "part_patterns": {"shade": "spotted with white"}}
+    assert found == shade
+    assert read("a mug with white dots")["pattern"] == "spotted"

@@ -9,7 +9,7 @@ from core.guidance.builtin.findings import Findings
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import is_own, is_wide, may_state, own_name
-from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.tokens import MADE, Tokens
 from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
     ALIVE,
@@ -26,6 +26,7 @@ from core.guidance.builtin.words import (
 )
 
 EITHER = ("or", "nor")
+STONES = ("stone", "rock")
 MADE_OF = ("of", "from", "in", "out")
 
 
@@ -103,6 +104,7 @@ class Clauses:
         # The accessory is unknown, or all is of another thing: its colours are not the thing's.
         if self._strange or self._of_another:
             self.got.left_out += self._of_accessory()
+        self._leave_what_it_is_not()
         self.got.parts += self._before
         beside = self._late or self._ended_by != "and"  # "a chair and an okapi" are two things
         if self.got.found["noun"] and self._noun_end < 0 and beside:
@@ -114,6 +116,11 @@ class Clauses:
         self.got.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
         self._begun, self._strange = self.got.counts(), False
+
+    def _leave_what_it_is_not(self) -> None:
+        """ "A chair, not wooden", "a not red apple"."""
+        if self._without and (forms := self._looks_before()):
+            self.got.leave_aside(["not", *forms], "nothing else is said in its place")
 
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""
@@ -177,6 +184,37 @@ class Clauses:
         if self._ended_by in MADE_OF or form in SLOTS["color"]:
             return False
         return is_own(self.got.thing, form)
+
+    def _is_its_size(self, at: int) -> bool:
+        """Whether a word for a size is of the whole thing, as before its name, and not of a part:
+        "a small robot with big eyes"."""
+        if not self.got.found["noun"]:
+            return not self._without
+        alone = at in self._tokens.breaks and self._tokens.ends_phrase(at + 1)
+        return alone and self._accessory is None
+
+    def _says_how(self, token: str, at: int) -> bool:
+        """Whether a word only says how the thing came by the look behind it."""
+        if token not in MADE or at + 1 in self._tokens.breaks:
+            return False
+        looked = (look_up(phrase, self.known) for phrase in self._tokens.phrases(at + 1))
+        return bool(self._tokens.toned(at + 1)) or any(one and one.slot in LOOKS for one in looked)
+
+    def _is_stone(self, entry: Entry, end: int) -> bool:
+        """Whether a stone is a gem, of a thing that has some: "a ring with a blue stone"."""
+        own = entry.form in STONES and self._has_gems() and self._ended_by not in MADE_OF
+        return own and self._tokens.ends_phrase(end)
+
+    def _names_a_part(self, entry: Entry, start: int, end: int) -> bool:
+        """Whether another thing, or a word for the whole, says what a part right behind it is like:
+        "a lamp with a dolphin base", "a dresser with shell knobs"."""
+        if not self.got.found["noun"] or self._noun_end == start or end in self._tokens.breaks:
+            return False
+        thing, behind = self.got.thing, next(iter(self._tokens.words[end : end + 1]), "")
+        strange = entry.slot == "part" and not own_name(thing, entry.word)
+        other = entry.slot == "noun" or strange or entry.word in WHOLE
+        own = own_name(thing, behind) and not is_wide(thing, behind)
+        return other and bool(own) and not is_own(thing, entry.form)
 
     def _has_gems(self) -> bool:
         return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])

@@ -74,7 +74,8 @@ SHADES: dict[str, dict[str, str]] = {
         "plum purple": "6a2a5a", "grape purple": "5c2d82", "eggplant purple": "3f1a3c",
     },
     "pink": {
-        "light red": "f08080", "rose pink": "e8799a", "hot pink": "ff3f9a", "magenta": "d0207f",
+        "light red": "f08080", "rose pink": "e8799a", "hot pink": "ff3f9a", "barbie pink": "e0218a",
+        "magenta": "d0207f",
         "fuchsia": "e0208f", "baby pink": "f6c2d0", "blush": "e8b4b8", "blush pink": "e8b4b8",
         "dusty pink": "cf9a9e", "salmon pink": "f58f7c", "coral pink": "f57f6c",
         "bubblegum pink": "ff8fc0", "flamingo pink": "fc8eac", "candy pink": "f57fa8",

@@ -45,10 +45,10 @@ def _meant(tokens: Tokens, at: int) -> str:
         return next((form for form in forms if form in PARTS), "")
     if entry is not None and entry.slot in LOOKS:  # "a red stone crown", which has stones
         return ""
-    # Of the thing right behind it.
-    things = (tokens.thing(phrase) for phrase in tokens.phrases(at + 1))
-    noun = next(filter(None, things), "")
-    if not noun or at + 1 in tokens.breaks or at in tokens.owners:
+    # Of the thing right behind it, or behind how that looks: "a red lid white teapot".
+    end = tokens.qualities_end(at + 1, LOOKS)
+    noun = next(filter(None, map(tokens.thing, tokens.phrases(end))), "")
+    if not noun or not tokens.breaks.isdisjoint(range(at + 1, end + 1)) or at in tokens.owners:
         return ""
     names = (own_name(noun, word), own_name(noun, f"{word}s"))
     return next((name for name in names if name and not is_wide(noun, word)), "")

@@ -28,6 +28,7 @@ class Findings:
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
+    scale: float = 1.0  # how many times its usual size the thing is
     figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)
 
@@ -103,18 +104,23 @@ class Findings:
         left = dict.fromkeys(self.left_out)
         entries = {token: look_up(token, self.known) for token in left}
         looks = [token for token, entry in entries.items() if entry and entry.slot in LOOKS]
-        things = [token for token, entry in entries.items() if entry and entry.slot == "noun"]
+        nouns = [token for token, entry in entries.items() if entry and entry.slot == "noun"]
+        things, said = (
+            [token for token in nouns if (token in self.qualifiers) == only]
+            for only in (False, True)
+        )
         counts = [token for token in left if token in COUNTS]
         unknown = [
             with_hint(token, near_words(token, self.qualifiers, self.known))
             if token in self.qualifiers
             else repr(token)
             for token in left
-            if token not in (*looks, *things, *counts)
+            if token not in (*looks, *nouns, *counts)
         ]
         notes = {
             f"{', '.join(map(repr, looks))}: left out with what is not known beside it.": looks,
             f"{', '.join(map(repr, things))}: left out, as one thing is made at a time.": things,
+            f"{', '.join(map(repr, said))}: left out, as nothing is drawn of it.": said,
             f"{', '.join(map(repr, counts))}: left out, as parts are not counted.": counts,
             f"The built-in model does not know {', '.join(unknown)}: left out.": unknown,
         }

@@ -26,8 +26,10 @@ SIDES = {  # of the box around a thing, by the words for them
     "length": ("long", "length", "size"),
 }
 THICK = ("thick", "thickness")  # of a wall or a board, not of the whole thing
-# Such a number is a size only where a side is named: "a 9mm pistol".
-CALIBRE = "mm"
+# Of these so few millimetres are no size where no side is named: "a 9mm pistol", "a 35 mm camera".
+OF_CALIBRE = """pistol revolver handgun gun rifle cannon howitzer mortar tank camera cameras lens
+    lenses film ammo bullet cartridge screw bolt nail wire""".split()
+CALIBRE, MOST_CALIBRE = "mm", 0.21  # metres
 UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
 MOST_FEET = 8  # that something stands on
 # Marks for inches and feet, as they may be typed.
@@ -116,6 +118,7 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
     text = unicodedata.normalize("NFKC", prompt).lower()
     sizes: list[Size] = []
     others: list[str] = []
+    has_calibre = not set(OF_CALIBRE).isdisjoint(re.findall("[a-z]+", text))
 
     def taken(found: re.Match[str]) -> str:
         side = found["after"] or found["before"] or ""
@@ -128,7 +131,8 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
         elsewhere = _ELSEWHERE.search(text, 0, found.start())
         # But "with a 30 cm height".
         of_another = elsewhere and not (found["before"] or side in SIDES)
-        is_other = side in THICK or of_another or (not side and unit == CALIBRE)
+        calibre = not side and unit == CALIBRE and size.metres <= MOST_CALIBRE
+        is_other = side in THICK or of_another or (calibre and has_calibre)
         if is_other or not SIZES[0] <= size.metres <= SIZES[1]:
             others.append(found[0].strip())
         else:

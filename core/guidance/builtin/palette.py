@@ -193,6 +193,9 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     first, other = (stated.color, stated.color_form), (stated.second, stated.second_form)
     lines = _own_stripes(noun, stated)
     drawn = lines is not None and not lines.on
+    # "A red cap and white spots": where all of it has looks of its own, these lie on it.
+    said = {a.part for a in stated.accents if a.color or a.material or a.pattern} | {stated.target}
+    covered = all(name in said for name, look in looks(noun).items() if look.role == "*")
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
         if lines and name == STRIPES and not accent.color:
@@ -218,8 +221,9 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         elif two_tone and look.role in "+&" and not apart:
             color = _value(other) or companion(_value(first) or look.color)
             pattern, word = finish.pattern, other if stated.second else word
-        elif stated.pattern and look.role in "*&" and not (two_tone or apart or drawn):
-            pattern = stated.pattern
+        elif stated.pattern and look.role in "*&" and not (two_tone or drawn):
+            free = covered and look.role == "*" if apart else True
+            pattern = stated.pattern if free else pattern
         # Of rainbow stripes too.
         lies = accent.second_form if accent.pattern else other[1] if stated.pattern else ""
         tones = (rainbow_tone(form) for form in (word[1], lies))

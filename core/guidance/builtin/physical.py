@@ -4,7 +4,6 @@ from collections.abc import Iterable
 
 from core.errors import UserError
 from core.guidance.builtin.measures import set_apart
-from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.vocabulary import Words, parse
 
 
@@ -15,7 +14,7 @@ def usual_of(prompt: str) -> tuple[float, float]:
         words = parse(prompt, noun_needed=False, ignore_unknown=True)
     except UserError:  # such as two nouns
         words = Words()
-    return usual(words.noun, words.material, words.is_toy)
+    return words.usual()
 
 
 def longest_side(prompt: str, extents: Iterable[float]) -> float:

@@ -19,6 +19,7 @@ from core.guidance.builtin.lexicon import (
 )
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import as_part, looks_of, may_state
+from core.guidance.builtin.sizes import TOY_SIZE
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.word_order import set_in_order
@@ -40,10 +41,14 @@ from core.guidance.builtin.words import (
     OF_ANOTHER,
     PHRASE_ENDS,
     PLAIN,
+    SIZE_WORDS,
     SURROUNDINGS,
     TOYS,
     WITHOUT,
 )
+
+AHEAD = 6  # words in which a thing may still come
+HAVING = ("have", "has", "made", "of", "from", "in")  # "does not have wheels", "not made of wood"
 
 
 class Reading(Clauses):
@@ -86,6 +91,8 @@ class Reading(Clauses):
                 continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
                 entry = Entry("part", phrase, phrase)
+            if entry is not None and self._is_stone(entry, at + count):
+                entry = Entry("part", "gem", entry.form)
             if entry is not None and self._are_things(entry, phrase):
                 return self._leave_out(phrase, count)
             if entry is not None:
@@ -104,18 +111,27 @@ class Reading(Clauses):
             if count > 1 and any(form in MEANT for form in singulars(phrase)):
                 return self._leave_out(phrase, count)
         if token in WITHOUT:
-            self._without = True
             self._end_phrase()
+            self._without = True
+        elif token in TOYS and self._accessory is None:  # not "a child with a toy"
+            self.got.is_toy = True
+            self.got.notes.append(f"{token}: made no longer than {100 * TOY_SIZE:g} cm.")
+        elif token in SIZE_WORDS and self._is_its_size(at):
+            self.got.scale = SIZE_WORDS[token]
+            self.got.notes.append(f"{token}: made {SIZE_WORDS[token]:g} times its usual size.")
+        elif self._says_how(token, at):  # "painted white"
+            pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
             self.got.left_out.append(token)
-            # Of the thing itself: not "a child with a toy".
-            self.got.is_toy |= token in TOYS and self._accessory is None
         elif token in COUNTS and not self.got.found["noun"]:
             self.got.notes.append(f"{token}: one thing is made at a time.")
         elif token in COUNTS:
             self.got.left_out.append(token)
         elif token in PHRASE_ENDS:
-            self._without &= token in ARTICLES
+            negated = self._without and self._looks and token in EITHER  # "not red or blue"
+            if token not in (*ARTICLES, *HAVING):
+                self._leave_what_it_is_not()
+                self._without = False
             self._without |= self._lacks_more(tokens)
             if token in EITHER and not self._without:  # "red or blue": it is both
                 self.got.left_out.append(token)
@@ -126,6 +142,7 @@ class Reading(Clauses):
             else:
                 self._end_phrase()
                 self._ended_by = word
+            self._without |= bool(negated)
         elif token in SURROUNDINGS:  # "a candle, soft pink lighting"
             self.got.left_out += [*self._looks_before(), token]
         elif self.got.found["noun"] and DOING.fullmatch(token):
@@ -150,7 +167,8 @@ class Reading(Clauses):
         own = looks_of(self.got.thing)
         close = corrected_phrase(self._tokens.words[at:])
         end = at + max(len(close.split()), 1)
-        close = close or corrected(token, own, bool(self.got.thing))
+        things = any(map(self._tokens.has_thing, range(at + 1, at + 1 + AHEAD)))
+        close = close or corrected(token, own, bool(self.got.thing) or things)
         is_known = close in (*WITHOUT, *own) or look_up(close, self.known) is not None
         if not close or not is_known:
             return self._leave_out(token, 1)
@@ -171,6 +189,9 @@ class Reading(Clauses):
             return
         if self._is_beside(entry, start, end):  # "a mermaid on a rock"
             self._leave_aside(entry.form)
+            return
+        if self._names_a_part(entry, start, end):  # "with a dolphin base"
+            self.got.left_out.append(entry.form)
             return
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
@@ -214,6 +235,7 @@ class Reading(Clauses):
             self._end_phrase()
         else:
             if slot == "noun":
+                self._leave_what_it_is_not()
                 self._head(entry, start, end)
             self.got.found[slot].append(entry)
         begun = self._begun if self._late and self._accessory is None else self._accessory
@@ -223,7 +245,7 @@ class Reading(Clauses):
             if begun["color"] == 0 and len(colors) == 1:
                 self.got.figure = colors[0]
             self._accessory = self._accessory and self.got.counts()
-        if slot in LOOKS and self.got.found["noun"]:
+        if slot in LOOKS and (self.got.found["noun"] or self._without):
             self._looks.append(slot)
         elif slot != "weather":
             self._looks = []

@@ -20,7 +20,11 @@ ASKED = re.compile(
     r"(?:wants?|needs?|ask(?:s|ed) for|would (?:like|love))(?: to have)? (?=(?:an?|the|some|one) )",
     re.IGNORECASE,
 )
+# What was done to it, before how it looks since.
+MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
 PERSON = "person"  # "my kids want a robot"
+# "Isn't", "does not": a doe is a deer.
+NOT = re.compile(r"\b(?:do|does|did) not\b|(?:\b(?:do|does|did))?n['\u2019]t\b", re.IGNORECASE)
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -43,7 +47,7 @@ class Tokens:
         # "A robot needs a hug" is about a robot.
         if asked and {"", PERSON}.issuperset(map(found.thing, asked[1].lower().split())):
             prompt = prompt[asked.end() :]
-        plain, found.sizes, found.measures = set_apart(prompt)
+        plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
                 found.owners.add(len(found.words) - 1)
@@ -119,6 +123,17 @@ class Tokens:
             begin -= step
         return begin
 
+    def qualities_end(self, begin: int, slots: tuple[str, ...]) -> int:
+        """Where the colours, materials and so on that begin at the index end."""
+        end = begin
+        while end < len(self.words) and (end == begin or end not in self.breaks):
+            phrases = (phrase.split() for phrase in self.phrases(end))
+            step = next((len(p) for p in phrases if self._is_quality(end, end + len(p), slots)), 0)
+            if not step:
+                break
+            end += step
+        return end
+
     def _is_quality(self, begin: int, end: int, slots: tuple[str, ...]) -> bool:
         if self.breaks.intersection(range(begin + 1, end)):
             return False
@@ -131,9 +146,22 @@ class Tokens:
         entry = look_up(phrase, self.known)
         return entry.word if entry is not None and entry.slot == "noun" else ""
 
+    def take_first(self, begin: int, end: int) -> None:
+        """Put the words between the indices, a clause, before all others."""
+        order = [*range(begin, end), *range(begin), *range(end, len(self.words))]
+        place = {old: new for new, old in enumerate([*order, len(order)])}
+        # Punctuation precedes now what was first.
+        self.breaks = {place[k] for k in self.breaks - {begin} | {0}}
+        self.owners = {place[k] for k in self.owners}
+        self.words = [self.words[k] for k in order]
+
+    def first_thing(self, at: int) -> str:
+        """The thing whose name begins at the index, or ""."""
+        return next(filter(None, map(self.thing, self.phrases(at))), "")
+
     def has_thing(self, at: int) -> bool:
         """Whether a thing's name begins at the index."""
-        return any(map(self.thing, self.phrases(at)))
+        return bool(self.first_thing(at))
 
     def ends_phrase(self, end: int) -> bool:
         """Whether a phrase ends before the index, and goes on with no "and"."""

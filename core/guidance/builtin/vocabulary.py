@@ -29,6 +29,7 @@ from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import GLASSWARE, PLAIN, WEATHERS
+from core.io.job import SIZES
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,7 @@ class Words:
     weather: tuple[str, ...] = ()  # what time has done to it
     sheen: tuple[str, ...] = ()  # how it shines
     is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
+    scale: float = field(default=1.0, compare=False)  # of its usual size
     color_form: str = ""  # the first colour's shade, where that has a name of its own
     second_form: str = ""
     material_form: str = field(default="", compare=False)  # the material as it was written
@@ -69,6 +71,12 @@ class Words:
         """What the thing is to have, and "no ..." of what it is to lack."""
         lacked = [f"no {part}" for part in self.absent]
         return list(dict.fromkeys([*filter(None, [self.part]), *lacked]))
+
+    def usual(self) -> tuple[float, float]:
+        """The thing's usual size in metres, as "small" and the like have it, and its density in
+        kg/m³."""
+        size, density = usual(self.noun, self.material, self.is_toy)
+        return min(max(round(size * self.scale, 4), SIZES[0]), SIZES[1]), density
 
     def named_material(self) -> str:
         """The material as it was written, where it gets its own detail; else its word."""
@@ -111,7 +119,7 @@ def understood(
     """
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
-    usual_m, density = usual(words.noun, words.material, words.is_toy)
+    usual_m, density = words.usual()
     size_m, side = words.size or (usual_m, "length")
     second = "" if words.target else words.second_form or words.second
     return {
@@ -182,7 +190,7 @@ def parse(
     # In the table's order: snow lies on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
-    words["is_toy"], words["size"] = got.is_toy, got.size()
+    words |= {"is_toy": got.is_toy, "scale": got.scale, "size": got.size()}
     # "Upholstered in velvet": what only says that it is of fabric says less.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(

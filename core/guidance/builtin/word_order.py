@@ -9,22 +9,23 @@ from typing import NamedTuple
 
 from core.guidance.builtin.colors import TOWARDS
 from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.part_names import is_own, own_name
-from core.guidance.builtin.tokens import LONGEST, Tokens
+from core.guidance.builtin.part_names import is_own, is_wide, own_name
+from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
     BANDS,
     COUNTS,
+    FIGURES,
     FILLER,
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LOOKS,
     PHRASE_ENDS,
     PLAIN,
+    WITHOUT,
 )
 
 OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what has it
-MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
 LINK = re.compile(
     r"(?P<said>(?:(?:that|which|who) )?(?:is|are|should be) )?"
     r"(?P<glow>(?:glow|glowing|shine|shines|shining) )?"
@@ -48,6 +49,7 @@ APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 def set_in_order(tokens: Tokens) -> None:
     """Change the words' order where it is another than that of "with black wheels"."""
+    _take_the_thing_first(tokens)
     _take_plants_first(tokens)
     _join_names_of(tokens)
     _join_names_for(tokens)
@@ -55,10 +57,24 @@ def set_in_order(tokens: Tokens) -> None:
     _set_qualifiers_first(tokens)
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
+        _set_figure_on_part(tokens, at)
     for at in reversed(range(1, len(tokens.words))):
         _drop_pieces(tokens, at)
     for at in reversed(range(1, len(tokens.words))):
         _set_looks_before(tokens, at)
+
+
+def _take_the_thing_first(tokens: Tokens) -> None:
+    """ "The seat is red, a chair" is a chair, the seat is red."""
+    begins = [0, *sorted(k for k in tokens.breaks if 0 < k < len(tokens.words))]
+    clauses = list(zip(begins, [*begins[1:], len(tokens.words)], strict=True))
+    for begin, end in clauses:
+        thing = next(filter(None, map(tokens.first_thing, range(begin, end))), "")
+        if thing:
+            names = (own_name(thing, w) and not is_wide(thing, w) for w in tokens.words[:begin])
+            if any(names):
+                tokens.take_first(begin, end)
+            return
 
 
 def _take_plants_first(tokens: Tokens) -> None:
@@ -206,6 +222,18 @@ def _set_pattern_last(tokens: Tokens, at: int) -> None:
         tokens.put(at, at + 4, [*words[:3], "stripes"])
 
 
+def _set_figure_on_part(tokens: Tokens, at: int) -> None:
+    """ "A red shade with white dots" is a red and white spotted shade."""
+    words = tokens.words[at : at + 5]
+    if len(words) < 5 or words[2] != "with" or tokens.breaks.intersection(range(at + 1, at + 5)):
+        return
+    first, second, figure = (look_up(words[k], tokens.known) for k in (0, 3, 4))
+    colors = all(entry and entry.slot == "color" for entry in (first, second))
+    drawn = figure is not None and figure.slot == "pattern" and figure.form in FIGURES
+    if colors and drawn and own_name(_thing_before(tokens, at), words[1]):
+        tokens.put(at, at + 5, [words[0], "and", words[3], figure.word, words[1]])
+
+
 class Link(NamedTuple):
     """What stands between a name and how it looks."""
 
@@ -301,7 +329,7 @@ def _head_begins(tokens: Tokens, end: int) -> int:
         phrase = " ".join(tokens.words[begin:end])
         if tokens.breaks.isdisjoint(range(begin + 1, end)) and look_up(phrase, tokens.known):
             return begin
-    plain = tokens.words[end - 1] not in PHRASE_ENDS | FILLER
+    plain = tokens.words[end - 1] not in {*PHRASE_ENDS, *FILLER, *WITHOUT}
     return end - 1 if plain else end
 
 

@@ -47,7 +47,8 @@ MATERIALS = {
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
     "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum, "
-    "robotic, scrap metal, sheet metal, corrugated metal, corrugated iron, steel mesh, wire mesh",
+    "robotic, mirrored, scrap metal, sheet metal, corrugated metal, corrugated iron, steel mesh, "
+    "wire mesh",
     "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
     "polished brass, rose gold, white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
@@ -64,7 +65,8 @@ MATERIALS = {
     "of bone, of bones",
     "leather": "; suede, faux leather, patent leather, snakeskin",
     "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
-    "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice",
+    "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice, "
+    "transparent, translucent, see through, see thru, perspex, plexiglass, plexiglas",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
@@ -278,7 +280,7 @@ WHOLE = frozenset(
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # A thing that says, before another, what that is made of: "a robot dog".
-AS_MATERIAL = {"robot": "metal", "cyborg": "metal", "android": "metal"}
+AS_MATERIAL = {"robot": "metal", "cyborg": "metal", "android": "metal", "crystal": "glass"}
 # Materials that say little.
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
 # What the stripes lie on that a thing has by nature, where that is not most of it.
@@ -296,8 +298,8 @@ PLACES = frozenset(
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(
     """a an the of in on with and is are it its one single some made from out color colour colored
-    coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model object
-    highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
+    coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model mesh
+    object highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
@@ -310,6 +312,7 @@ FILLER = PLACES | frozenset(
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
 # Slips that are words of their own, or too short to tell.
 SHORT |= {"amor": "armor", "comin": "coming", "acustic": "acoustic"}
+SHORT |= dict.fromkeys(("isnt", "arent", "doesnt", "dont", "non"), "not")
 SHORT |= {"whit": "with", "wiht": "with", "wih": "with", "wth": "with", "witht": "with"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
@@ -392,7 +395,7 @@ IGNORED_ADJECTIVES = frozenset(
     cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
-    carved handmade crafted painted decorated evil tiny huge giant miniature empty full racing
+    carved handmade crafted painted decorated evil miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
     ornament cut sliced stained bent torn crooked percent
@@ -423,6 +426,15 @@ IGNORED_ADJECTIVES |= {
 }
 # Of them those that make a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split())
+# How many times a thing's usual size.
+SIZE_WORDS = {
+    **dict.fromkeys(("tiny", "teeny"), 0.4),
+    "mini": 0.5,
+    **dict.fromkeys(("small", "little"), 0.7),
+    **dict.fromkeys(("big", "large", "oversized"), 1.5),
+    **dict.fromkeys(("huge", "massive", "enormous"), 2.0),
+    **dict.fromkeys(("giant", "gigantic", "colossal"), 3.0),
+}
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
 # What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
@@ -448,7 +460,7 @@ ALONE |= {
 ALONE |= dict.fromkeys(("pine", "spruce", "cedar"), "tree")
 ALONE |= dict.fromkeys(("birch", "maple", "beech"), "oak tree")
 ALONE |= dict.fromkeys(("chocolate", "white chocolate", "dark chocolate"), "chocolate bar")
-WITHOUT = ("without", "no", "lacking")
+WITHOUT = ("without", "no", "not", "lacking")
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
 # Of the legs a caption states how many.

@@ -1,0 +1,102 @@
+"""What a prompt says that a thing is not, and how much of its usual size it is."""
+
+import pytest
+
+from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.vocabulary import understood
+
+
+def read(prompt: str) -> dict:
+    return understood(prompt, known=SLOTS)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lacks"),
+    [
+        ("a chair, not wooden", "wooden"),
+        ("a bucket that isn't rusty", "rusty"),
+        ("a not red apple", "red"),
+        ("a chair with no red", "red"),
+        ("a table that is not round", "round"),
+        ("chair, not made of wood", "wood"),
+        ("a chair that is not made of wood but metal", "wood"),
+        ("a vase, not red or blue", "blue"),
+        ("a non-metallic bucket", "metallic"),
+    ],
+)
+def test_what_it_is_not_is_left_out_and_said(prompt: str, lacks: str) -> None:
+    found = read(prompt)
+    assert f"not {lacks}: left out, as nothing else is said in its place." in found["notes"]
+    assert (found["colours"], found["shape"]) == ([], None)
+    assert found["materials"] == (["metal"] if "but" in prompt else [])
+
+
+def test_what_it_does_not_have_is_lacking() -> None:
+    assert read("a snowman that doesn't have a hat")["parts"] == ["no hat"]
+    lacked = read("a car without wheels or windows")["parts"]
+    assert lacked == ["no wheels", "no hubs", "no windows"]
+    assert read("green, not blue, bottle")["colours"] == ["green"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "times"),
+    [
+        ("a tiny pumpkin", 0.4),
+        ("a small wooden box", 0.7),
+        ("a big, grey boulder", 1.5),
+        ("a lion, huge", 2.0),
+        ("a robot with big eyes", 1.0),
+        ("a house with large black windows", 1.0),
+        ("a house, not big", 1.0),
+    ],
+)
+def test_a_word_for_a_size_is_of_the_whole_thing(prompt: str, times: float) -> None:
+    found = read(prompt)
+    usual = read(f"a {found['thing']}")["size_m"]
+    assert found["size_m"] == pytest.approx(times * usual)
+    assert any("its usual size" in note for note in found["notes"]) == (times != 1)
+
+
+def test_a_stated_size_counts_more_than_a_word_for_one() -> None:
+    assert read("a huge robot 2 m tall")["size_m"] == 2
+    assert read("a toy sailboat")["notes"] == ["toy: made no longer than 25 cm."]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part"),
+    [
+        ("floor lamp with a black tripod base", "foot"),
+        ("a sofa with black velvet heart cushions", "cushion"),
+        ("a dresser with black shell knobs", "handles"),
+        ("a teapot with a black bird lid", "lid"),
+    ],
+)
+def test_a_thing_before_a_part_says_what_the_part_is_like(prompt: str, part: str) -> None:
+    assert read(prompt)["part_colours"] == {part: "black"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "gem"),
+    [
+        ("a silver ring with a blue stone", {"gem": "blue"}),
+        ("a crown with red stones", {"gems": "red"}),
+        ("a crown of stone", {}),
+    ],
+)
+def test_a_stone_of_what_has_gems_is_one(prompt: str, gem: dict[str, str]) -> None:
+    found = read(prompt)
+    assert found["part_colours"] == gem
+    assert ("stone" in found["materials"]) == (not gem)
+
+
+def test_what_is_seen_through_is_of_glass() -> None:
+    assert read("a see-through vase")["materials"] == ["glass"]
+    assert read("a crystal ball")["materials"] == ["glass"]
+    assert read("a screwdriver with a transparent red handle")["part_materials"] == {
+        "handle": "glass"
+    }
+
+
+def test_a_slip_before_a_thing_is_no_other_thing() -> None:
+    found = read("a blak leater sofa")
+    assert (found["colours"], found["materials"]) == (["black"], ["leather"])
