@@ -3,6 +3,7 @@
 import pytest
 
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.vocabulary import understood
 
 
@@ -31,6 +32,43 @@ def test_what_it_is_not_is_left_out_and_said(prompt: str, lacks: str) -> None:
     assert found["materials"] == (["metal"] if "but" in prompt else [])
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a house with a door that is not red",
+        "a car whose wheels aren't black",
+        "a sword with a blade that is not rusty",
+        "a chair, legs not black",
+    ],
+)
+def test_a_part_of_which_a_look_is_denied_stays(prompt: str) -> None:
+    found = read(prompt)
+    assert (found["parts"], found["part_colours"], found["part_materials"]) == ([], {}, {})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "colours"),
+    [
+        ("a not shiny red car", "car", ["red"]),
+        ("a not too big red car", "car", ["red"]),
+        ("a not red or blue car", "car", []),
+        ("not a car but a truck", "truck", []),
+        ("a red car instead of blue", "car", ["red"]),
+        ("no text, a blue mug", "mug", ["blue"]),
+        ("not too shiny, a red ball", "ball", ["red"]),
+    ],
+)
+def test_not_denies_what_is_right_behind_it(prompt: str, thing: str, colours: list[str]) -> None:
+    found = read(prompt)
+    assert (found["thing"], found["colours"]) == (thing, colours)
+
+
+@pytest.mark.parametrize("word", MADE)
+def test_a_prompt_may_end_with_what_was_done_to_it(word: str) -> None:
+    assert read(f"a wooden chair, {word}")["materials"] == ["wooden"]
+    assert read(f"a chair {word} red")["colours"] == ["red"]
+
+
 def test_what_it_does_not_have_is_lacking() -> None:
     assert read("a snowman that doesn't have a hat")["parts"] == ["no hat"]
     lacked = read("a car without wheels or windows")["parts"]
@@ -48,6 +86,10 @@ def test_what_it_does_not_have_is_lacking() -> None:
         ("a robot with big eyes", 1.0),
         ("a house with large black windows", 1.0),
         ("a house, not big", 1.0),
+        ("a dragon, really big", 1.5),
+        ("the car is huge", 2.0),
+        ("a big eyed owl", 1.0),
+        ("a little rusty car", 1.0),
     ],
 )
 def test_a_word_for_a_size_is_of_the_whole_thing(prompt: str, times: float) -> None:
@@ -57,9 +99,16 @@ def test_a_word_for_a_size_is_of_the_whole_thing(prompt: str, times: float) -> N
     assert any("its usual size" in note for note in found["notes"]) == (times != 1)
 
 
+def test_a_size_of_a_part_is_left_out_and_said() -> None:
+    found = read("truck with small black wheels")
+    assert found["notes"] == ["small: left out, as only the whole thing has a size."]
+    assert found["part_colours"] == {"wheels": "black"}
+
+
 def test_a_stated_size_counts_more_than_a_word_for_one() -> None:
     assert read("a huge robot 2 m tall")["size_m"] == 2
     assert read("a toy sailboat")["notes"] == ["toy: made no longer than 25 cm."]
+    assert read("a scale model of a ship")["size_m"] == 0.25
 
 
 @pytest.mark.parametrize(
@@ -80,6 +129,8 @@ def test_a_thing_before_a_part_says_what_the_part_is_like(prompt: str, part: str
     [
         ("a silver ring with a blue stone", {"gem": "blue"}),
         ("a crown with red stones", {"gems": "red"}),
+        ("a ring in silver, blue stone", {"gem": "blue"}),
+        ("a ring with a red stone and a silver band", {"gem": "red"}),
         ("a crown of stone", {}),
     ],
 )

@@ -26,6 +26,7 @@ from core.guidance.builtin.words import (
 )
 
 EITHER = ("or", "nor")
+VERY = "is really very so super quite just".split()
 STONES = ("stone", "rock")
 MADE_OF = ("of", "from", "in", "out")
 
@@ -56,7 +57,7 @@ class Clauses:
     def _end_clause(self) -> None:
         """A comma, or the like."""
         self._end_phrase()
-        self._without = False
+        self._without, self._ended_by = False, ""
         self._accessory, self._of_another = None, False
         self._late = bool(self.got.found["noun"])
 
@@ -135,7 +136,7 @@ class Clauses:
         self.got.left_out.append(unknown)
         self._strange = True
         # What goes with the thing may be unknown, the thing itself may not.
-        if self._accessory is None:
+        if self._accessory is None and not self._without:
             self._pending.append(unknown)
         return count
 
@@ -188,10 +189,21 @@ class Clauses:
     def _is_its_size(self, at: int) -> bool:
         """Whether a word for a size is of the whole thing, as before its name, and not of a part:
         "a small robot with big eyes"."""
+        words, ends = self._tokens.words, self._tokens.ends_phrase(at + 1)
+        entry = None if ends else look_up(words[at + 1], self.known)
         if not self.got.found["noun"]:
-            return not self._without
-        alone = at in self._tokens.breaks and self._tokens.ends_phrase(at + 1)
-        return alone and self._accessory is None
+            if words[at] == "little" and not ends:  # "a little bit", "a little rusty"
+                how = entry is not None and (entry.slot == "weather" or entry.word == "rusty")
+                return not (how or words[at + 1] == "bit")
+            of_part = (entry is not None and entry.slot == "part") or self._says_parts(at + 1)
+            return not (self._without or of_part)
+        begins = at in self._tokens.breaks or words[at - 1] in VERY or self._noun_end == at
+        return begins and (ends or words[at + 1] == "and") and self._accessory is None
+
+    def _says_parts(self, at: int) -> bool:
+        """Whether a word says what parts the thing has: "a big eyed owl"."""
+        word = next(iter(self._tokens.words[at : at + 1]), "")
+        return word.endswith("ed") and word not in MADE and look_up(word, self.known) is None
 
     def _says_how(self, token: str, at: int) -> bool:
         """Whether a word only says how the thing came by the look behind it."""
@@ -203,7 +215,8 @@ class Clauses:
     def _is_stone(self, entry: Entry, end: int) -> bool:
         """Whether a stone is a gem, of a thing that has some: "a ring with a blue stone"."""
         own = entry.form in STONES and self._has_gems() and self._ended_by not in MADE_OF
-        return own and self._tokens.ends_phrase(end)
+        ended = self._tokens.ends_phrase(end) or self._tokens.words[end] == "and"
+        return own and ended
 
     def _names_a_part(self, entry: Entry, start: int, end: int) -> bool:
         """Whether another thing, or a word for the whole, says what a part right behind it is like:
@@ -215,6 +228,12 @@ class Clauses:
         other = entry.slot == "noun" or strange or entry.word in WHOLE
         own = own_name(thing, behind) and not is_wide(thing, behind)
         return other and bool(own) and not is_own(thing, entry.form)
+
+    def _is_another(self, end: int) -> bool:
+        """Whether a thing that is not to be is named before the one that is."""
+        if self.got.found["noun"] or self._looks:
+            return False
+        return any(map(self._tokens.has_thing, range(end, len(self._tokens.words))))
 
     def _has_gems(self) -> bool:
         return any(own_name(noun.word, "gem") for noun in self.got.found["noun"])

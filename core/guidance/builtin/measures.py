@@ -28,7 +28,8 @@ SIDES = {  # of the box around a thing, by the words for them
 THICK = ("thick", "thickness")  # of a wall or a board, not of the whole thing
 # Of these so few millimetres are no size where no side is named: "a 9mm pistol", "a 35 mm camera".
 OF_CALIBRE = """pistol revolver handgun gun rifle cannon howitzer mortar tank camera cameras lens
-    lenses film ammo bullet cartridge screw bolt nail wire""".split()
+    lenses film ammo bullet cartridge screw bolt nail wire wrench spanner socket drill projector
+    needle syringe pipe tube hose rope chain jack""".split()
 CALIBRE, MOST_CALIBRE = "mm", 0.21  # metres
 UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
 MOST_FEET = 8  # that something stands on

@@ -21,6 +21,7 @@ NEAREST = {
     "arch": "tunnel",
     "rocket": "star wars, star trek",
     "ball": "beach, bubble, pokeball, poke ball",
+    "shop": "train station, railway station",
     "toaster": "air fryer",
     "doll": "minifigure, minifig",
     "bust": "head, face",

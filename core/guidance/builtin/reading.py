@@ -98,6 +98,10 @@ class Reading(Clauses):
             if entry is not None:
                 self._put(entry, at, at + count)
                 return count
+            if phrase in TOYS and self._accessory is None:  # not "a child with a toy"
+                self.got.is_toy = True
+                self.got.notes.append(f"{phrase}: made no longer than {100 * TOY_SIZE:g} cm.")
+                return count
             if count > 1 and phrase in IGNORED_ADJECTIVES:
                 self.got.left_out.append(phrase)
                 return count
@@ -113,12 +117,13 @@ class Reading(Clauses):
         if token in WITHOUT:
             self._end_phrase()
             self._without = True
-        elif token in TOYS and self._accessory is None:  # not "a child with a toy"
-            self.got.is_toy = True
-            self.got.notes.append(f"{token}: made no longer than {100 * TOY_SIZE:g} cm.")
         elif token in SIZE_WORDS and self._is_its_size(at):
             self.got.scale = SIZE_WORDS[token]
             self.got.notes.append(f"{token}: made {SIZE_WORDS[token]:g} times its usual size.")
+        elif token in SIZE_WORDS:
+            if token != "little":  # "a little rusty"
+                self.got.leave_aside([token], "only the whole thing has a size")
+            self._without &= bool(self.got.found["noun"])  # "a not too big red car"
         elif self._says_how(token, at):  # "painted white"
             pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
@@ -204,7 +209,15 @@ class Reading(Clauses):
             return
         if slot == "weather" and self._without:  # "without scratches"
             self.got.left_out.append(entry.form)
+            self._without = bool(self.got.found["noun"])  # "a not so old wooden chest"
             return
+        if slot == "noun" and self._without and self._is_another(end):  # "not a car but a truck"
+            self.got.leave_aside(["not", entry.form], "nothing else is said in its place")
+            self._without = False
+            return
+        if slot in LOOKS and self._without and self._looks and not self.got.found["noun"]:
+            self._leave_what_it_is_not()  # "a not shiny red car"
+            self._without = False
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.got.found["noun"]:
             noun = self.got.thing

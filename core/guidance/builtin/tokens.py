@@ -13,7 +13,7 @@ LONGEST = 3  # words of a phrase
 DOING = re.compile("[a-z]{3,}ing")  # what a thing does
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 # What it is like; a catfish is a thing.
-LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural)")
+LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural|ly)")
 # Who it is for: "my daughter wants a purple butterfly".
 ASKED = re.compile(
     r"^\s*(?:(?:my|our|the|his|her) )?((?:\w+ ){1,2}?)(?:really )?"
@@ -24,7 +24,10 @@ ASKED = re.compile(
 MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
 PERSON = "person"  # "my kids want a robot"
 # "Isn't", "does not": a doe is a deer.
-NOT = re.compile(r"\b(?:do|does|did) not\b|(?:\b(?:do|does|did))?n['\u2019]t\b", re.IGNORECASE)
+NOT = re.compile(
+    r"\b(?:(?:do|does|did) not|instead of|rather than|never)\b|(?:\b(?:do|does|did))?n['\u2019]t\b",
+    re.IGNORECASE,
+)
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -100,7 +103,7 @@ class Tokens:
     def toned(self, at: int) -> tuple[Entry, int] | None:
         """The colour or the material with the tone that begins at the index, and how many words
         that takes: "dark teal", "light oak". None where the whole is a word by itself."""
-        tone = self.words[at]
+        tone = self.words[at] if at < len(self.words) else ""
         if tone not in TOWARDS:
             return None
         slots = ("color", "material") if tone in OF_MATERIALS else ("color",)

@@ -67,14 +67,25 @@ def set_in_order(tokens: Tokens) -> None:
 def _take_the_thing_first(tokens: Tokens) -> None:
     """ "The seat is red, a chair" is a chair, the seat is red."""
     begins = [0, *sorted(k for k in tokens.breaks if 0 < k < len(tokens.words))]
-    clauses = list(zip(begins, [*begins[1:], len(tokens.words)], strict=True))
-    for begin, end in clauses:
-        thing = next(filter(None, map(tokens.first_thing, range(begin, end))), "")
-        if thing:
-            names = (own_name(thing, w) and not is_wide(thing, w) for w in tokens.words[:begin])
-            if any(names):
-                tokens.take_first(begin, end)
-            return
+    parts: list[str] = []  # things before, which may be parts of what comes
+    found = None
+    for begin, end in zip(begins, [*begins[1:], len(tokens.words)], strict=True):
+        at = next((k for k in range(begin, end) if tokens.has_thing(k)), end)
+        if at == end:
+            continue
+        thing = tokens.first_thing(at)
+        before = set(tokens.words[begin:at]) - {*ARTICLES, "and"}
+        heads = before.isdisjoint(PHRASE_ENDS) and all(_owns(thing, part) for part in parts)
+        if heads and any(_owns(thing, word) for word in tokens.words[:begin]):
+            found = (begin, end)  # the last: "a red roof, white walls, a house"
+        parts.append(next(p for p in tokens.phrases(at) if tokens.thing(p)))
+    if found:
+        tokens.take_first(*found)
+
+
+def _owns(thing: str, word: str) -> bool:
+    """Whether the word names a part of the thing, and not most of it."""
+    return bool(own_name(thing, word)) and not is_wide(thing, word)
 
 
 def _take_plants_first(tokens: Tokens) -> None:
@@ -94,9 +105,16 @@ def _take_plants_first(tokens: Tokens) -> None:
             ended = tokens.ends_phrase(end) and tokens.breaks.isdisjoint(range(first + 1, end))
             more = any(is_own(POT, word) for word in tokens.words[end:])
             if plant and ended and not more:
-                looks = tokens.words[first:at]
+                # "A terracotta pot" is a name by itself.
+                named = (word for word in name.split() if _is_look(tokens, word))
+                looks = [*tokens.words[first:at], *named]
                 tokens.put(first, end, [*tokens.words[begin:end], "with", *looks, "pot"])
                 return
+
+
+def _is_look(tokens: Tokens, word: str) -> bool:
+    entry = look_up(word, tokens.known)
+    return entry is not None and entry.slot in LOOKS
 
 
 def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
@@ -317,7 +335,7 @@ def _look_ends(tokens: Tokens, begin: int) -> int:
             entry = look_up(phrase, tokens.known)
             if entry is not None:
                 return at + len(phrase.split()) if entry.slot in LOOKS else begin
-        if tokens.words[at] in PHRASE_ENDS | FILLER | COUNTS:
+        if tokens.words[at] in {*PHRASE_ENDS, *FILLER, *COUNTS, *WITHOUT}:
             return begin
     return begin
 

@@ -41,7 +41,7 @@ MATERIALS = {
     "pinewood, spruce, birch, maple, cherry wood, cherrywood, rosewood, ebony, teak, cedar, beech, "
     "beechwood, plywood, driftwood, dark wood, light wood, pale wood, white wood, oak wood, "
     "walnut wood, straw, thatched, thatch, lacquered wood, reclaimed wood, ash wood, light ash, "
-    "pale ash, solid ash, hickory, seagrass, hardwood, softwood, hard wood",
+    "pale ash, solid ash, olive wood, olivewood, hickory, seagrass, hardwood, softwood, hard wood",
     "metal": "polished metal, shiny metal, metallic; brushed metal, brushed steel, "
     "brushed aluminium, brushed aluminum, steel, iron, silver, silvery, cast iron, chrome, "
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
@@ -66,7 +66,8 @@ MATERIALS = {
     "leather": "; suede, faux leather, patent leather, snakeskin",
     "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
     "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice, "
-    "transparent, translucent, see through, see thru, perspex, plexiglass, plexiglas",
+    "transparent, translucent, crystal clear, see through, see thru, perspex, plexiglass, "
+    "plexiglas",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
     "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
@@ -214,12 +215,15 @@ PART_ALSO = {
     "hair": "mane, fur",
     "bedding": "blanket, mattress",
     "sheets": "blanket, mattress",
+    "linens": "blanket, mattress",
     "duvet": "blanket",
     "drawers": "drawer",
     "shelves": "shelf, boards",
     "cover": "lid, canopy, cap",
     "tub": "tray",
     "scroll wheel": "wheel",
+    "rims": "hubs",
+    "hubcaps": "hubs",
     "engine": "boiler",
     "locomotive": "boiler",
     "sides": "walls",
@@ -288,7 +292,7 @@ STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
 STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
-GEMS |= {"amethyst": "purple", "topaz": "yellow"}
+GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black", "pearl": "white"}
 # Where something else stands: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
@@ -298,7 +302,7 @@ PLACES = frozenset(
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(
     """a an the of in on with and is are it its one single some made from out color colour colored
-    coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model mesh
+    coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model
     object highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute small little big large
     shaped asset game ready material s has have that which for texture textured pattern patterned
@@ -306,7 +310,8 @@ FILLER = PLACES | frozenset(
     lovely pretty infront shot statuette carving replica pose posed warm cool or nor but only extra
     some please pls plz i you we he she they me my your his her our their want need would make
     create generate give show draw build design lol idk omg btw tho kinda smth something just only
-    really number also thats lowkey quite actually basically literally""".split()
+    really number also thats too so any yet other nothing else lowkey quite actually basically
+    literally""".split()
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
@@ -399,7 +404,7 @@ IGNORED_ADJECTIVES = frozenset(
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
     ornament cut sliced stained bent torn crooked percent
-    double triple
+    double triple mesh
     backwards upright sideways stuck kept tied hung sick laser lazer
     solid premium mockup icon emoji exotic rugged ergonomic wireless portable foldable folding
     inflatable adjustable lightweight waterproof electronic digital analog analogue automatic
@@ -425,7 +430,9 @@ IGNORED_ADJECTIVES |= {
     for of in "seater poster piece storey story stories tier tiered way burner".split()
 }
 # Of them those that make a thing as small as a hand can hold.
-TOYS = frozenset("toy figurine miniature ornament".split())
+TOYS = frozenset("toy figurine miniature ornament".split()) | {
+    *("scale model", "scale replica", "ho scale", "n scale", "small scale"),
+}
 # How many times a thing's usual size.
 SIZE_WORDS = {
     **dict.fromkeys(("tiny", "teeny"), 0.4),
