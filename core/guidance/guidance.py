@@ -61,6 +61,7 @@ class Surface(NamedTuple):
     weather: tuple[str, ...] = ()  # of core.texture.detail.weather, the lowest first
     glow: float = 0.0  # how much of its colour it emits, in [0, 1]
     clear: float = 0.0  # how much of what does not mirror goes through it, in [0, 1]
+    depth: float = 1.0  # of the kind's light and dark in the base colour: 0 is none
 
 
 class Predictions(NamedTuple):

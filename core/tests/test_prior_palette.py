@@ -504,3 +504,12 @@ def test_spots_lie_on_what_has_a_colour_of_its_own_where_that_is_all() -> None:
         for n in ("body", "handle")
     )
     assert (body.pattern, handle.pattern) == ("striped", "")
+
+
+def test_white_wood_shows_little_of_its_grain() -> None:
+    def depth(prompt: str) -> float:
+        words = parse(prompt)
+        return max(surface_of(words, part).depth for part in painted(words.noun, words))
+
+    assert depth("a white wooden chair") < 0.4
+    assert depth("a red wooden chair") == depth("a birch chair") == 1

@@ -18,6 +18,8 @@ METAL_SHINE = 0.12
 GLOWING = "glowing"
 # How much of its colour it emits that is said to glow: a part, or all of a thing.
 PART_GLOWS, ALL_GLOWS = 0.8, 0.25
+# Between these lumas a colour of wood becomes paint, through which so much of the grain shows.
+PALE, PALE_DEPTH = (0.6, 0.9), 0.35
 SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
@@ -49,7 +51,16 @@ def _as_new(words: Words, part: Painted) -> Surface:
     if wanted and not part.colored:
         factor = _factor(part.color, wanted)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
-    return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear)
+    depth = _depth(part.color) if part.colored and variant.kind == "wooden" else 1.0
+    return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear, depth=depth)
+
+
+def _depth(color: Color) -> float:
+    """Of the grain under a stated colour: what is white is painted, and shows little of it."""
+    red, green, blue = color
+    luma = 0.3 * red + 0.6 * green + 0.1 * blue
+    low, high = PALE
+    return 1 - (1 - PALE_DEPTH) * min(max((luma - low) / (high - low), 0), 1)
 
 
 def _lit(noun: str, part: Painted, new: Surface) -> Surface:

@@ -130,6 +130,10 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "glassy, glass like, clear glass, crystal glass, crystalline, of crystal": Variant(
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),
+    "transparent, see through, see thru, crystal, crystal clear, perspex, plexiglass, plexiglas": (
+        Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95)
+    ),
+    "translucent": Variant("glass", (0.96, 0.98, 0.98), 0.4, 0.85),
     "frosted glass": Variant("glass", (0.96, 0.98, 0.98), 0.5, 0.85),
     "tinted glass, smoked glass, smoky glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
     "stained glass": Variant("glass", None, 0.08, 0.7),

@@ -182,5 +182,5 @@ def _colored(
 ) -> Float[Tensor, "n 3"]:
     """The learnt colour under a layer, before its mean is brought back."""
     ratio, over, cover = (torch.from_numpy(np.asarray(x)) for x in layer[:3])
-    below = kd * torch.tensor(surface.factor) * ratio**strength
+    below = kd * torch.tensor(surface.factor) * ratio ** (strength * surface.depth)
     return torch.lerp(below, over, (strength * cover).clamp(max=1)[:, None])
