@@ -191,6 +191,18 @@ def test_the_strength_0_leaves_what_was_learnt_and_so_does_a_guidance_without_su
     assert detail_of(mesh, material, (), strength=1.0, **options) is None
 
 
+def test_what_is_painted_shows_less_of_what_is_below():
+    mesh, material = ring(), one_material(BROWN)
+    color = tuple(torch.tensor(BROWN).pow(1 / 2.2).tolist())
+    varied = []
+    for depth in (1.0, 0.35):
+        surfaces = (Surface("wooden", color, depth=depth),)
+        detail = detail_of(mesh, material, surfaces, strength=1.0, size=SIZE, seed=1)
+        maps = bake(mesh.mesh, material, SIZE, finish=Finish(mesh, None, detail))
+        varied.append(float(maps.base_color[..., 0].std()))
+    assert 0.2 * varied[0] < varied[1] < 0.5 * varied[0]
+
+
 def test_stable_diffusion_paints_its_own_detail():
     assert PromptedStableDiffusion.surfaces is PromptedGuidance.surfaces
     assert "return ()" in inspect.getsource(PromptedGuidance.surfaces)

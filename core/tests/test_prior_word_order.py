@@ -354,6 +354,12 @@ def test_parts_may_come_before_their_thing(prompt: str, said: dict[str, str]) ->
     assert found["pattern"] is None
 
 
+def test_another_things_part_is_a_part_and_its_look() -> None:
+    assert read("a typewriter with black keys")["part_colours"] == {"keys": "black"}
+    piano = read("a white piano with red black keys")
+    assert piano["part_colours"] == {"black keys": "red"}
+
+
 def test_dots_on_a_part_are_the_parts() -> None:
     found = parts("a lamp with a red shade with white dots")
     shade = {"part_colours": {"shade": "red"}, "part_patterns": {"shade": "spotted with white"}}

@@ -71,10 +71,14 @@ class Clauses:
         return not other and is_wider(token, self.got.found["noun"][-1].word)
 
     def _is_part_of_look(self, entry: Entry, tokens: list[str]) -> bool:
-        """Whether another thing's name is a part of the thing and how it looks: "a cactus in a
-        terracotta pot"."""
+        """Whether another thing's name, or its part's, is a part of the thing and how it looks: "a
+        cactus in a terracotta pot", "a typewriter with black keys", which a piano has."""
         *looks, last = tokens
-        if not looks or entry.slot != "noun" or not is_own(self.got.thing, last):
+        thing = self.got.thing
+        is_anothers = entry.slot == "noun" or (
+            entry.slot == "part" and not own_name(thing, entry.word)
+        )
+        if not looks or not is_anothers or not is_own(thing, last):
             return False
         known = [look_up(word, self.known) for word in looks]
         return all(one is not None and one.slot in LOOKS for one in known)
