@@ -1,11 +1,15 @@
 """What a prompt says that a thing is not, and how much of its usual size it is."""
 
+import random
+
 import pytest
 
-from core.guidance.builtin.lexicon import SLOTS
+from core.errors import UserError
+from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words import COUNTS, FILLER, IGNORED_ADJECTIVES, SIZE_WORDS, WITHOUT
 
 
 def read(prompt: str) -> dict:
@@ -68,6 +72,23 @@ def test_not_denies_what_is_right_behind_it(prompt: str, thing: str, colours: li
 def test_a_prompt_may_end_with_what_was_done_to_it(word: str) -> None:
     assert read(f"a wooden chair, {word}")["materials"] == ["wooden"]
     assert read(f"a chair {word} red")["colours"] == ["red"]
+
+
+def test_no_order_of_words_is_a_fault() -> None:
+    """Read, or refused in a sentence: "a chair, painted" once was neither."""
+    draw = random.Random(0)
+    known = FILLER | IGNORED_ADJECTIVES | SIZE_WORDS.keys() | COUNTS
+    said = [*sorted(known), *WITHOUT, *MADE, "isn't", "xyzzy"]
+    looks = ["red", "wooden", "dots", "old", "10 mm"]
+    tables = (sorted(LEXICON), sorted(PARTS), said, said, looks)
+    refused = 0
+    for _ in range(300):
+        words = [draw.choice(draw.choice(tables)) for _ in range(draw.randint(1, 9))]
+        try:
+            read(" ".join(word + draw.choice(("", "", "", ",")) for word in words))
+        except UserError:
+            refused += 1
+    assert 0 < refused < 300
 
 
 def test_what_it_does_not_have_is_lacking() -> None:
