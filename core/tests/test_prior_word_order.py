@@ -343,6 +343,8 @@ def test_a_name_may_have_looks_within(prompt: str, thing: str) -> None:
         ("yellow eyes, a black cat", {"eyes": "yellow"}),
         ("red roof, white walls, a house", {"roof": "red", "walls": "white"}),
         ("a window, like in a house", {}),
+        ("a red hat, wizard style", {}),
+        ("a door, a house", {}),
         ("red lid white teapot", {"lid": "red"}),
         ("green shade brass desk lamp", {"shade": "green"}),
         ("a red chair", {}),

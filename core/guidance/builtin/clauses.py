@@ -23,10 +23,16 @@ from core.guidance.builtin.words import (
     ROLES,
     SURFACE,
     WHOLE,
+    WITHOUT,
 )
 
 EITHER = ("or", "nor")
 VERY = "is really very so super quite just".split()
+# Behind these and "not" what is denied goes on: "does not have wheels", "not made of wood".
+HAVING = (*"have has made of from in it make want".split(), *MADE)
+NOT_SAID = "nothing else is said in its place"
+# What a size before them is of: "a big eyed owl".
+OF_PARTS = "eyed eared nosed headed footed legged handed tailed toothed bellied".split()
 STONES = ("stone", "rock")
 MADE_OF = ("of", "from", "in", "out")
 
@@ -125,7 +131,7 @@ class Clauses:
     def _leave_what_it_is_not(self) -> None:
         """ "A chair, not wooden", "a not red apple"."""
         if self._without and (forms := self._looks_before()):
-            self.got.leave_aside(["not", *forms], "nothing else is said in its place")
+            self.got.leave_aside(["not", *forms], NOT_SAID)
 
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""
@@ -199,15 +205,21 @@ class Clauses:
             if words[at] == "little" and not ends:  # "a little bit", "a little rusty"
                 how = entry is not None and (entry.slot == "weather" or entry.word == "rusty")
                 return not (how or words[at + 1] == "bit")
-            of_part = (entry is not None and entry.slot == "part") or self._says_parts(at + 1)
-            return not (self._without or of_part)
+            of_part = entry is not None and entry.slot == "part"
+            return not (of_part or (not ends and words[at + 1] in OF_PARTS))
         begins = at in self._tokens.breaks or words[at - 1] in VERY or self._noun_end == at
-        return begins and (ends or words[at + 1] == "and") and self._accessory is None
+        # "A car, small and red", but not "big and red wheels".
+        end = next(k for k in range(at + 1, len(words) + 1) if self._tokens.ends_phrase(k))
+        rest = words[at + 1 : end]
+        more = rest and (rest[0] != "and" or own_name(self.got.thing, rest[-1]))
+        return begins and not more and self._accessory is None
 
-    def _says_parts(self, at: int) -> bool:
-        """Whether a word says what parts the thing has: "a big eyed owl"."""
-        word = next(iter(self._tokens.words[at : at + 1]), "")
-        return word.endswith("ed") and word not in MADE and look_up(word, self.known) is None
+    def _goes_on(self, token: str, at: int) -> bool:
+        """Whether what is denied goes on behind a word that ends a phrase."""
+        if token in ARTICLES:
+            return True
+        before = self._tokens.words[at - 1] if at else ""
+        return token in HAVING and before in (*WITHOUT, *HAVING, *ARTICLES)
 
     def _says_how(self, token: str, at: int) -> bool:
         """Whether a word only says how the thing came by the look behind it."""

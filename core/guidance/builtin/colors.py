@@ -165,6 +165,12 @@ def color_value(word: str, form: str = "") -> Color:
     return toned(color_value(word, rest), tone)
 
 
+def luma(color: Color) -> float:
+    """How light a colour is, in [0, 1]: Rec.601's, rounded."""
+    red, green, blue = color
+    return 0.3 * red + 0.6 * green + 0.1 * blue
+
+
 def rainbow_tone(form: str) -> str | None:
     """The tone of a form that means many colours, "" without one: of pastel rainbow; else None."""
     tone, _, rest = form.partition(" ")

@@ -28,6 +28,7 @@ class Findings:
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
     is_toy: bool = False
+    size_words: list[str] = field(default_factory=list)  # "small" and the like, of the whole
     scale: float = 1.0  # how many times its usual size the thing is
     figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)

@@ -27,9 +27,11 @@ SIDES = {  # of the box around a thing, by the words for them
 }
 THICK = ("thick", "thickness")  # of a wall or a board, not of the whole thing
 # Of these so few millimetres are no size where no side is named: "a 9mm pistol", "a 35 mm camera".
-OF_CALIBRE = """pistol revolver handgun gun rifle cannon howitzer mortar tank camera cameras lens
-    lenses film ammo bullet cartridge screw bolt nail wire wrench spanner socket drill projector
-    needle syringe pipe tube hose rope chain jack""".split()
+OF_CALIBRE = frozenset(
+    """pistol revolver handgun gun rifle cannon howitzer mortar camera cameras lens lenses film ammo
+    bullet cartridge screw bolt nail wrench spanner socket drill projector needle syringe pipe tube
+    hose rope jack""".split()
+)
 CALIBRE, MOST_CALIBRE = "mm", 0.21  # metres
 UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
 MOST_FEET = 8  # that something stands on
@@ -119,7 +121,6 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
     text = unicodedata.normalize("NFKC", prompt).lower()
     sizes: list[Size] = []
     others: list[str] = []
-    has_calibre = not set(OF_CALIBRE).isdisjoint(re.findall("[a-z]+", text))
 
     def taken(found: re.Match[str]) -> str:
         side = found["after"] or found["before"] or ""
@@ -133,7 +134,11 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
         # But "with a 30 cm height".
         of_another = elsewhere and not (found["before"] or side in SIDES)
         calibre = not side and unit == CALIBRE and size.metres <= MOST_CALIBRE
-        is_other = side in THICK or of_another or (calibre and has_calibre)
+        # Of what is beside it: "a 35 mm film camera", "pistol, 9mm".
+        beside = re.findall("[a-z]+", text[: found.start()])[-1:]
+        beside += re.findall("[a-z]+", re.split("[,;.:!?()]", text[found.end() :])[0])[:3]
+        is_calibre = calibre and not OF_CALIBRE.isdisjoint(beside)
+        is_other = side in THICK or of_another or is_calibre
         if is_other or not SIZES[0] <= size.metres <= SIZES[1]:
             others.append(found[0].strip())
         else:

@@ -19,6 +19,7 @@ from core.guidance.builtin.colors import (
     RAINBOW,
     Color,
     color_value,
+    luma,
     rainbow_tone,
     toned,
 )
@@ -221,9 +222,12 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         elif two_tone and look.role in "+&" and not apart:
             color = _value(other) or companion(_value(first) or look.color)
             pattern, word = finish.pattern, other if stated.second else word
-        elif stated.pattern and look.role in "*&" and not (two_tone or drawn):
-            free = covered and look.role == "*" if apart else True
-            pattern = stated.pattern if free else pattern
+        elif (
+            stated.pattern
+            and not (two_tone or drawn)
+            and (look.role == "*" if apart and covered else look.role in "*&" and not apart)
+        ):
+            pattern = stated.pattern
         # Of rainbow stripes too.
         lies = accent.second_form if accent.pattern else other[1] if stated.pattern else ""
         tones = (rainbow_tone(form) for form in (word[1], lies))
@@ -314,6 +318,4 @@ def has_accents(noun: str) -> bool:
 
 def companion(color: Color) -> Color:
     """The second colour where none is stated: white, or black next to a light colour."""
-    red, green, blue = color
-    # Rec.601's luma, rounded.
-    return DARK if 0.3 * red + 0.6 * green + 0.1 * blue > 0.65 else LIGHT
+    return DARK if luma(color) > 0.65 else LIGHT

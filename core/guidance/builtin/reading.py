@@ -3,7 +3,7 @@
 import re
 
 from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.clauses import EITHER, Clauses
+from core.guidance.builtin.clauses import EITHER, NOT_SAID, Clauses
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import with_article
@@ -48,7 +48,6 @@ from core.guidance.builtin.words import (
 )
 
 AHEAD = 6  # words in which a thing may still come
-HAVING = ("have", "has", "made", "of", "from", "in")  # "does not have wheels", "not made of wood"
 
 
 class Reading(Clauses):
@@ -72,6 +71,7 @@ class Reading(Clauses):
         self._leave_strange_parts_aside()
         self._make_as_qualified()
         self._spare_the_living()
+        self._say_how_large()
 
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
@@ -99,8 +99,7 @@ class Reading(Clauses):
                 self._put(entry, at, at + count)
                 return count
             if phrase in TOYS and self._accessory is None:  # not "a child with a toy"
-                self.got.is_toy = True
-                self.got.notes.append(f"{phrase}: made no longer than {100 * TOY_SIZE:g} cm.")
+                self._take_toy(phrase)
                 return count
             if count > 1 and phrase in IGNORED_ADJECTIVES:
                 self.got.left_out.append(phrase)
@@ -117,13 +116,14 @@ class Reading(Clauses):
         if token in WITHOUT:
             self._end_phrase()
             self._without = True
+        elif token in SIZE_WORDS and self._without:
+            self.got.leave_aside(["not", token], NOT_SAID)
+            self._without = bool(self.got.found["noun"])  # "a not too big red car"
         elif token in SIZE_WORDS and self._is_its_size(at):
-            self.got.scale = SIZE_WORDS[token]
-            self.got.notes.append(f"{token}: made {SIZE_WORDS[token]:g} times its usual size.")
+            self.got.size_words.append(token)
         elif token in SIZE_WORDS:
             if token != "little":  # "a little rusty"
                 self.got.leave_aside([token], "only the whole thing has a size")
-            self._without &= bool(self.got.found["noun"])  # "a not too big red car"
         elif self._says_how(token, at):  # "painted white"
             pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
@@ -133,8 +133,8 @@ class Reading(Clauses):
         elif token in COUNTS:
             self.got.left_out.append(token)
         elif token in PHRASE_ENDS:
-            negated = self._without and self._looks and token in EITHER  # "not red or blue"
-            if token not in (*ARTICLES, *HAVING):
+            negated = self._without and bool(self._looks) and token in EITHER  # "not red or blue"
+            if not self._goes_on(token, at):
                 self._leave_what_it_is_not()
                 self._without = False
             self._without |= self._lacks_more(tokens)
@@ -147,7 +147,7 @@ class Reading(Clauses):
             else:
                 self._end_phrase()
                 self._ended_by = word
-            self._without |= bool(negated)
+            self._without |= negated
         elif token in SURROUNDINGS:  # "a candle, soft pink lighting"
             self.got.left_out += [*self._looks_before(), token]
         elif self.got.found["noun"] and DOING.fullmatch(token):
@@ -158,13 +158,31 @@ class Reading(Clauses):
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
-        elif token not in FILLER and describes(token):
+        elif token not in FILLER and describes(token) and not corrected(token):
             # "a raccoon dressed up", "a rolled up mat", "1950s"; "a wall mounted radiator"
             self.got.left_out.append(token)
             self._noun_end += self._noun_end == at
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
+
+    def _take_toy(self, form: str) -> None:
+        if self._without:
+            self.got.leave_aside(["not", form], NOT_SAID)
+            return
+        self.got.is_toy = True
+        self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
+
+    def _say_how_large(self) -> None:
+        """What "small" and the like change, if anything."""
+        for more in self.got.size_words[1:]:
+            self.got.leave_aside([more], "one size is taken")
+        for word in self.got.size_words[:1]:
+            if self.got.sizes or self.got.is_toy:
+                self.got.leave_aside([word], "another size is stated")
+            else:
+                self.got.scale = SIZE_WORDS[word]
+                self.got.notes.append(f"{word}: made {self.got.scale:g} times its usual size.")
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""
@@ -212,7 +230,7 @@ class Reading(Clauses):
             self._without = bool(self.got.found["noun"])  # "a not so old wooden chest"
             return
         if slot == "noun" and self._without and self._is_another(end):  # "not a car but a truck"
-            self.got.leave_aside(["not", entry.form], "nothing else is said in its place")
+            self.got.leave_aside(["not", entry.form], NOT_SAID)
             self._without = False
             return
         if slot in LOOKS and self._without and self._looks and not self.got.found["noun"]:

@@ -4,7 +4,7 @@ from functools import cache
 
 import torch
 
-from core.guidance.builtin.colors import Color, toned
+from core.guidance.builtin.colors import Color, luma, toned
 from core.guidance.builtin.palette import FINISHES, Painted, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
@@ -57,10 +57,8 @@ def _as_new(words: Words, part: Painted) -> Surface:
 
 def _depth(color: Color) -> float:
     """Of the grain under a stated colour: what is white is painted, and shows little of it."""
-    red, green, blue = color
-    luma = 0.3 * red + 0.6 * green + 0.1 * blue
     low, high = PALE
-    return 1 - (1 - PALE_DEPTH) * min(max((luma - low) / (high - low), 0), 1)
+    return 1 - (1 - PALE_DEPTH) * min(max((luma(color) - low) / (high - low), 0), 1)
 
 
 def _lit(noun: str, part: Painted, new: Surface) -> Surface:

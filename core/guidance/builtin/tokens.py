@@ -25,7 +25,8 @@ MADE = "made painted done finished covered coated upholstered dyed wrapped carve
 PERSON = "person"  # "my kids want a robot"
 # "Isn't", "does not": a doe is a deer.
 NOT = re.compile(
-    r"\b(?:(?:do|does|did) not|instead of|rather than|never)\b|(?:\b(?:do|does|did))?n['\u2019]t\b",
+    r"\b(?:(?:do|does|did|can|will) not|cannot|instead of|rather than|never)\b"
+    r"|(?:\b(?:do|does|did|ca|wo))?n['\u2019]t\b",
     re.IGNORECASE,
 )
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
@@ -53,7 +54,8 @@ class Tokens:
         plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
-                found.owners.add(len(found.words) - 1)
+                if found.words:
+                    found.owners.add(len(found.words) - 1)
             elif token[0].isalnum():
                 found.words.append(SHORT.get(token, token))
             else:

@@ -75,10 +75,14 @@ def _take_the_thing_first(tokens: Tokens) -> None:
             continue
         thing = tokens.first_thing(at)
         before = set(tokens.words[begin:at]) - {*ARTICLES, "and"}
+        name = next(p for p in tokens.phrases(at) if tokens.thing(p))
+        ended = tokens.ends_phrase(at + len(name.split()))  # not "a hat, wizard style"
         heads = before.isdisjoint(PHRASE_ENDS) and all(_owns(thing, part) for part in parts)
-        if heads and any(_owns(thing, word) for word in tokens.words[:begin]):
+        # "A door, a house" is a door; a red one is the house's.
+        said = not parts or any(_is_look(tokens, w) or w in WITHOUT for w in tokens.words[:begin])
+        if ended and heads and said and any(_owns(thing, word) for word in tokens.words[:begin]):
             found = (begin, end)  # the last: "a red roof, white walls, a house"
-        parts.append(next(p for p in tokens.phrases(at) if tokens.thing(p)))
+        parts.append(name)
     if found:
         tokens.take_first(*found)
 

@@ -215,7 +215,6 @@ PART_ALSO = {
     "hair": "mane, fur",
     "bedding": "blanket, mattress",
     "sheets": "blanket, mattress",
-    "linens": "blanket, mattress",
     "duvet": "blanket",
     "drawers": "drawer",
     "shelves": "shelf, boards",
@@ -292,7 +291,7 @@ STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
 STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
-GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black", "pearl": "white"}
+GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black"}
 # Where something else stands: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
@@ -304,7 +303,7 @@ FILLER = PLACES | frozenset(
     """a an the of in on with and is are it its one single some made from out color colour colored
     coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model
     object highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
-    simple studio lighting isolated background view please style shape cute small little big large
+    simple studio lighting isolated background view please style shape cute
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
     lovely pretty infront shot statuette carving replica pose posed warm cool or nor but only extra
@@ -429,7 +428,7 @@ IGNORED_ADJECTIVES |= {
     for count in ("one", "two", "three", "four", "five", "six", "1", "2", "3", "4", "5", "6")
     for of in "seater poster piece storey story stories tier tiered way burner".split()
 }
-# Of them those that make a thing as small as a hand can hold.
+# What makes a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split()) | {
     *("scale model", "scale replica", "ho scale", "n scale", "small scale"),
 }
@@ -442,6 +441,7 @@ SIZE_WORDS = {
     **dict.fromkeys(("huge", "massive", "enormous"), 2.0),
     **dict.fromkeys(("giant", "gigantic", "colossal"), 3.0),
 }
+FILLER |= SIZE_WORDS.keys()
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
 DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
 # What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
