@@ -1,5 +1,6 @@
 """Even triangles: the same surface and topology, its sharp edges kept, faces near equilateral."""
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -10,6 +11,7 @@ import torch
 import trimesh
 
 from core.config import TextureConfig
+from core.geometry.faces import areas_and_normals
 from core.geometry.mesh import Mesh, health
 from core.geometry.primitives import Primitive
 from core.geometry.union import union
@@ -238,3 +240,20 @@ def test_steps_of_a_thousandth_leave_no_slivers() -> None:
     for key in ("closed", "manifold", "oriented", "genus", "components"):
         assert after[key] == before[key], key
     assert after["volume"] == pytest.approx(before["volume"], rel=0.01)
+
+
+def test_many_boxes_on_a_slab_leave_no_folds() -> None:
+    """A face folded back is thin, and a dark speck: all normals around it are turned."""
+    boxes = [((-0.8, -0.4, -0.06), (0.8, 0.4, 0.06))]
+    for i, j in itertools.product(range(5), range(3)):
+        x, y, z = -0.6 + 0.3 * i + 0.001 * j, -0.25 + 0.25 * j, 0.09 + 0.001 * i
+        boxes.append(((x - 0.1, y - 0.085, z - 0.06), (x + 0.1, y + 0.085, z + 0.06)))
+    solids = []
+    for low, high in np.array(boxes):
+        lengths = np.append((high - low) / 2, 0.0)
+        solids.append(Primitive("box", (low + high) / 2, np.zeros(3), lengths).mesh(0.03))
+    verts, faces = (x.numpy() for x in even(Mesh(*union(solids, 0.03)), 4000))
+    normal = areas_and_normals(verts, faces)[1]
+    across = across_of(faces)
+    turned = (normal[np.arange(faces.size) // 3] * normal[across // 3]).sum(1)
+    assert turned.min() > -0.5  # -1, of four faces, without the last look at what is thin

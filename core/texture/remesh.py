@@ -70,7 +70,8 @@ def even(
     new_verts, new_faces = remesh(_doubles(verts), faces.cpu().numpy(), surface, count)
     check()
     out = torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
-    return simplify(*out, count)
+    # What is thin may be folded, and turns the shading of all around it: a dark speck.
+    return without_thin(*simplify(*out, count), thin)
 
 
 def length_of(area: float, count: float) -> float:
