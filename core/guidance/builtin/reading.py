@@ -367,10 +367,11 @@ class Reading(Clauses):
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""
         for form in AS_MATERIAL.keys() & set(self.got.qualifiers):
-            if not self.got.found["material"]:
+            of = look_up(AS_MATERIAL[form], self.known)
+            if of is not None and not self.got.found["material"]:
                 self.got.left_out.remove(form)
-                self.got.notes.append(f"{form}: made as {AS_MATERIAL[form]}.")
-                self.got.found["material"].append(Entry("material", AS_MATERIAL[form], form))
+                self.got.notes.append(f"{form}: made as {of.form}.")
+                self.got.found["material"].append(of)
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another

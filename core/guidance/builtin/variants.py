@@ -130,7 +130,7 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "glassy, glass like, clear glass, crystal glass, crystalline, of crystal": Variant(
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),
-    "transparent, see through, see thru, crystal, crystal clear, perspex, plexiglass, plexiglas": (
+    "transparent, see through, see thru, crystal clear, perspex, plexiglass, plexiglas": (
         Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95)
     ),
     "translucent": Variant("glass", (0.96, 0.98, 0.98), 0.4, 0.85),

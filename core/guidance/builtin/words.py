@@ -282,8 +282,8 @@ WHOLE = frozenset(
 # What is no thing by itself: "a guitar finish".
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
-# A thing that says, before another, what that is made of: "a robot dog".
-AS_MATERIAL = {"robot": "metal", "cyborg": "metal", "android": "metal", "crystal": "glass"}
+# A thing that says, before another, what that is made of: "a robot dog", "a crystal ball".
+AS_MATERIAL = dict.fromkeys(("robot", "cyborg", "android"), "metal") | {"crystal": "crystal glass"}
 # Materials that say little.
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
 # What the stripes lie on that a thing has by nature, where that is not most of it.

@@ -1,4 +1,4 @@
-"""What a prompt says that a thing is not, and how much of its usual size it is."""
+"""What prompts deny, sizes in words, stones and see-through things, slips: as people type them."""
 
 import random
 
