@@ -8,7 +8,7 @@ from core.guidance.builtin.colors import RAINBOW
 from core.guidance.builtin.findings import Findings
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import is_own, is_wide, may_state, own_name
+from core.guidance.builtin.part_names import is_own, may_state, own_name, owns
 from core.guidance.builtin.tokens import MADE, Tokens
 from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
@@ -242,8 +242,7 @@ class Clauses:
         thing, behind = self.got.thing, next(iter(self._tokens.words[end : end + 1]), "")
         strange = entry.slot == "part" and not own_name(thing, entry.word)
         other = entry.slot == "noun" or strange or entry.word in WHOLE
-        own = own_name(thing, behind) and not is_wide(thing, behind)
-        return other and bool(own) and not is_own(thing, entry.form)
+        return other and owns(thing, behind) and not is_own(thing, entry.form)
 
     def _is_another(self, end: int) -> bool:
         """Whether a thing that is not to be is named before the one that is."""
@@ -282,8 +281,7 @@ class Clauses:
         if self._noun_end != start or self._without or part in SURFACE:
             return False
         noun = self.got.found["noun"][-1].word
-        has = own_name(noun, part) and not is_wide(noun, part)
-        return not (may_state(noun, part) or has or part in LEGS)
+        return not (may_state(noun, part) or owns(noun, part) or part in LEGS)
 
     def _leave_aside(self, form: str, why: str = "one thing is made at a time") -> None:
         self.got.leave_aside([*self._of_accessory(), form], why)

@@ -60,6 +60,11 @@ def is_own(noun: str, form: str) -> bool:
     return form in looks_of(noun) or f"{form}s" in looks_of(noun)
 
 
+def owns(noun: str, word: str) -> bool:
+    """Whether the word names a part of the noun, and not most of it."""
+    return bool(own_name(noun, word)) and not is_wide(noun, word)
+
+
 def is_wide(noun: str, part: str) -> bool:
     """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
     return part in WIDE and part not in looks_of(noun)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from core.guidance.builtin.colors import TOWARDS
 from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.part_names import is_own, is_wide, own_name
+from core.guidance.builtin.part_names import is_own, own_name, owns
 from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
@@ -77,19 +77,14 @@ def _take_the_thing_first(tokens: Tokens) -> None:
         before = set(tokens.words[begin:at]) - {*ARTICLES, "and"}
         name = next(p for p in tokens.phrases(at) if tokens.thing(p))
         ended = tokens.ends_phrase(at + len(name.split()))  # not "a hat, wizard style"
-        heads = before.isdisjoint(PHRASE_ENDS) and all(_owns(thing, part) for part in parts)
+        heads = before.isdisjoint(PHRASE_ENDS) and all(owns(thing, part) for part in parts)
         # "A door, a house" is a door; a red one is the house's.
         said = not parts or any(_is_look(tokens, w) or w in WITHOUT for w in tokens.words[:begin])
-        if ended and heads and said and any(_owns(thing, word) for word in tokens.words[:begin]):
+        if ended and heads and said and any(owns(thing, word) for word in tokens.words[:begin]):
             found = (begin, end)  # the last: "a red roof, white walls, a house"
         parts.append(name)
     if found:
         tokens.take_first(*found)
-
-
-def _owns(thing: str, word: str) -> bool:
-    """Whether the word names a part of the thing, and not most of it."""
-    return bool(own_name(thing, word)) and not is_wide(thing, word)
 
 
 def _take_plants_first(tokens: Tokens) -> None:
