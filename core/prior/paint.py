@@ -41,6 +41,7 @@ class Caption:
     second_form: str = ""
     material_form: str = ""
     sheen: tuple[str, ...] = ()
+    is_statue: bool = False
 
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:

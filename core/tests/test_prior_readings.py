@@ -8,6 +8,7 @@ from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.tokens import MADE
+from core.guidance.builtin.variants import VARIANTS, Variant
 from core.guidance.builtin.vocabulary import parse, understood
 from core.guidance.builtin.words import COUNTS, FILLER, IGNORED_ADJECTIVES, SIZE_WORDS, WITHOUT
 
@@ -160,6 +161,7 @@ def test_a_thing_before_a_part_says_what_the_part_is_like(prompt: str, part: str
     [
         ("a silver ring with a blue stone", {"gem": "blue"}),
         ("a crown with red stones", {"gems": "red"}),
+        ("a ruby ring", {"gem": "red"}),
         ("a ring in silver, blue stone", {"gem": "blue"}),
         ("a ring with a red stone and a silver band", {"gem": "red"}),
         ("a crown of stone", {}),
@@ -183,3 +185,42 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
     found = read("a blak leater sofa")
     assert (found["colours"], found["materials"]) == (["black"], ["leather"])
     assert read("a red buterfly")["thing"] == "butterfly"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "material"),
+    [
+        ("a golden cat statue", "golden"),
+        ("a lion statue", "stone"),
+        ("a wood carving of a bear", "wooden"),
+        ("an ice sculpture of a swan", "icy"),
+        ("a horse made of iron", "iron"),
+        ("a stone lion", "stone"),
+        ("a chocolate bunny", "chocolate"),
+        ("a marble angel", "marble"),
+        ("a sculpture of a car", "stone"),
+    ],
+)
+def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) -> None:
+    words = parse(prompt)
+    assert words.named_material() == material
+    wanted = VARIANTS.get(material, Variant(words.material)).kind
+    assert {surface.kind for surface in surfaces_of(words)} == {wanted}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    ["a golden retriever", "a golden lion", "a wooden cat", "a bronze robot", "a stone golem"],
+)
+def test_what_lives_or_moves_keeps_its_eyes(prompt: str) -> None:
+    assert "eye" in {surface.kind for surface in surfaces_of(parse(prompt))}
+
+
+def test_a_statues_part_may_have_a_look_of_its_own() -> None:
+    found = read("a gold dragon statue with ruby eyes")
+    assert (found["part_colours"], found["materials"]) == ({"eyes": "red"}, ["golden"])
+
+
+def test_a_statue_of_which_no_material_is_named_says_what_it_is_of() -> None:
+    assert "No material is named: made of stone." in read("a statue of a king")["notes"]
+    assert "ice: made as icy." in read("an ice sculpture of a swan")["notes"]

@@ -105,7 +105,7 @@ def test_every_narrower_material_has_a_kind_of_detail_and_no_note():
         ("a pine table", Words("table", material="wooden")),
         ("a printer with white paper", Words("printer", second="white", target="paper")),
         ("a swan made of paper", Words("swan", material="fabric")),
-        ("a chocolate rabbit", Words("rabbit", material="plastic")),
+        ("a chocolate rabbit", Words("rabbit", material="plastic", is_statue=True)),
     ],
 )
 def test_what_is_a_thing_alone_or_a_part_may_be_a_material(prompt, words):

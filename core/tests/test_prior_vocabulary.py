@@ -103,9 +103,12 @@ def test_two_colours_are_a_pattern_or_belong_to_parts(prompt, words):
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("a bronze statue of a lion", Words("lion", material="copper")),
-        ("a lion statue", Words("lion")),
-        ("the stone sculpture of a man on a horse", Words("person", material="stone")),
+        ("a bronze statue of a lion", Words("lion", material="copper", is_statue=True)),
+        ("a lion statue", Words("lion", material="stone", is_statue=True)),
+        (
+            "the stone sculpture of a man on a horse",
+            Words("person", material="stone", is_statue=True),
+        ),
         ("a statue", Words("bust")),
         ("a statue holding a sword", Words("bust")),
         ("a bust of a cat", Words("bust")),
@@ -129,7 +132,7 @@ def test_iron_is_a_thing_only_where_no_other_is_named():
 
 def test_what_is_made_by_hand_is_no_hand():
     assert parse("a hand-painted wooden mug") == Words("mug", material="wooden")
-    assert parse("a hand made of stone") == Words("hand", material="stone")
+    assert parse("a hand made of stone") == Words("hand", material="stone", is_statue=True)
 
 
 def test_the_order_of_words_does_not_matter():

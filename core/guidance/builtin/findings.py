@@ -27,6 +27,7 @@ class Findings:
     qualifiers: list[str] = field(default_factory=list)  # of ``left_out``, before a noun
     refused: list[str] = field(default_factory=list)  # without which the prompt is another
     notes: list[str] = field(default_factory=list)
+    is_statue: bool = False
     is_toy: bool = False
     size_words: list[str] = field(default_factory=list)  # "small" and the like, of the whole
     scale: float = 1.0  # how many times its usual size the thing is

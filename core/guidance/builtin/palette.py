@@ -27,12 +27,11 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
-from core.guidance.builtin.words import STRIPED_PARTS
+from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
-ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 STRIPES = "stripes"  # a part that some things have by nature
 SWATCHES = 8  # channels of ``swatches``
@@ -161,6 +160,8 @@ class Stated(Protocol):
     def material_form(self) -> str: ...
     @property
     def sheen(self) -> tuple[str, ...]: ...
+    @property
+    def is_statue(self) -> bool: ...
 
 
 class Painted(NamedTuple):
@@ -209,12 +210,13 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         word = other if stated.target == name and not accent.color else word
         # What is said of the whole is not of it.
         apart = bool(word[0] or accent.material or accent.pattern)
-        if not apart and look.role in "*&":
+        of_whole = (look.role in "*&" or stated.is_statue) and not apart
+        if of_whole:
             word = first
         if word[0] or apart:
             color, pattern = _value(word) or color, finish.pattern
         sheen = (accent.sheen,) if accent.sheen else stated.sheen
-        sheen = sheen if accent.sheen or (look.role in "*&" and not apart) else ()
+        sheen = sheen if accent.sheen or of_whole else ()
         second = _value(other) or companion(color)
         if accent.pattern:  # "a market stall with a striped awning"
             pattern = accent.pattern
@@ -280,13 +282,14 @@ def _of_words(
 ) -> tuple[str, str, Finish, Color, str]:
     """What the words say that a part is of and the form of it, its finish, colour and pattern."""
     material, form = accent.material, accent.material_form
-    if not material and is_of(noun, look, stated.material):
+    if not material and (stated.is_statue or is_of(noun, look, stated.material)):
         material, form = stated.material, stated.material_form
     if not material:
         return "", "", look.finish, look.color, look.pattern
     finish = FINISHES[material]
     color = finish.color or look.color
-    if form in ALSO_COLORS and look.material in NO_METAL:  # "silver hair"
+    of_statue = stated.is_statue and not accent.material
+    if form in ALSO_COLORS and look.material in NO_METAL and not of_statue:  # "silver hair"
         return "", "", look.finish, color, look.pattern
     return material, form, finish, color, finish.pattern
 

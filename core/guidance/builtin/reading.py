@@ -18,7 +18,7 @@ from core.guidance.builtin.lexicon import (
     singulars,
 )
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import as_part, looks_of, may_state
+from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state, own_name
 from core.guidance.builtin.sizes import TOY_SIZE
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
@@ -27,10 +27,15 @@ from core.guidance.builtin.words import (
     AGES,
     ALIVE,
     ALONE,
+    ALSO_OF_FUR,
+    ANIMALS,
     ARTICLES,
     AS_MATERIAL,
+    CARVED,
+    CAST,
     COUNTS,
     DEPICTIONS,
+    EDIBLE,
     FIGURES,
     FILLER,
     GEMS,
@@ -39,9 +44,13 @@ from core.guidance.builtin.words import (
     LIFELESS,
     LOOKS,
     OF_ANOTHER,
+    OF_STATUES,
+    PEOPLE,
     PHRASE_ENDS,
     PLAIN,
+    ROLES,
     SIZE_WORDS,
+    STATUES,
     SURROUNDINGS,
     TOYS,
     WITHOUT,
@@ -71,6 +80,7 @@ class Reading(Clauses):
         self._leave_strange_parts_aside()
         self._make_as_qualified()
         self._spare_the_living()
+        self._say_whether_a_statue()
         self._say_how_large()
 
     def _take(self, at: int) -> int:
@@ -206,6 +216,9 @@ class Reading(Clauses):
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
+        behind = next(iter(self._tokens.words[end : end + 1]), "")
+        if entry.form in GEMS and self.got.thing and is_own(self.got.thing, behind):  # "ruby eyes"
+            entry = Entry("color", GEMS[entry.form], GEMS[entry.form])
         owner = entry.slot == "noun" and self._is_owner(entry, end)
         if owner and self._tokens.has_thing(end):  # "a knight's shield"
             self._leave_out(entry.form, end - start)
@@ -269,6 +282,8 @@ class Reading(Clauses):
                 self._leave_what_it_is_not()
                 self._head(entry, start, end)
             self.got.found[slot].append(entry)
+            if slot == "material" and self._accessory is None:
+                self._made_of |= self._ended_by in ("of", "from")
         begun = self._begun if self._late and self._accessory is None else self._accessory
         if slot == "pattern" and entry.form in FIGURES and begun is not None:
             # "with orange stripes and a lid": it is complete, and what it lies on is not orange.
@@ -335,6 +350,7 @@ class Reading(Clauses):
         else:
             return False
         self._depicted = True
+        self.got.is_statue = depiction.form in STATUES
         self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
         return True
 
@@ -364,6 +380,27 @@ class Reading(Clauses):
             weather.remove(one)
             self.got.leave_aside([one.form], "what is alive is not worn")
 
+    def _say_whether_a_statue(self) -> None:
+        """A statue is of stone where nothing is said; of an animal of stone the eyes are too."""
+        found = self.got.found["material"]
+        if self.got.is_statue and not found:
+            form = next((word for word in OF_STATUES if word in self.got.qualifiers), "")
+            of = look_up(OF_STATUES[form], self.known)
+            if of is not None:
+                found.append(of)
+                said = f"{form}: made as" if form else "No material is named: made of"
+                self.got.notes.append(f"{said} {of.form}.")
+            if form in self.got.left_out:
+                self.got.left_out.remove(form)
+        thing = self.got.thing
+        if not found or thing in LIFELESS:
+            return
+        cast = found[0].word in CAST and found[0].form not in ALSO_OF_FUR
+        if any(thing in GROUPS[group] for group in ANIMALS) and thing not in ROLES:
+            self.got.is_statue |= cast or found[0].form in EDIBLE or self._made_of
+        elif thing in (*ROLES, *GROUPS[PEOPLE]):
+            self.got.is_statue |= found[0].word in CARVED or self._made_of
+
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""
         for form in AS_MATERIAL.keys() & set(self.got.qualifiers):
@@ -381,8 +418,11 @@ class Reading(Clauses):
         follows = self._noun_end >= 0 and self._noun_end + between == start
         if follows and self.got.found["noun"][-1].word != noun.word:
             form = self.got.found["noun"].pop().form
-            self.got.left_out.append(form)
-            self.got.qualifiers.append(form)
+            if form in GEMS and own_name(noun.word, "gem"):  # "a ruby ring"
+                self.got.parts.append(StatedPart("gem", True, form, GEMS[form]))
+            else:
+                self.got.left_out.append(form)
+                self.got.qualifiers.append(form)
         parts = [part.name for part in self._before]
         self.got.left_out += parts
         self.got.qualifiers += [*parts, *self._pending]

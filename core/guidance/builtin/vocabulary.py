@@ -47,6 +47,7 @@ class Words:
     accents: tuple[Accent, ...] = ()  # what other parts have of their own
     weather: tuple[str, ...] = ()  # what time has done to it
     sheen: tuple[str, ...] = ()  # how it shines
+    is_statue: bool = False  # of one material all over, eyes and all
     is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
     scale: float = field(default=1.0, compare=False)  # of its usual size
     color_form: str = ""  # the first colour's shade, where that has a name of its own
@@ -190,7 +191,8 @@ def parse(
     # In the table's order: snow lies on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
-    words |= {"is_toy": got.is_toy, "scale": got.scale, "size": got.size()}
+    words |= {"is_statue": got.is_statue, "is_toy": got.is_toy}
+    words |= {"scale": got.scale, "size": got.size()}
     # "Upholstered in velvet": what only says that it is of fabric says less.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(

@@ -306,7 +306,7 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
-    lovely pretty infront shot statuette carving replica pose posed warm cool or nor but only extra
+    lovely pretty infront shot replica pose posed warm cool or nor but only extra
     some please pls plz i you we he she they me my your his her our their want need would make
     create generate give show draw build design lol idk omg btw tho kinda smth something just only
     really number also thats too so any yet other nothing else lowkey quite actually basically
@@ -442,10 +442,21 @@ SIZE_WORDS = {
     **dict.fromkeys(("giant", "gigantic", "colossal"), 3.0),
 }
 FILLER |= SIZE_WORDS.keys()
-# What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze.
-DEPICTIONS = ("statue", "sculpture", "figure", "doll", "character")
+# What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze, eyes and all.
+STATUES = ("statue", "sculpture", "carving", "statuette", "idol", "effigy")
+DEPICTIONS = (*STATUES, "figure", "doll", "character")
+# What a statue is of, by a word that is no material elsewhere, or where nothing is said.
+OF_STATUES = {"ice": "icy", "snow": "plaster", "sand": "sandstone", "": "stone"}
+# Materials of which an animal is no animal, but cast or carved from one block; and somebody.
+CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
+CARVED = ("stone", "glass")
+EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
+# Words for them that are colours of fur and hair as well: "a golden lion".
+ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
+ALSO_OF_FUR = ("silver", "silvery", "golden")
 # What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
-ALIVE = ("Characters", "Animals", "Wild Animals")
+PEOPLE, ANIMALS = "Characters", ("Animals", "Wild Animals")
+ALIVE = (PEOPLE, *ANIMALS)
 AGES = frozenset("old ancient aged".split())
 # Of these groups what is made, or dead.
 LIFELESS = frozenset(

@@ -193,7 +193,7 @@ ANIMALS = {
         "firefighter, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
         "detective, worker, construction worker, sailor, student, mannequin, mannikin, "
         "villager, peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, "
-        "toddler, npc, character model, waiter, angel statue, scientist, diver, scuba diver, "
+        "toddler, npc, character model, waiter, scientist, diver, scuba diver, "
         "merchant, ranger, blacksmith, butler, healer, mechanic, pilot, librarian, engineer, "
         "bartender, butcher, musician, dj, miner, wrestler, boxer, surfer, skater, alchemist, "
         "captain, hiker, tourist, mailman, postman, plumber, carpenter, electrician, "
