@@ -10,6 +10,7 @@ leaves a manifold of the same topology and refuses what would fold.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import igl
 import numpy as np
@@ -21,13 +22,14 @@ from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.faces import areas_and_normals, neighbours, normals_of, unit
-from core.geometry.mesh import Mesh, health, mean_around
+from core.geometry.mesh import Mesh, compact, health, mean_around
 from core.geometry.tangents import smooth_normals
 from core.kernels import remesh as loops
 from core.kernels.quadrics import add_planes
 from core.kernels.thin import take_out_thin
 from core.texture.charts import charts
 from core.texture.simplify import simplify
+from core.texture.unfold import unfolded
 from core.texture.unwrap import at_unit_size
 
 FINER = 4  # times the faces asked for, at which thin faces go first
@@ -44,6 +46,7 @@ MARGIN = 0.98  # of the faces asked for: the count at the end is not exact
 GRADE = 1.5  # edges are so many times longer in flat places and shorter in bent ones, at most
 SMOOTHING = 4  # rounds, of the curvature
 NEAR = 0.7  # edge lengths: the distance that two opposite halves of a right angle are apart
+AT_A_PLACE = 12  # faces of the surface that are near a face
 AROUND = 0.2  # weight of the neighbours' quadrics: a vertex of few faces has too little of its own
 
 
@@ -63,15 +66,16 @@ def even(
     area = areas_and_normals(_doubles(fine[0]), fine[1].cpu().numpy())[0].sum()
     thin = THIN * length_of(area, count)
     verts, faces = without_thin(*simplify(*without_thin(*fine, thin), count, check), thin)
-    if health(verts, faces)["degenerate_faces"]:
-        return simplify(*fine, count, check)
     surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
     check()
     new_verts, new_faces = remesh(_doubles(verts), faces.cpu().numpy(), surface, count)
     check()
     out = torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
     # What is thin may be folded, and turns the shading of all around it: a dark speck.
-    return without_thin(*simplify(*out, count), thin)
+    verts, faces = without_thin(*simplify(*out, count), thin)
+    kept = unfolded(_doubles(verts), faces.cpu().numpy(), surface.against)
+    out = compact(verts, torch.from_numpy(kept).to(faces))
+    return simplify(*fine, count, check) if health(*out)["degenerate_faces"] else out
 
 
 def length_of(area: float, count: float) -> float:
@@ -160,6 +164,19 @@ class Surface:
         self.lengths = lengths(verts, faces, self.areas)
         self.tree = igl.AABB()
         self.tree.init(self.verts, self.faces)
+
+    def against(
+        self, points: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
+    ) -> Float[np.ndarray, " n"]:
+        """One less the cosine between each normal and the most like it of the faces there."""
+        _, face = self.faces_by_place.query(points, min(AT_A_PLACE, len(self.middles)))
+        there = self.normals[np.asarray(face).reshape(len(points), -1)]
+        return 1 - (normals[:, None] * there).sum(-1).max(1)
+
+    @cached_property
+    def faces_by_place(self) -> KDTree:
+        """The faces' middles."""
+        return KDTree(self.middles)
 
     def lengths_at(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, " n"]:
         """How long edges are to be there, by the mean length."""
