@@ -20,6 +20,7 @@ from torch import Tensor
 
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import RIPPLES, crisp
+from core.geometry.crossed import crossed
 from core.geometry.faces import bending, unit
 from core.geometry.fitting import frames_of, primitive_of
 from core.geometry.flush import flush
@@ -105,14 +106,20 @@ class KnownParts:
     def _layered(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is flat outlines one upon another along an axis, or one
         around a line."""
+        frames = [np.roll(frame, k, 1) for frame in frames_of(points_of(piece)) for k in range(3)]
+        flat = [one for one in (*(layered(piece, frame) for frame in frames), wall(piece)) if one]
+        found = self._best(piece, flat)
+        if found is None and (one := crossed(piece)):
+            found = self._best(piece, [one])
+        return found
+
+    def _best(self, piece: Piece, flat: list[Primitive]) -> Primitive | None:
+        """Of flat outlines those that the piece is best, if any."""
         points = points_of(piece)
-        frames = (np.roll(frame, k, 1) for frame in frames_of(points) for k in range(3))
         # A round tube is not told from a flat one: the noun's objects say whether there are ends.
         most = self.forms.flat[piece.place.part] / FLAT_ENDS
-        found = [one for frame in frames if (one := layered(piece, frame))]
-        found = [one for one in found if ends_share(one) <= most]
-        found += [one] if (one := wall(piece)) else []
-        fits = [one for one in found if one.fits(points, piece.error)]
+        fits = [one for one in flat if one.form == "wall" or ends_share(one) <= most]
+        fits = [one for one in fits if one.fits(points, piece.error)]
         return min(
             (one for one in fits if is_drawn(self.distances, one, piece)),
             # Of what fits about as well the one that takes less to say.

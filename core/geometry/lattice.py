@@ -43,6 +43,10 @@ class Lattice(NamedTuple):
         low = np.array([-TURN * np.pi * radius, self.low[2], 0.0])
         return Lattice(self._at(node), low, TURN * np.pi * radius / half)
 
+    def near(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, " n"]:
+        """The distances at points."""
+        return self._at(((points - self.low) / self.cell)[:, None, None])[:, 0, 0]
+
     def _at(self, node: Float[np.ndarray, "a b c 3"]) -> Float[np.ndarray, "a b c"]:
         places = np.moveaxis(node, -1, 0)
         return ndimage.map_coordinates(self.values, places, order=1, cval=FAR * self.cell)

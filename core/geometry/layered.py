@@ -6,7 +6,7 @@ in pieces (Jackson et al. 2005, "An algorithm for optimal partitioning of data o
 """
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from jaxtyping import Float
@@ -17,7 +17,7 @@ from core.geometry.faces import areas_and_normals
 from core.geometry.lattice import FAR, Lattice
 from core.geometry.outline import even, level, outline
 from core.geometry.pieces import Piece
-from core.geometry.primitives import Layer, Points, Primitive, packed, unrolled
+from core.geometry.primitives import Layer, Points, Primitive, along_axes, packed, unrolled
 
 MOST = 4  # layers
 DEAR = 0.12  # of the nodes near the surface: what a layer more has to explain
@@ -55,6 +55,18 @@ def layers_of(lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]
 
     ``placed``: the piece's vertices where the lattice has them.
     """
+    found = list(even_layers(lattice, piece, placed))
+    whole = [layer for layer in found if layer is not None]
+    if len(whole) < len(found) or len(found) > MOST:
+        return []
+    level([loop for *_, loops in whole for loop in loops], piece.error)
+    return whole
+
+
+def even_layers(
+    lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]
+) -> Iterator[Layer | None]:
+    """What there is along the lattice's last axis, each as a layer; None where it is none."""
     sections = np.clip(np.moveaxis(lattice.values, 2, 0) / lattice.cell, -FAR, FAR)
     starts = segments(sections.clip(-1, 1))
     verts, faces = placed(piece.verts.double().numpy()), piece.faces.numpy()
@@ -64,7 +76,6 @@ def layers_of(lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]
         step_at(lattice.low[2] + (k - 0.5) * lattice.cell, *steps, NEAR * piece.error)
         for k in starts
     ]
-    found = []
     for (first, last), (low, high) in zip(
         itertools.pairwise(starts), itertools.pairwise(ends), strict=True
     ):
@@ -73,22 +84,25 @@ def layers_of(lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]
         mean = inner.mean(0)
         if mean.min() >= 0 or high <= low:
             continue
-        if drift(inner) > DRIFT or len(found) == MOST:
-            return []
+        if drift(inner) > DRIFT:
+            yield None
+            continue
         finer = ndimage.zoom(mean, FINER) * lattice.cell
         step = lattice.cell * (len(mean) - 1) / (len(finer) - 1)
         loops = outline(even(finer, piece.error), lattice.low[:2], step, piece.error)
         if loops:
-            found.append((low, high, loops))
-    level([loop for *_, loops in found for loop in loops], piece.error)
-    return found
+            yield low, high, loops
 
 
 def ends_share(layers: Primitive) -> float:
-    """The fraction of the layers' surface that lies across their axis."""
+    """The fraction of the layers' surface that lies across their axis, or axes."""
     verts, faces = layers.mesh(np.inf)
     area, normal = areas_and_normals(verts.double().numpy() @ layers.frame, faces.numpy())
-    return float(area[np.abs(normal[:, 2]) > ACROSS].sum() / area.sum())
+    frames = [np.eye(3)]
+    if layers.form == "crossed":
+        frames = [frame for frame, _ in along_axes(layers.lengths)]
+    across = np.abs(np.stack([normal @ frame[:, 2] for frame in frames])).max(0)
+    return float(area[across > ACROSS].sum() / area.sum())
 
 
 def segments(sections: Float[np.ndarray, "k r c"]) -> list[int]:

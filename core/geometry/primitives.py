@@ -7,7 +7,7 @@ Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquil
 """
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.union import ball, lathe, prisms, rolled, rounded_box
+from core.geometry.union import ball, lathe, prisms, rolled, rounded_box, union
 
 Lengths = Float[np.ndarray, " k"]
 Points = Float[np.ndarray, "n 3"]
@@ -30,6 +30,8 @@ BLUR, UNBLURRED, LEAST_RIM = 0.05, 2.5, 0.02
 ON_AXIS = 1e-4  # training units
 CHORD = 8e-4  # training units, at most, between a circle and its polygon
 SEGMENTS = (24, 96)
+# The last axis is z, y and x.
+FRAMES = tuple(np.roll(np.eye(3), k, 1) for k in range(3))
 
 
 def ellipsoid(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
@@ -97,6 +99,12 @@ def layers(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     return nearest
 
 
+def crossed(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """Layers along each of the three axes at once, as ``packed_along`` has them; inside, the
+    distance from the nearest layer's surface."""
+    return np.min([layers(p @ frame, own) for frame, own in along_axes(lengths)], axis=0)
+
+
 def wall(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     """Outlines laid around the axis: the radius at which they are as long as flat, and layers as
     ``packed`` has them, of which height is distance from the axis; about the distance."""
@@ -152,6 +160,22 @@ def unpacked(lengths: Lengths) -> list[Layer]:
     return found
 
 
+def packed_along(axes: Sequence[Sequence[Layer]]) -> Lengths:
+    """Of each of the three ``FRAMES`` how many numbers its layers have, and these."""
+    each = [packed(found) for found in axes]
+    return np.concatenate([[len(numbers), *numbers] for numbers in each])
+
+
+def along_axes(lengths: Lengths) -> Iterator[tuple[Float[np.ndarray, "3 3"], Lengths]]:
+    """The frames that there are layers along the last axis of, and these as ``packed`` has them."""
+    at = 0
+    for frame in FRAMES:
+        end = at + 1 + int(lengths[at])
+        if end > at + 1:
+            yield frame, lengths[at + 1 : end]
+        at = end
+
+
 class Form(NamedTuple):
     """One kind of solid about the origin, and the z axis if it has one."""
 
@@ -175,6 +199,7 @@ FORMS = {
     "ring": Form(ring),
     "turned": Form(turned, drawn=((0.6, 0.9), (1.2, 0.995))),
     "layers": Form(layers, **OUTLINED),
+    "crossed": Form(crossed, **OUTLINED),
     "wall": Form(wall, **OUTLINED),
 }
 
@@ -245,6 +270,10 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
         return ball(lengths, edge, _segments(lengths.max()))
     if form == "layers":
         return prisms(unpacked(lengths), edge)
+    if form == "crossed":
+        each = ((frame, *prisms(unpacked(own), edge)) for frame, own in along_axes(lengths))
+        turned = [(verts @ torch.from_numpy(frame.T).to(verts), f) for frame, verts, f in each]
+        return union(turned, 0.0)
     if form == "wall":
         chord = 2 * np.sqrt(2 * CHORD * lengths[0])
         return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))

@@ -1,0 +1,63 @@
+"""What is layers along two or three axes at once: a rocket's fins, an airplane's tail.
+
+Along each axis some of it is even, and the rest is not: through a fin's thickness all sections are
+alike, along the other fin's they taper. Of the even layers of all axes those are taken, one by one,
+that most of the surface is on which no other has (a greedy cover: Chvatal 1979).
+"""
+
+import numpy as np
+import torch
+from scipy.spatial.transform import Rotation
+
+from core.geometry.init_shape import sample_surface
+from core.geometry.layered import even_layers
+from core.geometry.pieces import FITTED, Piece, points_of
+from core.geometry.primitives import (
+    FORMS,
+    FRAMES,
+    Layer,
+    Primitive,
+    packed,
+    packed_along,
+    unpacked,
+)
+
+MORE = 0.02  # of the surface, which a layer has to cover
+
+
+def crossed(piece: Piece) -> Primitive | None:
+    """The layers that a piece is of, along the coordinate axes; None where they leave much out."""
+    found = [(axis, one) for axis in range(len(FRAMES)) for one in _layers(piece, axis)]
+    points = points_of(piece)
+    off = np.stack([one.at(points) for _, one in found]) if found else np.zeros((0, 1))
+    nearest, covered, used = np.full(len(points), np.inf), 0.0, []
+    while len(used) < len(found):
+        shares = (np.abs(np.minimum(nearest, off)) < piece.error / 2).mean(1)
+        best = int(shares.argmax())
+        if shares[best] < covered + MORE:
+            break
+        nearest, covered = np.minimum(nearest, off[best]), shares[best]
+        used.append(best)
+    if len(used) < 2:
+        return None
+    along: list[list[Layer]] = [[] for _ in FRAMES]
+    for axis, one in (found[k] for k in used):
+        along[axis] += unpacked(one.lengths)
+    return Primitive("crossed", np.zeros(3), np.zeros(3), packed_along(along))
+
+
+def _layers(piece: Piece, axis: int) -> list[Primitive]:
+    """The even layers along one of the ``FRAMES``, each by itself, which stay within the piece."""
+    frame = FRAMES[axis]
+    lattice, turn = piece.lattice.along(frame), Rotation.from_matrix(frame).as_rotvec()
+    found = even_layers(lattice, piece, lambda verts: verts @ frame)
+    each = [Primitive("layers", np.zeros(3), turn, packed([layer])) for layer in found if layer]
+    return [one for one in each if _is_within(one, piece)]
+
+
+def _is_within(one: Primitive, piece: Piece) -> bool:
+    """Whether none of its surface is out of the piece by more than what is drawn may be."""
+    generator = torch.Generator().manual_seed(0)
+    points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
+    out = piece.lattice.near(points.double().numpy()) / piece.error
+    return all((out < by).mean() >= share for by, share in FORMS[one.form].drawn)

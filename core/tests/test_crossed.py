@@ -1,0 +1,58 @@
+"""Layers along several axes at once are found; what is none of them is not."""
+
+import numpy as np
+import pytest
+
+from core.geometry.crossed import crossed
+from core.geometry.layered import ends_share
+from core.geometry.mesh import health
+from core.geometry.primitives import along_axes, unpacked
+from core.tests.test_layered import box, farthest, piece_of
+
+
+def fin(p, along, thin):
+    """A plate that tapers upwards, on both sides of the middle."""
+    slope = (np.abs(p[:, along]) + 0.6 * p[:, 2] - 0.4) / np.hypot(1, 0.6)
+    return np.max([np.abs(p[:, thin]) - 0.06, slope, np.abs(p[:, 2]) - 0.5], axis=0)
+
+
+def fins(p):
+    return np.minimum(fin(p, 0, 1), fin(p, 1, 0))
+
+
+def tail(p):
+    """A board that lies, and a fin on it."""
+    board = box(p, (0.0, 0.0, -0.3), (0.7, 0.25, 0.06))
+    slope = np.maximum(np.abs(p[:, 0]) - 0.06, (np.abs(p[:, 1]) + 0.4 * p[:, 2] - 0.2) / 1.08)
+    return np.minimum(board, np.maximum(slope, np.abs(p[:, 2] - 0.1) - 0.4))
+
+
+def ball(p):
+    return np.linalg.norm(p, axis=1) - 0.6
+
+
+@pytest.mark.parametrize("distance", [fins, tail])
+def test_plates_across_one_another_are_found(distance) -> None:
+    one = crossed(piece_of(distance, wave=0.002))
+    assert one is not None and one.form == "crossed"
+    assert len(list(along_axes(one.lengths))) == 2
+    assert all(len(unpacked(own)) == 1 for _, own in along_axes(one.lengths))
+    assert farthest(one, distance) < 0.035
+    found = health(*one.mesh(0.05))
+    assert found["closed"] and found["manifold"] and found["components"] == 1
+    assert ends_share(one) > 0.6  # its plates' sides
+
+
+def test_its_distance_is_that_of_its_surface() -> None:
+    one = crossed(piece_of(fins))
+    assert one is not None
+    verts, _ = one.mesh(0.05)
+    assert np.abs(one.at(verts.double().numpy())).max() < 1e-5
+    rng = np.random.default_rng(0)
+    points = rng.uniform(-0.9, 0.9, (500, 3))
+    assert np.abs((one.at(points) < 0) == (fins(points) < 0)).mean() > 0.97
+
+
+@pytest.mark.parametrize("distance", [ball, lambda p: box(p)])
+def test_what_is_no_plates_or_one_is_not(distance) -> None:
+    assert crossed(piece_of(distance)) is None
