@@ -22,7 +22,7 @@ from core.guidance.builtin.vocabulary import parse, understood
         ("a wooden framed mirror in a room", "mirror", {"frame": "wooden"}, {}),
         ("a red roofed house", "house", {}, {"roof": "red"}),
         ("a dark teal-roofed cottage", "cottage", {}, {"roof": "dark teal"}),
-        ("a statue of a blue eyed cat", "cat", {}, {"eyes": "blue"}),
+        ("a figure of a blue eyed cat", "cat", {}, {"eyes": "blue"}),
         ("a cat, blue eyed", "cat", {}, {"eyes": "blue"}),
         ("a red cap mushroom", "mushroom", {}, {"cap": "red"}),
         ("a stainless steel topped brass legged table", "table",

@@ -6,7 +6,7 @@ import pytest
 
 from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
-from core.guidance.builtin.surfaces import surfaces_of
+from core.guidance.builtin.surfaces import CARVED_STONE, surfaces_of
 from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.variants import VARIANTS, Variant
 from core.guidance.builtin.vocabulary import parse, understood
@@ -199,12 +199,16 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
         ("a chocolate bunny", "chocolate"),
         ("a marble angel", "marble"),
         ("a sculpture of a car", "stone"),
+        ("a balloon dog", "latex"),
+        ("a terracotta warrior", "terracotta"),
+        ("an ice dragon", "icy"),
     ],
 )
 def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) -> None:
     words = parse(prompt)
     assert words.named_material() == material
-    wanted = VARIANTS.get(material, Variant(words.material)).kind
+    usual = CARVED_STONE if words.material == "stone" else words.material
+    wanted = VARIANTS.get(material, Variant(usual)).kind
     assert {surface.kind for surface in surfaces_of(words)} == {wanted}
 
 
@@ -224,3 +228,44 @@ def test_a_statues_part_may_have_a_look_of_its_own() -> None:
 def test_a_statue_of_which_no_material_is_named_says_what_it_is_of() -> None:
     assert "No material is named: made of stone." in read("a statue of a king")["notes"]
     assert "ice: made as icy." in read("an ice sculpture of a swan")["notes"]
+    assert "No material is named: made of plush." in read("a shark plushie")["notes"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "material"),
+    [
+        ("a stuffed bunny", "rabbit", "plush"),
+        ("a panda plushie", "panda", "plush"),
+        ("a soft toy elephant", "elephant", "plush"),
+        ("a plush shark", "shark", "plush"),
+        ("a stuffed animal", "teddy bear", ""),
+    ],
+)
+def test_a_soft_toy_is_of_plush_and_small_and_has_its_eyes(
+    prompt: str, thing: str, material: str
+) -> None:
+    words = parse(prompt)
+    assert (words.noun, words.named_material()) == (thing, material)
+    assert words.usual()[0] <= 0.4
+    assert "eye" in {surface.kind for surface in surfaces_of(words)}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "material"),
+    [
+        ("an ice castle", ["icy"]),
+        ("an ice bucket", []),
+        ("a snow leopard", []),
+        ("a stuffed pepper", []),
+        ("a bone throne", ["of bone"]),
+        ("a bone china teapot", ["ceramic"]),
+        ("an origami swan", ["paper"]),
+    ],
+)
+def test_a_word_before_a_thing_may_be_what_it_is_of(prompt: str, material: list[str]) -> None:
+    assert read(prompt)["materials"] == material
+
+
+def test_a_statue_of_what_has_no_colour_of_its_own_is_of_one_colour() -> None:
+    painted = {surface.color for surface in surfaces_of(parse("a chocolate bunny"))}
+    assert len(painted) == 1

@@ -51,7 +51,7 @@ class Clauses:
         # How many words each slot had when a phrase about what goes with the thing began; else None
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether the last word that was read in the phrase is unknown
-        self._depicted = False  # whether the thing is a statue, a figure or the like of it
+        self._depicted = ""  # the thing is a statue, a figure or the like: as it was written
         self._made_of = False  # whether the thing is "made of" its material
         self._of_another = False  # whether all of it is about another thing
         self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began

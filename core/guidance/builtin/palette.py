@@ -287,7 +287,8 @@ def _of_words(
     if not material:
         return "", "", look.finish, look.color, look.pattern
     finish = FINISHES[material]
-    color = finish.color or look.color
+    own = next(iter(looks(noun).values())) if stated.is_statue else look
+    color = finish.color or own.color
     of_statue = stated.is_statue and not accent.material
     if form in ALSO_COLORS and look.material in NO_METAL and not of_statue:  # "silver hair"
         return "", "", look.finish, color, look.pattern

@@ -17,7 +17,7 @@ from core.guidance.builtin.lexicon import (
     look_up,
     singulars,
 )
-from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state, own_name
 from core.guidance.builtin.sizes import TOY_SIZE
 from core.guidance.builtin.tokens import DOING, describes
@@ -35,20 +35,24 @@ from core.guidance.builtin.words import (
     CAST,
     COUNTS,
     DEPICTIONS,
-    EDIBLE,
     FIGURES,
     FILLER,
+    FROZEN,
     GEMS,
     GOES_WITH,
     IGNORED_ADJECTIVES,
     LIFELESS,
     LOOKS,
+    MOULDED,
+    OF_ANIMALS,
     OF_ANOTHER,
-    OF_STATUES,
+    OF_WHAT_LIES,
     PEOPLE,
     PHRASE_ENDS,
     PLAIN,
+    PLUSHIES,
     ROLES,
+    SEWN,
     SIZE_WORDS,
     STATUES,
     SURROUNDINGS,
@@ -181,6 +185,8 @@ class Reading(Clauses):
             self.got.leave_aside(["not", form], NOT_SAID)
             return
         self.got.is_toy = True
+        if self.got.thing and NOUNS[self.got.thing].usual.size_m <= TOY_SIZE:
+            return
         self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
 
     def _say_how_large(self) -> None:
@@ -349,7 +355,7 @@ class Reading(Clauses):
             thing, depiction = before, entry
         else:
             return False
-        self._depicted = True
+        self._depicted = depiction.form
         self.got.is_statue = depiction.form in STATUES
         self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
         return True
@@ -383,32 +389,41 @@ class Reading(Clauses):
     def _say_whether_a_statue(self) -> None:
         """A statue is of stone where nothing is said; of an animal of stone the eyes are too."""
         found = self.got.found["material"]
-        if self.got.is_statue and not found:
-            form = next((word for word in OF_STATUES if word in self.got.qualifiers), "")
-            of = look_up(OF_STATUES[form], self.known)
-            if of is not None:
-                found.append(of)
-                said = f"{form}: made as" if form else "No material is named: made of"
-                self.got.notes.append(f"{said} {of.form}.")
-            if form in self.got.left_out:
-                self.got.left_out.remove(form)
+        usual = "stone" if self.got.is_statue else "plush" if self._depicted in PLUSHIES else ""
+        of = look_up(usual, self.known)
+        if usual and of is not None and not found:
+            found.append(of)
+            self.got.notes.append(f"No material is named: made of {usual}.")
         thing = self.got.thing
         if not found or thing in LIFELESS:
             return
         cast = found[0].word in CAST and found[0].form not in ALSO_OF_FUR
         if any(thing in GROUPS[group] for group in ANIMALS) and thing not in ROLES:
-            self.got.is_statue |= cast or found[0].form in EDIBLE or self._made_of
+            self.got.is_statue |= cast or found[0].form in MOULDED or self._made_of
+            if found[0].form in SEWN and not self.got.is_toy:
+                self._take_toy(found[0].form)
         elif thing in (*ROLES, *GROUPS[PEOPLE]):
-            self.got.is_statue |= found[0].word in CARVED or self._made_of
+            carved = found[0].word in CARVED or found[0].form in MOULDED
+            self.got.is_statue |= carved or self._made_of
 
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""
-        for form in AS_MATERIAL.keys() & set(self.got.qualifiers):
+        said = {*self.got.qualifiers, *(IGNORED_ADJECTIVES & set(self.got.left_out))}
+        for form in AS_MATERIAL.keys() & said:
             of = look_up(AS_MATERIAL[form], self.known)
-            if of is not None and not self.got.found["material"]:
+            if of is not None and not self.got.found["material"] and self._may_be_of(form):
                 self.got.left_out.remove(form)
-                self.got.notes.append(f"{form}: made as {of.form}.")
+                self.got.notes.append(f"{form}: made as {of.form.removeprefix('of ')}.")
                 self.got.found["material"].append(of)
+
+    def _may_be_of(self, form: str) -> bool:
+        """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
+        alive = any(self.got.thing in GROUPS[group] for group in ALIVE)
+        if form in OF_ANIMALS:
+            return alive
+        if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
+            return True
+        return form == "ice" and (alive or self.got.thing in FROZEN)
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
@@ -420,6 +435,9 @@ class Reading(Clauses):
             form = self.got.found["noun"].pop().form
             if form in GEMS and own_name(noun.word, "gem"):  # "a ruby ring"
                 self.got.parts.append(StatedPart("gem", True, form, GEMS[form]))
+            elif form in PLUSHIES:  # "a soft toy elephant"
+                self._depicted = form
+                self.got.notes.append(f"{form}: made as {with_article('noun', noun.word)}.")
             else:
                 self.got.left_out.append(form)
                 self.got.qualifiers.append(form)

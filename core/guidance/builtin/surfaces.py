@@ -15,6 +15,7 @@ from core.ops import srgb_to_linear
 # Roughness by the word; of a metal no less than what is polished has.
 SHINES = {"matte": 0.8, "satin": 0.4, "glossy": 0.1}
 METAL_SHINE = 0.12
+CARVED_STONE = "concrete"  # of even grain: a boulder's speckles hide a face
 GLOWING = "glowing"
 # How much of its colour it emits that is said to glow: a part, or all of a thing.
 PART_GLOWS, ALL_GLOWS = 0.8, 0.25
@@ -41,7 +42,7 @@ def _as_new(words: Words, part: Painted) -> Surface:
     if not part.material:
         return Surface(_by_nature(words.noun, part), part.color)
     tone, form = split_tone(part.material_form)
-    variant = VARIANTS.get(form) or Variant(_kind(words.noun, part))
+    variant = VARIANTS.get(form) or Variant(_kind(words, part))
     wanted = variant.color
     if tone:
         wanted = toned(wanted or part.color, tone)
@@ -82,8 +83,10 @@ def _shining(part: Painted, new: Surface) -> Surface:
     return new._replace(roughness=wanted - part.finish.roughness)
 
 
-def _kind(noun: str, part: Painted) -> str:
-    if part.material == "stone" and noun in BUILDINGS:
+def _kind(words: Words, part: Painted) -> str:
+    if part.material == "stone" and words.is_statue:
+        return CARVED_STONE
+    if part.material == "stone" and words.noun in BUILDINGS:
         return "masonry"
     # Rust has its own colour; with another one it is paint that rusts.
     if part.material == "rusty" and part.color != FINISHES["rusty"].color:

@@ -60,9 +60,9 @@ MATERIALS = {
     "black marble, green marble, lapis lazuli, malachite, "
     "terrazzo",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
-    "ceramic": "porcelain, china, glazed ceramic; clay, terracotta, terra cotta, earthenware, "
-    "stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, made of bones, "
-    "of bone, of bones",
+    "ceramic": "porcelain, china, bone china, glazed ceramic; clay, terracotta, terra cotta, "
+    "earthenware, stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, "
+    "made of bones, of bone, of bones",
     "leather": "; suede, faux leather, patent leather, snakeskin",
     "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
     "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice, "
@@ -283,7 +283,23 @@ WHOLE = frozenset(
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # A thing that says, before another, what that is made of: "a robot dog", "a crystal ball".
-AS_MATERIAL = dict.fromkeys(("robot", "cyborg", "android"), "metal") | {"crystal": "crystal glass"}
+AS_MATERIAL = dict.fromkeys(("robot", "cyborg", "android"), "metal") | {
+    "crystal": "crystal glass",
+    "bone": "of bone",
+    "lego": "plastic",
+    "origami": "paper",
+    "balloon": "latex",
+    "inflatable": "vinyl",
+    "stuffed": "plush",
+    "cuddly": "plush",
+    "ice": "icy",
+    "snow": "plaster",
+    "sand": "sandstone",
+}
+# Of these only buildings and likenesses are: an ice bucket is for ice, a snow leopard white.
+OF_WHAT_LIES = ("ice", "snow", "sand")
+FROZEN = ("throne", "crown", "sword", "shield", "staff")  # and an ice dragon
+OF_ANIMALS = ("stuffed", "cuddly", "balloon")  # a stuffed pepper is not of plush
 # Materials that say little.
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
 # What the stripes lie on that a thing has by nature, where that is not most of it.
@@ -402,7 +418,7 @@ IGNORED_ADJECTIVES = frozenset(
     carved handmade crafted painted decorated evil miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled covered surrounded topped toy figurine prop
-    ornament cut sliced stained bent torn crooked percent
+    ornament stuffed cuddly cut sliced stained bent torn crooked percent
     double triple mesh
     backwards upright sideways stuck kept tied hung sick laser lazer
     solid premium mockup icon emoji exotic rugged ergonomic wireless portable foldable folding
@@ -444,13 +460,16 @@ SIZE_WORDS = {
 FILLER |= SIZE_WORDS.keys()
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "carving", "statuette", "idol", "effigy")
-DEPICTIONS = (*STATUES, "figure", "doll", "character")
-# What a statue is of, by a word that is no material elsewhere, or where nothing is said.
-OF_STATUES = {"ice": "icy", "snow": "plaster", "sand": "sandstone", "": "stone"}
+PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
+DEPICTIONS = (*STATUES, *PLUSHIES, "figure", "doll", "character")
 # Materials of which an animal is no animal, but cast or carved from one block; and somebody.
 CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass")
-EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
+# And forms of other materials, of both.
+MOULDED = ("chocolate", "white chocolate", "dark chocolate", "clay", "terracotta", "terra cotta")
+MOULDED += ("latex", "vinyl", "of bone")
+# Of these an animal is a toy.
+SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 # Words for them that are colours of fur and hair as well: "a golden lion".
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 ALSO_OF_FUR = ("silver", "silvery", "golden")

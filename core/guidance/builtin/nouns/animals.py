@@ -36,7 +36,8 @@ ANIMALS = {
         Usual(0.4, FLESH, 0.15),
     ),
     "teddy bear": Noun(
-        "teddy; stuffed bear, plush bear, plushie, stuffed animal, plush toy",
+        "teddy; stuffed bear, plush bear, plushie, stuffed animal, plush toy, stuffed toy, "
+        "soft toy, cuddly toy",
         {
             "body": "*96612f . fabric",
             "muzzle": "+d9b382 . fabric",
