@@ -104,8 +104,8 @@ class KnownParts:
         return turned if turned and is_drawn(self.distances, turned, piece) else None
 
     def _layered(self, piece: Piece) -> Primitive | None:
-        """What the piece is, where it is flat outlines one upon another along an axis, or one
-        around a line."""
+        """What the piece is, where it is flat outlines one upon another along an axis, or along
+        several, or one around a line."""
         frames = [np.roll(frame, k, 1) for frame in frames_of(points_of(piece)) for k in range(3)]
         flat = [one for one in (*(layered(piece, frame) for frame in frames), wall(piece)) if one]
         found = self._best(piece, flat)
@@ -114,7 +114,7 @@ class KnownParts:
         return found
 
     def _best(self, piece: Piece, flat: list[Primitive]) -> Primitive | None:
-        """Of flat outlines those that the piece is best, if any."""
+        """Of these the one that fits the piece best; None where none does."""
         points = points_of(piece)
         # A round tube is not told from a flat one: the noun's objects say whether there are ends.
         most = self.forms.flat[piece.place.part] / FLAT_ENDS

@@ -29,7 +29,9 @@ def crossed(piece: Piece) -> Primitive | None:
     """The layers that a piece is of, along the coordinate axes; None where they leave much out."""
     found = [(axis, one) for axis in range(len(FRAMES)) for one in _layers(piece, axis)]
     points = points_of(piece)
-    off = np.stack([one.at(points) for _, one in found]) if found else np.zeros((0, 1))
+    if len(found) < 2:
+        return None
+    off = np.stack([one.at(points) for _, one in found])
     nearest, covered, used = np.full(len(points), np.inf), 0.0, []
     while len(used) < len(found):
         shares = (np.abs(np.minimum(nearest, off)) < piece.error / 2).mean(1)
@@ -38,11 +40,11 @@ def crossed(piece: Piece) -> Primitive | None:
             break
         nearest, covered = np.minimum(nearest, off[best]), shares[best]
         used.append(best)
-    if len(used) < 2:
-        return None
     along: list[list[Layer]] = [[] for _ in FRAMES]
     for axis, one in (found[k] for k in used):
         along[axis] += unpacked(one.lengths)
+    if sum(map(bool, along)) < 2:  # along one axis they are layers, or too many
+        return None
     return Primitive("crossed", np.zeros(3), np.zeros(3), packed_along(along))
 
 
@@ -57,7 +59,9 @@ def _layers(piece: Piece, axis: int) -> list[Primitive]:
 
 def _is_within(one: Primitive, piece: Piece) -> bool:
     """Whether none of its surface is out of the piece by more than what is drawn may be."""
-    generator = torch.Generator().manual_seed(0)
-    points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
+    verts, faces = one.mesh(piece.cell)
+    if not len(faces):
+        return False
+    points = sample_surface(verts, faces, FITTED, torch.Generator().manual_seed(0))
     out = piece.lattice.near(points.double().numpy()) / piece.error
     return all((out < by).mean() >= share for by, share in FORMS[one.form].drawn)

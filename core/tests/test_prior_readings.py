@@ -5,7 +5,9 @@ import random
 import pytest
 
 from core.errors import UserError
+from core.guidance.builtin.kinds import KINDS, look_of_kind
 from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.surfaces import CARVED_STONE, surfaces_of
 from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.variants import VARIANTS, Variant
@@ -192,16 +194,19 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
     [
         ("a golden cat statue", "golden"),
         ("a lion statue", "stone"),
+        ("a lion, statue", "stone"),
+        ("an eagle cast in bronze", "bronze"),
+        ("an owl carved from oak", "oak"),
         ("a wood carving of a bear", "wooden"),
-        ("an ice sculpture of a swan", "icy"),
+        ("an ice sculpture of a swan", "of ice"),
         ("a horse made of iron", "iron"),
         ("a stone lion", "stone"),
         ("a chocolate bunny", "chocolate"),
         ("a marble angel", "marble"),
         ("a sculpture of a car", "stone"),
-        ("a balloon dog", "latex"),
+        ("an inflatable flamingo", "vinyl"),
         ("a terracotta warrior", "terracotta"),
-        ("an ice dragon", "icy"),
+        ("an ice dragon", "of ice"),
     ],
 )
 def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) -> None:
@@ -214,7 +219,11 @@ def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) ->
 
 @pytest.mark.parametrize(
     "prompt",
-    ["a golden retriever", "a golden lion", "a wooden cat", "a bronze robot", "a stone golem"],
+    [
+        *("a golden retriever", "a golden lion", "a wooden cat", "a bronze robot", "a stone golem"),
+        *("a robot cat", "a picture of a furry cat", "a chocolate labrador"),
+        *("a copper coloured dog", "a clay brown horse", "a dragon on stone"),
+    ],
 )
 def test_what_lives_or_moves_keeps_its_eyes(prompt: str) -> None:
     assert "eye" in {surface.kind for surface in surfaces_of(parse(prompt))}
@@ -227,33 +236,50 @@ def test_a_statues_part_may_have_a_look_of_its_own() -> None:
 
 def test_a_statue_of_which_no_material_is_named_says_what_it_is_of() -> None:
     assert "No material is named: made of stone." in read("a statue of a king")["notes"]
-    assert "ice: made as icy." in read("an ice sculpture of a swan")["notes"]
+    assert "ice: made as ice." in read("an ice sculpture of a swan")["notes"]
     assert "No material is named: made of plush." in read("a shark plushie")["notes"]
 
 
 @pytest.mark.parametrize(
-    ("prompt", "thing", "material"),
+    ("prompt", "thing", "material", "size"),
     [
-        ("a stuffed bunny", "rabbit", "plush"),
-        ("a panda plushie", "panda", "plush"),
-        ("a soft toy elephant", "elephant", "plush"),
-        ("a plush shark", "shark", "plush"),
-        ("a stuffed animal", "teddy bear", ""),
+        ("a stuffed bunny", "rabbit", "plush", 0.25),
+        ("a panda plushie", "panda", "plush", 0.25),
+        ("a soft toy elephant", "elephant", "plush", 0.25),
+        ("a plush shark", "shark", "plush", 0.25),
+        ("a fabric plush horse", "horse", "plush", 0.25),
+        ("a wizard plushie", "wizard", "plush", 0.25),
+        ("a stuffed animal", "teddy bear", "", 0.4),
     ],
 )
 def test_a_soft_toy_is_of_plush_and_small_and_has_its_eyes(
-    prompt: str, thing: str, material: str
+    prompt: str, thing: str, material: str, size: float
 ) -> None:
     words = parse(prompt)
     assert (words.noun, words.named_material()) == (thing, material)
-    assert words.usual()[0] <= 0.4
+    assert words.usual()[0] == size
     assert "eye" in {surface.kind for surface in surfaces_of(words)}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a boy holding a stuffed rabbit",
+        "a bear, not stuffed",
+        "a boy on an inflatable boat",
+        "a soft toy basket",
+        "a statue of a girl with a stuffed rabbit",
+    ],
+)
+def test_what_is_said_of_another_thing_makes_no_soft_toy(prompt: str) -> None:
+    words = parse(prompt, ignore_unknown=True)
+    assert not words.is_toy and words.named_material() in ("", "stone")
 
 
 @pytest.mark.parametrize(
     ("prompt", "material"),
     [
-        ("an ice castle", ["icy"]),
+        ("an ice castle", ["of ice"]),
         ("an ice bucket", []),
         ("a snow leopard", []),
         ("a stuffed pepper", []),
@@ -269,3 +295,36 @@ def test_a_word_before_a_thing_may_be_what_it_is_of(prompt: str, material: list[
 def test_a_statue_of_what_has_no_colour_of_its_own_is_of_one_colour() -> None:
     painted = {surface.color for surface in surfaces_of(parse("a chocolate bunny"))}
     assert len(painted) == 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colours", "parts"),
+    [
+        ("a crow", ["black"], {"belly": "black", "bill": "charcoal", "legs": "charcoal"}),
+        ("a white crow", ["white"], {}),
+        ("a polar bear", ["white"], {"muzzle": "white"}),
+        ("a dalmatian", ["white", "black"], {"ears": "black", "muzzle": "white"}),
+        ("a policeman", ["navy"], {"trousers": "navy", "shoes": "black"}),
+        ("a ruby", ["red"], {}),
+        ("a balloon dog", ["red"], {}),
+        ("a blue balloon dog", ["blue"], {}),
+        ("an emerald ring", [], {"gem": "emerald"}),
+        ("a ruby heart", ["red"], {}),
+        ("a superhero with a red cape", [], {"cape": "red"}),
+        ("a woman in a red dress", [], {"shirt": "red"}),
+    ],
+)
+def test_a_kind_has_its_own_colours_and_who_wears_something_has_it(
+    prompt: str, colours: list[str], parts: dict[str, str]
+) -> None:
+    found = read(prompt)
+    assert (found["colours"], found["part_colours"]) == (colours, parts)
+
+
+def test_every_kind_is_a_noun_with_such_parts_and_known_colours() -> None:
+    for form in KINDS:
+        slot, noun = LEXICON[form]
+        whole, parts = look_of_kind(form)
+        assert slot in ("noun", "color"), form
+        assert {*whole, *parts.values()} <= LEXICON.keys(), form
+        assert slot == "color" or parts.keys() <= NOUNS[noun].looks.keys(), form

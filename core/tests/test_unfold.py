@@ -64,3 +64,10 @@ def test_an_open_border_stays_where_it_is(size: int) -> None:
     assert before < 0 < after
     rim = [k for k in range(len(verts)) if {x[k], y[k]} & {0, size - 1}]
     assert set(rim) <= set(made.ravel().tolist())
+
+
+def test_faces_back_to_back_are_left_alone() -> None:
+    verts = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    faces = np.array([[0, 1, 2], [0, 2, 1]])
+    assert np.array_equal(unfolded(verts, faces, from_a_plane), faces)
+    assert len(unfolded(verts, faces[:0], from_a_plane)) == 0

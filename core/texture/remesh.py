@@ -170,8 +170,11 @@ class Surface:
     ) -> Float[np.ndarray, " n"]:
         """One less the cosine between each normal and the most like it of the faces there."""
         _, face = self.faces_by_place.query(points, min(AT_A_PLACE, len(self.middles)))
-        there = self.normals[np.asarray(face).reshape(len(points), -1)]
-        return 1 - (normals[:, None] * there).sum(-1).max(1)
+        # Of a large face the middle may be far away.
+        points = np.ascontiguousarray(points)
+        _, own, _ = self.tree.squared_distance(self.verts, self.faces, points)
+        there = np.column_stack([np.asarray(k).reshape(len(points), -1) for k in (face, own)])
+        return 1 - (normals[:, None] * self.normals[there]).sum(-1).max(1)
 
     @cached_property
     def faces_by_place(self) -> KDTree:

@@ -33,6 +33,8 @@ def unfolded(
     for _ in range(ROUNDS):
         _, normal = areas_and_normals(verts, faces)
         folded = np.flatnonzero(off(verts[faces].mean(1), normal) > 1 - AGAINST)
+        if not len(folded):
+            break
         patches = _Patches(verts, faces, off)
         changed = [patches.mend(int(face)) for face in folded]
         faces = patches.rest()
@@ -93,8 +95,10 @@ class _Patches:
                     old = sorted(self._around[gone])
                     moved = [tuple(kept if v == gone else v for v in self._faces[k]) for k in old]
                     yield old, [new for new in moved if len(set(new)) == 3]
-            other = next(k for k in both if set(self._faces[k]) != {a, b, c})
-            (d,) = set(self._faces[other]) - {a, b}
+            beyond = {v for k in both for v in self._faces[k]} - {a, b, c}
+            if len(beyond) != 1:  # two faces back to back
+                continue
+            (d,) = beyond
             few = min(len(self._around[a]), len(self._around[b])) <= 3
             if not (few or self._around[c] & self._around[d]):
                 yield sorted(both), [(c, a, d), (d, b, c)]
@@ -103,7 +107,7 @@ class _Patches:
         return {v for k in self._around[vertex] for v in self._faces[k]} - {vertex}
 
     def _closed(self, vertex: int) -> bool:
-        """Whether faces are all around it: an open border stays where it is."""
+        """Whether faces are all around it, more than three: an open border stays where it is."""
         return len(self._near(vertex)) == len(self._around[vertex]) > 3
 
     def _cost(self, faces: list[Corners]) -> tuple[float, float]:

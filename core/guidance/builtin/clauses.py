@@ -52,7 +52,9 @@ class Clauses:
         self._accessory: dict[str, int] | None = None
         self._strange = False  # whether the last word that was read in the phrase is unknown
         self._depicted = ""  # the thing is a statue, a figure or the like: as it was written
-        self._made_of = False  # whether the thing is "made of" its material
+        self._block: Entry | None = None  # the material that all of the thing is said to be of
+        self._made_of = False  # whether it is "made of" that
+        self._made_as: list[str] = []  # words before the thing that say what it is of
         self._of_another = False  # whether all of it is about another thing
         self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began
         self._late = False  # whether a comma has ended the clause that has the thing

@@ -40,7 +40,7 @@ SHADES: dict[str, dict[str, str]] = {
         "bright orange": "ff7a0a", "burnt orange": "c1541b", "amber": "e09a20",
         "rust orange": "b1521c", "tangerine orange": "f28500", "apricot orange": "f5a86a",
         "pumpkin orange": "ee7a1e", "carrot orange": "ed8128", "safety orange": "ff6a00",
-        "coral orange": "ff7f50", "peach orange": "fbb27c",
+        "coral orange": "ff7f50", "peach orange": "fbb27c", "ginger": "c8702a",
     },
     "yellow": {
         "bright yellow": "ffe01a", "lemon yellow": "f4e04d", "golden yellow": "f5b81f",
@@ -122,6 +122,7 @@ SHADES: dict[str, dict[str, str]] = {
         "ivory": "f0e8d4", "ivory coloured": "f0e8d4", "ivory colored": "f0e8d4",
         "tan": "c8a070", "khaki": "b8a97c", "sand coloured": "d8c08c", "sand colored": "d8c08c",
         "champagne": "ead6ae", "wheat coloured": "e0c890", "wheat colored": "e0c890",
+        "blonde": "e3c37a", "blond": "e3c37a",
     },
 }  # fmt: skip
 RAINBOW = "rainbow"

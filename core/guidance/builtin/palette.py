@@ -287,10 +287,10 @@ def _of_words(
     if not material:
         return "", "", look.finish, look.color, look.pattern
     finish = FINISHES[material]
-    own = next(iter(looks(noun).values())) if stated.is_statue else look
-    color = finish.color or own.color
     of_statue = stated.is_statue and not accent.material
-    if form in ALSO_COLORS and look.material in NO_METAL and not of_statue:  # "silver hair"
+    mains = (one.color for one in looks(noun).values() if one.role == "*")
+    color = finish.color or (next(mains, look.color) if of_statue else look.color)
+    if form in ALSO_COLORS and look.material in NO_METAL and not stated.is_statue:  # "silver hair"
         return "", "", look.finish, color, look.pattern
     return material, form, finish, color, finish.pattern
 

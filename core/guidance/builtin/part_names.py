@@ -34,7 +34,7 @@ def may_state(noun: str, part: str) -> bool:
 
 def as_part(entry: Entry, noun: str) -> str:
     """The name under which a thing is a part of another: a bottle's cap, a piano's keys; or ""."""
-    for name in (entry.word, entry.form):
+    for name in (entry.form, entry.word):
         states = [state.removeprefix("no ") for state in OPTIONS.get(noun, ())]
         if name in states or own_name(noun, name):
             return name

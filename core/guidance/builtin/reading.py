@@ -7,6 +7,7 @@ from core.guidance.builtin.clauses import EITHER, NOT_SAID, Clauses
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import with_article
+from core.guidance.builtin.kinds import look_of_kind
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
@@ -33,17 +34,23 @@ from core.guidance.builtin.words import (
     AS_MATERIAL,
     CARVED,
     CAST,
+    COLORED,
     COUNTS,
     DEPICTIONS,
+    EDIBLE,
     FIGURES,
     FILLER,
+    FOLDABLE,
+    FOLDED,
     FROZEN,
     GEMS,
     GOES_WITH,
+    HOW_MADE,
     IGNORED_ADJECTIVES,
     LIFELESS,
     LOOKS,
     MOULDED,
+    NOT_OF_BONE,
     OF_ANIMALS,
     OF_ANOTHER,
     OF_WHAT_LIES,
@@ -51,8 +58,10 @@ from core.guidance.builtin.words import (
     PHRASE_ENDS,
     PLAIN,
     PLUSHIES,
+    ROBOTS,
     ROLES,
     SEWN,
+    SHAPED_OF,
     SIZE_WORDS,
     STATUES,
     SURROUNDINGS,
@@ -82,9 +91,11 @@ class Reading(Clauses):
             at += self._take(at)
         self._end_phrase()
         self._leave_strange_parts_aside()
+        self._set_its_gem()
         self._make_as_qualified()
         self._spare_the_living()
-        self._say_whether_a_statue()
+        self._say_what_it_depicts()
+        self._look_like_its_kind()
         self._say_how_large()
 
     def _take(self, at: int) -> int:
@@ -115,6 +126,8 @@ class Reading(Clauses):
             if phrase in TOYS and self._accessory is None:  # not "a child with a toy"
                 self._take_toy(phrase)
                 return count
+            if count > 1 and phrase in HOW_MADE:
+                return count
             if count > 1 and phrase in IGNORED_ADJECTIVES:
                 self.got.left_out.append(phrase)
                 return count
@@ -138,10 +151,12 @@ class Reading(Clauses):
         elif token in SIZE_WORDS:
             if token != "little":  # "a little rusty"
                 self.got.leave_aside([token], "only the whole thing has a size")
-        elif self._says_how(token, at):  # "painted white"
+        elif self._says_how(token, at) or token in HOW_MADE:  # "painted white"
             pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
             self.got.left_out.append(token)
+            if token in AS_MATERIAL and not (self.got.found["noun"] or self._without):
+                self.got.qualifiers.append(token)
         elif token in COUNTS and not self.got.found["noun"]:
             self.got.notes.append(f"{token}: one thing is made at a time.")
         elif token in COUNTS:
@@ -223,7 +238,8 @@ class Reading(Clauses):
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
             entry = Entry("part", "gem", entry.form)
         behind = next(iter(self._tokens.words[end : end + 1]), "")
-        if entry.form in GEMS and self.got.thing and is_own(self.got.thing, behind):  # "ruby eyes"
+        goes_on = self.got.thing and end not in self._tokens.breaks
+        if entry.form in GEMS and goes_on and is_own(self.got.thing, behind):  # "ruby eyes"
             entry = Entry("color", GEMS[entry.form], GEMS[entry.form])
         owner = entry.slot == "noun" and self._is_owner(entry, end)
         if owner and self._tokens.has_thing(end):  # "a knight's shield"
@@ -262,7 +278,8 @@ class Reading(Clauses):
             worn = self._noun_end == start and noun in GROUPS["Characters"]
             part = "" if worn else as_part(entry, noun)
             if not part and self._is_said_of(entry, start):
-                self.got.left_out.append(entry.form)
+                if not self._depict(entry.form):
+                    self.got.left_out.append(entry.form)
                 self._noun_end = end if self._noun_end == start else -1
                 return
             slot, word = ("part", part) if part else (slot, word)
@@ -288,8 +305,8 @@ class Reading(Clauses):
                 self._leave_what_it_is_not()
                 self._head(entry, start, end)
             self.got.found[slot].append(entry)
-            if slot == "material" and self._accessory is None:
-                self._made_of |= self._ended_by in ("of", "from")
+            if slot == "material":
+                self._take_block(entry, end)
         begun = self._begun if self._late and self._accessory is None else self._accessory
         if slot == "pattern" and entry.form in FIGURES and begun is not None:
             # "with orange stripes and a lid": it is complete, and what it lies on is not orange.
@@ -355,10 +372,28 @@ class Reading(Clauses):
             thing, depiction = before, entry
         else:
             return False
-        self._depicted = depiction.form
-        self.got.is_statue = depiction.form in STATUES
+        self._depict(depiction.form)
         self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
         return True
+
+    def _depict(self, form: str) -> bool:
+        """The thing is a statue, a soft toy or the like; whether that says what it is of."""
+        self._depicted = form
+        self.got.is_statue = form in STATUES
+        return form in (*STATUES, *PLUSHIES)
+
+    def _take_block(self, material: Entry, end: int) -> None:
+        """A material that all of the thing is said to be of, and not only its coat: "a slate blue
+        horse", "a copper coloured cat"."""
+        behind = next(iter(self._tokens.words[end : end + 1]), "")
+        color = look_up(behind, self.known) if end not in self._tokens.breaks else None
+        if behind in COLORED or (color is not None and color.slot == "color"):
+            return
+        shaped = bool(set(SHAPED_OF) & set(self._tokens.words))
+        made_of = self._ended_by in ("of", "from") or (self._ended_by == "in" and shaped)
+        if made_of or (self._accessory is None and (self._late or not self.got.found["noun"])):
+            self._block = material
+        self._made_of |= made_of and bool(self.got.found["noun"])
 
     def _note_whole(self, part: str, form: str, start: int) -> None:
         """Of "a sword handle" the whole sword is made."""
@@ -386,44 +421,89 @@ class Reading(Clauses):
             weather.remove(one)
             self.got.leave_aside([one.form], "what is alive is not worn")
 
-    def _say_whether_a_statue(self) -> None:
-        """A statue is of stone where nothing is said; of an animal of stone the eyes are too."""
-        found = self.got.found["material"]
+    def _say_what_it_depicts(self) -> None:
+        """A statue is of one material, of stone where none is named, and so is a stone lion. A
+        soft toy is small, and of plush."""
+        found, thing = self.got.found["material"], self.got.thing
         usual = "stone" if self.got.is_statue else "plush" if self._depicted in PLUSHIES else ""
         of = look_up(usual, self.known)
         if usual and of is not None and not found:
             found.append(of)
             self.got.notes.append(f"No material is named: made of {usual}.")
-        thing = self.got.thing
-        if not found or thing in LIFELESS:
+        person = thing in (*ROLES, *GROUPS[PEOPLE]) and thing not in LIFELESS
+        animal = any(thing in GROUPS[group] for group in ANIMALS) and thing not in ROLES
+        animal &= thing not in LIFELESS
+        toys = [one.form for one in found if one.form in SEWN and (animal or person)]
+        toys += [self._depicted] if self._depicted in PLUSHIES else []
+        toys += [form for form in self._made_as if form in FOLDED]
+        toys += [one.form for one in found if one.form in FOLDED and thing in FOLDABLE]
+        if toys and not self.got.is_toy:
+            self._take_toy(toys[0])
+        block = self._block
+        if animal and "balloon" in self.got.qualifiers:
+            self.got.is_statue = True
+            if not self.got.found["color"] and "balloon" in self._made_as:
+                self.got.found["color"].append(Entry("color", "red", "red"))
+        if block not in found or not (animal or person):
             return
-        cast = found[0].word in CAST and found[0].form not in ALSO_OF_FUR
-        if any(thing in GROUPS[group] for group in ANIMALS) and thing not in ROLES:
-            self.got.is_statue |= cast or found[0].form in MOULDED or self._made_of
-            if found[0].form in SEWN and not self.got.is_toy:
-                self._take_toy(found[0].form)
-        elif thing in (*ROLES, *GROUPS[PEOPLE]):
-            carved = found[0].word in CARVED or found[0].form in MOULDED
-            self.got.is_statue |= carved or self._made_of
+        breed = self.got.found["noun"][0].is_narrower
+        if animal and breed and block.form in EDIBLE:  # "a chocolate labrador"
+            found.remove(block)
+            self.got.found["color"].append(Entry("color", "brown", "chocolate brown"))
+            return
+        words = self._tokens.words
+        shaped = self._made_of or bool({*SHAPED_OF, "carving"} & set(words))
+        solid = (shaped and block.word != "fabric") or block.form in MOULDED
+        cast = block.word in CAST and block.form not in ALSO_OF_FUR
+        self.got.is_statue |= solid or (cast if animal else block.word in CARVED)
+
+    def _set_its_gem(self) -> None:
+        """ "An emerald ring" has an emerald."""
+        colors = self.got.found["color"]
+        stones = [one for one in colors if one.form in GEMS]
+        if stones and own_name(self.got.thing, "gem"):
+            colors.remove(stones[0])
+            form = shade(*stones[0][1:])
+            self.got.parts.append(StatedPart("gem", True, "gem", stones[0].word, form))
+
+    def _look_like_its_kind(self) -> None:
+        """A crow is black, made as a bird that is blue, where no colour is stated."""
+        found = self.got.found
+        if not found["noun"] or found["color"] or found["pattern"] or self.got.is_statue:
+            return
+        whole, parts = look_of_kind(found["noun"][0].form)
+        said = {own_name(self.got.thing, part.name) for part in self.got.parts}
+        looks = [(entry.slot, entry) for phrase in whole if (entry := look_up(phrase, self.known))]
+        for slot, entry in looks:
+            found[slot].append(entry)
+        for part in parts.keys() & looks_of(self.got.thing).keys() - said:
+            color = look_up(parts[part], self.known)
+            if color is not None:
+                form = shade(*color[1:])
+                self.got.parts.append(StatedPart(part, True, part, color.word, form))
 
     def _make_as_qualified(self) -> None:
         """ "A robot dog" is of metal, where nothing else is said."""
-        said = {*self.got.qualifiers, *(IGNORED_ADJECTIVES & set(self.got.left_out))}
-        for form in AS_MATERIAL.keys() & said:
+        for form in (form for form in AS_MATERIAL if form in self.got.qualifiers):
             of = look_up(AS_MATERIAL[form], self.known)
             if of is not None and not self.got.found["material"] and self._may_be_of(form):
                 self.got.left_out.remove(form)
                 self.got.notes.append(f"{form}: made as {of.form.removeprefix('of ')}.")
                 self.got.found["material"].append(of)
+                self._made_as.append(form)
+                if form not in ROBOTS:
+                    self._block = of
 
     def _may_be_of(self, form: str) -> bool:
         """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
         alive = any(self.got.thing in GROUPS[group] for group in ALIVE)
         if form in OF_ANIMALS:
-            return alive
+            return any(self.got.thing in GROUPS[group] for group in ANIMALS)
+        if form == "bone":
+            return self.got.thing not in NOT_OF_BONE
         if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
             return True
-        return form == "ice" and (alive or self.got.thing in FROZEN)
+        return form in ("ice", "frozen") and (alive or self.got.thing in FROZEN)
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
@@ -435,8 +515,10 @@ class Reading(Clauses):
             form = self.got.found["noun"].pop().form
             if form in GEMS and own_name(noun.word, "gem"):  # "a ruby ring"
                 self.got.parts.append(StatedPart("gem", True, form, GEMS[form]))
-            elif form in PLUSHIES:  # "a soft toy elephant"
-                self._depicted = form
+            elif form in GEMS and form != "diamond":  # "a ruby heart"
+                self.got.found["color"].append(Entry("color", GEMS[form], GEMS[form]))
+            elif form in PLUSHIES and any(noun.word in GROUPS[group] for group in ALIVE):
+                self._depict(form)  # "a soft toy elephant"
                 self.got.notes.append(f"{form}: made as {with_article('noun', noun.word)}.")
             else:
                 self.got.left_out.append(form)

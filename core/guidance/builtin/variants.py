@@ -123,7 +123,9 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "stoneware": Variant("clay", (0.66, 0.60, 0.52), 0.5),
     "enamel, enameled, enamelled": Variant("paint", None, 0.12),
     "mother of pearl": Variant("marble", (0.92, 0.89, 0.87), 0.12),
-    "of bone, of bones, made of bone, made of bones": Variant("bone", (0.89, 0.84, 0.73), 0.45),
+    "of bone, of bones, made of bone, made of bones, from bone": Variant(
+        "bone", (0.89, 0.84, 0.73), 0.45
+    ),
     # of stone
     "glass": Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
     # of glass: the colour is that of a wall
@@ -137,7 +139,7 @@ _ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of th
     "frosted glass": Variant("glass", (0.96, 0.98, 0.98), 0.5, 0.85),
     "tinted glass, smoked glass, smoky glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
     "stained glass": Variant("glass", None, 0.08, 0.7),
-    "of ice, made of ice, icy": Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6),
+    "of ice, made of ice, from ice, icy": Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6),
     # of copper
     "bronze": Variant("copper", (0.66, 0.47, 0.27), 0.35),
     "polished copper": Variant("polished metal", None, 0.12),

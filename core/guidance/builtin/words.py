@@ -62,10 +62,11 @@ MATERIALS = {
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, bone china, glazed ceramic; clay, terracotta, terra cotta, "
     "earthenware, stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, "
-    "made of bones, of bone, of bones",
+    "made of bones, of bone, of bones, from bone",
     "leather": "; suede, faux leather, patent leather, snakeskin",
     "glass": "glassy, glass like; crystal glass, crystalline, frosted glass, clear glass, "
     "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice, "
+    "from ice, "
     "transparent, translucent, crystal clear, see through, see thru, perspex, plexiglass, "
     "plexiglas",
     "copper": "polished copper; bronze",
@@ -256,10 +257,14 @@ PART_ALSO = {
     "shoes": "boots, feet",
     "cape": "robe, coat",
     "cloak": "cape, robe, coat",
-    "dress": "robe, skirt, coat",
-    "robe": "coat, cape, tunic, dress",
-    "shirt": "tunic, suit, coat, vest, top",
-    "jacket": "coat, suit, tunic, vest",
+    "dress": "robe, skirt, coat, shirt, tunic",
+    "robe": "coat, cape, tunic, dress, shirt",
+    "robes": "coat, cape, tunic, dress, shirt",
+    "shirt": "tunic, suit, coat, vest, top, uniform",
+    "jacket": "coat, suit, tunic, uniform, vest, shirt",
+    "suit": "coat, uniform, armour, robe, tunic, shirt",
+    "coat": "uniform, robe, suit, tunic, dress, shirt",
+    "crown": "gold",
     "armor": "armour, suit, body, plates",
     "armour": "suit, body, plates",
     "outfit": "suit, coat, robe, tunic, dress, shirt, armour",
@@ -283,21 +288,26 @@ WHOLE = frozenset(
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
 # A thing that says, before another, what that is made of: "a robot dog", "a crystal ball".
-AS_MATERIAL = dict.fromkeys(("robot", "cyborg", "android"), "metal") | {
+ROBOTS = ("robot", "cyborg", "android")
+AS_MATERIAL = dict.fromkeys(ROBOTS, "metal") | {
     "crystal": "crystal glass",
     "bone": "of bone",
     "lego": "plastic",
     "origami": "paper",
-    "balloon": "latex",
+    "papercraft": "paper",
+    "amigurumi": "crochet",
+    "balloon": "vinyl",
     "inflatable": "vinyl",
     "stuffed": "plush",
     "cuddly": "plush",
-    "ice": "icy",
+    "ice": "of ice",
+    "frozen": "of ice",
     "snow": "plaster",
     "sand": "sandstone",
 }
 # Of these only buildings and likenesses are: an ice bucket is for ice, a snow leopard white.
-OF_WHAT_LIES = ("ice", "snow", "sand")
+OF_WHAT_LIES = ("ice", "frozen", "snow", "sand")
+NOT_OF_BONE = ("saw", "cooking pot")
 FROZEN = ("throne", "crown", "sword", "shield", "staff")  # and an ice dragon
 OF_ANIMALS = ("stuffed", "cuddly", "balloon")  # a stuffed pepper is not of plush
 # Materials that say little.
@@ -322,7 +332,7 @@ FILLER = PLACES | frozenset(
     simple studio lighting isolated background view please style shape cute
     shaped asset game ready material s has have that which for texture textured pattern patterned
     pair bunch slice piece segment section wearing holding new classic modern traditional elegant
-    lovely pretty infront shot replica pose posed warm cool or nor but only extra
+    lovely pretty infront shot carving replica pose posed warm cool or nor but only extra
     some please pls plz i you we he she they me my your his her our their want need would make
     create generate give show draw build design lol idk omg btw tho kinda smth something just only
     really number also thats too so any yet other nothing else lowkey quite actually basically
@@ -415,9 +425,9 @@ IGNORED_ADJECTIVES = frozenset(
     cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
-    carved handmade crafted painted decorated evil miniature empty full racing
+    handmade decorated evil miniature empty full racing
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
-    smiling half broken open closed filled covered surrounded topped toy figurine prop
+    smiling half broken open closed filled surrounded topped toy figurine prop
     ornament stuffed cuddly cut sliced stained bent torn crooked percent
     double triple mesh
     backwards upright sideways stuck kept tied hung sick laser lazer
@@ -431,7 +441,7 @@ IGNORED_ADJECTIVES = frozenset(
 ) | {
     *("stove top", "table top", "wall mounted", "free standing", "floor standing"),
     *("old fashioned", "never used", "barely used", "life cycle", "low key"),
-    *("hand carved", "hand crafted", "hand painted", "hand drawn", "sci fi", "science fiction"),
+    *("hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("lawn ornament", "garden ornament", "lawn decoration", "garden decoration"),
     *("you can", "can see", "you can see", "so you can"),
@@ -444,6 +454,15 @@ IGNORED_ADJECTIVES |= {
     for count in ("one", "two", "three", "four", "five", "six", "1", "2", "3", "4", "5", "6")
     for of in "seater poster piece storey story stories tier tiered way burner".split()
 }
+COLORED = ("colored", "coloured", "color", "colour")
+# How a thing came by its material or its looks, which are said by themselves.
+HOW_MADE = frozenset(
+    """carved cast hewn sculpted chiseled chiselled forged moulded molded welded wrapped covered
+    bound bare hammered crafted painted handcrafted embroidered""".split()
+) | {
+    *("hand carved", "hand crafted", "hand painted", "hand forged", "hand blown"),
+}
+SHAPED_OF = ("carved", "cast", "hewn", "sculpted", "chiseled", "chiselled")  # from one block
 # What makes a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split()) | {
     *("scale model", "scale replica", "ho scale", "n scale", "small scale"),
@@ -459,18 +478,26 @@ SIZE_WORDS = {
 }
 FILLER |= SIZE_WORDS.keys()
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze, eyes and all.
-STATUES = ("statue", "sculpture", "carving", "statuette", "idol", "effigy")
+STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
 DEPICTIONS = (*STATUES, *PLUSHIES, "figure", "doll", "character")
-# Materials of which an animal is no animal, but cast or carved from one block; and somebody.
+# An animal of these is a statue of one; of somebody, a gold wizard, that is so of fewer.
 CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass")
-# And forms of other materials, of both.
-MOULDED = ("chocolate", "white chocolate", "dark chocolate", "clay", "terracotta", "terra cotta")
-MOULDED += ("latex", "vinyl", "of bone")
-# Of these an animal is a toy.
+EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
+MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
+# What is living and of these is a soft toy.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
-# Words for them that are colours of fur and hair as well: "a golden lion".
+FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
+FOLDED = (
+    "origami",
+    "papercraft",
+    "lego",
+    "paper",
+    "papier mache",
+    "paper mache",
+)  # of these it is a toy too
+# Words for metals that on hair and skin are colours; of a whole animal fewer are: "a golden lion".
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 ALSO_OF_FUR = ("silver", "silvery", "golden")
 # What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
@@ -479,7 +506,8 @@ ALIVE = (PEOPLE, *ANIMALS)
 AGES = frozenset("old ancient aged".split())
 # Of these groups what is made, or dead.
 LIFELESS = frozenset(
-    """moai obelisk mask doll nutcracker mech golem skeleton scarecrow snowman bone tooth""".split()
+    """moai obelisk mask eyeball doll nutcracker mech golem skeleton scarecrow snowman bone
+    tooth""".split()
 ) | {"totem pole", "teddy bear"}
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
@@ -487,6 +515,7 @@ ROLES = frozenset(
 )
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
+ALONE |= {"emerald": "gem"}
 ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant", "straw": "hay bale"}
 ALONE |= {
     "cobblestone": "boulder",

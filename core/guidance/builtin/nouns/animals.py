@@ -230,7 +230,8 @@ ANIMALS = {
         Usual(0.9, FLESH, 0.32),
     ),
     "bird": Noun(
-        "songbird, birdie; sparrow, crow, raven, pigeon, dove, seagull, robin, bluebird, "
+        "songbird, birdie; origami crane, paper crane, sparrow, crow, raven, pigeon, dove, "
+        "seagull, robin, bluebird, "
         "blackbird, canary, finch, woodpecker, hummingbird, magpie, kingfisher, cardinal, blue "
         "jay, cuckoo, swallow, starling, puffin, pelican, phoenix, nightingale, "
         "albatross",

@@ -83,8 +83,7 @@ HOUSEHOLD = {
         Usual(0.4, COPPER, 0.4),
     ),
     "bust": Noun(
-        "head bust, statue head; statue, sculpture, statuette, carving, idol, effigy, "
-        "mannequin head",
+        "head bust, statue head; statue, sculpture, statuette, idol, effigy, mannequin head",
         {
             "body": "*dcd6ca . stone",
             "hair": "&c2b9a8 . stone",

@@ -157,7 +157,7 @@ TOOLS_AND_TOYS = {
         Usual(0.45, WOOD),
     ),
     "rocking horse": Noun(
-        "wooden horse, toy horse; hobby horse",
+        "toy horse; hobby horse",
         {
             "body": "*c08a50 grain",
             "mane": "+4a2c18",

@@ -286,7 +286,7 @@ WILD_ANIMALS = {
         Usual(8.0, FLESH, 0.2),
     ),
     "raccoon": Noun(
-        "racoon, trash panda; coati, baby raccoon",
+        "racoon, trash panda; coati, baby raccoon, red panda",
         {
             "body": "*83858a",
             "mask": "+232327",
