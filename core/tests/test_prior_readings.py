@@ -8,6 +8,7 @@ from core.errors import UserError
 from core.guidance.builtin.kinds import KINDS, look_of_kind
 from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.palette import painted
 from core.guidance.builtin.surfaces import CARVED_STONE, surfaces_of
 from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.variants import VARIANTS, Variant
@@ -204,7 +205,7 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
         ("a chocolate bunny", "chocolate"),
         ("a marble angel", "marble"),
         ("a sculpture of a car", "stone"),
-        ("an inflatable flamingo", "vinyl"),
+        ("an inflatable flamingo", "plastic"),
         ("a terracotta warrior", "terracotta"),
         ("an ice dragon", "of ice"),
     ],
@@ -328,3 +329,22 @@ def test_every_kind_is_a_noun_with_such_parts_and_known_colours() -> None:
         assert slot in ("noun", "color"), form
         assert {*whole, *parts.values()} <= LEXICON.keys(), form
         assert slot == "color" or parts.keys() <= NOUNS[noun].looks.keys(), form
+
+
+def test_a_stained_glass_window_has_that_pane_and_a_frame_of_its_own() -> None:
+    kinds = {
+        part.name: part.material for part in painted("window", parse("a stained glass window"))
+    }
+    assert kinds == {"frame": "", "glass": "glass", "sill": "", "shutters": ""}
+
+
+def test_gold_that_is_a_colour_of_fur_weighs_nothing() -> None:
+    lion, golden, cast = (
+        parse(prompt).usual()[1] for prompt in ("a lion", "a golden lion", "a lion made of gold")
+    )
+    assert lion == golden < cast / 10
+
+
+def test_an_action_figure_is_small() -> None:
+    words = parse("an action figure of a robot")
+    assert (words.noun, words.is_toy, words.is_statue) == ("robot", True, False)

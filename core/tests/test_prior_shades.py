@@ -127,7 +127,7 @@ def test_a_stone_is_the_gem_of_what_has_one():
     )  # fmt: skip
     assert parse("a crown with rubies").of_parts("color") == {"gems": "red"}
     assert parse("an emerald vase").color_form == "emerald"
-    assert parse("an emerald ring").color_form == "emerald"
+    assert parse("an emerald ring").of_parts("color") == {"gem": "green"}
 
 
 def test_what_is_said_to_glow_does_and_a_part_more_than_a_whole():

@@ -7,12 +7,11 @@ from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.colors import RAINBOW
 from core.guidance.builtin.findings import Findings
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
-from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.living import ROLES, is_creature
 from core.guidance.builtin.part_names import is_own, may_state, own_name, owns
 from core.guidance.builtin.tokens import MADE, Tokens
 from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
-    ALIVE,
     ALONE,
     ARTICLES,
     DEPICTIONS,
@@ -20,7 +19,6 @@ from core.guidance.builtin.words import (
     LEGS,
     LOOKS,
     PHRASE_ENDS,
-    ROLES,
     SURFACE,
     WHOLE,
     WITHOUT,
@@ -258,7 +256,7 @@ class Clauses:
 
     def _is_owner(self, entry: Entry, end: int) -> bool:
         """Whether what follows is the noun's: "a knight's shield", "a knights shield"."""
-        living = any(entry.word in GROUPS[group] for group in ALIVE)
+        living = is_creature(entry.word)
         plural = self._tokens.words[end - 1] == f"{entry.form}s"
         return (living and plural) or end - 1 in self._tokens.owners
 
@@ -274,8 +272,7 @@ class Clauses:
 
     def _is_said_of(self, entry: Entry, start: int) -> bool:
         """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""
-        living = any(self.got.thing in GROUPS[group] for group in ALIVE)
-        role = living and self._noun_end == start and entry.word in ROLES
+        role = is_creature(self.got.thing) and self._noun_end == start and entry.word in ROLES
         return role or (self._late and self._accessory is None and entry.form in DEPICTIONS)
 
     def _is_head(self, part: str, start: int) -> bool:

@@ -72,6 +72,7 @@ _ROWS = {
     "eel": "charcoal; belly: grey",
     "toad": "umber; belly: tan; mouth: umber",
     "tadpole": "charcoal; belly: charcoal; mouth: charcoal",
+    "axolotl": "salmon pink; belly: pink; crest: hot pink",
     "moth": "beige; edges: umber",
     "black widow": "black",
     "fly, housefly": "black; stripes: charcoal; head: black",

@@ -33,6 +33,7 @@ from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
+GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
@@ -305,6 +306,8 @@ def is_of(noun: str, look: Look, material: str) -> bool:
     of what is no metal, such as a wooden chest's bands (of a wooden sword the guard too); nor a
     golden medal's ribbon; nor, where the thing is of it by nature, what else it has, such as a
     glass bottle's cap."""
+    if material == "glass" and noun in GLAZED:
+        return look.material == "glass"
     if look.role != "+" or not material:
         return look.role != "-"
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):

@@ -3,9 +3,9 @@
 from collections.abc import Collection
 
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
-from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.living import is_creature
+from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.words import (
-    ALIVE,
     BORNE,
     LEGS,
     OPTIONS,
@@ -96,8 +96,7 @@ def can_lack(noun: str, parts: Collection[str]) -> bool:
     without leaves, with some part where none that is gone bore it."""
     left = {name: look for name, look in looks_of(noun).items() if name not in parts}
     main = any(look[0] == "*" for look in left.values())
-    alive = any(noun in GROUPS[group] for group in ALIVE)
-    return main or bool(left and not alive and not WHOLE.intersection(parts))
+    return main or bool(left and not is_creature(noun) and not WHOLE.intersection(parts))
 
 
 def _names(part: str, also: bool = True) -> list[str]:

@@ -3,11 +3,10 @@
 import re
 
 from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.clauses import EITHER, NOT_SAID, Clauses
+from core.guidance.builtin.clauses import EITHER, NOT_SAID
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.kinds import look_of_kind
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
@@ -18,52 +17,30 @@ from core.guidance.builtin.lexicon import (
     look_up,
     singulars,
 )
-from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.likeness import Likeness
+from core.guidance.builtin.living import is_creature
+from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state, own_name
-from core.guidance.builtin.sizes import TOY_SIZE
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.word_order import set_in_order
 from core.guidance.builtin.words import (
-    AGES,
-    ALIVE,
     ALONE,
-    ALSO_OF_FUR,
-    ANIMALS,
     ARTICLES,
     AS_MATERIAL,
-    CARVED,
-    CAST,
-    COLORED,
     COUNTS,
-    DEPICTIONS,
-    EDIBLE,
     FIGURES,
     FILLER,
-    FOLDABLE,
-    FOLDED,
-    FROZEN,
     GEMS,
     GOES_WITH,
     HOW_MADE,
     IGNORED_ADJECTIVES,
-    LIFELESS,
     LOOKS,
-    MOULDED,
-    NOT_OF_BONE,
-    OF_ANIMALS,
     OF_ANOTHER,
-    OF_WHAT_LIES,
-    PEOPLE,
     PHRASE_ENDS,
     PLAIN,
     PLUSHIES,
-    ROBOTS,
-    ROLES,
-    SEWN,
-    SHAPED_OF,
     SIZE_WORDS,
-    STATUES,
     SURROUNDINGS,
     TOYS,
     WITHOUT,
@@ -72,7 +49,7 @@ from core.guidance.builtin.words import (
 AHEAD = 6  # words in which a thing may still come
 
 
-class Reading(Clauses):
+class Reading(Likeness):
     """A prompt's words, sorted into slots.
 
     ``alone``: what ends a phrase is a thing if it can be one: "a grey rock" is a boulder.
@@ -194,15 +171,6 @@ class Reading(Clauses):
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
-
-    def _take_toy(self, form: str) -> None:
-        if self._without:
-            self.got.leave_aside(["not", form], NOT_SAID)
-            return
-        self.got.is_toy = True
-        if self.got.thing and NOUNS[self.got.thing].usual.size_m <= TOY_SIZE:
-            return
-        self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
 
     def _say_how_large(self) -> None:
         """What "small" and the like change, if anything."""
@@ -357,44 +325,6 @@ class Reading(Clauses):
             self.got.left_out += [form for form in plain if form != clearest[look].form]
         return clearest
 
-    def _is_depicted(self, entry: Entry) -> bool:
-        """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
-        lion", "a lion statue". The thing is made then."""
-        nouns = self.got.found["noun"]
-        if len(nouns) != 1 or nouns[0].word == entry.word:
-            return False
-        before = nouns[0]
-        if before.form in DEPICTIONS and self._accessory is not None and self._ended_by == "of":
-            nouns[:] = [entry]
-            self._accessory = None
-            thing, depiction = entry, before
-        elif entry.form in DEPICTIONS and self._noun_end >= 0:
-            thing, depiction = before, entry
-        else:
-            return False
-        self._depict(depiction.form)
-        self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
-        return True
-
-    def _depict(self, form: str) -> bool:
-        """The thing is a statue, a soft toy or the like; whether that says what it is of."""
-        self._depicted = form
-        self.got.is_statue = form in STATUES
-        return form in (*STATUES, *PLUSHIES)
-
-    def _take_block(self, material: Entry, end: int) -> None:
-        """A material that all of the thing is said to be of, and not only its coat: "a slate blue
-        horse", "a copper coloured cat"."""
-        behind = next(iter(self._tokens.words[end : end + 1]), "")
-        color = look_up(behind, self.known) if end not in self._tokens.breaks else None
-        if behind in COLORED or (color is not None and color.slot == "color"):
-            return
-        shaped = bool(set(SHAPED_OF) & set(self._tokens.words))
-        made_of = self._ended_by in ("of", "from") or (self._ended_by == "in" and shaped)
-        if made_of or (self._accessory is None and (self._late or not self.got.found["noun"])):
-            self._block = material
-        self._made_of |= made_of and bool(self.got.found["noun"])
-
     def _note_whole(self, part: str, form: str, start: int) -> None:
         """Of "a sword handle" the whole sword is made."""
         if self._noun_end == start and not self._without:
@@ -410,101 +340,6 @@ class Reading(Clauses):
             words = (part.color_form or part.color, of, part.pattern, part.form)
             self.got.leave_aside([" ".join(filter(None, words))], why)
 
-    def _spare_the_living(self) -> None:
-        """ "An old wizard" is not worn; an old doll, a stone lion and the statue of a king are."""
-        thing = self.got.thing
-        alive = any(thing in GROUPS[group] for group in ALIVE) and thing not in LIFELESS
-        if not alive or self.got.found["material"] or self._depicted:
-            return
-        weather = self.got.found["weather"]
-        for one in [one for one in weather if one.form in AGES]:
-            weather.remove(one)
-            self.got.leave_aside([one.form], "what is alive is not worn")
-
-    def _say_what_it_depicts(self) -> None:
-        """A statue is of one material, of stone where none is named, and so is a stone lion. A
-        soft toy is small, and of plush."""
-        found, thing = self.got.found["material"], self.got.thing
-        usual = "stone" if self.got.is_statue else "plush" if self._depicted in PLUSHIES else ""
-        of = look_up(usual, self.known)
-        if usual and of is not None and not found:
-            found.append(of)
-            self.got.notes.append(f"No material is named: made of {usual}.")
-        person = thing in (*ROLES, *GROUPS[PEOPLE]) and thing not in LIFELESS
-        animal = any(thing in GROUPS[group] for group in ANIMALS) and thing not in ROLES
-        animal &= thing not in LIFELESS
-        toys = [one.form for one in found if one.form in SEWN and (animal or person)]
-        toys += [self._depicted] if self._depicted in PLUSHIES else []
-        toys += [form for form in self._made_as if form in FOLDED]
-        toys += [one.form for one in found if one.form in FOLDED and thing in FOLDABLE]
-        if toys and not self.got.is_toy:
-            self._take_toy(toys[0])
-        block = self._block
-        if animal and "balloon" in self.got.qualifiers:
-            self.got.is_statue = True
-            if not self.got.found["color"] and "balloon" in self._made_as:
-                self.got.found["color"].append(Entry("color", "red", "red"))
-        if block not in found or not (animal or person):
-            return
-        breed = self.got.found["noun"][0].is_narrower
-        if animal and breed and block.form in EDIBLE:  # "a chocolate labrador"
-            found.remove(block)
-            self.got.found["color"].append(Entry("color", "brown", "chocolate brown"))
-            return
-        words = self._tokens.words
-        shaped = self._made_of or bool({*SHAPED_OF, "carving"} & set(words))
-        solid = (shaped and block.word != "fabric") or block.form in MOULDED
-        cast = block.word in CAST and block.form not in ALSO_OF_FUR
-        self.got.is_statue |= solid or (cast if animal else block.word in CARVED)
-
-    def _set_its_gem(self) -> None:
-        """ "An emerald ring" has an emerald."""
-        colors = self.got.found["color"]
-        stones = [one for one in colors if one.form in GEMS]
-        if stones and own_name(self.got.thing, "gem"):
-            colors.remove(stones[0])
-            form = shade(*stones[0][1:])
-            self.got.parts.append(StatedPart("gem", True, "gem", stones[0].word, form))
-
-    def _look_like_its_kind(self) -> None:
-        """A crow is black, made as a bird that is blue, where no colour is stated."""
-        found = self.got.found
-        if not found["noun"] or found["color"] or found["pattern"] or self.got.is_statue:
-            return
-        whole, parts = look_of_kind(found["noun"][0].form)
-        said = {own_name(self.got.thing, part.name) for part in self.got.parts}
-        looks = [(entry.slot, entry) for phrase in whole if (entry := look_up(phrase, self.known))]
-        for slot, entry in looks:
-            found[slot].append(entry)
-        for part in parts.keys() & looks_of(self.got.thing).keys() - said:
-            color = look_up(parts[part], self.known)
-            if color is not None:
-                form = shade(*color[1:])
-                self.got.parts.append(StatedPart(part, True, part, color.word, form))
-
-    def _make_as_qualified(self) -> None:
-        """ "A robot dog" is of metal, where nothing else is said."""
-        for form in (form for form in AS_MATERIAL if form in self.got.qualifiers):
-            of = look_up(AS_MATERIAL[form], self.known)
-            if of is not None and not self.got.found["material"] and self._may_be_of(form):
-                self.got.left_out.remove(form)
-                self.got.notes.append(f"{form}: made as {of.form.removeprefix('of ')}.")
-                self.got.found["material"].append(of)
-                self._made_as.append(form)
-                if form not in ROBOTS:
-                    self._block = of
-
-    def _may_be_of(self, form: str) -> bool:
-        """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
-        alive = any(self.got.thing in GROUPS[group] for group in ALIVE)
-        if form in OF_ANIMALS:
-            return any(self.got.thing in GROUPS[group] for group in ANIMALS)
-        if form == "bone":
-            return self.got.thing not in NOT_OF_BONE
-        if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
-            return True
-        return form in ("ice", "frozen") and (alive or self.got.thing in FROZEN)
-
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
         noun right before it ("desk lamp")."""
@@ -517,7 +352,7 @@ class Reading(Clauses):
                 self.got.parts.append(StatedPart("gem", True, form, GEMS[form]))
             elif form in GEMS and form != "diamond":  # "a ruby heart"
                 self.got.found["color"].append(Entry("color", GEMS[form], GEMS[form]))
-            elif form in PLUSHIES and any(noun.word in GROUPS[group] for group in ALIVE):
+            elif form in PLUSHIES and is_creature(noun.word):
                 self._depict(form)  # "a soft toy elephant"
                 self.got.notes.append(f"{form}: made as {with_article('noun', noun.word)}.")
             else:

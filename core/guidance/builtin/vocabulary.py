@@ -16,6 +16,7 @@ from typing import Any
 from core.errors import UserError
 from core.guidance.builtin.accents import Accent
 from core.guidance.builtin.lexicon import MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.measures import Size
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.prompt_errors import (
@@ -28,7 +29,7 @@ from core.guidance.builtin.prompt_errors import (
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
 from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words import GLASSWARE, PLAIN, WEATHERS
+from core.guidance.builtin.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
 from core.io.job import SIZES
 
 
@@ -76,7 +77,9 @@ class Words:
     def usual(self) -> tuple[float, float]:
         """The thing's usual size in metres, as "small" and the like have it, and its density in
         kg/m³."""
-        size, density = usual(self.noun, self.material, self.is_toy)
+        # Of an animal these are colours of its fur.
+        furry = self.material_form in ALSO_OF_FUR and not self.is_statue and is_animal(self.noun)
+        size, density = usual(self.noun, "" if furry else self.material, self.is_toy)
         return min(max(round(size * self.scale, 4), SIZES[0]), SIZES[1]), density
 
     def named_material(self) -> str:

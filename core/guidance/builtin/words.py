@@ -444,6 +444,7 @@ IGNORED_ADJECTIVES = frozenset(
     *("hand drawn", "sci fi", "science fiction"),
     *("king size", "king sized", "queen size", "queen sized", "full size", "life size"),
     *("lawn ornament", "garden ornament", "lawn decoration", "garden decoration"),
+    "wind up",
     *("you can", "can see", "you can see", "so you can"),
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
@@ -458,7 +459,7 @@ COLORED = ("colored", "coloured", "color", "colour")
 # How a thing came by its material or its looks, which are said by themselves.
 HOW_MADE = frozenset(
     """carved cast hewn sculpted chiseled chiselled forged moulded molded welded wrapped covered
-    bound bare hammered crafted painted handcrafted embroidered""".split()
+    bound bare hammered crafted painted handcrafted embroidered frosted""".split()
 ) | {
     *("hand carved", "hand crafted", "hand painted", "hand forged", "hand blown"),
 }
@@ -480,7 +481,8 @@ FILLER |= SIZE_WORDS.keys()
 # What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
-DEPICTIONS = (*STATUES, *PLUSHIES, "figure", "doll", "character")
+SMALL_FIGURES = ("action figure", "toy figure", "vinyl figure")
+DEPICTIONS = (*STATUES, *PLUSHIES, *SMALL_FIGURES, "figure", "doll", "character")
 # An animal of these is a statue of one; of somebody, a gold wizard, that is so of fewer.
 CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass")
@@ -500,19 +502,8 @@ FOLDED = (
 # Words for metals that on hair and skin are colours; of a whole animal fewer are: "a golden lion".
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 ALSO_OF_FUR = ("silver", "silvery", "golden")
-# What one that is alive may be besides: "a goblin archer" is a goblin. Its age wears nothing out.
-PEOPLE, ANIMALS = "Characters", ("Animals", "Wild Animals")
-ALIVE = (PEOPLE, *ANIMALS)
+# Of what is alive: it is not worn.
 AGES = frozenset("old ancient aged".split())
-# Of these groups what is made, or dead.
-LIFELESS = frozenset(
-    """moai obelisk mask eyeball doll nutcracker mech golem skeleton scarecrow snowman bone
-    tooth""".split()
-) | {"totem pole", "teddy bear"}
-ROLES = frozenset(
-    """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
-    soldier cowboy""".split()
-)
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
 ALONE |= {"emerald": "gem"}

@@ -42,7 +42,8 @@ EVERYDAY_FOOD = {
         Usual(0.22, PAPER, 0.05),
     ),
     "chocolate bar": Noun(
-        "bar of chocolate, choc bar, piece of chocolate; candy bar, milk chocolate",
+        "bar of chocolate, choc bar, piece of chocolate; candy bar, milk chocolate bar, "
+        "milk chocolate",
         {
             "chocolate": "-5a2f1a",
             "squares": "-6b3920",

@@ -152,7 +152,8 @@ FOOD = {
         Usual(0.25, FLESH, 0.27),
     ),
     "chicken drumstick": Noun(
-        "drumstick, chicken leg, turkey leg, meat on bone; fried chicken, roast chicken leg, "
+        "drumstick, chicken leg, turkey leg, meat on bone; fried chicken leg, fried chicken, "
+        "roast chicken leg, "
         "turkey drumstick, grilled chicken, leg of ham",
         {"meat": "*b5651f", "bone": "+f3ead6", "cuff": "&8f4a17"},
         Usual(0.15, FLESH, 0.29),

@@ -170,7 +170,7 @@ WILD_ANIMALS = {
         Usual(1.7, FLESH, 0.3),
     ),
     "lizard": Noun(
-        "; gecko, geckos, iguana, chameleon, salamander, newt, skink, komodo dragon, "
+        "; gecko, geckos, axolotl, iguana, chameleon, salamander, newt, skink, komodo dragon, "
         "monitor lizard, bearded dragon",
         {
             "body": "*58a83a",

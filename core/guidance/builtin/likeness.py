@@ -1,0 +1,185 @@
+"""What a prompt's thing is the likeness of, and what that is of. Standard library only.
+
+A statue of a lion is a lion of one material; a stuffed bunny is a small one of plush; a crow is a
+black bird.
+"""
+
+from core.guidance.builtin.accents import StatedPart
+from core.guidance.builtin.clauses import NOT_SAID, Clauses
+from core.guidance.builtin.colors import shade
+from core.guidance.builtin.findings import with_article
+from core.guidance.builtin.kinds import look_of_kind
+from core.guidance.builtin.lexicon import Entry, look_up
+from core.guidance.builtin.living import is_animal, is_creature, is_somebody
+from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.part_names import looks_of, own_name
+from core.guidance.builtin.sizes import TOY_SIZE
+from core.guidance.builtin.words import (
+    AGES,
+    ALSO_OF_FUR,
+    AS_MATERIAL,
+    CARVED,
+    CAST,
+    COLORED,
+    DEPICTIONS,
+    EDIBLE,
+    FOLDABLE,
+    FOLDED,
+    FROZEN,
+    GEMS,
+    MOULDED,
+    NOT_OF_BONE,
+    OF_ANIMALS,
+    OF_WHAT_LIES,
+    PLUSHIES,
+    ROBOTS,
+    SEWN,
+    SHAPED_OF,
+    SMALL_FIGURES,
+    STATUES,
+)
+
+
+class Likeness(Clauses):
+    """What is read of a thing's likeness."""
+
+    def _is_depicted(self, entry: Entry) -> bool:
+        """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
+        lion", "a lion statue". The thing is made then."""
+        nouns = self.got.found["noun"]
+        if len(nouns) != 1 or nouns[0].word == entry.word:
+            return False
+        before = nouns[0]
+        if before.form in DEPICTIONS and self._accessory is not None and self._ended_by == "of":
+            nouns[:] = [entry]
+            self._accessory = None
+            thing, depiction = entry, before
+        elif entry.form in DEPICTIONS and self._noun_end >= 0:
+            thing, depiction = before, entry
+        else:
+            return False
+        self._depict(depiction.form)
+        self.got.notes.append(f"{depiction.form}: made as {with_article('noun', thing.word)}.")
+        return True
+
+    def _depict(self, form: str) -> bool:
+        """The thing is a statue, a soft toy or the like; whether that says what it is of."""
+        self._depicted = form
+        self.got.is_statue = form in STATUES
+        return form in (*STATUES, *PLUSHIES)
+
+    def _take_block(self, material: Entry, end: int) -> None:
+        """A material that all of the thing is said to be of, and not only its coat: "a slate blue
+        horse", "a copper coloured cat"."""
+        behind = next(iter(self._tokens.words[end : end + 1]), "")
+        color = look_up(behind, self.known) if end not in self._tokens.breaks else None
+        if behind in COLORED or (color is not None and color.slot == "color"):
+            return
+        shaped = bool(set(SHAPED_OF) & set(self._tokens.words))
+        made_of = self._ended_by in ("of", "from") or (self._ended_by == "in" and shaped)
+        if made_of or (self._accessory is None and (self._late or not self.got.found["noun"])):
+            self._block = material
+        self._made_of |= made_of and bool(self.got.found["noun"])
+
+    def _say_what_it_depicts(self) -> None:
+        """A statue is of one material, of stone where none is named, and so is a stone lion. A
+        soft toy is small, and of plush."""
+        found, thing = self.got.found["material"], self.got.thing
+        usual = "stone" if self.got.is_statue else "plush" if self._depicted in PLUSHIES else ""
+        of = look_up(usual, self.known)
+        if usual and of is not None and not found:
+            found.append(of)
+            self.got.notes.append(f"No material is named: made of {usual}.")
+        person, animal = is_somebody(thing), is_animal(thing)
+        toys = [one.form for one in found if one.form in SEWN and (animal or person)]
+        toys += [self._depicted] if self._depicted in (*PLUSHIES, *SMALL_FIGURES) else []
+        toys += [form for form in self._made_as if form in FOLDED]
+        toys += [one.form for one in found if one.form in FOLDED and thing in FOLDABLE]
+        if toys and not self.got.is_toy:
+            self._take_toy(toys[0])
+        block = self._block
+        if animal and "balloon" in self.got.qualifiers:
+            self.got.is_statue = True
+            if not self.got.found["color"] and "balloon" in self._made_as:
+                self.got.found["color"].append(Entry("color", "red", "red"))
+        if block not in found or not (animal or person):
+            return
+        breed = self.got.found["noun"][0].is_narrower
+        if animal and breed and block.form in EDIBLE:  # "a chocolate labrador"
+            found.remove(block)
+            self.got.found["color"].append(Entry("color", "brown", "chocolate brown"))
+            return
+        words = self._tokens.words
+        shaped = self._made_of or bool({*SHAPED_OF, "carving"} & set(words))
+        solid = (shaped and block.word != "fabric") or block.form in MOULDED
+        cast = block.word in CAST and block.form not in ALSO_OF_FUR
+        self.got.is_statue |= solid or (cast if animal else block.word in CARVED)
+
+    def _take_toy(self, form: str) -> None:
+        """It is as small as a hand can hold."""
+        if self._without:
+            self.got.leave_aside(["not", form], NOT_SAID)
+            return
+        self.got.is_toy = True
+        if self.got.thing and NOUNS[self.got.thing].usual.size_m <= TOY_SIZE:
+            return
+        self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
+
+    def _make_as_qualified(self) -> None:
+        """ "A robot dog" is of metal, where nothing else is said."""
+        for form in (form for form in AS_MATERIAL if form in self.got.qualifiers):
+            of = look_up(AS_MATERIAL[form], self.known)
+            if of is not None and not self.got.found["material"] and self._may_be_of(form):
+                self.got.left_out.remove(form)
+                self.got.notes.append(f"{form}: made as {of.form.removeprefix('of ')}.")
+                self.got.found["material"].append(of)
+                self._made_as.append(form)
+                if form not in ROBOTS:
+                    self._block = of
+
+    def _may_be_of(self, form: str) -> bool:
+        """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
+        if form in OF_ANIMALS:
+            return is_animal(self.got.thing)
+        if form == "bone":
+            return self.got.thing not in NOT_OF_BONE
+        if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
+            return True
+        cold = is_creature(self.got.thing) or self.got.thing in FROZEN
+        return form in ("ice", "frozen") and cold
+
+    def _set_its_gem(self) -> None:
+        """ "An emerald ring" has an emerald."""
+        colors = self.got.found["color"]
+        stones = [one for one in colors if one.form in GEMS]
+        if stones and own_name(self.got.thing, "gem"):
+            colors.remove(stones[0])
+            form = shade(*stones[0][1:])
+            self.got.parts.append(StatedPart("gem", True, "gem", stones[0].word, form))
+
+    def _look_like_its_kind(self) -> None:
+        """A crow is black, made as a bird that is blue, where no colour is stated."""
+        found = self.got.found
+        if not found["noun"] or found["color"] or found["pattern"] or self.got.is_statue:
+            return
+        whole, parts = look_of_kind(found["noun"][0].form)
+        said = {own_name(self.got.thing, part.name) for part in self.got.parts}
+        for entry in (look_up(phrase, self.known) for phrase in whole):
+            if entry is not None:
+                found[entry.slot].append(entry)
+        for part, name in parts.items():
+            color = look_up(name, self.known)
+            if color is not None and part in looks_of(self.got.thing) and part not in said:
+                form = shade(*color[1:])
+                self.got.parts.append(StatedPart(part, True, part, color.word, form))
+
+    def _spare_the_living(self) -> None:
+        """ "An old wizard" is not worn; an old doll, a stone lion and the statue of a king are."""
+        thing = self.got.thing
+        alive = is_animal(thing) or is_somebody(thing)
+        if not alive or self.got.found["material"] or self._depicted:
+            return
+        weather = self.got.found["weather"]
+        for one in [one for one in weather if one.form in AGES]:
+            weather.remove(one)
+            self.got.leave_aside([one.form], "what is alive is not worn")
