@@ -48,7 +48,7 @@ _ROWS = {
     "dachshund, sausage dog": "chestnut; chest: chestnut; muzzle: chestnut",
     "kitsune": "white; tail tip: orange; muzzle: white",
     "polar bear": "white; muzzle: white",
-    "red panda": "rust orange; mask: white; muzzle: white; stripes: chestnut",
+    "red panda": "rust orange; mask: white; muzzle: white; stripes: chestnut; eyes: black",
     # hoofed
     "donkey": "grey; mane: charcoal",
     "bull, ox, buffalo, bison, yak": "umber; patches: umber; muzzle: charcoal; udder: umber",
