@@ -513,3 +513,5 @@ def test_white_wood_shows_little_of_its_grain() -> None:
 
     assert depth("a white wooden chair") < 0.4
     assert depth("a red wooden chair") == depth("a birch chair") == 1
+    (frame,) = (part for part in painted("window", parse("a window")) if part.name == "frame")
+    assert surface_of(parse("a window"), frame).depth < 0.4  # white by nature

@@ -21,6 +21,7 @@ GLOWING = "glowing"
 PART_GLOWS, ALL_GLOWS = 0.8, 0.25
 # Between these lumas a colour of wood becomes paint, through which so much of the grain shows.
 PALE, PALE_DEPTH = (0.6, 0.9), 0.35
+WHITE = 0.85  # luma of what is painted by nature, such as a window's frame
 SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
@@ -40,7 +41,9 @@ def surface_of(words: Words, part: Painted) -> Surface:
 
 def _as_new(words: Words, part: Painted) -> Surface:
     if not part.material:
-        return Surface(_by_nature(words.noun, part), part.color)
+        kind = _by_nature(words.noun, part)
+        depth = _depth(part.color) if kind == "wooden" and luma(part.color) > WHITE else 1.0
+        return Surface(kind, part.color, depth=depth)
     tone, form = split_tone(part.material_form)
     variant = VARIANTS.get(form) or Variant(_kind(words, part))
     wanted = variant.color
