@@ -21,7 +21,7 @@ GLOWING = "glowing"
 PART_GLOWS, ALL_GLOWS = 0.8, 0.25
 # Between these lumas a colour of wood becomes paint, through which so much of the grain shows.
 PALE, PALE_DEPTH = (0.6, 0.9), 0.35
-WHITE = 0.85  # luma of what is painted by nature, such as a window's frame
+WHITE = 0.8  # luma of what is painted by nature, such as a window's frame
 SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
