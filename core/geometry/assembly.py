@@ -38,7 +38,7 @@ from core.geometry.pieces import (
     repeated,
     turned_share,
 )
-from core.geometry.primitives import FORMS, Primitive
+from core.geometry.primitives import FORMS, FRAMES, Primitive
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
@@ -106,7 +106,7 @@ class KnownParts:
     def _layered(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is flat outlines one upon another along an axis, or along
         several, or one around a line."""
-        frames = [np.roll(frame, k, 1) for frame in frames_of(points_of(piece)) for k in range(3)]
+        frames = [frame @ turned for frame in frames_of(points_of(piece)) for turned in FRAMES]
         flat = [one for one in (*(layered(piece, frame) for frame in frames), wall(piece)) if one]
         found = self._best(piece, flat)
         if found is None and (one := crossed(piece)):

@@ -28,9 +28,9 @@ MORE = 0.02  # of the surface, which a layer has to cover
 def crossed(piece: Piece) -> Primitive | None:
     """The layers that a piece is of, along the coordinate axes; None where they leave much out."""
     found = [(axis, one) for axis in range(len(FRAMES)) for one in _layers(piece, axis)]
-    points = points_of(piece)
     if len(found) < 2:
         return None
+    points = points_of(piece)
     off = np.stack([one.at(points) for _, one in found])
     nearest, covered, used = np.full(len(points), np.inf), 0.0, []
     while len(used) < len(found):

@@ -28,7 +28,6 @@ from core.guidance.builtin.words import (
     FROZEN,
     GEMS,
     MOULDED,
-    NOT_OF_BONE,
     OF_ANIMALS,
     OF_WHAT_LIES,
     PLUSHIES,
@@ -75,11 +74,14 @@ class Likeness(Clauses):
         color = look_up(behind, self.known) if end not in self._tokens.breaks else None
         if behind in COLORED or (color is not None and color.slot == "color"):
             return
-        shaped = bool(set(SHAPED_OF) & set(self._tokens.words))
-        made_of = self._ended_by in ("of", "from") or (self._ended_by == "in" and shaped)
+        made_of = self._ended_by in ("of", "from", *(["in"] if self._is_shaped() else []))
         if made_of or (self._accessory is None and (self._late or not self.got.found["noun"])):
             self._block = material
         self._made_of |= made_of and bool(self.got.found["noun"])
+
+    def _is_shaped(self) -> bool:
+        """Whether it is said to come from one block."""
+        return not set(SHAPED_OF).isdisjoint(self._tokens.words)
 
     def _say_what_it_depicts(self) -> None:
         """A statue is of one material, of stone where none is named, and so is a stone lion. A
@@ -109,9 +111,8 @@ class Likeness(Clauses):
             found.remove(block)
             self.got.found["color"].append(Entry("color", "brown", "chocolate brown"))
             return
-        words = self._tokens.words
-        shaped = self._made_of or bool({*SHAPED_OF, "carving"} & set(words))
-        solid = (shaped and block.word != "fabric") or block.form in MOULDED
+        shaped = block.word != "fabric" and (self._made_of or self._is_shaped())
+        solid = shaped or block.form in MOULDED
         cast = block.word in CAST and block.form not in ALSO_OF_FUR
         self.got.is_statue |= solid or (cast if animal else block.word in CARVED)
 
@@ -141,8 +142,8 @@ class Likeness(Clauses):
         """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
         if form in OF_ANIMALS:
             return is_animal(self.got.thing)
-        if form == "bone":
-            return self.got.thing not in NOT_OF_BONE
+        if form == "bone" and self.got.thing == "saw":  # which is for bones
+            return False
         if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
             return True
         cold = is_creature(self.got.thing) or self.got.thing in FROZEN

@@ -20,7 +20,7 @@ from core.guidance.builtin.lexicon import (
 from core.guidance.builtin.likeness import Likeness
 from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state, own_name
+from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.word_order import set_in_order
@@ -348,10 +348,8 @@ class Reading(Likeness):
         follows = self._noun_end >= 0 and self._noun_end + between == start
         if follows and self.got.found["noun"][-1].word != noun.word:
             form = self.got.found["noun"].pop().form
-            if form in GEMS and own_name(noun.word, "gem"):  # "a ruby ring"
-                self.got.parts.append(StatedPart("gem", True, form, GEMS[form]))
-            elif form in GEMS and form != "diamond":  # "a ruby heart"
-                self.got.found["color"].append(Entry("color", GEMS[form], GEMS[form]))
+            if form in GEMS:  # "a ruby heart"; of "a ruby ring" the gem is
+                self.got.found["color"].append(Entry("color", GEMS[form], form))
             elif form in PLUSHIES and is_creature(noun.word):
                 self._depict(form)  # "a soft toy elephant"
                 self.got.notes.append(f"{form}: made as {with_article('noun', noun.word)}.")

@@ -4,13 +4,13 @@ Standard library only.
 """
 
 from core.guidance.builtin.lexicon import singulars
+from core.guidance.builtin.living import ANIMALS
 from core.guidance.builtin.nouns import GROUPS
 
-_ANIMALS = ("Animals", "Wild Animals")
 _OF_GROUPS: dict[str, tuple[str, ...]] = {  # the groups of the things that may be called so
-    "animal creature beast pet critter cub pup calf chick foal hatchling baby": _ANIMALS,
-    "monster": (*_ANIMALS, "Characters"),
-    "hero warrior": (*_ANIMALS, "Characters"),
+    "animal creature beast pet critter cub pup calf chick foal hatchling baby": ANIMALS,
+    "monster": (*ANIMALS, "Characters"),
+    "hero warrior": (*ANIMALS, "Characters"),
     "man woman boy girl guy lady person human kid child": ("Characters",),
     "fruit vegetable veg veggie berry": ("Fruit and Vegetables",),
     "food snack dish meal dessert treat": ("Food",),

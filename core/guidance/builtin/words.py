@@ -307,7 +307,6 @@ AS_MATERIAL = dict.fromkeys(ROBOTS, "metal") | {
 }
 # Of these only buildings and likenesses are: an ice bucket is for ice, a snow leopard white.
 OF_WHAT_LIES = ("ice", "frozen", "snow", "sand")
-NOT_OF_BONE = ("saw", "cooking pot")
 FROZEN = ("throne", "crown", "sword", "shield", "staff")  # and an ice dragon
 OF_ANIMALS = ("stuffed", "cuddly", "balloon")  # a stuffed pepper is not of plush
 # Materials that say little.
@@ -463,7 +462,7 @@ HOW_MADE = frozenset(
 ) | {
     *("hand carved", "hand crafted", "hand painted", "hand forged", "hand blown"),
 }
-SHAPED_OF = ("carved", "cast", "hewn", "sculpted", "chiseled", "chiselled")  # from one block
+SHAPED_OF = ("carved", "carving", "cast", "hewn", "sculpted", "chiseled", "chiselled")
 # What makes a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split()) | {
     *("scale model", "scale replica", "ho scale", "n scale", "small scale"),
@@ -488,17 +487,10 @@ CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass")
 EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
 MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
-# What is living and of these is a soft toy.
+# What is alive and of these is a soft toy; what can be folded and is of the others is a toy too.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
-FOLDED = (
-    "origami",
-    "papercraft",
-    "lego",
-    "paper",
-    "papier mache",
-    "paper mache",
-)  # of these it is a toy too
+FOLDED = ("origami", "papercraft", "lego", "paper", "papier mache", "paper mache")
 # Words for metals that on hair and skin are colours; of a whole animal fewer are: "a golden lion".
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 ALSO_OF_FUR = ("silver", "silvery", "golden")
