@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+import torch
 
+from core.geometry.assembly import Forms, KnownParts
 from core.geometry.crossed import crossed
 from core.geometry.layered import ends_share
 from core.geometry.mesh import health
@@ -41,6 +43,14 @@ def test_plates_across_one_another_are_found(distance) -> None:
     found = health(*one.mesh(0.05))
     assert found["closed"] and found["manifold"] and found["components"] == 1
     assert ends_share(one) > 0.6  # its plates' sides
+
+
+def test_a_thing_of_such_parts_is_put_together_of_them() -> None:
+    def distances(points):
+        return torch.from_numpy(fins(points.double().numpy())).float()[:, None]
+
+    (piece,) = KnownParts(distances, Forms((0.9,), ((0.0,), (0.0,), (0.0,)))).pieces
+    assert piece.primitive is not None and piece.primitive.form == "crossed"
 
 
 def test_its_distance_is_that_of_its_surface() -> None:

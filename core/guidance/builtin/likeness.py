@@ -164,13 +164,12 @@ class Likeness(Clauses):
         if not found["noun"] or found["color"] or found["pattern"] or self.got.is_statue:
             return
         whole, parts = look_of_kind(found["noun"][0].form)
-        said = {own_name(self.got.thing, part.name) for part in self.got.parts}
         for entry in (look_up(phrase, self.known) for phrase in whole):
             if entry is not None:
                 found[entry.slot].append(entry)
         for part, name in parts.items():
             color = look_up(name, self.known)
-            if color is not None and part in looks_of(self.got.thing) and part not in said:
+            if color is not None and part in looks_of(self.got.thing):
                 form = shade(*color[1:])
                 self.got.parts.append(StatedPart(part, True, part, color.word, form))
 
