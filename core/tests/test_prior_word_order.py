@@ -4,6 +4,7 @@ import pytest
 
 from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.tokens import Tokens
 from core.guidance.builtin.vocabulary import understood
 
 
@@ -379,3 +380,87 @@ def test_dots_on_a_part_are_the_parts() -> None:
     shade = {"part_colours": {"shade": "red"}, "part_patterns": {"shade": "spotted with white"}}
     assert found == shade
     assert read("a mug with white dots")["pattern"] == "spotted"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        ("a chair with leather on the seat", {"part_materials": {"seat": "leather"}}),
+        ("a white mug with blue paint on the handle", {"part_colours": {"handle": "blue"}}),
+        (
+            "a sword with a silver blade, a golden guard and worn black leather on the grip",
+            {
+                "part_colours": {"grip": "black"},
+                "part_materials": {"blade": "silver", "guard": "golden", "grip": "leather"},
+            },
+        ),
+        ("an axe with leather around its handle", {"part_materials": {"handle": "leather"}}),
+        ("a car, chrome along the body", {"part_materials": {"body": "chrome"}}),
+        ("a spaceship, cockpit with tinted glass", {"part_materials": {"cockpit": "tinted glass"}}),
+        ("a lamp, shade with blue stripes", {"part_colours": {"shade": "blue"}}),
+        ("a cottage with moss on the roof", {}),  # which is weather
+        ("a helmet with paint", {}),
+    ],
+)
+def test_what_covers_a_part_is_that_parts(prompt, said):
+    told = parts(prompt)
+    told.pop("part_patterns", None)
+    assert told == said
+    assert "materials" not in read(prompt) or not read(prompt)["materials"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "color"),
+    [
+        ("a jar of honey", "amber"),
+        ("a bottle filled with red wine", "red"),
+        ("a jar of green slime and a cork lid", "green"),
+        ("a potion full of blood", "maroon"),
+        ("a perfume bottle, pink liquid", "pink"),
+        ("a bottle of wine", None),  # its glass is green
+        ("a mug of coffee", None),  # nothing is seen through it
+        ("a car with milk", None),
+    ],
+)
+def test_what_is_in_a_see_through_thing_is_its_colour(prompt, color):
+    assert list(read(prompt)["part_colours"].values()) == ([color] if color else [])
+
+
+def test_a_stated_colour_is_not_its_contents():
+    told = read("a green bottle of oil")
+    assert (told["colours"], told["part_colours"]) == (["green"], {})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("a pumpkin with a carved scary face", "jack-o-lantern"),
+        ("a horse with a golden horn", "unicorn"),
+        ("a bed with four posts and a red canopy", "four-poster bed"),
+        ("a wooden chair with wheels", "office chair"),
+        ("a chair, with wheels", "chair"),
+        ("a horse without a horn", "horse"),
+        ("a horse with no horn", "horse"),
+        ("a wagon for a horse with a horn", "wagon"),
+    ],
+)
+def test_a_thing_with_what_another_has_is_that(prompt, thing):
+    told = read(prompt)
+    assert told["thing"] == thing
+    assert any(note.endswith(f" {thing}.") for note in told["notes"]) == (
+        thing not in ("horse", "chair", "wagon")
+    )
+
+
+def test_a_cloth_and_a_glass_are_things_that_go_with_one():
+    assert read("a basket with a red and white checkered cloth")["colours"] == []
+    assert read("a man with a glass")["materials"] == []
+    assert read("a bottle of green glass")["materials"] == ["glass"]
+    assert read("a table with a glass top")["part_materials"] == {"top": "glass"}
+
+
+def test_words_put_in_the_place_of_fewer_keep_what_follows():
+    tokens = Tokens.of("a jar of honey, the king's lid", SLOTS)
+    tokens.put(2, 4, ["with", "amber", "liquid"])
+    assert " ".join(tokens.words) == "a jar with amber liquid the king lid"
+    assert (tokens.breaks, tokens.owners) == ({5}, {6})

@@ -14,6 +14,7 @@ from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
     ALONE,
     ARTICLES,
+    COUNTED,
     DEPICTIONS,
     FILLER,
     LEGS,
@@ -169,10 +170,14 @@ class Clauses:
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
-        stands |= entry.form == RAINBOW and self._tokens.ends_phrase(end)
+        one = self._ended_by not in MADE_OF and entry.form in COUNTED  # "with a white cloth"
+        stands |= (one or entry.form == RAINBOW) and self._tokens.ends_phrase(end)
         if not stands or self._accessory is None:
             return False
-        before = self._tokens.words[: self._tokens.qualities_begin(start)]
+        begin = self._tokens.qualities_begin(start)
+        while begin and self._tokens.words[begin - 1] == "and":  # "with a red and white cloth"
+            begin = self._tokens.qualities_begin(begin - 1)
+        before = self._tokens.words[:begin]
         while before and before[-1] in FILLER - PHRASE_ENDS:  # "on a small rock"
             before.pop()
         return bool(before) and before[-1] in ARTICLES

@@ -202,4 +202,5 @@ def with_article(slot: str, word: str) -> str:
     """A noun with its article; any other word as it is."""
     if slot != "noun":
         return word
-    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
+    voiced = word[0] in "aeiou" and not word.startswith(("uni", "uku", "ufo"))
+    return f"{'an' if voiced else 'a'} {word}"

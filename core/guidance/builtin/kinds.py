@@ -34,6 +34,12 @@ _ROWS = {
     # cats and dogs, and what is like them
     "panther, black panther": "black; spots: charcoal; muzzle: charcoal",
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",
+    "lynx, bobcat, cougar": "tan; muzzle: white",
+    "calico cat": "white spotted burnt orange",
+    "tuxedo cat": "black; muzzle: white",
+    "siamese cat, siamese": "cream; muzzle: umber",
+    "ginger cat": "burnt orange; muzzle: cream",
+    "maine coon": "umber; muzzle: tan",
     "dalmatian": "white spotted black; ears: black; muzzle: white",
     "husky": "slate grey; muzzle: white",
     "german shepherd": "tan; ears: black; muzzle: black",
@@ -132,6 +138,12 @@ _ROWS = {
     "sapphire, sapphire stone": "blue",
     "diamond, opal": "white",
     "topaz": "yellow",
+    # what is in it
+    "honey, honey jar, honey pot, beer bottle, bottle of beer, whiskey, whisky, rum": "amber",
+    "peanut butter": "tan",
+    "bottle of milk, milk bottle": "ivory",
+    "ketchup, hot sauce": "red",
+    "mustard bottle, olive oil": "mustard",
     # what is worn and driven
     "tuxedo": "black; shirt: white",
     "lab coat": "white",

@@ -22,6 +22,8 @@ FOUR_LEGS = frozenset(
 )
 
 
+LIQUID = "liquid"
+CONTAINED = ("liquid", "brew", "water")
 # Of what most of a thing is, and of its trim; the second only where there are none of the first.
 WIDE = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
 
@@ -77,6 +79,12 @@ def always_has(noun: str, part: str) -> bool:
     if part in LEGS:
         return part == "four legs" and noun in FOUR_LEGS
     return bool(own_names(noun, part))
+
+
+def shows_liquid(noun: str) -> bool:
+    """Whether what is in the noun is a part of it, or is seen through it."""
+    name = own_name(noun, LIQUID)
+    return name in CONTAINED or "glass" in looks_of(noun).get(name, "").split()
 
 
 def lacked(noun: str, part: str, form: str) -> str:

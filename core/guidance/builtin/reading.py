@@ -19,11 +19,12 @@ from core.guidance.builtin.lexicon import (
 )
 from core.guidance.builtin.likeness import Likeness
 from core.guidance.builtin.living import is_creature
+from core.guidance.builtin.look_order import set_looks_in_order
+from core.guidance.builtin.name_order import set_names_in_order
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.word_order import set_in_order
 from core.guidance.builtin.words import (
     ALONE,
     ARTICLES,
@@ -59,7 +60,9 @@ class Reading(Likeness):
         super().__init__(prompt, known, alone)
         self.got.sizes = self._tokens.sizes
         self.got.left_out += self._tokens.measures
-        set_in_order(self._tokens)
+        set_names_in_order(self._tokens)
+        set_looks_in_order(self._tokens)
+        self.got.notes += self._tokens.notes
         set_parts_apart(self._tokens)
         at = 0
         while at < len(self._tokens.words):

@@ -41,6 +41,7 @@ class Tokens:
     breaks: set[int] = field(default_factory=set)  # indices of those that punctuation precedes
     owners: set[int] = field(default_factory=set)  # of those that are possessive, without their s
     sizes: list[Size] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
     measures: list[str] = field(default_factory=list)  # of what is no size, as they were written
 
     @classmethod
@@ -85,8 +86,13 @@ class Tokens:
         self.owners = {k if k < begin else k - gone for k in self.owners if not begin <= k < end}
 
     def put(self, begin: int, end: int, words: list[str]) -> None:
-        """Put other words in the place of those from one index up to another, no more of them."""
-        self.cut(begin + len(words), end)
+        """Put other words in the place of those from one index up to another."""
+        if (more := len(words) - (end - begin)) > 0:
+            self.words[end:end] = [""] * more
+            self.breaks = {k + more if k >= end else k for k in self.breaks}
+            self.owners = {k + more if k >= end else k for k in self.owners}
+        else:
+            self.cut(begin + len(words), end)
         self.words[begin : begin + len(words)] = words
         self.owners -= set(range(begin, begin + len(words)))
 
@@ -146,9 +152,13 @@ class Tokens:
         entry = look_up(phrase, self.known)
         return phrase in TOWARDS or (entry is not None and entry.slot in slots)
 
+    def entry(self, phrase: str) -> Entry | None:
+        """What the phrase means by itself, if anything."""
+        return look_up(phrase, self.known)
+
     def thing(self, phrase: str) -> str:
         """The thing that the phrase names, or ""."""
-        entry = look_up(phrase, self.known)
+        entry = self.entry(phrase)
         return entry.word if entry is not None and entry.slot == "noun" else ""
 
     def take_first(self, begin: int, end: int) -> None:

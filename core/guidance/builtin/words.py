@@ -105,7 +105,7 @@ SHEENS = {
     "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
 PATTERNS = {
-    "striped": "stripe, stripy, stripey, banded",
+    "striped": "stripe, stripy, stripey, banded, tabby, brindle",
     "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
@@ -128,7 +128,7 @@ PART_WORDS = {
 }
 # Words for the parts that a noun always has: they change nothing but where a colour goes.
 PART_SYNONYMS = {
-    "legs": "leg, feet, foot",
+    "legs": "leg, feet, foot, paws, paw",
     "wheels": "wheel, tyres, tyre, tires, tire",
     "windows": "window",
     "cushion": "seat, cushions",
@@ -199,7 +199,7 @@ PART_ALSO = {
     "pad": "cushion, seat",
     "headboard": "backrest, back, frame",
     "dial": "face, plate",
-    "face": "dial, skin, muzzle",
+    "face": "dial, skin, muzzle, mouth",
     "lens": "glass, glasses",
     "lenses": "glasses, glass, lens",
     "glass": "glasses, windows, window, lens, screen, dome",
@@ -222,7 +222,12 @@ PART_ALSO = {
     "cover": "lid, canopy, cap",
     "tub": "tray",
     "scroll wheel": "wheel",
-    "rims": "hubs",
+    "rims": "hubs, frame",
+    "plume": "crest, plumes",
+    "feather": "plume, crest",
+    "planter": "pot, tray",
+    "pump": "cap",
+    "bumper": "trim",
     "hubcaps": "hubs",
     "engine": "boiler",
     "locomotive": "boiler",
@@ -250,7 +255,7 @@ PART_ALSO = {
     "earpads": "cushions",
     "band": "strap, belt, ribbon, bands",
     "ribbon": "bow, band, sash",
-    "liquid": "brew, water, flask, body",
+    "liquid": "brew, water, flask, body, bottle",
     "bark": "trunk, wood",
     "trousers": "legs",
     "pants": "trousers",
@@ -271,6 +276,28 @@ PART_ALSO = {
     "clothes": "suit, coat, robe, tunic, dress, shirt, armour",
     "costume": "suit, coat, robe, tunic, dress, shirt, armour",
     "uniform": "suit, coat, tunic, shirt",
+}
+# What a thing is with a part that it has not: "a horse with a horn".
+WITH_PARTS = {
+    "pumpkin": {"jackolantern": "face faces eyes mouth nose smile grin teeth"},
+    "horse": {"unicorn": "horn"},
+    "chair": {"office chair": "wheels casters castors", "rocking chair": "rockers"},
+    "bed": {"canopy bed": "canopy posts"},
+    "bus": {"double decker bus": "decks decker floors levels"},
+}
+# What a thing may contain that lets it be seen, by its colour.
+CONTENTS = {
+    **dict.fromkeys(("honey", "whiskey", "whisky", "rum", "cider", "beer", "tea"), "amber"),
+    **dict.fromkeys(("jam", "ketchup"), "crimson"),
+    **dict.fromkeys(("milk", "mayonnaise", "soap", "lotion", "slush"), "ivory"),
+    **dict.fromkeys(("oil", "mustard", "lemonade"), "mustard"),
+    **dict.fromkeys(("slime", "poison", "acid", "pickles"), "lime"),
+    **dict.fromkeys(("coffee", "cola", "syrup", "soup"), "brown"),
+    **dict.fromkeys(("water", "mana"), "azure"),
+    "juice": "orange",
+    "blood": "maroon",
+    "ink": "black",
+    "wine": "",  # its bottle's own green
 }
 # What stands on a part alone, and is gone with it.
 BORNE = {
@@ -317,6 +344,8 @@ STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
 # Stones, which are the gems of a thing that has some, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
 GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black"}
+# Materials of which one is a thing: "a table with a white cloth".
+COUNTED = ("cloth", "glass")
 # Where something else stands: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
@@ -351,6 +380,7 @@ PHRASE_ENDS = PLACES | frozenset(
     holding""".split()
 )
 ARTICLES = ("a", "an", "the")
+OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "its", "some")
 # Of them those after which something else may come that goes with the thing: "a vase of flowers".
 GOES_WITH = PLACES | frozenset("of in on with has have wearing holding from".split())
 # After these all is about something else: a chest full of gold is not golden.
@@ -498,7 +528,7 @@ ALSO_OF_FUR = ("silver", "silvery", "golden")
 AGES = frozenset("old ancient aged".split())
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
-ALONE |= {"emerald": "gem"}
+ALONE |= {"emerald": "gem", "tabby": "cat"}
 ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant", "straw": "hay bale"}
 ALONE |= {
     "cobblestone": "boulder",

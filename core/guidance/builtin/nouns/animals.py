@@ -59,7 +59,8 @@ ANIMALS = {
         Usual(1.6, SNOW),
     ),
     "cat": Noun(
-        "kitty, house cat; kitten, tabby cat, tomcat, lynx, bobcat, cougar, sphynx",
+        "kitty, house cat; kitten, tomcat, lynx, bobcat, cougar, sphynx, calico cat, "
+        "tuxedo cat, siamese cat, siamese, ginger cat, maine coon",
         {"body": "*8a7a68", "muzzle": "+e8e0d4", "eyes": "-111111", "nose": "-d98a8f"},
         Usual(0.45, FLESH, 0.56),
     ),

@@ -108,7 +108,7 @@ FOOD = {
         Usual(0.12, STEEL, 0.071),
     ),
     "jar": Noun(
-        "jam jar; honey jar, cookie jar, mason jar, jar of , jar of jam, peanut butter, "
+        "jam jar; honey jar, cookie jar, mason jar, jar of jam, peanut butter, "
         "honey pot, honey, jam, canister, tin can lantern",
         {"body": "*b8324a . glass", "lid": "+d9b04a . metal", "label": "-f2ead6"},
         Usual(0.14, GLASS, 0.16),

@@ -28,7 +28,8 @@ HOUSEHOLD = {
     ),
     "bottle": Noun(
         "; thermos, soap dispenser, bottle of wine, bottle of beer, bottle of water, bottle of "
-        "milk, decanter, shampoo, shampoo bottle, olive oil, vinegar, vodka, wine bottle, "
+        "milk, milk bottle, beer bottle, decanter, shampoo, shampoo bottle, olive oil, vinegar, "
+        "vodka, wine bottle, "
         "champagne bottle, bottle of champagne, whiskey, whisky, rum, hot sauce, ketchup, "
         "mustard bottle, syrup, detergent, medicine bottle, water bottle, lotion bottle",
         {"body": "*1f6638 . glass", "cap": "+332b26"},

@@ -1,0 +1,201 @@
+"""Words put in the order in which they are read: the thing first, and its name in one.
+
+"The seat is red, a chair" is a chair, "a house for birds" a bird house. Standard library only.
+"""
+
+from core.guidance.builtin.findings import with_article
+from core.guidance.builtin.lexicon import look_up
+from core.guidance.builtin.look_order import looks_end
+from core.guidance.builtin.part_names import is_own, owns
+from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.words import (
+    ARTICLES,
+    COUNTS,
+    FILLER,
+    IGNORED_ADJECTIVES,
+    LOOKS,
+    OWN,
+    PHRASE_ENDS,
+    WITH_PARTS,
+    WITHOUT,
+)
+
+STRANGE = 2  # words before a plant that are not known
+HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
+POT = "flower pot"
+FULL = frozenset(("with", "containing", "holding"))
+APART = 4  # words within a name, at most: "a stack of dusty old leather books"
+
+
+def set_names_in_order(tokens: Tokens) -> None:
+    """Change the words' order where the thing comes late, or its name is in pieces."""
+    _take_the_thing_first(tokens)
+    _take_plants_first(tokens)
+    _join_names_of(tokens)
+    _join_names_for(tokens)
+    _join_split_names(tokens)
+    _set_qualifiers_first(tokens)
+    _take_what_has_the_part(tokens)
+
+
+def _take_the_thing_first(tokens: Tokens) -> None:
+    """ "The seat is red, a chair" is a chair, the seat is red."""
+    begins = [0, *sorted(k for k in tokens.breaks if 0 < k < len(tokens.words))]
+    parts: list[str] = []  # things before, which may be parts of what comes
+    found = None
+    for begin, end in zip(begins, [*begins[1:], len(tokens.words)], strict=True):
+        at = next((k for k in range(begin, end) if tokens.has_thing(k)), end)
+        if at == end:
+            continue
+        thing = tokens.first_thing(at)
+        before = set(tokens.words[begin:at]) - {*ARTICLES, "and"}
+        name = next(p for p in tokens.phrases(at) if tokens.thing(p))
+        ended = tokens.ends_phrase(at + len(name.split()))  # not "a hat, wizard style"
+        heads = before.isdisjoint(PHRASE_ENDS) and all(owns(thing, part) for part in parts)
+        # "A door, a house" is a door; a red one is the house's.
+        said = not parts or any(_is_look(tokens, w) or w in WITHOUT for w in tokens.words[:begin])
+        if ended and heads and said and any(owns(thing, word) for word in tokens.words[:begin]):
+            found = (begin, end)  # the last: "a red roof, white walls, a house"
+        parts.append(name)
+    if found:
+        tokens.take_first(*found)
+
+
+def _take_plants_first(tokens: Tokens) -> None:
+    """ "A terracotta plant pot with a cactus" is a cactus with a terracotta pot."""
+    for at in range(len(tokens.words)):
+        name = next((p for p in tokens.phrases(at) if tokens.thing(p) == POT), "")
+        behind = at + len(name.split())
+        follows = tokens.words[behind : behind + 2]
+        if not name or behind in tokens.breaks or not FULL.intersection(follows[:1]):
+            continue
+        if (first := _pots_looks_begin(tokens, at)) is None:
+            continue
+        begin = behind + 1 + (follows[-1] in OWN)
+        for start in range(begin, min(begin + STRANGE + 1, len(tokens.words))):
+            plant = next((p for p in tokens.phrases(start) if is_own(tokens.thing(p), "pot")), "")
+            end = start + len(plant.split())
+            ended = tokens.ends_phrase(end) and tokens.breaks.isdisjoint(range(first + 1, end))
+            more = any(is_own(POT, word) for word in tokens.words[end:])
+            if plant and ended and not more:
+                # "A terracotta pot" is a name by itself.
+                named = (word for word in name.split() if _is_look(tokens, word))
+                looks = [*tokens.words[first:at], *named]
+                tokens.put(first, end, [*tokens.words[begin:end], "with", *looks, "pot"])
+                return
+
+
+def _is_look(tokens: Tokens, word: str) -> bool:
+    entry = look_up(word, tokens.known)
+    return entry is not None and entry.slot in LOOKS
+
+
+def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
+    """Where what is said of the pot at the index begins; None where a plant's pot has no such."""
+    begin = at
+    while begin and begin not in tokens.breaks and tokens.words[begin - 1] not in OWN:
+        begin -= 1
+    slots = {one.slot for one in (look_up(w, tokens.known) for w in tokens.words[begin:at]) if one}
+    return begin if slots <= set(LOOKS) - {"shape"} else None
+
+
+def _join_names_of(tokens: Tokens) -> None:
+    """ "A stack of old books" is an old stack of books, which is a thing's name."""
+    for at in reversed(range(len(tokens.words) - 3)):
+        words = tokens.words[at : at + 3 + APART]
+        if (
+            words[0] not in HEAPS
+            or words[1] != "of"
+            or tokens.breaks.intersection(range(at + 1, at + 3))
+        ):
+            continue
+        for k in range(3, len(words)):
+            between = words[2:k]
+            ended = at + k in tokens.breaks or not PHRASE_ENDS.isdisjoint(between)
+            if ended or tokens.thing(words[k - 1]):
+                break
+            if tokens.thing(f"{words[0]} of {words[k]}"):
+                tokens.put(at, at + k, [*between, words[0], "of"])
+                break
+
+
+def _join_names_for(tokens: Tokens) -> None:
+    """ "A lamp for the desk" is a desk lamp, "a house for birds" a bird house; "a helmet for a
+    biker in black" is a black helmet."""
+    for at in reversed(range(1, len(tokens.words) - 1)):
+        end = at + 2 + (tokens.words[at + 1] in OWN)
+        if tokens.words[at] != "for" or end > len(tokens.words):
+            continue
+        head, purpose = tokens.words[at - 1], tokens.words[end - 1]
+        begin = end + (tokens.words[end : end + 1] == ["in"])
+        looks = looks_end(tokens, begin)
+        ended = tokens.ends_phrase(looks) or tokens.words[looks] in FILLER
+        if not ended or not tokens.breaks.isdisjoint(range(at, looks)):
+            continue
+        names = [f"{form} {head}" for form in (purpose, purpose.removesuffix("s"))]
+        if name := next(filter(tokens.thing, names), ""):
+            tokens.put(at - 1, end, name.split())
+        elif looks > begin:
+            tokens.put(at, looks, [*tokens.words[begin:looks], *tokens.words[at:end]])
+
+
+def _join_split_names(tokens: Tokens) -> None:
+    """ "A modern white house" is a white modern house, which is a thing's name."""
+    for at in range(len(tokens.words) - 2):
+        qualifier = tokens.words[at]
+        if look_up(qualifier, tokens.known):  # a colour or a thing by itself
+            continue
+        looks = _adjectives_end(tokens, at + 1)
+        ahead = range(at + 1, looks + 1)
+        if looks == at + 1 or looks == len(tokens.words) or not tokens.breaks.isdisjoint(ahead):
+            continue
+        if tokens.thing(f"{qualifier} {tokens.words[looks]}"):
+            tokens.put(at, looks, [*tokens.words[at + 1 : looks], qualifier])
+
+
+def _adjectives_end(tokens: Tokens, begin: int) -> int:
+    """Where the looks that begin at the index end, with what says nothing of them: "two storey"."""
+    end = begin
+    while end < len(tokens.words):
+        counted = next((p for p in tokens.phrases(end)[:-1] if p in IGNORED_ADJECTIVES), "")
+        step = end + len(counted.split()) if counted else looks_end(tokens, end)
+        if step == end:
+            break
+        end = step
+    return end
+
+
+def _set_qualifiers_first(tokens: Tokens) -> None:
+    """ "A car sports", "a guitar electric red": of some languages what qualifies comes last; "a
+    pirates ship" is a pirate ship."""
+    for at in range(len(tokens.words) - 1):
+        name, word = tokens.words[at : at + 2]
+        single = name.removesuffix("s")
+        if tokens.thing(f"{single} {word}") and not tokens.thing(f"{name} {word}"):
+            tokens.words[at] = name = single  # "a pirates ship"
+        own = tokens.thing(name) and not tokens.thing(f"{name} {word}")
+        entry = look_up(word, tokens.known)
+        apart = (
+            at + 1 in tokens.breaks
+            or word in FILLER
+            or (entry and entry.slot not in ("noun", "part"))
+        )
+        if own and not apart and tokens.thing(f"{word} {name}"):
+            tokens.put(at, at + 2, [word, name])
+
+
+def _take_what_has_the_part(tokens: Tokens) -> None:
+    """ "A horse with a horn" is a unicorn, "a pumpkin with a face" a jack-o'-lantern."""
+    at = next((k for k, word in enumerate(tokens.words) if word in WITH_PARTS), -2)
+    begins = tokens.words[at + 1 : at + 2] == ["with"] and at + 1 not in tokens.breaks
+    if not begins or any(map(tokens.has_thing, range(at))):
+        return
+    thing, end = tokens.words[at], min(k for k in (*tokens.breaks, len(tokens.words)) if k > at)
+    clause = tokens.words[at + 1 : end]
+    for name, parts in WITH_PARTS[thing].items():
+        part = next((word for word in clause if word in parts.split()), "")
+        if part and tokens.thing(name) and not set(WITHOUT).intersection(clause):
+            made = with_article("noun", tokens.thing(name))
+            tokens.notes.append(f"{thing} with {part}: made as {made}.")
+            tokens.put(at, at + 1, name.split())
+            return
