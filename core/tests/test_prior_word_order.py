@@ -464,3 +464,59 @@ def test_words_put_in_the_place_of_fewer_keep_what_follows():
     tokens.put(2, 4, ["with", "amber", "liquid"])
     assert " ".join(tokens.words) == "a jar with amber liquid the king lid"
     assert (tokens.breaks, tokens.owners) == ({5}, {6})
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "said"),
+    [
+        ("the roof of the house is red", "house", {"part_colours": {"roof": "red"}}),
+        ("the eyes of my cat are green", "cat", {"part_colours": {"eyes": "green"}}),
+        ("the wheel of a red car", "wheel", {}),
+        ("a boy in jeans", "person", {"part_materials": {"trousers": "denim"}}),
+        ("chocolate cake with white cream", "cake", {"part_colours": {"icing": "white"}}),
+        ("a cream cake", "cake", {}),
+        ("record player with black vinyl", "record player", {"part_colours": {"record": "black"}}),
+        ("elf with green clothes", "elf", {"part_colours": {"tunic": "green"}}),
+        ("a chair, wood, cushion red", "chair", {"part_colours": {"seat": "red"}}),
+        (
+            "house with walls in brick and roof in slate",
+            "house",
+            {"part_materials": {"walls": "brick", "roof": "slate"}},
+        ),
+        ("monster truck with green flames", "monster truck", {}),
+    ],
+)
+def test_a_part_is_named_as_people_do(prompt, thing, said):
+    assert read(prompt)["thing"] == thing
+    assert parts(prompt) == said
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "color"),
+    [
+        ("women's red shoes", "sneaker", "red"),
+        ("a man's red hat", "hat", "red"),
+        ("girls pink backpack", "backpack", "pink"),
+        ("viking round blue shield", "shield", "blue"),
+        ("street lamp victorian black", "street lamp", "black"),
+        ("a dragon's red wings", "dragon", None),
+        ("an apple green tree", "tree", "apple green"),
+        ("a book about red dragons", "book", None),
+    ],
+)
+def test_what_is_before_a_thing_is_whose_it_is(prompt, thing, color):
+    assert (read(prompt)["thing"], read(prompt)["colours"]) == (thing, [color] if color else [])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "note"),
+    [
+        ("box with velvet inside", "velvet inside: left out, as the inside looks as the outside."),
+        ("bowl white with blue interior", "blue interior: left out"),
+        ("a vase with flowers on top", "flower: left out, as one thing is made at a time."),
+    ],
+)
+def test_a_place_is_no_part(prompt, note):
+    told = read(prompt)
+    assert [text for text in told["notes"] if text.startswith(note)] == told["notes"]
+    assert told["materials"] == []

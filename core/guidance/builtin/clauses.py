@@ -265,6 +265,10 @@ class Clauses:
         plural = self._tokens.words[end - 1] == f"{entry.form}s"
         return (living and plural) or end - 1 in self._tokens.owners
 
+    def _owns_what_follows(self, end: int) -> bool:
+        """Whether a thing's name follows, or how it looks and that: "women's red shoes"."""
+        return self._tokens.has_thing(self._tokens.qualities_end(end, (*LOOKS, "weather")))
+
     def _is_of_material(self, entry: Entry, end: int) -> bool:
         """Whether a shape is that of the material behind it: "a bottle of thick clear glass"."""
         if entry.word not in ("thick", "thin"):

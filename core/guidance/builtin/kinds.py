@@ -1,6 +1,7 @@
 """What the kinds of a thing look like that are made as it, where a prompt names no colour.
 
-Of each the colour of the whole, or colours with a pattern, then of parts. Standard library only.
+Of each the colour or the material of the whole, or colours with a pattern, then colours of parts.
+Standard library only.
 """
 
 import re
@@ -30,7 +31,7 @@ _ROWS = {
     "canada goose": "umber",
     "turkey, pheasant, partridge, quail": "chestnut",
     "rooster, cockerel": "rust orange; tail: forest green",
-    "chick, seagull chick": "yellow",
+    "chick, baby chick, seagull chick": "yellow",
     # cats and dogs, and what is like them
     "panther, black panther": "black; spots: charcoal; muzzle: charcoal",
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",
@@ -40,6 +41,7 @@ _ROWS = {
     "siamese cat, siamese": "cream; muzzle: umber",
     "ginger cat": "burnt orange; muzzle: cream",
     "maine coon": "umber; muzzle: tan",
+    "golden retriever, labrador, retriever": "tan; ears: tan; muzzle: cream",
     "dalmatian": "white spotted black; ears: black; muzzle: white",
     "husky": "slate grey; muzzle: white",
     "german shepherd": "tan; ears: black; muzzle: black",
@@ -65,6 +67,7 @@ _ROWS = {
     "orca, killer whale": "black; belly: white",
     "beluga": "white; belly: white",
     "narwhal, sperm whale, humpback, humpback whale": "slate grey",
+    "goldfish": "orange; fins: orange; lips: orange",
     "trout, tuna, cod, carp, swordfish, barracuda, piranha, catfish": "slate grey; fins: grey",
     "salmon": "salmon pink; fins: grey; lips: grey",
     "koi": "white spotted orange; fins: white; lips: white",
@@ -146,6 +149,12 @@ _ROWS = {
     "mustard bottle, olive oil": "mustard",
     # what is worn and driven
     "tuxedo": "black; shirt: white",
+    "straw hat, panama hat": "straw",
+    "trash bag, garbage bag, bin bag, rubbish bag": "black",
+    "plastic bag": "plastic",
+    "paper bag": "paper",
+    "punching bag, boxing bag": "red",
+    "pearl necklace": "ivory; beads: ivory",
     "lab coat": "white",
     "raincoat, rain boot, wellington, wellies, wellington boots, gumboots": "yellow",
     "trench coat": "tan",

@@ -23,6 +23,7 @@ from core.guidance.builtin.words import (
     OWN,
     PHRASE_ENDS,
     PLAIN,
+    SAID_OF_PARTS,
     SURFACE,
     WITHOUT,
 )
@@ -40,6 +41,7 @@ LONGEST_LINK = 7  # words: "which are made out of the"
 # The link begins before what is right behind these.
 BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow shine".split()}
 STRANGE = 2  # words before a look that are not known: "in signal orange"
+INSIDES = ("inside", "interior", "lining")
 FULL = frozenset("of with containing filled full some".split())  # right before what is in it
 # What a material comes in: "sandstone blocks" are sandstone, where the thing has no such part.
 BLOCKS = frozenset("blocks bricks slabs".split())
@@ -51,7 +53,8 @@ def set_looks_in_order(tokens: Tokens) -> None:
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
         _set_figure_on_part(tokens, at)
-    for change in (_set_cover_on_part, _set_contents, _drop_pieces, _set_looks_before):
+    changes = (_name_part, _set_cover_on_part, _drop_place, _set_contents, _drop_pieces)
+    for change in (*changes, _set_looks_before):
         for at in _backwards(tokens):
             change(tokens, at)
 
@@ -123,6 +126,28 @@ def _set_cover_on_part(tokens: Tokens, at: int) -> None:
         tokens.put(begin, end, [*tokens.words[begin:named], *part.split()])
 
 
+def _name_part(tokens: Tokens, at: int) -> None:
+    """ "A cake with white cream" has white icing; "a boy in jeans" denim trousers."""
+    *looks, part = SAID_OF_PARTS.get(tokens.words[at], "").split() or [""]
+    ended = tokens.ends_phrase(at + 1) or tokens.words[at + 1] == "and"
+    if part and ended and own_name(_thing_before(tokens, at), part):
+        tokens.put(at, at + 1, [*looks, part])
+
+
+def _drop_place(tokens: Tokens, at: int) -> None:
+    """ "With a cherry on top": that is no top; "with velvet inside": nothing is seen of it."""
+    words, ended = tokens.words, tokens.ends_phrase(at + 1)
+    if words[at - 1 : at + 1] == ["on", "top"] and ended and words[at + 1 : at + 2] != ["of"]:
+        tokens.cut(at - 1, at + 1)
+        return
+    if words[at] not in INSIDES or at + 1 not in (*tokens.breaks, len(words)):
+        return
+    if (begin := tokens.qualities_begin(at, ("color", "material"))) < at:
+        said = " ".join(words[begin : at + 1])
+        tokens.notes.append(f"{said}: left out, as the inside looks as the outside.")
+        tokens.cut(begin - (words[begin - 1] in ("with", "and")), at + 1)
+
+
 def _set_contents(tokens: Tokens, at: int) -> None:
     """ "A jar of honey", "a bottle filled with red wine": what is see-through has that colour."""
     word, thing = tokens.words[at], _thing_before(tokens, at)
@@ -192,7 +217,7 @@ def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
         return False
     thing = _thing_before(tokens, begin)
     is_named = (entry is not None and entry.slot == "part") or name in NAMED
-    return bool(thing) and (is_named or is_own(thing, name))
+    return bool(thing) and (is_named or is_own(thing, name) or owns(thing, name))
 
 
 def _thing_before(tokens: Tokens, end: int) -> str:
@@ -203,7 +228,7 @@ def _thing_before(tokens: Tokens, end: int) -> str:
 
 def looks_end(tokens: Tokens, begin: int) -> int:
     """Where the looks that begin at the index end, with what is unknown between them."""
-    end = begin
+    end = last = begin  # the last: before what "and" joins
     while end < len(tokens.words):
         joined = end + (end > begin and tokens.words[end] == "and")
         step = _look_ends(tokens, joined)
@@ -211,8 +236,11 @@ def looks_end(tokens: Tokens, begin: int) -> int:
             break
         if end in tokens.breaks and end > begin:
             break
+        last = end if joined > end else last
         end = step
-    return end
+    # "Walls in brick and slate roof": the slate is the roof's.
+    ended = tokens.ends_phrase(end) or tokens.words[end] in ("and", *FILLER)
+    return end if last == begin or ended else last
 
 
 def _look_ends(tokens: Tokens, begin: int) -> int:

@@ -7,7 +7,7 @@ from core.guidance.builtin.findings import with_article
 from core.guidance.builtin.lexicon import look_up
 from core.guidance.builtin.look_order import looks_end
 from core.guidance.builtin.part_names import is_own, owns
-from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
     COUNTS,
@@ -29,6 +29,7 @@ APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 def set_names_in_order(tokens: Tokens) -> None:
     """Change the words' order where the thing comes late, or its name is in pieces."""
+    _take_owners_first(tokens)
     _take_the_thing_first(tokens)
     _take_plants_first(tokens)
     _join_names_of(tokens)
@@ -36,6 +37,23 @@ def set_names_in_order(tokens: Tokens) -> None:
     _join_split_names(tokens)
     _set_qualifiers_first(tokens)
     _take_what_has_the_part(tokens)
+
+
+def _take_owners_first(tokens: Tokens) -> None:
+    """ "The roof of the house is red" is a house with a roof that is red."""
+    for at in range(1, len(tokens.words) - 2):
+        start = at + 1 + (tokens.words[at + 1] in OWN)
+        if tokens.words[at] != "of" or not tokens.breaks.isdisjoint(range(at, start + 1)):
+            continue
+        name = next((phrase for phrase in tokens.phrases(start) if tokens.thing(phrase)), "")
+        end = start + len(name.split())
+        told = tokens.words[end : end + 1] in (["is"], ["are"])
+        begin = max(at - LONGEST, 0)
+        while begin < at and not owns(tokens.thing(name), " ".join(tokens.words[begin:at])):
+            begin += 1
+        if name and told and begin < at and tokens.breaks.isdisjoint(range(begin + 1, end + 1)):
+            tokens.put(begin, end, [*name.split(), "with", *tokens.words[begin:at]])
+            return
 
 
 def _take_the_thing_first(tokens: Tokens) -> None:
@@ -143,8 +161,11 @@ def _join_split_names(tokens: Tokens) -> None:
     """ "A modern white house" is a white modern house, which is a thing's name."""
     for at in range(len(tokens.words) - 2):
         qualifier = tokens.words[at]
-        if look_up(qualifier, tokens.known):  # a colour or a thing by itself
-            continue
+        entry = look_up(qualifier, tokens.known)
+        if entry and (
+            entry.slot != "noun" or _is_look(tokens, " ".join(tokens.words[at : at + 2]))
+        ):
+            continue  # a colour by itself, or "apple green"
         looks = _adjectives_end(tokens, at + 1)
         ahead = range(at + 1, looks + 1)
         if looks == at + 1 or looks == len(tokens.words) or not tokens.breaks.isdisjoint(ahead):
@@ -180,7 +201,10 @@ def _set_qualifiers_first(tokens: Tokens) -> None:
             or word in FILLER
             or (entry and entry.slot not in ("noun", "part"))
         )
-        if own and not apart and tokens.thing(f"{word} {name}"):
+        longer = at > 0 and tokens.thing(
+            f"{tokens.words[at - 1]} {name}"
+        )  # "street lamp victorian"
+        if own and not apart and not longer and tokens.thing(f"{word} {name}"):
             tokens.put(at, at + 2, [word, name])
 
 

@@ -6,6 +6,8 @@ NEAREST = {
     "cutting board": "knife block",
     "curtain": "folding screen, room divider",
     "saw": "hand plane, block plane, bench plane, jack plane, wood plane",
+    "stool": "cat tree, cat scratcher, scratching post",
+    "can": "toothpaste tube, paint tube",
     "mug": "pen holder, pencil holder, pencil cup",
     "bottle": "cocktail shaker",
     "shelf": "rack",
@@ -189,8 +191,9 @@ REAL = frozenset(
     thatcher theater theaters thermo thine thing things think thinks thorn thorne thorns those
     threat threats three throng ticks tier tiers tight time timer timers tipped tired toasted toll
     tolls tone tones tons tool tools toot toothy topper tore tori tories torque tort tote tourism
-    tours tout towels tracer tracy trade traded trades trailer trailers trailing trained trainee
-    trainees traitor traitors tramp tran trans transformed travers tread trent trick tricks tries
+    tours tout towels tracer tracy trade traded trades trailer trailers trailing trained
+    trainee trainees traitor traitors tramp tran trans trap traps transformed travers
+    tread trent trick tricks tries
     trifle trope tropes trot truss trust trusted trusts trusty tsar tubed tuck turned tweak tweaks
     twitch tyrone uber urban usage utter vail valentin valentina valentino vanished venues vets
     vidal village villages violates violent viral vital vulcan waffled wail waited waiver waivers

@@ -213,7 +213,7 @@ class Reading(Likeness):
         if entry.form in GEMS and goes_on and is_own(self.got.thing, behind):  # "ruby eyes"
             entry = Entry("color", GEMS[entry.form], GEMS[entry.form])
         owner = entry.slot == "noun" and self._is_owner(entry, end)
-        if owner and self._tokens.has_thing(end):  # "a knight's shield"
+        if owner and self._owns_what_follows(end):  # "a knight's shield"
             self._leave_out(entry.form, end - start)
             return
         if self._is_beside(entry, start, end):  # "a mermaid on a rock"
@@ -347,8 +347,9 @@ class Reading(Likeness):
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
         noun right before it ("desk lamp")."""
         # Also of "a train station clock".
-        between = len(self._pending)
-        follows = self._noun_end >= 0 and self._noun_end + between == start
+        behind = self._noun_end + len(self._pending)
+        # Also of "a viking round shield".
+        follows = self._noun_end >= 0 and behind in (start, self._tokens.qualities_begin(start))
         if follows and self.got.found["noun"][-1].word != noun.word:
             form = self.got.found["noun"].pop().form
             if form in GEMS:  # "a ruby heart"; of "a ruby ring" the gem is

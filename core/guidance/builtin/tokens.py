@@ -176,7 +176,7 @@ class Tokens:
 
     def has_thing(self, at: int) -> bool:
         """Whether a thing's name begins at the index."""
-        return bool(self.first_thing(at))
+        return at < len(self.words) and bool(self.first_thing(at))
 
     def ends_phrase(self, end: int) -> bool:
         """Whether a phrase ends before the index, and goes on with no "and"."""

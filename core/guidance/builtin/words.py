@@ -205,7 +205,7 @@ PART_ALSO = {
     "glass": "glasses, windows, window, lens, screen, dome",
     "windshield": "windows, window, cockpit",
     "display": "screen",
-    "flame": "fire, glass, lamp, embers",
+    "flame": "fire, glass, embers",
     "fire": "flame, flames, embers, glass",
     "glow": "flame, flames, lights, light, lamp, lamps, glass, bulb, shade, crystal, embers",
     "skin": "body, fur, peel, rind",
@@ -224,6 +224,11 @@ PART_ALSO = {
     "scroll wheel": "wheel",
     "rims": "hubs, frame",
     "plume": "crest, plumes",
+    "center": "heart, core",
+    "centre": "heart, core",
+    "pit": "stone, seed",
+    "thrusters": "engines",
+    "trailer": "cargo, bed",
     "feather": "plume, crest",
     "planter": "pot, tray",
     "pump": "cap",
@@ -276,6 +281,14 @@ PART_ALSO = {
     "clothes": "suit, coat, robe, tunic, dress, shirt, armour",
     "costume": "suit, coat, robe, tunic, dress, shirt, armour",
     "uniform": "suit, coat, tunic, shirt",
+}
+# What is said of a part, where the thing has it: a colour, a material or a thing elsewhere.
+SAID_OF_PARTS = {
+    "cream": "icing",
+    "vinyl": "record",
+    "jeans": "denim trousers",
+    "clothes": "outfit",
+    "clothing": "outfit",
 }
 # What a thing is with a part that it has not: "a horse with a horn".
 WITH_PARTS = {
@@ -391,6 +404,7 @@ OF_ANOTHER = (
     "used by",
     "used as",
     "used in",
+    "about",
     "filled with",
     "full of",
     "surrounded by",

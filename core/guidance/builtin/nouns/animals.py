@@ -272,8 +272,8 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.19),
     ),
     "chicken": Noun(
-        "; hen, rooster, cockerel, chick, turkey, quail, pheasant, partridge, chicken bird, "
-        "seagull chick",
+        "; hen, rooster, cockerel, chick, baby chick, turkey, quail, pheasant, partridge, "
+        "chicken bird, seagull chick",
         {
             "body": "*f0e8d8",
             "wings": "&dccbab",

@@ -167,7 +167,7 @@ ARMS = {
         Usual(1.1, STEEL, 0.02),
     ),
     "necklace": Noun(
-        "necklaces, jewelled necklace; amulet, pendant, talisman, locket, choker",
+        "necklaces, jewelled necklace; amulet, pendant, talisman, locket, choker, pearl necklace",
         {
             "chain": "*c9983a . golden",
             "beads": "*e8b93c . golden",
@@ -185,7 +185,9 @@ ARMS = {
     "sack": Noun(
         "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, bag of money, bag of "
         "gold, coin bag, sack of flour, sack of potatoes, grain sack, sandbag, pouch, coin "
-        "pouch, loot bag, sleeping bag, bag of chips, crisp packet, chip bag, potato bag",
+        "pouch, loot bag, sleeping bag, bag of chips, crisp packet, chip bag, potato bag, "
+        "trash bag, garbage bag, bin bag, rubbish bag, punching bag, boxing bag, plastic bag, "
+        "paper bag",
         {
             "body": "*b99563 . fabric",
             "mouth": "&b99563 . fabric",

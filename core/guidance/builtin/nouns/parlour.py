@@ -76,7 +76,8 @@ PARLOUR_THINGS = {
     ),
     "cardboard box": Noun(
         "carton box, open cardboard box, open box, moving box, shipping box, "
-        "delivery box, packing box, paper box; cardboard carton, shoe box, shoebox, amazon box",
+        "delivery box, packing box, paper box; cardboard carton, shoe box, shoebox, amazon box, "
+        "pizza box, tissue box, box of chocolates, chocolate box, cereal box",
         {
             "body": "*bf9159",
             "flaps": "*c99c64",

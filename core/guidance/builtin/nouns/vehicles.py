@@ -222,6 +222,7 @@ VEHICLES = {
     ),
     "wagon": Noun(
         "cart, covered wagon, horse cart; hand cart, handcart, chariot, pram, stroller, pushchair, "
+        "baby carriage, baby stroller, "
         "buggy pram",
         {
             "body": "*94602f grain",
