@@ -515,3 +515,24 @@ def test_white_wood_shows_little_of_its_grain() -> None:
     assert depth("a red wooden chair") == depth("a birch chair") == 1
     (frame,) = (part for part in painted("window", parse("a window")) if part.name == "frame")
     assert surface_of(parse("a window"), frame).depth < 0.4  # white by nature
+
+
+def test_a_bed_is_its_frame_and_its_sheets_are_cloth() -> None:
+    plain = {part.name: part for part in painted("bed", parse("a wooden bed"))}
+    assert (plain["frame"].material, plain["blanket"].material) == ("wooden", "")
+    white = {part.name: part for part in painted("bed", parse("a white bed with blue sheets"))}
+    assert white["frame"].color == color_value("white", "white")
+    assert white["blanket"].color == color_value("blue", "blue")
+
+
+def test_what_a_covered_thing_is_painted_is_what_lies_below() -> None:
+    cake = {part.name: part for part in painted("cake", parse("a white cake with pink icing"))}
+    assert cake["body"].color == color_value("white", "white")
+    bare = {part.name: part for part in painted("cake", parse("a white cake"))}
+    assert bare["icing"].color == color_value("white", "white")
+    assert bare["body"].color == bare["body"].look.color
+
+
+def test_somebody_of_wood_is_carved_and_his_staff_alone_is_not() -> None:
+    assert parse("a wooden king").is_statue
+    assert not parse("a wizard with a wooden staff").is_statue

@@ -27,11 +27,11 @@ from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
-from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
+from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS, WHOLE
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
-HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
+HARD = ("wooden", "metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
@@ -198,7 +198,10 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     drawn = lines is not None and not lines.on
     # "A red cap and white spots": where all of it has looks of its own, these lie on it.
     said = {a.part for a in stated.accents if a.color or a.material or a.pattern} | {stated.target}
-    covered = all(name in said for name, look in looks(noun).items() if look.role == "*")
+    mains = {name for name, look in looks(noun).items() if look.role == "*"}
+    covered = bool(mains) and mains <= said
+    # "A white cake with pink icing": where that is so, its colour is what lies below's.
+    below = [name for name in WHOLE if covered and name in looks(noun) and name not in said]
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
         if lines and name == STRIPES and not accent.color:
@@ -212,7 +215,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         # What is said of the whole is not of it.
         apart = bool(word[0] or accent.material or accent.pattern)
         of_whole = (look.role in "*&" or stated.is_statue) and not apart
-        if of_whole:
+        if of_whole or name in below:
             word = first
         if word[0] or apart:
             color, pattern = _value(word) or color, finish.pattern

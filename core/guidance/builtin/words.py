@@ -528,7 +528,7 @@ SMALL_FIGURES = ("action figure", "toy figure", "vinyl figure")
 DEPICTIONS = (*STATUES, *PLUSHIES, *SMALL_FIGURES, "figure", "doll", "character")
 # An animal of these is a statue of one; of somebody, a gold wizard, that is so of fewer.
 CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
-CARVED = ("stone", "glass")
+CARVED = ("stone", "glass", "wooden", "ceramic")
 EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
 MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
 # What is alive and of these is a soft toy; what can be folded and is of the others is a toy too.

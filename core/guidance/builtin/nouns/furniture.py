@@ -49,10 +49,10 @@ FURNITURE = {
     "bed": Noun(
         "; mattress, gurney, stretcher, hospital bed",
         {
-            "blanket": "*3f6ea8",
+            "blanket": "+3f6ea8",
             "mattress": "-ebe6dc",
             "pillow": "+f2efe8",
-            "frame": "-7c4f2b grain",
+            "frame": "*7c4f2b grain",
         },
         Usual(2.1, FABRIC, 0.3),
     ),
@@ -145,11 +145,11 @@ FURNITURE = {
     "bunk bed": Noun(
         "bunk beds, bunkbed; loft bed",
         {
-            "blanket": "*c23b34",
+            "blanket": "+c23b34",
             "mattress": "-ebe6dc",
             "pillow": "+f2efe8",
-            "frame": "-a8733e grain",
-            "ladder": "-a8733e grain",
+            "frame": "*a8733e grain",
+            "ladder": "*a8733e grain",
         },
         Usual(2.0, WOOD, 0.077),
     ),

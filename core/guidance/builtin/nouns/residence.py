@@ -46,12 +46,12 @@ RESIDENCE_FURNITURE = {
         "four poster bed, fourposter bed, canopy bed, poster bed, 4 poster bed, princess bed; "
         "royal bed",
         {
-            "frame": "-5f3a20 grain",
+            "frame": "*5f3a20 grain",
             "mattress": "-efe9de . fabric",
-            "blanket": "*7a2436 . fabric",
-            "pillow": "+f4f0e6 . fabric",
-            "canopy": "&8a2c40 . fabric",
-            "curtains": "&8a2c40 . fabric",
+            "blanket": "+7a2436 . fabric",
+            "pillow": "-f4f0e6 . fabric",
+            "canopy": "+8a2c40 . fabric",
+            "curtains": "+8a2c40 . fabric",
         },
         Usual(2.2, FABRIC, 0.2),
     ),
