@@ -138,8 +138,8 @@ def parse(argv: Sequence[str]) -> Namespace:
     """The options of ``argv``.
 
     Raises:
-        UserError: a command or an option that does not exist, with the nearest that does; a file
-            that could not be written after an hour's work.
+        UserError: a command or an option that does not exist, with the nearest that does; a path in
+            the home of nobody; a file that could not be written after an hour's work.
     """
     from fantasia3d_addon.cli import parser as route
 
@@ -150,6 +150,8 @@ def parse(argv: Sequence[str]) -> Namespace:
         hint = f"Did you mean {near[0]}?" if near else f"Use one of {', '.join(names)}."
         raise UserError(f"There is no command {argv[0]!r}.", hint)
     args = commands.parse(argv)
+    if homeless := route.unknown_home(args):
+        raise UserError(*homeless)
     for name, endings in (("blend", (".blend",)), ("render", PICTURES)):
         path = getattr(args, name, None)
         if path:
@@ -354,7 +356,9 @@ def leave(code: int) -> NoReturn:
     """End the process at once: bpy may hang or crash at an ordinary exit."""
     blender = sys.modules.get("bpy")
     if blender:  # which would have done this itself
-        shutil.rmtree(blender.app.tempdir, ignore_errors=True)
+        from fantasia3d_addon.cli.session_folder import remove_session_folder
+
+        remove_session_folder(blender)
     unwritten = terminal.close_output()
     os._exit(code or unwritten)
 

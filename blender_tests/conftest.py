@@ -86,12 +86,13 @@ def ready(addon, tmp_path, monkeypatch):
 @pytest.fixture
 def wait() -> Callable[..., None]:
     """Calls the session's tick as a timer would, until all has ended or ``until`` is true."""
-    from fantasia3d_addon.jobs.session import session
+    from fantasia3d_addon.jobs.session import BUG, session
 
     def until_the_end(until: Callable[[], bool] = lambda: False, seconds: float = 60.0) -> None:
         deadline = time.monotonic() + seconds
         while session.tick() is not None and not until():
             assert time.monotonic() < deadline
+            assert session.error is None or session.error[1] != BUG, session.error
             time.sleep(0.01)
 
     return until_the_end

@@ -102,6 +102,18 @@ def test_previews_of_candidates_are_not_saved_and_come_back(ready, wait, tmp_pat
         assert saved.objects == []
 
 
+def test_undo_does_not_remove_the_previews_of_candidates(ready, wait):
+    bpy.ops.ed.undo_push(message="before")
+    entries = explored(wait, count=2)
+    places = [tuple(live_preview.find(e.folder.name).location) for e in entries]
+    bpy.data.objects.new("the user's", None)
+    bpy.ops.ed.undo_push(message="something of the user's")
+    for step in (bpy.ops.ed.undo, bpy.ops.ed.redo):
+        step()
+        assert [tuple(live_preview.find(e.folder.name).location) for e in entries] == places
+    assert "the user's" in bpy.data.objects
+
+
 def test_a_waiting_candidate_that_is_discarded_never_runs(ready, wait):
     ready.prompt = "long"
     ready.candidates = 3

@@ -400,6 +400,64 @@ def test_a_blender_without_a_window_makes_the_same_quads(obj):
     assert not bpy.data.libraries
 
 
+def own_picture(obj, folder) -> Path:
+    """Give ``obj`` a green picture of the user's in ``folder``, relative to the file there."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / "mine.blend"))
+    path = folder / "textures" / "green.png"
+    path.parent.mkdir()
+    made = bpy.data.images.new("made", 4, 4)
+    made.pixels = 16 * [0.0, 1.0, 0.0, 1.0]
+    made.filepath_raw, made.file_format = str(path), "PNG"
+    made.save()
+    bpy.data.images.remove(made)
+    material = bpy.data.materials.new("own")
+    material.use_nodes = True
+    tree = material.node_tree
+    node = tree.nodes.new("ShaderNodeTexImage")
+    node.image = bpy.data.images.load("//textures/green.png")
+    shader = next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED")
+    tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    obj.data.materials.clear()
+    obj.data.materials.append(material)
+    return path
+
+
+def test_a_blender_without_a_window_finds_the_users_pictures(obj, tmp_path, monkeypatch):
+    own_picture(obj, tmp_path)
+    monkeypatch.setattr(blender_process, "POLL_SECONDS", 0.5)
+    task = blender_process.start(obj, "quads", faces=300, size=32)
+    task.join(120)
+    assert task.error is None
+    (quads,) = blender_process.load_objects(task.result)
+    nodes = quads.active_material.node_tree.nodes
+    colors = next(n.image for n in nodes if n.type == "TEX_IMAGE" and "color" in n.image.name)
+    pixels = np.array(colors.pixels[:]).reshape(-1, 4)
+    assert np.median(pixels[:, :3], axis=0) == pytest.approx((0, 1, 0), abs=0.05)
+    assert "//textures/green.png" in [image.filepath for image in bpy.data.images]
+
+
+@pytest.mark.parametrize("place", ["library", "../library", "."])
+def test_a_librarys_file_finds_the_users_pictures(obj, tmp_path, place):
+    project = tmp_path / "project"
+    project.mkdir()
+    picture = own_picture(obj, project)
+    library = project / place
+    library.mkdir(exist_ok=True)
+    asset_browser.mark_asset(obj, thumbnail=False)
+    path = asset_browser.save_to_library(obj, library)
+    assert "//textures/green.png" in [image.filepath for image in bpy.data.images]
+    bpy.ops.wm.open_mainfile(filepath=str(path.resolve()))
+    (image,) = bpy.data.images
+    assert Path(bpy.path.abspath(image.filepath)).resolve() == picture
+    assert not list(tmp_path.rglob(".fantasia3d-*"))
+
+
+def test_a_library_in_the_home_of_nobody_is_a_sentence(obj):
+    asset_browser.mark_asset(obj, thumbnail=False)
+    with pytest.raises(OutputError, match="There is no folder .*~no-one"):
+        asset_browser.save_to_library(obj, "~no-one/library")
+
+
 def test_what_a_blender_without_a_window_refuses_is_a_sentence(tmp_path):
     from blender_tests.asset_fixture import block
 

@@ -88,6 +88,22 @@ def test_a_large_solid_is_in_the_way(empty):
     assert np.abs(place()).max() > 9
 
 
+def test_the_surroundings_of_a_scene_that_is_not_shown_count(addon, asset):
+    shown, other = bpy.context.scene, bpy.data.scenes.new("other")
+    block((-4, -4, 0), (4, 4, 3), "a room", flip=True)
+    other.collection.objects.link(bpy.data.objects["a room"])
+    shown.collection.objects.unlink(bpy.data.objects["a room"])
+    assert bpy.context.scene == shown
+    x = np.abs(free_place(other, UNIT, (3.9, 0, 0)))[0]
+    assert x < 3.9 or x > 4.4
+    eye = Vector((0, 0, 1))
+    assert free_place(other, UNIT, (1, 0, 0), eye=eye) == (1, 0, 0)
+    from fantasia3d_addon.jobs.import_result import import_result
+
+    name = import_result(asset, Target(), other, push_undo=False)
+    assert name in other.objects
+
+
 def test_a_mug_is_not_put_below_a_chair(empty, asset):
     block((-0.25, -0.25, 0), (0.25, 0.25, 0.9), "a chair")
     assert np.abs(place(bounds=0.1 * UNIT)).max() >= 0.3

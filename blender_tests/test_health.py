@@ -129,6 +129,24 @@ def test_an_impossible_repair_is_an_error(tmp_path):
         health.repair(obj)
 
 
+def test_the_scale_of_a_shared_mesh_is_left_and_that_is_said(addon, tmp_path, capfd):
+    obj = made(tmp_path, holed())
+    obj.scale = (2, 2, 2)
+    obj.data.use_fake_user = True  # which is no other object
+    twin = bpy.data.objects.new("twin", obj.data)
+    with pytest.raises(AddonError, match=r"share the mesh.*Make Single User"):
+        health.repair(obj, "SCALE")
+    assert health.repair(obj) == ("HOLES",)
+    assert tuple(obj.scale) == (2, 2, 2)
+    bpy.context.view_layer.objects.active = obj
+    assert bpy.ops.fantasia3d.repair_mesh() == {"FINISHED"}
+    assert "The scale is not applied" in capfd.readouterr().out
+    bpy.data.objects.remove(twin)
+    assert bpy.ops.fantasia3d.repair_mesh() == {"FINISHED"}
+    assert "not applied" not in capfd.readouterr().out
+    assert tuple(obj.scale) == (1, 1, 1)
+
+
 def test_the_operators_are_the_functions_and_the_panel_knows_when_a_report_is_old(addon, tmp_path):
     obj = made(tmp_path, holed())
     bpy.context.view_layer.objects.active = obj

@@ -1,4 +1,4 @@
-"""Ctrl-C during a render, and what killed processes leave next to the outputs."""
+"""Ctrl-C during a render, a process that ends at once, and what killed ones leave behind."""
 
 import os
 import signal
@@ -14,8 +14,9 @@ pytest.importorskip("bpy")
 
 import run
 from blender_tests.pictures import read
-from fantasia3d_addon.blender import output
-from fantasia3d_addon.cli import headless, interrupt
+from blender_tests.processes import blender_command
+from fantasia3d_addon.blender import blend_output, output
+from fantasia3d_addon.cli import headless, interrupt, session_folder
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 ROOT = Path(__file__).parents[1]
@@ -85,6 +86,48 @@ def test_an_ignored_ctrl_c_stays_ignored():
         signal.signal(signal.SIGINT, before)
 
 
+ENDS = {
+    "run.leave": "import run; run.leave(0)",
+    "ctrl-c": "from fantasia3d_addon.cli import interrupt; interrupt._end()",
+}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="TMPDIR")
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.parametrize("is_long", [False, True])
+def test_blenders_own_folder_is_removed_at_the_end_and_never_everybodys(tmp_path, end, is_long):
+    """Blender, whose paths have at most 1023 bytes, falls back to the folder that it is named."""
+    base = tmp_path
+    while is_long and len(str(base)) < 900:
+        base /= 100 * "x"
+    if is_long:
+        base /= (1017 - len(str(base))) * "x"
+    base.mkdir(parents=True, exist_ok=True)
+    (base / "mine.txt").write_text("another program's")
+    said = "import bpy, sys; sys.stdout.write(bpy.app.tempdir); sys.stdout.flush()"
+    done = subprocess.run(
+        blender_command(f"{said}\n{ENDS[end]}"),
+        env={**os.environ, "TMPDIR": str(base)},
+        capture_output=True,
+        text=True,
+    )
+    folder = Path(next(x for x in done.stdout.splitlines() if x.startswith(str(base))))
+    assert (folder == base) == is_long, done.stderr
+    assert [path.name for path in base.iterdir()] == ["mine.txt"]
+    assert done.returncode == (0 if end == "run.leave" else 130)
+
+
+def test_a_folder_that_was_named_to_blender_is_no_session_folder(tmp_path, monkeypatch):
+    folder = tmp_path / "blender_render"
+    folder.mkdir()
+    assert session_folder.is_session_folder(folder)
+    assert not session_folder.is_session_folder(folder, [f"{folder}/"])
+    assert not session_folder.is_session_folder(tmp_path)
+    assert not session_folder.is_session_folder(Path())
+    monkeypatch.setenv("TMPDIR", str(folder))
+    assert not session_folder.is_session_folder(folder)
+
+
 def left_over(parent: Path, name: str, lock: str = output.LOCK) -> Path:
     folder = parent / f"{output.PREFIX}{name}"
     folder.mkdir()
@@ -107,6 +150,31 @@ def test_a_later_output_removes_what_a_killed_one_left_and_nothing_else(tmp_path
             temporary.write_text("whole")
     assert not stale.exists()
     assert set(tmp_path.iterdir()) == {*kept, busy, tmp_path / "a.txt"}
+
+
+def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path):
+    stale = left_over(tmp_path, "abcdefgh")
+    dead = [tmp_path / f"{output.PREFIX}{name}" for name in ("abcdefgh.blend", "qwertzui.blend@")]
+    busy = tmp_path / f"{output.PREFIX}12345678"
+    busy.mkdir()
+    kept = {busy, busy.with_name(f"{busy.name}.blend"), tmp_path / f"{output.PREFIX}mine.blend"}
+    for path in (*dead, *kept - {busy}):
+        path.write_bytes(b"half")
+    with blend_output.temporary_blend(tmp_path / "a.blend") as temporary:
+        assert temporary.parent == tmp_path
+        temporary.write_text("whole")
+    assert not stale.exists()
+    assert set(tmp_path.iterdir()) == {*kept, tmp_path / "a.blend"}
+
+
+def test_a_save_that_is_cut_off_leaves_nothing(tmp_path):
+    with blend_output.temporary_blend(tmp_path / "a.blend") as temporary:
+        temporary.with_name(f"{temporary.name}@").write_text("half")
+        temporary.write_text("half")
+        output.remove_temporaries()  # as Ctrl-C does
+        assert not list(tmp_path.iterdir())
+        (tmp_path / temporary.stem).mkdir()  # which a process that lives would have
+        temporary.write_text("whole")
 
 
 def test_frames_of_a_killed_turntable_do_not_come_into_the_next(asset, tmp_path):

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from fantasia3d_addon.errors import JobError
-from fantasia3d_addon.jobs import process
+from fantasia3d_addon.jobs import history, process
 from fantasia3d_addon.jobs.events import Event
 from fantasia3d_addon.jobs.process import Core, Run, is_core
 
@@ -203,6 +203,22 @@ def test_a_run_nobody_started_is_dead_after_a_while(tmp_path, monkeypatch):
     assert Run.attach(tmp_path).poll() == []
 
 
+def test_a_living_run_is_followed_though_its_log_is_old(tmp_path):
+    """A long stage prints nothing for many minutes."""
+    run = start(tmp_path / "run", "long")
+    follow(run, until=lambda events: len(events) > 2)
+    old = time.time() - 10 * process.START_SECONDS
+    os.utime(run.log, (old, old))
+    found = Run.attach(run.folder)
+    assert "error" not in [event.type for event in found.poll()]
+    assert (found.pid, found.finished) == (run.pid, False)
+    run.kill()
+    follow(run)
+    follow(found)
+    assert found.last is not None
+    assert found.last.type == "error"
+
+
 def test_no_python_there(tmp_path):
     with pytest.raises(JobError, match=r"There is no Python at .*Install"):
         Run.start(tmp_path / "run", {}, Core(Path("/no/python"), FAKE_CORE))
@@ -246,3 +262,52 @@ def test_kill_ends_a_process_that_does_not_listen(tmp_path):
     follow(run)
     assert run.last is not None
     assert "signal 9" in run.last.text
+
+
+def test_without_proc_the_holder_of_the_runs_lock_is_the_core(tmp_path, monkeypatch):
+    """As on macOS and Windows."""
+    monkeypatch.setattr(process, "_command_line", lambda _pid: None)
+    run = start(tmp_path / "run", "long")
+    follow(run, until=lambda events: len(events) > 2)
+    assert is_core(run.pid, run.folder)
+    assert not is_core(os.getpid(), run.folder)  # the lock is another's
+    found = Run.attach(run.folder)
+    found.poll()
+    found.kill()
+    follow(run)
+    assert run.last is not None
+    assert "signal 9" in run.last.text
+    assert not is_core(run.pid, run.folder)
+
+
+def test_a_stranger_that_has_the_number_of_a_dead_core_is_left_alone(tmp_path, monkeypatch):
+    """Where the system reports no command lines, too."""
+    monkeypatch.setattr(process, "_command_line", lambda _pid: None)
+    folder = tmp_path / "run"
+    folder.mkdir()
+    (folder / "job.json").write_text('{"version": 1, "prompt": "x", "seed": 1}')
+    (folder / "lock").write_text(" 1\n")  # it stays when its holder dies
+    with subprocess.Popen(["sleep", "60"], start_new_session=True) as stranger:
+        started = json.dumps({"type": "started", "time": 0, "pid": stranger.pid})
+        (folder / "events.jsonl").write_text(started + "\n")
+        entry = history.read_entry(folder)
+        assert entry is not None
+        assert (entry.state, entry.resumable) == (history.STOPPED, True)
+        run = Run.attach(folder)
+        assert run.poll()[-1].type == "error"
+        run.kill()
+        time.sleep(0.1)
+        assert stranger.poll() is None
+        history.remove(entry)
+        assert not folder.exists()
+        stranger.kill()
+
+
+def test_a_process_that_has_exited_is_not_killed(tmp_path, monkeypatch):
+    """Its number may be another's already."""
+    run = start(tmp_path / "run")
+    follow(run)
+    killed = []
+    monkeypatch.setattr(process, "kill_process", killed.append)
+    run.kill()
+    assert killed == []

@@ -101,6 +101,86 @@ def test_it_falls_on_the_users_own_floor_and_the_floor_is_free_afterwards(obj):
     assert not floor.modifiers
 
 
+def copied(obj) -> bpy.types.Object:
+    copy = obj.copy()
+    bpy.context.scene.collection.objects.link(copy)
+    return copy
+
+
+@pytest.mark.parametrize("kind", ["RIGID", "SOFT", "DRAPE"])
+def test_a_renamed_object_is_freed_and_takes_no_other_with_it(obj, kind):
+    start, first = world_verts(obj), obj.name
+    simulation.simulate(obj, kind, simulation.Options(frames=3, height=0.3))
+    obj.name = "renamed"
+    second = copied(obj)
+    simulation.clear(second)
+    second.name, second.location = first, (5, 0, 0)
+    simulation.simulate(second, kind, simulation.Options(frames=3, height=0.3))
+    simulation.clear(second)
+    assert simulation.owner_of(obj) is not None
+    simulation.clear(obj)
+    assert sorted(o.name for o in bpy.data.objects) == sorted([first, "renamed"])
+    assert (obj.parent, len(obj.modifiers)) == (None, 0)
+    np.testing.assert_allclose(world_verts(obj), start, atol=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["RIGID", "CLOTH", "DRAPE"])
+def test_a_copy_is_freed_where_it_is_and_the_original_stays_simulated(obj, kind):
+    simulation.simulate(obj, kind, simulation.Options(frames=3, height=0.3))
+    before = everything()
+    copy = copied(obj)
+    copy.location.x += 1
+    bpy.context.view_layer.update()
+    place = np.array(copy.matrix_world)
+    simulation.clear(copy)
+    assert not simulation.is_simulated(copy)
+    assert (copy.parent, len(copy.modifiers)) == (None, 0)
+    np.testing.assert_allclose(np.array(copy.matrix_world), place, atol=1e-5)
+    bpy.data.objects.remove(copy)
+    assert everything() == before
+    assert simulation.owner_of(obj) is not None
+
+
+def test_a_copy_outlives_the_original_simulation(obj):
+    bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
+    floor = bpy.context.object
+    simulation.simulate(obj, "SOFT", simulation.Options(frames=3))
+    copy = copied(obj)
+    simulation.clear(obj)
+    assert not floor.modifiers
+    simulation.clear(copy)
+    assert {o.name for o in bpy.data.objects} == {obj.name, copy.name, floor.name}
+
+
+def test_a_simulation_of_an_earlier_version_is_removed(obj):
+    """Its helpers hold the name of the asset."""
+    before, start = everything(), world_verts(obj)
+    simulation.simulate(obj, "RIGID", simulation.Options(frames=3, height=0.3))
+    for made in bpy.data.objects:
+        if made != obj:
+            made[simulation.MARK] = obj.name
+    simulation.clear(obj)
+    assert everything() == before
+    np.testing.assert_allclose(world_verts(obj), start, atol=1e-5)
+
+
+def masked(obj) -> None:
+    """Let a modifier leave nothing of ``obj``."""
+    obj.vertex_groups.new(name="none")
+    obj.modifiers.new("mask", "MASK").vertex_group = "none"
+
+
+def test_what_its_modifiers_hide_is_nothing_to_fall_on(obj):
+    bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
+    masked(bpy.context.object)
+    simulation.simulate(obj, "RIGID", simulation.Options(frames=3))
+    assert simulation.GROUND in bpy.data.objects
+    simulation.clear(obj)
+    masked(obj)
+    with pytest.raises(AddonError, match="leave no vertices"):
+        simulation.simulate(obj, "RIGID", simulation.Options(frames=3))
+
+
 def test_a_bake_travels_with_the_file(obj, tmp_path):
     simulation.simulate(obj, "SOFT", simulation.Options(frames=FRAMES))
     before = motion(obj)

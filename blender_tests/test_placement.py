@@ -13,6 +13,7 @@ from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.blender.mesh_arrays import world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.scene import cornell_box, placement, render  # noqa: E402
+from fantasia3d_addon.ui.operator_helpers import reason_against_tool  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -41,6 +42,17 @@ def test_it_falls_onto_what_is_below_it(asset):
     assert world_verts(obj)[:, 2].min() == pytest.approx(1.2, abs=1e-4)
     assert placement.drop(obj) == pytest.approx(0, abs=1e-4)  # it is there already
     assert tuple(table.location) == (0, 0, 1)
+
+
+def test_what_its_modifiers_hide_does_not_hold_it(asset):
+    for height in (1.0, 5.0):
+        box = add_box((2, 2, 0.4), (0, 0, height))
+        box.vertex_groups.new(name="none")
+        box.modifiers.new("mask", "MASK").vertex_group = "none"
+    obj = import_asset(bpy.context, asset, (0, 0, 3))
+    assert placement.drop(obj) == pytest.approx(3, abs=1e-4)
+    with pytest.raises(AddonError, match="leave no vertices"):
+        placement.drop(box)
 
 
 def test_a_ball_on_a_ball_touches_in_one_point():
@@ -152,6 +164,35 @@ def test_the_walls_are_red_and_green_and_the_pane_glows(asset, tmp_path):
     assert left[0] > 4 * left[1]
     assert right[1] > 1.8 * right[0]  # the light itself is 1.4 times as red as green
     assert picture[:12, 20:28].max() > 0.95
+
+
+def test_what_is_linked_from_another_file_is_refused_with_what_to_do(addon, asset, tmp_path):
+    obj = import_asset(bpy.context, asset, (0, 0, 3))
+    name, path = obj.name, str(tmp_path / "library.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    bpy.data.objects.remove(obj)
+    with bpy.data.libraries.load(path, link=True) as (_, into):
+        into.objects = [name]
+    obj = into.objects[0]
+    bpy.context.scene.collection.objects.link(obj)
+    bpy.context.view_layer.objects.active = obj
+    own = bpy.data.objects.new("own", obj.data)  # its mesh is linked alone
+    bpy.context.scene.collection.objects.link(own)
+    tools = bpy.ops.fantasia3d
+    changing = (tools.drop, tools.origin_to_base, tools.replace_material, tools.adjust_material,
+                tools.mark_asset, tools.repair_mesh, tools.simulate)  # fmt: skip
+    for active in (obj, own):
+        bpy.context.view_layer.objects.active = active
+        assert "Make Local" in reason_against_tool(bpy.context)
+        for tool in changing:
+            with pytest.raises(RuntimeError, match="Make it local first"):
+                tool()
+        assert tools.check_mesh() == {"FINISHED"}
+        assert tools.export(filepath=str(tmp_path / f"{active.name}.glb")) == {"FINISHED"}
+    own.data = own.data.copy()  # now its material alone is linked
+    with pytest.raises(RuntimeError, match="Its material is linked"):
+        tools.adjust_material()
+    assert tools.drop() == {"FINISHED"}
 
 
 def test_the_operators_are_the_functions(addon, asset):

@@ -1,6 +1,7 @@
 """Relighting and the turntable."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +11,10 @@ bpy = pytest.importorskip("bpy")
 from blender_tests.pictures import add_ball, lobe, paint_white, read, render, write_hdr  # noqa: E402
 from fantasia3d_addon.blender import compat  # noqa: E402
 from fantasia3d_addon.errors import AddonError, LightError, OutputError  # noqa: E402
+from fantasia3d_addon.jobs.session import session  # noqa: E402
 from fantasia3d_addon.scene import light, relight  # noqa: E402
 from fantasia3d_addon.scene import render as scene_render  # noqa: E402
+from fantasia3d_addon.ui import scene_operators  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 
@@ -117,6 +120,89 @@ def test_a_turntable_is_an_mp4_file(table, tmp_path):
     assert out.read_bytes()[4:8] == b"ftyp"
     clip = bpy.data.images.load(str(out))
     assert (clip.source, tuple(clip.size), clip.frame_duration) == ("MOVIE", (32, 32), 3)
+
+
+def picture_world(path) -> bpy.types.World:
+    """A world of the user's: a picture without a Mapping node."""
+    world = bpy.data.worlds.new("mine")
+    tree = compat.empty_nodes(world)
+    nodes = [tree.nodes.new(f"ShaderNode{x}") for x in ("TexEnvironment", "Background")]
+    output = tree.nodes.new("ShaderNodeOutputWorld")
+    nodes[0].image = bpy.data.images.load(str(path))
+    tree.links.new(nodes[0].outputs["Color"], nodes[1].inputs["Color"])
+    tree.links.new(nodes[1].outputs["Background"], output.inputs["Surface"])
+    return world
+
+
+@pytest.mark.parametrize("has_world", [True, False])
+def test_a_turntable_in_the_default_scene_has_the_studio_light_and_leaves_the_world(has_world):
+    bpy.ops.wm.read_factory_settings(use_empty=False)
+    scene, cube = bpy.context.scene, bpy.data.objects["Cube"]
+    if not has_world:
+        bpy.data.worlds.remove(scene.world)
+    own, before = scene.world, counts()
+    made = relight.turntable_scene(cube, Path("x"), frames=4, turn="LIGHT")
+    assert light.environment_image(made.world).name == f"{relight.TABLE} light"
+    assert scene.world == own
+    relight.remove_turntable_scene(made)
+    assert (scene.world, counts()) == (own, before)
+
+
+def test_a_turntable_is_under_the_users_own_picture_which_stays(table, lights, tmp_path):
+    scene = bpy.context.scene
+    relight.relight(scene, str(lights["left"]))
+    ours = relight.turntable(table, tmp_path / "ours", frames=4, turn="LIGHT", size=64, samples=4)
+    scene.world = own = picture_world(lights["left"])
+    nodes, before = len(own.node_tree.nodes), counts()
+    mine = relight.turntable(table, tmp_path / "mine", frames=4, turn="LIGHT", size=64, samples=4)
+    for i in (1, 2, 3, 4):
+        name = f"frame_000{i}.png"
+        assert side(read(mine / name)) == pytest.approx(side(read(ours / name)), abs=0.02)
+    assert (scene.world, len(own.node_tree.nodes), counts()) == (own, nodes, before)
+
+
+@pytest.mark.parametrize(("turn", "changes"), [("LIGHT", True), ("OBJECT", False)])
+def test_the_sun_of_a_sky_turns_too(table, tmp_path, turn, changes):
+    bpy.context.scene.world = world = picture_world(next(tmp_path.glob("*.hdr")))
+    tree = world.node_tree
+    sky = tree.nodes.new("ShaderNodeTexSky")
+    sky.sun_elevation, sky.sun_rotation = 0.3, 1.0
+    background = next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBackground")
+    background.inputs["Strength"].default_value = 0.004
+    tree.links.new(sky.outputs["Color"], background.inputs["Color"])
+    out = relight.turntable(table, tmp_path / "turn", frames=4, turn=turn, size=64, samples=16)
+    sides = [side(read(out / f"frame_000{i}.png")) for i in (1, 2, 3, 4)]
+    assert (np.ptp(sides) > 0.3) == changes
+    assert changes or np.ptp(sides) < 0.05
+
+
+@pytest.mark.parametrize("ending", ["complete", "cancelled", "nothing"])
+def test_a_turntable_in_a_window_replaces_the_older_one_only_when_it_is_whole(
+    table, tmp_path, monkeypatch, ending
+):
+    out, before = tmp_path / "turn.mp4", counts()
+    out.write_bytes(b"older")
+
+    def start(name: str) -> None:
+        made = bpy.data.scenes[name]
+        if ending != "nothing":
+            Path(made.render.filepath).write_bytes(b"newer")
+        for handler in bpy.app.handlers.render_complete if ending != "cancelled" else ():
+            handler(made)
+
+    states = iter([True, False])
+    monkeypatch.setattr(scene_operators, "_start_render", start)
+    monkeypatch.setattr(scene_operators, "rendering", lambda: next(states))
+    timers = []
+    monkeypatch.setattr(bpy.app.timers, "register", lambda go_on, **_: timers.append(go_on))
+    monkeypatch.setattr(session, "error", None)
+    scene_operators._render_in_window(table, out, frames=2, size=32, samples=1)
+    assert out.read_bytes() == b"older"
+    assert [timers[0](), timers[0]()] == [0.5, None]
+    assert out.read_bytes() == (b"newer" if ending == "complete" else b"older")
+    assert bool(session.error) == (ending == "nothing")
+    assert (counts(), [p.name for p in tmp_path.glob(".*")]) == (before, [])
+    assert not [h for h in bpy.app.handlers.render_complete if "scene_operators" in h.__module__]
 
 
 @pytest.mark.parametrize(

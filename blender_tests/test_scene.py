@@ -1,6 +1,7 @@
 """The camera, the picture and the saved file."""
 
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -119,6 +120,51 @@ def test_saved_and_loaded_by_another_process_it_renders_the_same(asset, tmp_path
     )
     subprocess.run(blender_command(code), check=True, capture_output=True)
     np.testing.assert_allclose(read(tmp_path / "again.png"), first, atol=1.5 / 255)
+
+
+def refer_to(folder: Path) -> tuple[Path, Path]:
+    """The open file refers to a picture and to a library, which are made in ``folder``."""
+    image, library = folder / "textures" / "a.png", folder / "library" / "b.blend"
+    for path in (image, library):
+        path.parent.mkdir(parents=True)
+    made = bpy.data.images.new("made", 4, 4)
+    made.filepath_raw, made.file_format = str(image), "PNG"
+    made.save()
+    bpy.data.images.remove(made)
+    bpy.data.libraries.write(str(library), {bpy.data.objects.new("linked", None)}, fake_user=True)
+    bpy.data.images.load(str(image)).use_fake_user = True
+    with bpy.data.libraries.load(str(library), link=True) as (_, wanted):
+        wanted.objects = ["linked"]
+    bpy.context.scene.collection.objects.link(wanted.objects[0])
+    return image, library
+
+
+def paths_in_memory() -> list[str]:
+    (image,) = (image for image in bpy.data.images if image.source == "FILE")
+    (library,) = bpy.data.libraries
+    return [image.filepath, library.filepath]
+
+
+@pytest.mark.parametrize(
+    "place", ["beside.blend", "mine.blend", "../out/a.blend", "deep/er/a.blend"]
+)
+@pytest.mark.parametrize("is_open", [True, False])
+def test_what_a_file_refers_to_is_found_from_where_it_is_saved(tmp_path, place, is_open):
+    project = tmp_path / "project"
+    files = refer_to(project)
+    if is_open:
+        bpy.ops.wm.save_as_mainfile(filepath=str(project / "mine.blend"))
+        bpy.ops.file.make_paths_relative()
+        bpy.ops.wm.save_mainfile()
+        assert paths_in_memory() == ["//textures/a.png", "//library/b.blend"]
+    before = (bpy.data.filepath, *paths_in_memory())
+    scene_render.save_blend(project / place)
+    assert (bpy.data.filepath, *paths_in_memory()) == before
+    assert not list(tmp_path.rglob(".fantasia3d-*"))
+    bpy.ops.wm.open_mainfile(filepath=str((project / place).resolve()))
+    found = [Path(bpy.path.abspath(path)) for path in paths_in_memory()]
+    assert [path.resolve() for path in found] == list(files)
+    assert "linked" in bpy.data.objects and not bpy.data.objects["linked"].is_missing
 
 
 @pytest.mark.parametrize("name", ["x.png", "x.jpg", "x.exr", "x.webp", "x.TIF"])

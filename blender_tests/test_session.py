@@ -16,6 +16,7 @@ from blender_tests.conftest import FAKE_CORE  # noqa: E402
 from blender_tests.processes import blender_command  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.jobs import history, submit  # noqa: E402
+from fantasia3d_addon.jobs.lock import RunLock  # noqa: E402
 from fantasia3d_addon.jobs.process import is_core  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
 
@@ -235,6 +236,101 @@ def test_an_asset_does_not_fall_into_another_file(ready, wait, tmp_path):
     assert bpy.ops.fantasia3d.job_import(folder=str(session.missed[0].folder)) == {"FINISHED"}
     assert len(bpy.data.objects) == 1
     assert not session.missed
+
+
+def test_a_queued_asset_does_not_fall_into_another_file(ready, wait, tmp_path):
+    mine, other = str(tmp_path / "mine.blend"), str(tmp_path / "other.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=other)
+    bpy.ops.wm.save_as_mainfile(filepath=mine)
+    runs = [submit.generate(bpy.context) for _ in range(2)]
+    assert len(session.waiting) == 1
+    bpy.ops.wm.open_mainfile(filepath=other)
+    wait()
+    assert not bpy.data.objects
+    assert [entry.folder for entry in session.missed] == runs
+    assert all(history.awaits_import(history.read_entry(folder)) for folder in runs)
+
+
+def test_an_adopted_run_does_not_fall_into_another_file(ready, wait, tmp_path):
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "mine.blend"))
+    ready.prompt = "brief"
+    run = submit.generate(bpy.context)
+    process = session.running[0].run._process
+    session.close()  # Blender ends, and a new one opens its startup file
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    session.adopt(bpy.context)
+    assert [followed.run.folder for followed in session.running] == [run]
+    wait()
+    process.wait(60)
+    assert not bpy.data.objects
+    assert [entry.folder for entry in session.missed] == [run]
+
+
+def test_a_resumed_run_comes_where_it_is_resumed(ready, wait, tmp_path):
+    ready.prompt = "brief"
+    run = submit.generate(bpy.context)
+    wait(until=lambda: session.running[0].progress.fraction > 0)
+    session.cancel()
+    wait()
+    session.close()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "mine.blend"))  # it had no name before
+    submit.resume(bpy.context, history.read_entry(run))
+    wait()
+    assert (len(bpy.data.objects), session.missed) == (1, [])
+
+
+def test_an_asset_comes_into_the_scene_where_the_active_collection_is_linked(ready, wait, tmp_path):
+    library = tmp_path / "library.blend"
+    bpy.data.libraries.write(str(library), {bpy.data.collections.new("Lib")}, fake_user=True)
+    bpy.data.collections.remove(bpy.data.collections["Lib"])
+    with bpy.data.libraries.load(str(library), link=True) as (_, wanted):
+        wanted.collections = ["Lib"]
+    bpy.context.scene.collection.children.link(bpy.data.collections["Lib"])
+    layer = bpy.context.view_layer
+    layer.active_layer_collection = layer.layer_collection.children["Lib"]
+    run = submit.generate(bpy.context)
+    wait()
+    assert session.error is None
+    assert len(bpy.context.scene.collection.objects) == 1
+    assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
+    assert len(bpy.context.scene.collection.objects) == 2
+
+
+def test_what_an_import_raises_is_a_sentence_and_the_asset_is_offered(ready, monkeypatch, capsys):
+    def broken(*_args: object, **_more: object) -> None:
+        raise RuntimeError("Could not link it.")
+
+    monkeypatch.setattr("fantasia3d_addon.jobs.import_result.import_asset", broken)
+    run = submit.generate(bpy.context)
+    while session.tick() is not None:
+        time.sleep(0.01)
+    text, fix = session.error
+    assert text == (
+        "The asset “a red wooden chair” can't be imported (RuntimeError: Could not link it)."
+    )
+    assert fix.endswith(".")
+    lock = RunLock.acquire(run)  # nobody follows it any more
+    assert lock
+    lock.release()
+    assert "Traceback" in capsys.readouterr().err
+    assert [entry.folder for entry in session.missed] == [run]
+    monkeypatch.undo()
+    bpy.ops.fantasia3d.job_import(folder=str(run))
+    assert (len(bpy.data.objects), session.missed) == (1, [])
+
+
+def test_a_tick_that_fails_is_told_once_and_the_next_goes_on(ready, monkeypatch, capsys):
+    def broken(**_more: object) -> None:
+        raise RuntimeError("No such layer.")
+
+    run = submit.generate(bpy.context)
+    monkeypatch.setattr("fantasia3d_addon.jobs.session.live_preview.remove", broken)
+    while session.tick() is not None:
+        time.sleep(0.01)
+    assert session.error[0] == "The jobs can't be followed (RuntimeError: No such layer)."
+    assert capsys.readouterr().err.count("Traceback") == 1
+    assert (run / "taken").exists()
+    assert len(bpy.data.objects) == 1
 
 
 def test_a_run_that_continues_after_a_crash_is_followed(ready, wait, tmp_path):

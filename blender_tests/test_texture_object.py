@@ -262,3 +262,66 @@ def test_a_textured_mesh_is_repeated_from_the_files_of_its_run(ready, wait):
     assert again.target.object == obj.name
     wait()
     assert len(obj.material_slots) == 2
+
+
+def textured(wait, file: Path) -> tuple[bpy.types.Object, Path]:
+    """A cube in ``file`` and the run of its material, which it has."""
+    obj = add_cube()
+    bpy.ops.wm.save_as_mainfile(filepath=str(file))
+    run = submit.texture(bpy.context)
+    wait()
+    assert len(obj.material_slots) == 1
+    return obj, run
+
+
+def test_a_material_of_the_history_comes_onto_its_object(ready, wait, tmp_path):
+    obj, run = textured(wait, tmp_path / "mine.blend")
+    assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
+    assert (len(obj.material_slots), len(bpy.data.objects)) == (2, 1)
+    bpy.ops.wm.save_mainfile()
+    session.close()  # and in a later Blender
+    bpy.ops.wm.open_mainfile(filepath=bpy.data.filepath)
+    assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
+    assert (len(bpy.data.objects["Cube"].material_slots), len(bpy.data.objects)) == (3, 1)
+
+
+@pytest.mark.parametrize("saved", [True, False])
+def test_an_object_of_another_file_is_not_taken_for_the_jobs(ready, wait, tmp_path, saved):
+    """Every new file has a “Cube” with a “UVMap”."""
+    if saved:
+        _, run = textured(wait, tmp_path / "mine.blend")
+    else:
+        add_cube()
+        run = submit.texture(bpy.context)
+        wait()
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    other = add_cube()
+    assert bpy.ops.fantasia3d.job_import(folder=str(run)) == {"FINISHED"}
+    assert len(other.material_slots) == 0
+    assert len(bpy.data.objects) == 2
+    assert bpy.context.active_object.name == "a red wooden chair"
+
+
+def test_a_mesh_that_is_another_by_now_is_not_taken_for_the_jobs(ready, wait, tmp_path):
+    obj, run = textured(wait, tmp_path / "mine.blend")
+    obj.modifiers.new("Subdivision", "SUBSURF")
+    bpy.context.view_layer.update()
+    bpy.ops.fantasia3d.job_import(folder=str(run))
+    assert (len(obj.material_slots), len(bpy.data.objects)) == (1, 2)
+
+
+def test_a_job_for_an_object_ends_in_another_file(ready, wait, tmp_path):
+    """Requested in one that was never saved, followed by a later Blender."""
+    add_cube()
+    ready.prompt = "brief"
+    run = submit.texture(bpy.context)
+    process = session.running[0].run._process
+    session.close()
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    other = add_cube()
+    session.adopt(bpy.context)
+    assert [followed.run.folder for followed in session.running] == [run]
+    wait()
+    process.wait(60)
+    assert (len(other.material_slots), len(bpy.data.objects)) == (0, 1)
+    assert [entry.folder for entry in session.missed] == [run]

@@ -35,7 +35,9 @@ def start(obj: bpy.types.Object, task_name: str, **options: object) -> Task:
     request = {"task": task_name, "object": obj.name, "options": options}
     (folder / "request.json").write_text(json.dumps(request), "utf-8")
     # Here and not in the thread: bpy is not thread-safe.
-    bpy.data.libraries.write(str(folder / "in.blend"), {obj}, fake_user=True)
+    # A path that is relative to the open file would mean another place there.
+    path = str(folder / "in.blend")
+    bpy.data.libraries.write(path, {obj}, path_remap="ABSOLUTE", fake_user=True)
 
     def run(progress: ReportProgress) -> object:
         try:

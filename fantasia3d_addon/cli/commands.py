@@ -20,6 +20,7 @@ from ..mesh import engines, export, remesh
 from ..physics import simulation
 from ..scene import cornell_box, light, relight
 from ..scene import render as scene_render
+from .parser import no_home
 
 LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset was made under
 DEFAULT_USD = ".usdc"  # of --format usd into a folder
@@ -114,8 +115,12 @@ def _object(name: str) -> bpy.types.Object:
     if not os.path.exists(name) and name in {obj.name for obj in bpy.data.objects}:  # noqa: PTH110
         return mesh_object(bpy.data.objects[name])
     scene = bpy.context.scene
-    obj = import_asset(scene, Path(name).expanduser(), scene.cursor.location)
-    obj[LIGHT] = str(read_info(Path(name).expanduser()).get("light") or light.STUDIO)
+    try:
+        folder = Path(name).expanduser()
+    except RuntimeError:
+        raise AddonError(*no_home(name)) from None
+    obj = import_asset(scene, folder, scene.cursor.location)
+    obj[LIGHT] = str(read_info(folder).get("light") or light.STUDIO)
     return obj
 
 

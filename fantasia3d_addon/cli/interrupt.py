@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import shutil
 import signal
 import sys
 import threading
@@ -13,6 +12,7 @@ from collections.abc import Iterator
 import bpy
 
 from ..blender.output import remove_temporaries
+from .session_folder import remove_session_folder
 
 CANCELLED = 130
 
@@ -54,6 +54,8 @@ def _wait(read: int) -> None:
 
 def _end() -> None:
     remove_temporaries()
-    shutil.rmtree(bpy.app.tempdir, ignore_errors=True)  # which Blender would have done itself
-    print("Cancelled.", file=sys.stderr, flush=True)
-    os._exit(CANCELLED)
+    try:
+        remove_session_folder(bpy)  # which Blender would have done itself
+        print("Cancelled.", file=sys.stderr, flush=True)
+    finally:
+        os._exit(CANCELLED)  # whatever else fails

@@ -18,6 +18,8 @@ JOBS = ("generate", "texture", "resume")  # the core's commands whose asset Blen
 ENGINES = ("godot", "unity", "unreal")  # into a folder
 # The formats that the core does not write.
 EXPORTS = ("usd", "usdc", "usda", "usdz", "fbx", *ENGINES)
+NAMES_OR_PATHS = ("light", "guidance")  # options that are one or the other
+AS_WRITTEN = ("asset", "run", "path", "table")  # arguments of which the core expands no ~
 
 
 class Commands(Protocol):
@@ -86,6 +88,28 @@ def saves_blend(args: argparse.Namespace) -> bool:
 def imports_asset(args: argparse.Namespace) -> bool:
     """Whether Blender takes the asset that the core makes."""
     return args.command in JOBS and bool(args.blend or args.render)
+
+
+def unknown_home(args: argparse.Namespace) -> tuple[str, str] | None:
+    """What is wrong with a path in the home folder of nobody, and what to do; None: there is none.
+
+    An asset, a run, a mesh or a table is looked for as it is written, and may have such a name.
+    """
+    for name, value in vars(args).items():
+        for path in value if isinstance(value, list) else [value]:
+            named = name in NAMES_OR_PATHS and isinstance(path, str)
+            if (named or isinstance(path, Path)) and name not in AS_WRITTEN:
+                try:
+                    Path(path).expanduser()
+                except RuntimeError:
+                    return no_home(path)
+    return None
+
+
+def no_home(path: str | Path) -> tuple[str, str]:
+    """What is wrong with ``path``, which starts with a home folder that is not here; what to do."""
+    text = f"There is no home folder {Path(path).parts[0]!r}, as in {str(path)!r}."
+    return text, f"Name the whole path, or ./{path} for a name that starts so."
 
 
 class _Once(argparse.Action):

@@ -22,6 +22,7 @@ def _after_save(*_: object) -> None:
 @persistent
 def _after_undo(*_: object) -> None:
     live_preview.remove(keep=session.shown)  # an undo step may hold the preview of an ended run
+    session.show_candidates()  # and none of a candidate that came after it
 
 
 @persistent

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import bpy
 
-from ..asset.asset_folder import AssetFolder, read_asset
+from ..asset.asset_folder import AssetFolder, read_asset, read_obj
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
 from ..errors import AddonError
 from ..mesh import new_shape, region
-from .job_file import IMPORTED, KEPT
+from .job_file import FILES, IMPORTED, KEPT
 from .place import bounds_of, place_of
 from .target import MAPS, REGION, SHAPE, Target
 
@@ -48,15 +48,46 @@ def import_result(
         else:
             assign_material(obj, asset or folder, target.uv_map, target.assign)
     else:
-        where = scene.view_layers[0].active_layer_collection  # a timer's context has no window
         asset = asset or read_asset(folder)
         place = place_of(scene, target, bounds_of(asset), near)
-        obj = import_asset(where, asset, place)
+        obj = import_asset(_where(scene), asset, place)
     mark_imported(folder)
     if push_undo:
         verb = "Edit Region of" if target.assign in REGION else "Generate"
         _push_undo(f"{verb} {obj.name}")
     return obj.name
+
+
+def _where(scene: bpy.types.Scene) -> bpy.types.LayerCollection | bpy.types.Scene:
+    """The active collection of ``scene``; where that is another file's, the scene's own."""
+    active = scene.view_layers[0].active_layer_collection  # a timer's context has no window
+    return active if can_link(active.collection) else scene
+
+
+def can_link(collection: bpy.types.Collection) -> bool:
+    """Whether an object can be put into ``collection``: it is not linked from another file."""
+    return collection.is_editable and not collection.override_library
+
+
+def is_as_sent(obj: bpy.types.Object, folder: Path, target: Target) -> bool:
+    """Whether ``obj`` has as many vertices and triangles as the mesh that its job was sent.
+
+    ``folder`` is that of the run. The job got the vertices of the mesh itself for a region of it,
+    else what the modifiers make of it.
+    """
+    if obj.type != "MESH":
+        return False
+    try:
+        verts, faces = read_obj(folder / FILES["mesh"])[:2]
+    except AddonError:
+        return False
+    if target.assign in REGION:
+        mesh = obj.data
+    else:
+        mesh = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    # A polygon of n corners has n - 2 triangles.
+    triangles = len(mesh.loops) - 2 * len(mesh.polygons)
+    return (len(mesh.vertices), triangles) == (len(verts), len(faces))
 
 
 def _show_region(obj: bpy.types.Object, folder: Path, what: str, asset: AssetFolder) -> None:

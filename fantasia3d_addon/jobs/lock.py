@@ -10,6 +10,7 @@ from .job_file import unwritable
 
 NAME = "follower"  # the lock file in the run folder
 WORKER = "lock"  # the core's own, which says its pid (core/io/lock.py)
+UNKNOWN = "unknown"  # the pid of one that could not write it
 
 
 def worker(folder: Path) -> str:
@@ -22,7 +23,7 @@ def worker(folder: Path) -> str:
         if try_lock(file):
             return ""
         file.seek(1)  # Windows forbids reading the first byte, which is the one that is locked
-        return file.read(20).decode("ascii", "replace").strip() or "unknown"
+        return file.read(20).decode("ascii", "replace").strip() or UNKNOWN
 
 
 class RunLock:

@@ -24,7 +24,7 @@ from ..errors import JobError
 from . import candidates
 from .events import Event, parse_event
 from .job_file import unwritable, write_job
-from .lock import worker
+from .lock import UNKNOWN, worker
 
 CHUNK = 16 << 20  # bytes of events.jsonl read at once
 FULL = 1e5  # bytes free: less than that can't hold a picture or a checkpoint
@@ -127,19 +127,14 @@ class Run:
 
     def poll(self) -> list[Event]:
         """The events since the last call; a process that died without one adds an error."""
-        # The process is looked at before its file is read: an event that it writes between the
-        # two is read now, and one that it wrote before its death is never missed.
-        dead = self.last is None and self._is_dead()
-        events = self._read()
-        for event in events:
-            self.pid = event.pid or self.pid
-            if event.type == "started":
-                self.last = None  # the end of an earlier session is not the end of this one
-            elif event.ends:
-                self.last = event
-        if dead and self.last is None:
-            self.last = self._died()
-            events.append(self.last)
+        # The events come first: they tell the process that is to be looked at.
+        events = self._take()
+        if self.last is None and self._is_dead():
+            # What it wrote before its death is never missed: only when all is read it is dead.
+            late = self._take()
+            if not late:
+                self.last = self._died()
+            events += late or [self.last]
         return events
 
     def cancel(self) -> None:
@@ -155,7 +150,10 @@ class Run:
 
     def kill(self) -> None:
         """End the process at once; the run resumes from its last checkpoint."""
-        if self.pid and (self._process is not None or is_core(self.pid, self.folder)):
+        if self._process is not None:
+            if self._process.poll() is None:  # or its number may be another's by now
+                kill_process(self._process.pid)
+        elif self.pid and is_core(self.pid, self.folder):
             kill_process(self.pid)
 
     def _is_dead(self) -> bool:
@@ -192,6 +190,17 @@ class Run:
             f"Read {self.log}.{more} The run can be resumed.",
         )
 
+    def _take(self) -> list[Event]:
+        """The events since the last call, and what they tell of the process."""
+        events = self._read()
+        for event in events:
+            self.pid = event.pid or self.pid
+            if event.type == "started":
+                self.last = None  # the end of an earlier session is not the end of this one
+            elif event.ends:
+                self.last = event
+        return events
+
     def _read(self) -> list[Event]:
         """The complete lines since the last call; one that is still being written waits."""
         events = self.folder / "events.jsonl"
@@ -209,16 +218,34 @@ class Run:
 
 
 def is_core(pid: int, folder: Path) -> bool:
-    """Whether ``pid`` lives and, where the system reports it, is the core's for ``folder``."""
+    """Whether ``pid`` lives and is the core's for ``folder``."""
+    if not _is_alive(pid):
+        return False
+    # The system gives numbers of ended processes away again: look at the command line too.
+    command = _command_line(pid)
+    if command is not None:
+        return os.fsencode(folder.name) in command
+    # Where the system does not report it: the core holds the run's lock from before its first
+    # event until after its last. On a full disk the lock is held, and does not say by whom.
+    return worker(folder) in (str(pid), UNKNOWN)
+
+
+def _is_alive(pid: int) -> bool:
     if sys.platform == "win32":
         return _is_alive_on_windows(pid)
     try:
         os.kill(pid, 0)  # signal 0 only asks whether the process exists
     except (ProcessLookupError, PermissionError):  # PermissionError: another user's process
         return False
-    # The system gives numbers of ended processes away again: look at the command line too.
-    status = Path(f"/proc/{pid}/cmdline")  # Linux; empty for a zombie
-    return os.fsencode(folder.name) in status.read_bytes() if status.exists() else True
+    return True
+
+
+def _command_line(pid: int) -> bytes | None:
+    """The command line of ``pid``, empty for a zombie; None where the system does not report it."""
+    try:
+        return Path(f"/proc/{pid}/cmdline").read_bytes()  # Linux
+    except OSError:
+        return None
 
 
 def kill_process(pid: int) -> None:

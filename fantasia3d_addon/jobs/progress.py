@@ -77,9 +77,13 @@ class Progress:
 class FollowedRun:
     """A run with what its events reported so far."""
 
-    def __init__(self, run: Run, target: Target, lock: RunLock | None, file_number: int) -> None:
+    def __init__(
+        self, run: Run, target: Target, lock: RunLock | None, file_number: int | None
+    ) -> None:
         self.run, self.target, self.lock = run, target, lock
-        self.file_number = file_number  # the open file's, at the start: its name may change
+        # Of the file that was open at the request, whose name may change; None: an earlier
+        # Blender's, of which the name is all that is known.
+        self.file_number = file_number
         self.job = read_job(run.folder)
         self.progress = Progress(stages_of(self.job))
         self.warning: tuple[str, str] | None = None  # the last one: text and fix

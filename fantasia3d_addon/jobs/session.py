@@ -7,6 +7,7 @@ window (timers never fire in the background) or by a loop in a script; it never 
 from __future__ import annotations
 
 import shutil
+import traceback
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from ..errors import AddonError
 from . import history, live_preview
 from .history import Entry
 from .import_result import import_result, mark_imported, reason_to_wait
+from .job_file import IMPORTED
 from .lock import RunLock
 from .memory import FreeMemory
 from .models import Model, Models
@@ -34,6 +36,7 @@ from .words import Report, Words
 
 TICK_SECONDS = 0.25
 ADOPT_SECONDS = 1.0  # after the start of Blender, when its file is open
+BUG = "This is a bug. Report it."
 
 
 class Session:
@@ -56,6 +59,7 @@ class Session:
         self.models = Models()
         self._scan: Task | None = None  # reads the history
         self._file_number = 0  # counts the files that were opened
+        self._requested: dict[Path, int] = {}  # the file's number at the request, by run folder
         # Blender knows a timer by its identity, and a bound method is a new object each time.
         self._timer = self.tick
         self._adopter = self._adopt_later
@@ -106,11 +110,13 @@ class Session:
                 nothing is left in it then.
         """
         folder = write_run(Paths(context).runs, job, target, files or {})
+        self._requested[folder] = self._file_number
         try:
             self.enqueue(context, folder)
         except (AddonError, SetupError):
             if all(folder != other for other, _ in self.waiting):  # it was this one that failed
                 shutil.rmtree(folder, ignore_errors=True)
+                del self._requested[folder]
             raise
         return folder
 
@@ -127,6 +133,8 @@ class Session:
                 "Another Blender follows this run.", "Cancel it there, or wait until it ends."
             )
         self.error, self.paused = None, False
+        if not Target.read(folder).object:  # a new object comes where its run is resumed
+            self._requested[folder] = self._file_number
         self.waiting.append((folder, lock))
         self._start_next(raise_error=True)
         self.refresh()
@@ -164,7 +172,8 @@ class Session:
 
     def follow(self, run: Run, lock: RunLock | None) -> FollowedRun:
         """Follow ``run`` from now on."""
-        followed = FollowedRun(run, Target.read(run.folder), lock, self._file_number)
+        number = self._requested.get(run.folder)  # None: an earlier Blender's
+        followed = FollowedRun(run, Target.read(run.folder), lock, number)
         self.running.append(followed)
         self.asset = ""
         self.start_timer()
@@ -301,7 +310,26 @@ class Session:
     # The timer
 
     def tick(self) -> float | None:
-        """Handle what has happened; the seconds until the next call, None when all has ended."""
+        """Handle what has happened; the seconds until the next call, None when all has ended.
+
+        It never raises: Blender would not call it again.
+        """
+        try:
+            working = self._handle()
+        except Exception as error:
+            self._report_bug("The jobs can't be followed", error)
+            working = any(task and task.running for task in (self.task, self._scan))
+        return TICK_SECONDS if self.busy or working else None
+
+    def _report_bug(self, what: str, error: Exception) -> None:
+        """Show ``what`` went wrong, and print its traceback once."""
+        text = f"{what} ({type(error).__name__}: {str(error).strip().rstrip('.')})."
+        if self.error != (text, BUG):
+            traceback.print_exception(error)
+        self.error = (text, BUG)
+
+    def _handle(self) -> bool:
+        """Handle what has happened; whether the background still works on something."""
         for followed in list(self.running):
             followed.poll()
             if followed.run.finished:
@@ -319,8 +347,7 @@ class Session:
         self.models.tick()
         redraw()
         working = (self.task and self.task.running) or self._scan or self.models.pending
-        working = working or (self.words.pending and not bpy.app.background)
-        return TICK_SECONDS if self.busy or working else None
+        return bool(working or (self.words.pending and not bpy.app.background))
 
     def _ask_words(self) -> None:
         # A script would wait for what nobody looks at.
@@ -336,10 +363,6 @@ class Session:
         self.running.remove(followed)
         self.last = followed
         self.candidates.pop(followed.name, None)
-        if followed.end and followed.end.type == "paused":
-            self.candidates[followed.name] = followed
-            self.show_candidates()  # its last shape may not have been shown
-        live_preview.remove(keep=self.shown)
         if followed.end and followed.end.type == "done":
             folder = followed.run.folder
             # In a thread: reading a mesh of 200,000 faces takes longer than a tick may.
@@ -350,6 +373,10 @@ class Session:
             if followed.end and followed.end.type == "error":
                 self.error = (followed.end.text, followed.end.fix)
         self.refresh()
+        if followed.end and followed.end.type == "paused":
+            self.candidates[followed.name] = followed
+            self.show_candidates()  # its last shape may not have been shown
+        live_preview.remove(keep=self.shown)
 
     def show_candidates(self) -> None:
         """Show the shapes of the candidates that can be looked at, each in its place."""
@@ -366,27 +393,48 @@ class Session:
         """Show the newest preview mesh of ``followed``, in the file that requested it."""
         path, followed.shape = followed.shape, None
         # On the user's own object nothing changes before its job is done.
-        if path and self._is_file_open(followed) and not followed.target.object:
+        if path and self._is_open(followed) and not followed.target.object:
             live_preview.show(scene_of(followed.target), path, followed)
 
-    def _is_file_open(self, followed: FollowedRun) -> bool:
-        """Whether the file that requested ``followed`` is open."""
-        same = followed.file_number == self._file_number  # also after it was saved as another
-        return same or followed.target.file == bpy.data.filepath
+    def is_requested_here(self, folder: Path, target: Target) -> bool:
+        """Whether the file that requested the run in ``folder``, for ``target``, is open."""
+        return self._is_file(self._requested.get(folder), target)
+
+    def _is_open(self, followed: FollowedRun) -> bool:
+        return self._is_file(followed.file_number, followed.target)
+
+    def _is_file(self, number: int | None, target: Target) -> bool:
+        """Whether the open file is that of ``target``, which had ``number`` at the request."""
+        if number == self._file_number:  # also after it was saved as another
+            return True
+        # Files that were never saved look alike: a new object may come into another of them, but
+        # an object there is another one, though it is called the same.
+        named = target.file or not target.object
+        return bool(named) and target.file == bpy.data.filepath
 
     def _import_finished(self) -> None:
         """Import the finished assets, unless the user is in the middle of an operation."""
         ready = [item for item in self.importing if not item[1].running]
         for followed, task in [] if reason_to_wait() else ready:
             self.importing.remove((followed, task))
-            if not self._is_file_open(followed):
-                entry = history.read_entry(followed.run.folder)
-                self.missed += [entry] if entry else []
-            elif task.error:
-                self.error = task.error
-            else:
-                self._import(followed, task)
-            followed.release()
+            try:
+                if not self._is_open(followed):
+                    self._offer(followed)
+                elif task.error:
+                    self.error = task.error
+                else:
+                    self._import(followed, task)
+            except Exception as error:
+                self._report_bug(f"The asset “{followed.prompt}” can't be imported", error)
+                self._offer(followed)
+            finally:
+                followed.release()
+
+    def _offer(self, followed: FollowedRun) -> None:
+        """Offer an asset that did not come into the scene."""
+        entry = history.read_entry(followed.run.folder)
+        if entry and not (entry.folder / IMPORTED).exists():
+            self.missed.append(entry)
 
     def _import(self, followed: FollowedRun, task: Task) -> None:
         target, scene = followed.target, scene_of(followed.target)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
@@ -10,8 +11,8 @@ import bpy
 import numpy as np
 
 from ..asset.origin import copy_origin, origin_of
+from ..blender.blend_output import temporary_blend
 from ..blender.mesh_arrays import mesh_object
-from ..blender.output import temporary_output
 from ..errors import AddonError, OutputError
 from ..scene import light
 from ..scene import render as scene_render
@@ -52,6 +53,7 @@ def mark_asset(
 def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     """Write ``obj``, with its mesh, material and packed pictures, into an asset library's folder.
 
+    Pictures that are not packed stay where they are, and are found from there.
     The file is NAME.blend; an older one of that name is replaced. Mark ``obj`` as an asset before.
 
     Raises:
@@ -60,14 +62,18 @@ def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     """
     if not obj.asset_data:
         raise AddonError(f"{obj.name} is not marked as an asset.", "Mark it first.")
-    folder = Path(folder).expanduser().absolute()
+    with contextlib.suppress(RuntimeError):  # in the home of nobody: there is no such folder
+        folder = Path(folder).expanduser()
+    folder = Path(folder).absolute()
     # Characters that a file name may have on every system.
     words = "".join(c if c.isalnum() or c in " -_" else "_" for c in obj.name).strip()
     path = folder / f"{words or 'asset'}.blend"
     if not folder.is_dir():
         raise OutputError(f"There is no folder {folder}.", "Choose the folder of an asset library.")
-    with temporary_output(path) as temporary:
-        bpy.data.libraries.write(str(temporary), {obj}, fake_user=True, compress=True)
+    with temporary_blend(path) as temporary:
+        bpy.data.libraries.write(
+            str(temporary), {obj}, path_remap="RELATIVE", fake_user=True, compress=True
+        )
     return path
 
 

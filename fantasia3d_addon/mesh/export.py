@@ -107,12 +107,17 @@ def plain_copy(
         # Exporters write the datablocks' names: the copy gets them for as long as it exists.
         for datablocks, titles in ((own, ["own"] * 3), ((copy, mesh, material), names)):
             for datablock, title in zip(datablocks, titles, strict=True):
-                datablock.name = title
+                _rename(datablock, title)
         yield copy
     finally:
         bpy.data.batch_remove([copy, mesh, material, *images.values()])
         for datablock, title in zip(own, names, strict=True):
-            datablock.name = title
+            _rename(datablock, title)
+
+
+def _rename(datablock: bpy.types.ID, name: str) -> None:
+    if not datablock.library:  # names of another file are in nobody's way
+        datablock.name = name
 
 
 def _connect(

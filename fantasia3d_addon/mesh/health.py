@@ -141,8 +141,11 @@ def cached_report(obj: bpy.types.Object) -> Report | None:
 def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     """Apply the repair ``what`` of REPAIRS, or all that are needed; the names of those applied.
 
+    Among all, the scale is left where other objects share the mesh: it would change them too.
+
     Raises:
-        AddonError: there is no such repair, the mesh is shared, or it has shape keys.
+        AddonError: there is no such repair, the mesh has shape keys, or it is shared and ``what``
+            is its scale.
     """
     mesh = mesh_object(obj).data
     if what is not None and what not in REPAIRS:
@@ -150,10 +153,16 @@ def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     # BMesh operators would leave the keys with other counts of vertices.
     if mesh.shape_keys:
         raise AddonError(f"{obj.name} has shape keys.", "Apply or remove them first.")
+    is_shared = mesh.users - mesh.use_fake_user > 1
+    if what == "SCALE" and is_shared:
+        raise AddonError(
+            f"Other objects share the mesh of {obj.name}, and a scale would change them too.",
+            "Make it single-user first: Object, Relations, Make Single User.",
+        )
     done: list[str] = []
     # In this order: a weld makes edges that only then are seen as non-manifold.
     for name in (what,) if what else REPAIRS:
-        if name in examine(obj).faults:
+        if name in examine(obj).faults and not (name == "SCALE" and is_shared):
             _apply_repair(obj, name)
             done.append(name)
     return tuple(done)

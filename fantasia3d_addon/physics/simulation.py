@@ -20,12 +20,13 @@ from .. import options
 from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
 from ..errors import AddonError
 from ..mesh import health, proxy
-from ..scene.placement import visible_meshes
+from ..scene.placement import shown_verts, visible_meshes
 from .bake import bake_until_stable, cache_of, edge_lengths
 from .mass import mass_of
 
 KINDS = options.KIND.names
-# Custom property: on the asset, what clear() needs; on objects made for it, the asset's name.
+# Custom property: on the asset, what clear() needs; on objects made for it, the asset itself, or
+# its name where an earlier version made them.
 MARK = "fantasia3d_physics"
 GROUND = "Fantasia3D ground"
 COLLECTION = "Fantasia3D Physics"
@@ -74,28 +75,36 @@ def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float
         owner = make(obj, settings)
         yield from bake_until_stable(owner, settings.frames)
     except BaseException:
-        clear(obj)
+        _clear(obj, is_copy=False)
         raise
 
 
 def clear(obj: bpy.types.Object) -> None:
-    """Remove the simulation of ``obj`` and what was made for it; ``obj`` is as before."""
-    if not is_simulated(obj):
-        return
-    before = obj[MARK]
-    scene = bpy.context.scene
-    scene.frame_set(scene.frame_start)
+    """Remove the simulation of ``obj`` and what was made for it; ``obj`` is as before.
+
+    A copy of a simulated object stays where it is, and so does the original's simulation.
+    """
+    if is_simulated(obj):
+        _clear(obj, is_copy=not _made_for(obj))
+
+
+def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
+    before, scene = obj[MARK], bpy.context.scene
+    if not is_copy:
+        scene.frame_set(scene.frame_start)
+    place = obj.matrix_world.copy()
     for modifier in [m for m in obj.modifiers if m.name == MARK]:
         obj.modifiers.remove(modifier)
-    if obj.parent and obj.parent.get(MARK) == obj.name:
+    if obj.parent and _is_helper(obj.parent):
         obj.parent = None
-        obj.matrix_world = _matrix(before["matrix"])
-    obj.location = before["location"]
+        obj.matrix_world = place if is_copy else _matrix(before["matrix"])
+    if not is_copy:
+        obj.location = before["location"]
     del obj[MARK]
-    for made in [o for o in bpy.data.objects if o.get(MARK) == obj.name]:
+    for made in _made_for(obj):
         _remove(made)
     # Several simulations may use one collider: the last one releases it.
-    others = any(MARK in o for o in bpy.data.objects if o.name != GROUND)
+    others = any(_is_helper(o) for o in bpy.data.objects)
     for other in [o for o in bpy.data.objects if f"{MARK}_collider" in o]:
         if not others:
             _release(other)
@@ -109,7 +118,7 @@ def is_simulated(obj: bpy.types.Object) -> bool:
 
 def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:
     """The object that is simulated in place of ``obj``."""
-    return next((o for o in bpy.data.objects if o.get(MARK) == obj.name and cache_of(o)), None)
+    return next((o for o in _made_for(obj) if cache_of(o)), None)
 
 
 def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
@@ -122,6 +131,7 @@ def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
             raise AddonError(
                 f"{option.label} is {value:g}, which is not possible.", f"Use {option.range}."
             )
+    shown_verts(obj)  # an error where there are none
     report = health.examine(obj)
     if kind in ("SOFT", "CLOTH") and report.doubled:
         raise AddonError(
@@ -342,12 +352,21 @@ def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
 # Helper objects
 
 
+def _made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
+    """The helpers of the simulation of ``obj``; none where it is a copy of a simulated object."""
+    return [o for o in bpy.data.objects if o.get(MARK) in (obj, obj.name)]
+
+
+def _is_helper(obj: bpy.types.Object) -> bool:
+    return MARK in obj and not is_simulated(obj)
+
+
 def _add(
     obj: bpy.types.Object, part: str, mesh: bpy.types.Mesh, hidden: bool = True
 ) -> bpy.types.Object:
     """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
     made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
-    made[MARK] = obj.name
+    made[MARK] = obj  # not its name, which the user may change
     own = obj.users_collection or [bpy.context.scene.collection]
     for collection in [_hidden_collection()] if hidden else own:
         collection.objects.link(made)

@@ -44,7 +44,7 @@ def free_place(
     free = [
         place
         for place in places[:EXACT_TRIES]
-        if not any(_intersects(obj, place + bounds) for obj in around)
+        if not any(_intersects(scene, obj, place + bounds) for obj in around)
     ]
     # Nowhere in the surroundings, such as in a narrow room: then at least not in another object.
     best = (free or [places[0]])[0]
@@ -57,7 +57,7 @@ def free_place(
 
 def _is_seen(scene: bpy.types.Scene, box: np.ndarray, eye: Vector) -> bool:
     """Whether nothing is between ``eye`` and the middle of ``box`` (2,3), nor its upper part."""
-    graph = bpy.context.evaluated_depsgraph_get()
+    graph = scene.view_layers[0].depsgraph
     middle, top = box.mean(0), box.mean(0)
     top[2] = 0.1 * box[0, 2] + 0.9 * box[1, 2]
     radius = float(np.linalg.norm(box[1] - box[0])) / 2
@@ -122,12 +122,12 @@ def _places(
     return np.column_stack([points[free], np.full(int(free.sum()), near[2])])
 
 
-def _intersects(obj: bpy.types.Object, box: np.ndarray) -> bool:
+def _intersects(scene: bpy.types.Scene, obj: bpy.types.Object, box: np.ndarray) -> bool:
     """Whether a face of ``obj`` is in the upper part of ``box`` (2,3), or the box in its inside."""
     box = box.copy()
     box[0, 2] += CLEAR_FROM * (box[1, 2] - box[0, 2])
-    graph = bpy.context.evaluated_depsgraph_get()
-    tree = BVHTree.FromObject(obj, graph)
+    # Of this scene, which need not be the one that is shown; _obstacles has updated it.
+    tree = BVHTree.FromObject(obj, scene.view_layers[0].depsgraph)
     # In the object's own space, which the tree has.
     corners = np.array(np.meshgrid(*box.T, indexing="ij")).reshape(3, -1).T
     inverse = obj.matrix_world.inverted_safe()

@@ -156,6 +156,8 @@ def glow_of(image: bpy.types.Image) -> Glow | None:
     sky as a whole.
     """
     width, height = image.size
+    if not width * height:  # its file is lost
+        return None
     pixels = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(pixels)
     picture = pixels.reshape(height, width, 4)[..., :3]

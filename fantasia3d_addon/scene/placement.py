@@ -25,13 +25,13 @@ def drop(
     nothing is below it, it moves to z = 0, from above or from below (a negative distance).
 
     Raises:
-        AddonError: nothing is below it, and not ``ground``.
+        AddonError: nothing is below it, and not ``ground``; or its modifiers leave no vertices.
     """
     mesh_object(obj)
     bpy.context.view_layer.update()
     if others is None:
         others = visible_meshes(obj)
-    own = world_verts(obj)
+    own = shown_verts(obj)
     distance = min((_gap(obj, own, other) for other in others), default=np.inf)
     if not np.isfinite(distance):
         if not ground:
@@ -44,9 +44,23 @@ def drop(
     return float(distance)
 
 
+def shown_verts(obj: bpy.types.Object) -> np.ndarray:
+    """(V,3) in the world of ``obj`` as it looks.
+
+    Raises:
+        AddonError: its modifiers leave none.
+    """
+    points = world_verts(obj)
+    if not len(points):
+        raise AddonError(
+            f"The modifiers of {obj.name} leave no vertices.", "Change or remove them."
+        )
+    return points
+
+
 def visible_meshes(obj: bpy.types.Object) -> list[bpy.types.Object]:
     """The mesh objects that a render shows, except ``obj`` and its children."""
-    own = {obj, *obj.children_recursive}
+    own, graph = {obj, *obj.children_recursive}, bpy.context.evaluated_depsgraph_get()
     return [
         other
         for other in bpy.context.view_layer.objects
@@ -54,7 +68,7 @@ def visible_meshes(obj: bpy.types.Object) -> list[bpy.types.Object]:
         and other not in own
         and other.visible_get()
         and not other.hide_render
-        and len(other.data.polygons)
+        and len(other.evaluated_get(graph).data.polygons)  # a modifier may leave none
     ]
 
 

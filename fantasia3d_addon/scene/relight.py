@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,11 @@ from . import light
 from . import render as scene_render
 
 TABLE = "Fantasia3D turntable"
+# Nodes, and their outputs that are the direction in which a world is looked at.
+DIRECTIONS = {
+    "ShaderNodeTexCoord": ("Generated", "Normal", "Object"),
+    "ShaderNodeNewGeometry": ("Position", "Normal", "Incoming"),
+}
 
 
 def relight(
@@ -58,26 +65,33 @@ def turntable_scene(
 ) -> bpy.types.Scene:
     """A scene of its own that shows ``obj`` under its scene's world in one full turn.
 
+    A world without a picture or a sky is even, and shows no shape: the film has the studio light
+    then. The user's own scene and world stay as they are.
+
     ``out`` ends in .mp4, or is a folder for frame_0001.png and so on. ``turn``: what rotates, the
     camera, the light, or the object (then camera and light rotate around it together). Render it
     and give it to :func:`remove_turntable_scene`.
 
     Raises:
-        AddonError: no light, no Cycles, or fewer than two frames.
+        AddonError: no Cycles, or fewer than two frames.
         OutputError: this Blender writes no MP4.
     """
     mesh_object(obj)
     _check(out, frames, turn)
-    source = bpy.context.scene
-    if light.light_node(source.world, "Mapping") is None:
-        relight(source, light.STUDIO)  # the world must have a light that can rotate
+    world = bpy.context.scene.world
     scene = bpy.data.scenes.new(TABLE)
     try:
         scene.collection.objects.link(obj)
-        scene.world = source.world
+        if _is_lit(world):
+            scene.world = world
+        else:
+            world = light.set_world(scene, light.light_file(light.STUDIO))
+            light.environment_image(world).name = f"{TABLE} light"
         pivot = _camera(scene, obj)
         # It also gives the scene a copy of the world, which _animate may rotate.
         scene_render.add_backdrop(scene, obj).name = f"{TABLE} ground"
+        if not world.users:
+            bpy.data.worlds.remove(world)
         _animate(scene, pivot, frames, turn)
         scene_render.set_up_cycles(scene, size, samples)
         _output(scene, out, out.suffix.lower() == ".mp4")
@@ -85,6 +99,22 @@ def turntable_scene(
         remove_turntable_scene(scene)
         raise
     return scene
+
+
+def _is_lit(world: bpy.types.World | None) -> bool:
+    """Whether a picture or a sky lights ``world``."""
+    if world is None or not world.node_tree or not (compat.ALWAYS_HAS_NODES or world.use_nodes):
+        return False
+    nodes = world.node_tree.nodes
+    output = next((n for n in nodes if n.bl_idname == "ShaderNodeOutputWorld"), None)
+    return bool(output and output.inputs["Surface"].links and _lights(world.node_tree))
+
+
+def _lights(tree: bpy.types.NodeTree) -> list[bpy.types.Node]:
+    """The nodes with a sky, or a picture that could be read."""
+    skies = [node for node in tree.nodes if node.bl_idname == "ShaderNodeTexSky"]
+    pictures = [node for node in tree.nodes if node.bl_idname == "ShaderNodeTexEnvironment"]
+    return [*skies, *(node for node in pictures if node.image and all(node.image.size))]
 
 
 def _check(out: Path, frames: int, turn: str) -> None:
@@ -95,7 +125,9 @@ def _check(out: Path, frames: int, turn: str) -> None:
         )
     video = out.suffix.lower() == ".mp4"
     if not video and out.suffix:
-        raise OutputError(f"{out} is no MP4 file.", "Use a file.mp4, or a folder for PNG files.")
+        raise OutputError(
+            f"{out.name} is no MP4 file.", "Use a file.mp4, or a folder for PNG files."
+        )
     if video and not compat.has_video():
         raise OutputError("This Blender writes no MP4.", "Use a folder for PNG files instead.")
 
@@ -106,17 +138,31 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
     Raises:
         AddonError, OutputError: as :func:`turntable_scene`; or ``out`` can't be written.
     """
+    with whole_turntable(out) as temporary:
+        _render_turntable(obj, temporary, settings)
+    return Path(out).expanduser().absolute()
+
+
+@contextlib.contextmanager
+def whole_turntable(out: Path) -> Iterator[Path]:
+    """A temporary path next to ``out``; what is rendered there takes its place at the end.
+
+    A file or a folder, by the kind of ``out``. An error leaves the older one as it is.
+
+    Raises:
+        OutputError: ``out`` can't be written, or nothing was rendered.
+    """
     out = Path(out).expanduser().absolute()
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         with temporary_folder(out.parent) as folder:
-            # A file or a folder, by the kind of ``out``; renamed when it is complete.
-            _render_turntable(obj, folder / out.name, settings)
+            yield folder / out.name
+            if not (folder / out.name).exists():
+                raise OSError(0, "Blender wrote nothing")
             raise_if_full(out.parent)
             _move(folder / out.name, out)
     except (OSError, RuntimeError) as error:
         raise unwritten(out, error) from None
-    return out
 
 
 def _render_turntable(obj: bpy.types.Object, out: Path, settings: dict[str, Any]) -> None:
@@ -125,8 +171,6 @@ def _render_turntable(obj: bpy.types.Object, out: Path, settings: dict[str, Any]
         _render(scene)
     finally:
         remove_turntable_scene(scene)
-    if not out.exists():
-        raise OSError(0, "Blender wrote nothing")
 
 
 def _move(temporary: Path, out: Path) -> None:
@@ -147,6 +191,8 @@ def remove_turntable_scene(scene: bpy.types.Scene) -> None:
     bpy.data.batch_remove({*made, scene})
     if world and not world.users:
         bpy.data.worlds.remove(world)
+    for image in [i for i in bpy.data.images if i.name.startswith(TABLE) and not i.users]:
+        bpy.data.images.remove(image)
 
 
 def _render(scene: bpy.types.Scene) -> None:
@@ -174,17 +220,46 @@ def _animate(scene: bpy.types.Scene, pivot: bpy.types.Object, frames: int, turn:
     if turn != "LIGHT":
         _drive(pivot, "rotation_euler", step)
     if turn != "CAMERA":  # "OBJECT" rotates the camera too, and the light with it
-        mapping = light.light_node(scene.world, "Mapping")
-        start = mapping.inputs["Rotation"].default_value[2]
-        _drive(mapping.inputs["Rotation"], "default_value", -step, start)
+        tree = scene.world.node_tree
+        for mapping in _add_mappings(tree):
+            _drive(mapping.inputs["Rotation"], "default_value", -step)
+        for sky in [node for node in _lights(tree) if _direction(node) is None]:
+            _drive(sky, "sun_rotation", -step, -1)
 
 
-def _drive(owner: bpy.types.bpy_struct, name: str, step: float, start: float = 0.0) -> None:
-    """Let the third component of ``name`` grow by ``step`` a frame.
+def _add_mappings(tree: bpy.types.NodeTree) -> list[bpy.types.Node]:
+    """New nodes that turn the world's light: after each source of a direction.
+
+    The world's own Mapping nodes stay, since they may hold any rotation and scale.
+    """
+    for vector in filter(None, map(_direction, _lights(tree))):
+        if not vector.links:  # its direction is this one, without a link
+            direction = tree.nodes.new("ShaderNodeTexCoord").outputs["Generated"]
+            tree.links.new(direction, vector)
+    added = []
+    for output in [o for n in tree.nodes for o in n.outputs if o.links]:
+        if output.name in DIRECTIONS.get(output.node.bl_idname, ()):
+            mapping = tree.nodes.new("ShaderNodeMapping")
+            for link in list(output.links):
+                tree.links.new(mapping.outputs["Vector"], link.to_socket)
+            tree.links.new(output, mapping.inputs["Vector"])
+            added.append(mapping)
+    return added
+
+
+def _direction(node: bpy.types.Node) -> bpy.types.NodeSocket | None:
+    """The input for the direction; none at a sky with a sun, which has a rotation of its own."""
+    return next((socket for socket in node.inputs if socket.enabled), None)
+
+
+def _drive(owner: bpy.types.bpy_struct, name: str, step: float, index: int = 2) -> None:
+    """Let the third component of ``name`` grow by ``step`` a frame; -1 for a single number.
 
     A driver is the same in 4.2 and 5.2; the curves of an action are not.
     """
-    driver = owner.driver_add(name, 2).driver
+    value = getattr(owner, name)
+    start = value if index < 0 else value[index]
+    driver = owner.driver_add(name, index).driver
     driver.expression = f"{start!r} + {step!r} * (frame - 1)"
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from ..blender import compat
+from ..blender.blend_output import temporary_blend
 from ..blender.mesh_arrays import moved, verts_of
 from ..blender.output import temporary_output
 from ..errors import AddonError, OutputError
@@ -88,17 +89,19 @@ def add_camera_about(
 
 
 def save_blend(path: Path) -> None:
-    """Save a copy of the open file as ``path``; its pictures are packed already.
+    """Save a copy of the open file as ``path``; an asset's pictures are packed already.
+
+    Whatever the file refers to is found from the folder of ``path`` too.
 
     Raises:
         OutputError: the place can't be written.
     """
-    with temporary_output(path) as temporary:
+    with temporary_blend(path) as temporary:
         _save(temporary)
 
 
 def _save(path: Path) -> None:
-    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
+    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True, relative_remap=True)
 
 
 def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> None:

@@ -37,7 +37,7 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return can_run(cls, context)
+        return can_run(cls, context, changes=False)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         name = bpy.path.clean_name(context.active_object.name)

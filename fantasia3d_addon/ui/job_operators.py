@@ -10,11 +10,12 @@ from bpy.props import BoolProperty, StringProperty
 from ..blender.mesh_arrays import EDIT_MODE
 from ..jobs import history, submit
 from ..jobs.history import Entry
-from ..jobs.import_result import import_result
+from ..jobs.import_result import can_link, import_result, is_as_sent
 from ..jobs.job_settings import apply_job
 from ..jobs.session import session
 from ..jobs.target import Target
 from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
+from .text import in_language
 
 RUN_FOLDER = "The folder of the run; empty: the one that is selected in the list"
 
@@ -93,6 +94,13 @@ class FANTASIA3D_OT_job_resume(RunOperator, bpy.types.Operator):
         return queue_job(self, resume)
 
 
+def _has_object(entry: Entry, target: Target) -> bool:
+    """Whether the object that the job of ``entry`` was given is here, with the same mesh."""
+    obj = bpy.data.objects.get(target.object)
+    here = obj is not None and session.is_requested_here(entry.folder, target)
+    return here and is_as_sent(obj, entry.folder, target)
+
+
 class FANTASIA3D_OT_job_import(RunOperator, bpy.types.Operator):
     """Import this job's asset into the scene, or its material onto its object"""
 
@@ -112,14 +120,20 @@ class FANTASIA3D_OT_job_import(RunOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, entry: Entry) -> set[str]:
         target = Target.read(entry.folder)
         try:
-            if target.object in bpy.data.objects:
+            if _has_object(entry, target):
                 # The operator is an undo step already.
                 import_result(entry.folder, target, context.scene, push_undo=False)
                 session.mark_imported(entry.folder)
-            else:
-                import_and_select(context, entry.folder)
+                return {"FINISHED"}
+            here = context.collection
+            where = here if can_link(here) else context.scene.collection
+            with context.temp_override(collection=where):
+                obj = import_and_select(context, entry.folder)
         except USER_ERRORS as error:
             return report_error(self, error)
+        if target.object:
+            what = f"“{target.object}” of the job's file is not here, or its mesh was changed."
+            self.report({"INFO"}, in_language(f"{what} The asset is a new object: “{obj.name}”."))
         return {"FINISHED"}
 
 

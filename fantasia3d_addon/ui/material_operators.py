@@ -93,9 +93,12 @@ class FANTASIA3D_OT_reset_material(bpy.types.Operator):
 
 
 def _reason_against_adjusting(context: bpy.types.Context) -> str:
-    obj = context.active_object
-    has_bsdf = obj and material_edit.principled(obj.active_material)
-    return "" if has_bsdf else "Its material has no Principled BSDF."
+    material = context.active_object and context.active_object.active_material
+    if material_edit.principled(material) is None:
+        return "Its material has no Principled BSDF."
+    if material.library:
+        return "Its material is linked from another file. Make it local first."
+    return ""
 
 
 CLASSES = (

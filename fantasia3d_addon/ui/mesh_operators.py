@@ -26,7 +26,7 @@ class FANTASIA3D_OT_check_mesh(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return can_run(cls, context)
+        return can_run(cls, context, changes=False)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return run_and_report(self, lambda: health.update_report(context.active_object))
@@ -66,8 +66,10 @@ class FANTASIA3D_OT_repair_mesh(bpy.types.Operator):
         def repair() -> None:
             done = health.repair(obj, what)
             names = ", ".join(health.REPAIRS[name][0] for name in done)
-            self.report({"INFO"}, f"Repaired: {names}." if names else "Nothing to repair.")
-            health.update_report(obj)
+            said = f"Repaired: {names}." if names else "Nothing to repair."
+            if "SCALE" in health.update_report(obj).faults and what is None:
+                said += " The scale is not applied: other objects share the mesh."
+            self.report({"INFO"}, said)
 
         return run_and_report(self, repair)
 

@@ -22,16 +22,28 @@ UNDO = {"REGISTER", "UNDO"}
 USER_ERRORS = (AddonError, SetupError)  # what the user can fix; anything else is a bug
 
 
-def reason_against_tool(context: bpy.types.Context) -> str:
-    """Why no tool can act on the active object; empty if one can."""
+def reason_against_tool(context: bpy.types.Context, changes: bool = True) -> str:
+    """Why no tool can act on the active object; empty if one can.
+
+    ``changes``: whether the tool changes it, which one that is linked from another file refuses.
+    """
     if context.mode != "OBJECT":
         return EDIT_MODE
-    return reason_against_mesh(context.active_object)
+    obj = context.active_object
+    reason = reason_against_mesh(obj)
+    if not reason and changes and (obj.library or obj.data.library):
+        return "It is linked from another file. Make it local first: Object, Relations, Make Local."
+    return reason
 
 
-def can_run(cls: type[bpy.types.Operator], context: bpy.types.Context, more: str = "") -> bool:
+def can_run(
+    cls: type[bpy.types.Operator],
+    context: bpy.types.Context,
+    more: str = "",
+    changes: bool = True,
+) -> bool:
     """The poll of a tool, with its reason; ``more`` is a reason of the operator's own."""
-    reason = reason_against_tool(context) or more
+    reason = reason_against_tool(context, changes) or more
     cls.poll_message_set(reason)
     return not reason
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import bpy
 from bpy.props import StringProperty
 
 from .. import options
+from ..errors import AddonError
+from ..jobs.panels import redraw
+from ..jobs.session import session
 from ..scene import cornell_box, placement, relight
 from .operator_helpers import UNDO, can_run, rendering, run_and_report
 from .option_properties import option_property
@@ -56,7 +62,7 @@ class FANTASIA3D_OT_turntable(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return can_run(cls, context, "A render is running." if rendering() else "")
+        return can_run(cls, context, "A render is running." if rendering() else "", changes=False)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         context.window_manager.fileselect_add(self)
@@ -136,20 +142,58 @@ class FANTASIA3D_OT_origin_to_base(bpy.types.Operator):
 
 def _render_in_window(obj: bpy.types.Object, out: Path, **settings: object) -> None:
     """Render as a job of Blender, which leaves the window responsive, and clean up afterwards."""
-    name = relight.turntable_scene(obj, out, **settings).name
-    bpy.ops.render.render("INVOKE_DEFAULT", animation=True, scene=name)
+    steps = _window_steps(obj, out, settings)
+    next(steps)  # an error before the render is the operator's
 
-    def clean_up() -> float | None:
-        if rendering():
-            return 0.5
-        # By name: a reference to a datablock does not survive an undo.
-        scene = bpy.data.scenes.get(name)
-        if scene:
-            relight.remove_turntable_scene(scene)
-        return None
+    def go_on() -> float | None:
+        try:
+            next(steps)
+        except StopIteration:
+            return None
+        except AddonError as error:
+            session.error = (error.text, error.fix)
+            redraw()
+            return None
+        return 0.5
 
     # 2 s: the job must have started before it is looked at.
-    bpy.app.timers.register(clean_up, first_interval=2.0, persistent=True)
+    bpy.app.timers.register(go_on, first_interval=2.0, persistent=True)
+
+
+def _window_steps(obj: bpy.types.Object, out: Path, settings: dict[str, Any]) -> Iterator[None]:
+    """Yields while the job runs. A cancelled one leaves an older file as it is."""
+    ended: list[bool] = []  # whether the job has come to its end
+
+    def on_end(*_: object) -> None:
+        ended.append(True)
+
+    with contextlib.suppress(_CancelledError), relight.whole_turntable(out) as temporary:
+        name = relight.turntable_scene(obj, temporary, **settings).name
+        handlers = bpy.app.handlers.render_complete
+        handlers.append(on_end)
+        try:
+            _start_render(name)
+            yield
+            while rendering():
+                yield
+        finally:
+            # Another file that was opened meanwhile has removed it.
+            with contextlib.suppress(ValueError):
+                handlers.remove(on_end)
+            # By name: a reference to a datablock does not survive an undo.
+            scene = bpy.data.scenes.get(name)
+            if scene:
+                relight.remove_turntable_scene(scene)
+        if not ended:
+            raise _CancelledError
+
+
+class _CancelledError(Exception):
+    """The user has cancelled the render, or Blender could not write it."""
+
+
+def _start_render(name: str) -> None:
+    bpy.ops.render.render("INVOKE_DEFAULT", animation=True, scene=name)
 
 
 CLASSES = (

@@ -134,7 +134,7 @@ class FANTASIA3D_PT_health(ToolPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        if _draw_reason(layout, context):
+        if _draw_reason(layout, context, changes=False):
             return
         obj = context.active_object
         layout.operator("fantasia3d.check_mesh", icon="VIEWZOOM")
@@ -190,7 +190,7 @@ class FANTASIA3D_PT_export(ToolPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, tools = _split(self), context.scene.fantasia3d_tools
-        if _draw_reason(layout, context):
+        if _draw_reason(layout, context, changes=False):
             return
         layout.prop(tools, "format")
         can_flip = tools.format in ("fbx", "obj")  # glTF and USD define the normal map as OpenGL's
@@ -249,7 +249,9 @@ def _split(panel: bpy.types.Panel) -> bpy.types.UILayout:
     return layout
 
 
-def _draw_reason(layout: bpy.types.UILayout, context: bpy.types.Context) -> bool:
+def _draw_reason(
+    layout: bpy.types.UILayout, context: bpy.types.Context, changes: bool = True
+) -> bool:
     """Show why no tool can act on the active object; whether there is a reason.
 
     A tool that is working is shown by its progress instead.
@@ -260,7 +262,7 @@ def _draw_reason(layout: bpy.types.UILayout, context: bpy.types.Context) -> bool
         layout.progress(factor=now.fraction, text=f"{title}  {now.fraction:.0%}")
         wrapped_label(layout, context, f"{step}  {escape}".strip(), dimmed=True)
         return True
-    reason = reason_against_tool(context)
+    reason = reason_against_tool(context, changes)
     if reason:
         wrapped_label(layout, context, reason, "INFO", dimmed=True)
     return bool(reason)

@@ -4,6 +4,7 @@
 it first, as the command line does. The job's negative prompt names the asset that comes out.
 """
 
+import contextlib
 import json
 import os
 import shutil
@@ -22,6 +23,12 @@ if sys.argv[1] == "generate":
     job = {"prompt": sys.argv[2], "negative_prompt": os.environ.get("FAKE_ASSET", "")}
     (run / "job.json").write_text(json.dumps(job), encoding="utf-8")
 run = Path(sys.argv[-1])
+lock = (run / "lock").open("wb", buffering=0)  # held until the end, as the real one holds it
+with contextlib.suppress(ImportError):  # Windows
+    import fcntl
+
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    lock.write(f" {os.getpid()}\n".encode())
 job = json.loads((run / "job.json").read_text(encoding="utf-8"))
 prompt = job["prompt"]
 events = run / "events.jsonl"
