@@ -140,7 +140,10 @@ def _needs(runs: list[Task], has_gpu: bool) -> Needs:
 def _most(needs: list[Needs]) -> Needs:
     """The most of each: one place fits every asset of the batch."""
     return Needs(
-        max(n.cpus for n in needs), max(n.memory for n in needs), max(n.gpus for n in needs)
+        max(n.cpus for n in needs),
+        max(n.memory for n in needs),
+        max(n.gpus for n in needs),
+        any(n.one_card for n in needs),
     )
 
 

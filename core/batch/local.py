@@ -1,10 +1,11 @@
 """The batch's places on this machine: a process of the core in each."""
 
+import os
 import time
 from collections.abc import Sequence
 
 from core.batch.attempt import COMMAND, THREADS, Attempt, End
-from core.batch.needs import Needs, cores, gpus, places
+from core.batch.needs import Needs, card_of, cores, gpus, places
 from core.batch.plan import Task
 
 PAUSE = 0.1  # seconds between two looks at the processes
@@ -33,8 +34,10 @@ class LocalPool:
         """Begin or go on with ``task``, whose run folder has its job."""
         assert task.folder
         used = [gpu for _, _, gpu in self._running]
-        gpu = min(range(self._gpus), key=used.count, default=-1)
-        chosen = {"CUDA_VISIBLE_DEVICES": str(gpu)} if gpu >= 0 else {}
+        named = card_of(task.job.device) if task.job else None
+        gpu = min(range(self._gpus), key=used.count, default=-1) if named is None else named
+        # A card that the job names it finds itself, among all.
+        chosen = {"CUDA_VISIBLE_DEVICES": visible_name(gpu)} if gpu >= 0 and named is None else {}
         environ = {**self._threads, **chosen}
         attempt = Attempt(task.folder, self._command, self._timeout, environ)
         self._running.append((task, attempt, gpu))
@@ -60,3 +63,14 @@ class LocalPool:
         except KeyboardInterrupt:
             for _, attempt, _ in self._running:
                 attempt.close()
+
+
+def visible_name(gpu: int) -> str:
+    """What CUDA_VISIBLE_DEVICES calls the GPU of number ``gpu`` among those this process sees.
+
+    Where the variable is set already, as a job scheduler does, that is one of its own entries: an
+    index of the machine's, a UUID or a MIG part's name.
+    """
+    entries = os.environ.get("CUDA_VISIBLE_DEVICES", "").split(",")
+    names = [entry.strip() for entry in entries if entry.strip()]
+    return names[gpu] if gpu < len(names) else str(gpu)

@@ -1,6 +1,7 @@
 """What one asset takes of a machine, by its guidance, and how many fit at once."""
 
 import os
+import re
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,6 +29,7 @@ class Needs:
     cpus: int
     memory: int  # bytes
     gpus: float  # 0 on the CPU; a fraction lets several share one
+    one_card: bool = False  # a device such as cuda:1 is named: other GPUs are no room for it
 
     def __str__(self) -> str:
         gpus = f", {self.gpus:g} GPU" if self.gpus else ""
@@ -36,10 +38,18 @@ class Needs:
 
 def needs_of(job: Job, has_gpu: bool) -> Needs:
     """What ``job`` takes on a machine with or without a CUDA GPU."""
-    on_gpu = job.device == "cuda" or (job.device == "auto" and has_gpu)
+    on_gpu = job.device.split(":")[0] == "cuda" or (job.device == "auto" and has_gpu)
+    one_card = card_of(job.device) is not None
     if job.guidance == BUILTIN:
-        return Needs(1, int(BUILTIN_MEMORY), BUILTIN_GPU if on_gpu else 0.0)
-    return Needs(1, checkpoint_memory(Path(job.guidance)), 1.0 if on_gpu else 0.0)
+        return Needs(1, int(BUILTIN_MEMORY), BUILTIN_GPU if on_gpu else 0.0, one_card)
+    memory = checkpoint_memory(Path(job.guidance))
+    return Needs(1, memory, 1.0 if on_gpu else 0.0, one_card)
+
+
+def card_of(device: str) -> int | None:
+    """The GPU's number in a ``device`` such as cuda:1; None where it names none."""
+    found = re.fullmatch(r"cuda:(\d{1,3})", device, re.ASCII)
+    return int(found[1]) if found else None
 
 
 def checkpoint_memory(path: Path) -> int:
@@ -77,5 +87,6 @@ def places(needs: Needs, at_once: int | None) -> int:
         check_at_once(at_once)
         return at_once
     by_memory = psutil.virtual_memory().available // needs.memory
-    by_gpu = int(gpus() / needs.gpus) if needs.gpus else cores()
+    cards = min(gpus(), 1) if needs.one_card else gpus()
+    by_gpu = int(cards / needs.gpus) if needs.gpus else cores()
     return max(1, min(cores() // needs.cpus, by_memory, by_gpu))

@@ -1,14 +1,16 @@
 """A run folder, or the part of it that is needed elsewhere, as bytes for another machine."""
 
 import io
+import json
 import shutil
 import tarfile
 from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from core.errors import UserError
-from core.io.atomic import atomic_file
+from core.io.atomic import OURS, atomic_file, disk_errors, flush_folder, left_over, temporary
 from core.io.job import Job, write_text
 from core.io.json_file import read_object
 
@@ -21,6 +23,9 @@ RECEIVED = ".fantasia3d-received"  # an asset appears by rename, here as well
 def outward(folder: Path) -> bytes:
     """What another machine needs to go on with the run ``folder``, with the files of its job."""
     job, files = with_inputs(_job(folder))
+    # The number of a GPU is this machine's; the cluster gives each asset one of its own.
+    if job.device.startswith("cuda:"):
+        job = replace(job, device="cuda")
     return _pack({"job.json": job.to_json().encode()}, files | found(folder, STATE))
 
 
@@ -80,12 +85,16 @@ def _pack(texts: dict[str, bytes], files: dict[str, Path]) -> bytes:
 def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
     """Write what is in ``parcel`` into ``folder``: each file whole, an asset whole by rename.
 
-    ``only``: the folders within it that may be written; all where none is named.
+    An older asset goes only then. ``only``: the folders within it that may be written; all where
+    none is named.
 
     Raises:
-        UserError: a name that leads out of the folder, or out of those.
+        UserError: a name that leads out of the folder, or out of those; an older asset that holds
+            a file of somebody else's; a disk that is full or may not be written.
     """
     shutil.rmtree(folder / RECEIVED, ignore_errors=True)
+    for old in left_over(folder, "old", "asset"):
+        _restore(folder / "asset", old)
     with tarfile.open(fileobj=io.BytesIO(parcel)) as tar:
         for entry in tar:
             if only and entry.name.partition("/")[0] not in only:
@@ -94,7 +103,41 @@ def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
             if content is not None:
                 _write(folder / _inside(entry.name), content.read())
     if (folder / RECEIVED).is_dir():
-        (folder / RECEIVED).rename(folder / "asset")
+        _replace(folder / "asset", folder / RECEIVED)
+
+
+def _replace(asset: Path, new: Path) -> None:
+    """Give ``new`` the name ``asset``. As ``core.io.asset`` does, which loads torch."""
+    old = temporary(asset, "old")
+    with disk_errors(asset):
+        _refuse_foreign_files(asset, new)
+        flush_folder(new)  # whole after a power cut too, before it gets its name
+        try:
+            if asset.exists():
+                asset.rename(old)
+            new.rename(asset)
+        finally:  # after a failure the older one gets its name back
+            _restore(asset, old)
+
+
+def _restore(asset: Path, old: Path) -> None:
+    """The older asset gets its name back where there is no newer one, else it goes."""
+    if old.exists() and not asset.exists():
+        old.rename(asset)
+    shutil.rmtree(old, ignore_errors=True)
+
+
+def _refuse_foreign_files(asset: Path, new: Path) -> None:
+    """Only an asset's own files may be replaced; anything else is somebody's work."""
+    fix = "Move it elsewhere, and resume the run."
+    if asset.is_symlink() or (asset.exists() and not asset.is_dir()):
+        raise UserError(f"{asset} is not a folder of this run.", fix)
+    ours = {"asset.json", *(path.name for path in new.iterdir())}
+    with suppress(OSError, ValueError, KeyError, TypeError, RecursionError):  # broken
+        ours |= {*json.loads((asset / "asset.json").read_text(encoding="utf-8"))["files"]}
+    for path in asset.iterdir() if asset.exists() else ():
+        if not (path.name in ours or OURS.fullmatch(path.name)) or path.is_dir():
+            raise UserError(f"{path} is not a file of an asset, and would be lost.", fix)
 
 
 def _inside(name: str) -> PurePosixPath:

@@ -133,7 +133,6 @@ class Relay:
         write_text(self._folder / RECORD, json.dumps(record | {"until": self._until}) + "\n")
 
     def _take(self, log: str) -> None:
-        before = self._seen
         for message in messages(log, self._seen):
             if parcel := message.get("parcel"):
                 unpack(unpacked(parcel), self._folder, BACK)
@@ -142,8 +141,7 @@ class Relay:
             elif event := message.get("event"):
                 mirror(self._events, event)
             self._seen += 1
-        if self._seen != before:
-            self._remember()
+            self._remember()  # after each: what has come is not taken twice
 
 
 def mirror(events: EventWriter, event: Mapping[str, Any]) -> None:
@@ -164,7 +162,9 @@ def zipped(files: Mapping[str, bytes]) -> bytes:
 
 def request_of(job_id: str, uri: str, job: Job) -> dict[str, Any]:
     """What Ray is asked for: a core, and a GPU for a checkpoint that is to run on one."""
-    on_gpu = job.device == "cuda" or (job.device == "auto" and job.guidance != BUILTIN)
+    on_gpu = job.device.split(":")[0] == "cuda" or (
+        job.device == "auto" and job.guidance != BUILTIN
+    )
     return {
         "entrypoint": ENTRY,
         "submission_id": job_id,

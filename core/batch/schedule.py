@@ -12,10 +12,13 @@ from core.batch.needs import Needs
 from core.batch.options import OUT_OF_TIME
 from core.batch.plan import Task
 from core.batch.progress_line import ProgressLine, seconds_left
+from core.errors import UserError
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint
+from core.guidance.stable_diffusion.multi_view_names import TOGETHER
 from core.io.job import Job, write_text
 from core.io.json_file import read_object
 from core.io.run_folder import RunFolder
-from core.job_config import config_of
+from core.job_config import BUILTIN, config_of
 
 # Exit codes that the same run gives again: the input, what is missing, no surface, a cancel.
 FINAL = (2, 3, 5, 130, OUT_OF_TIME)
@@ -151,16 +154,31 @@ def remove_checkpoints(folder: Path) -> None:
 def use_smaller_parts(folder: Path) -> bool:
     """Halve the views that are computed together, which the result does not depend on.
 
-    False where it is one view already.
+    Views that the guidance predicts together stay together. False where it is one view, or one
+    such group, already.
     """
     path = folder / "job.json"
     data: dict[str, Any] = read_object(path, "Start a new run.")
     job = Job.from_object(data)
-    config, less = config_of(job), {}
+    config, group, less = config_of(job), group_of(job.guidance), {}
     for stage in STAGES:
         now = min(getattr(config, stage).views_at_once, getattr(config, stage).views)
-        less[f"{stage}.views_at_once"] = max(1, now // 2)
-    if all(job.settings.get(key) == value for key, value in less.items()):
+        if half := now // 2 // group * group:
+            less[f"{stage}.views_at_once"] = half
+    if not less:
         return False
     write_text(path, replace(job, settings=job.settings | less).to_json())
     return True
+
+
+def group_of(guidance: str) -> int:
+    """How many views the ``guidance`` of a job predicts together.
+
+    As MVDream does, of a checkpoint that this machine cannot read: the cluster's nodes may.
+    """
+    if guidance == BUILTIN:
+        return 1
+    try:
+        return TOGETHER if find_checkpoint(guidance).family == "mvdream" else 1
+    except (UserError, OSError, ImportError):
+        return TOGETHER

@@ -245,8 +245,8 @@ def sds_grad(
     with torch.no_grad():
         z_t = add_noise(z, eps, alpha_bar)
         if method.name == "csd":
-            apart = method.negative is not None and bool((method.negative > 0).any())
-            predictions = guidance.predict(z_t, t, views, apart=apart)
+            # Apart at weight 0 too: else the negative prompt takes the place of no words.
+            predictions = guidance.predict(z_t, t, views, apart=True)
             score = guidance_scale * classifier_score(predictions, method.negative)
         else:
             score = predict_eps(guidance, z_t, t, views, guidance_scale) - eps

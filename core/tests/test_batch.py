@@ -18,11 +18,12 @@ from PIL import Image
 from core.batch import attempt, batch, plan
 from core.batch.attempt import Attempt
 from core.batch.local import LocalPool
-from core.batch.needs import Needs, checkpoint_memory, needs_of, places
+from core.batch.needs import Needs, card_of, checkpoint_memory, needs_of, places
 from core.batch.options import OUT_OF_TIME
-from core.batch.plan import digest
+from core.batch.plan import Task, digest
 from core.batch.progress_line import duration, seconds_left
-from core.batch.table import read_table, slug
+from core.batch.schedule import use_smaller_parts
+from core.batch.table import Row, read_table, slug
 from core.command_line import main
 from core.errors import UserError
 from core.io.job import Job, read_events
@@ -264,6 +265,39 @@ def test_out_of_memory_is_tried_again_with_smaller_parts(table, tmp_path):
     assert report(tmp_path)[0]["attempts"] == "0"
 
 
+MVDREAM = Path(__file__).parents[1] / "guidance/stable_diffusion/configurations/mvdream"
+
+
+def test_smaller_parts_keep_views_together_that_a_checkpoint_predicts_together(tmp_path):
+    job = Job(prompt="a chair", preset="paper", guidance=str(MVDREAM), settings=parts(24))
+    (tmp_path / "job.json").write_text(job.to_json())
+    for fewer in (12, 4):
+        assert use_smaller_parts(tmp_path)
+        assert Job.from_json((tmp_path / "job.json").read_text()).settings == parts(fewer)
+    before = (tmp_path / "job.json").read_bytes()
+    assert not use_smaller_parts(tmp_path)
+    assert (tmp_path / "job.json").read_bytes() == before
+
+
+def test_smaller_parts_of_a_checkpoint_that_is_elsewhere_may_have_to_be_groups(tmp_path):
+    job = Job(prompt="a chair", preset="paper", guidance="/nowhere/x", settings=parts(24))
+    (tmp_path / "job.json").write_text(job.to_json())
+    assert [use_smaller_parts(tmp_path) for _ in range(3)] == [True, True, False]
+    assert Job.from_json((tmp_path / "job.json").read_text()).settings == parts(4)
+
+
+def test_single_views_are_the_smallest_parts(tmp_path):
+    (tmp_path / "job.json").write_text(Job(prompt="a chair", settings=parts(3)).to_json())
+    assert [use_smaller_parts(tmp_path) for _ in range(2)] == [True, False]
+    assert Job.from_json((tmp_path / "job.json").read_text()).settings == parts(1)
+
+
+def parts(count):
+    stages = ("geometry", "appearance")
+    views = {f"{stage}.views": 24 for stage in stages} if count >= 4 else {}
+    return views | {f"{stage}.views_at_once": count for stage in stages}
+
+
 def test_a_timeout_leaves_the_run_resumable(table, tmp_path, monkeypatch):
     argv = table("an endless chair\n", "t.txt")
     assert main(["batch", *argv, "--timeout", "0.6"]) == 6
@@ -423,3 +457,43 @@ def test_a_checkpoint_takes_its_weights_and_more(tmp_path):
     assert checkpoint_memory(tmp_path) - checkpoint_memory(tmp_path / "unet") == 2000
     job = Job(prompt="x", guidance=str(tmp_path))
     assert needs_of(job, has_gpu=True).gpus == 1 and needs_of(job, has_gpu=False).gpus == 0
+
+
+def test_a_card_that_is_named_is_a_gpu_and_no_more_than_one(monkeypatch):
+    monkeypatch.setattr("core.batch.needs.cores", lambda: 8)
+    memory = type("M", (), {"available": 100 << 30})
+    monkeypatch.setattr("core.batch.needs.psutil.virtual_memory", lambda: memory)
+    monkeypatch.setattr("core.batch.needs.gpus", lambda: 2)
+    named, any_card = (needs_of(Job(prompt="x", device=d), True) for d in ("cuda:1", "cuda"))
+    assert named.gpus == any_card.gpus == 0.25
+    assert (places(named, None), places(any_card, None)) == (4, 8)
+    tasks = [Task(Row(1, "x"), job=Job(prompt="x", device=d)) for d in ("cuda", "cuda:1", "cpu")]
+    assert batch._needs(tasks, True) == named
+    assert batch._needs(tasks[:1], True) == any_card
+    found = [card_of(d) for d in ("cuda:1", "cuda:0", "cuda", "auto", "cpu", "cuda:", "cuda:x")]
+    assert found == [1, 0, None, None, None, None, None]
+
+
+@pytest.mark.parametrize(
+    ("inherited", "devices", "seen"),
+    [
+        (None, ["cuda"] * 3, ["0", "1", "0"]),
+        ("2,3", ["cuda"] * 3, ["2", "3", "2"]),
+        (" GPU-5e, MIG-7f ", ["auto", "auto"], ["GPU-5e", "MIG-7f"]),
+        ("2,3", ["cuda:0", "cuda", "cuda:1"], ["2,3", "3", "2,3"]),  # the process counts by itself
+    ],
+)
+def test_a_process_gets_one_of_the_gpus_that_the_batch_was_given(
+    inherited, devices, seen, monkeypatch
+):
+    found = []
+    monkeypatch.setattr("core.batch.local.gpus", lambda: 2)
+    monkeypatch.setattr("core.batch.local.Attempt", lambda *given: found.append(given[-1]))
+    monkeypatch.delenv("CUDA_VISIBLE_DEVICES", raising=False)
+    if inherited:
+        monkeypatch.setenv("CUDA_VISIBLE_DEVICES", inherited)
+    pool = LocalPool(Needs(1, 1 << 30, 0.25), at_once=4)
+    for device in devices:
+        pool.start(Task(Row(1, "x"), Path("run"), Job(prompt="x", device=device)))
+    key = "CUDA_VISIBLE_DEVICES"
+    assert [environ.get(key, os.environ.get(key)) for environ in found] == seen

@@ -87,6 +87,92 @@ def test_an_asset_comes_back_whole_and_the_job_stays(tmp_path):
     assert files(here) == {"job.json", "asset/asset.json"}
 
 
+def asset(run, **files):
+    """An asset in ``run`` with these files, each a text by its stem."""
+    (run / "asset").mkdir()
+    for stem, text in files.items():
+        (run / "asset" / f"{stem}.json").write_text(text)
+    return run
+
+
+def test_an_asset_replaces_an_older_one(tmp_path):
+    stated = json.dumps({"files": {"gone.json": {}}})
+    here = asset(run_folder(tmp_path / "here"), asset=stated, gone="old", kept="old")
+    there = asset(run_folder(tmp_path / "there"), asset="{}", kept="new")
+    for _ in range(2):  # a relay that dies before it remembers gets the same again
+        parcel.unpack(parcel.homeward(there, parcel.ASSET), here)
+        assert files(here) == {"job.json", "asset/asset.json", "asset/kept.json"}
+        assert (here / "asset" / "kept.json").read_text() == "new"
+
+
+@pytest.mark.parametrize("killed_at", [1, 2, 3])
+def test_a_kill_while_an_asset_is_replaced_loses_none(tmp_path, monkeypatch, killed_at):
+    """Before the first rename, between the two, and after the second."""
+    here = asset(run_folder(tmp_path / "here"), asset="{}", kept="old")
+    there = asset(run_folder(tmp_path / "there"), asset="{}", kept="new")
+    home, renames = parcel.homeward(there, parcel.ASSET), iter(range(1, 9))
+
+    class Killed(BaseException):
+        pass
+
+    def rename(path, to, real=Path.rename):
+        if next(renames) == killed_at:
+            raise Killed
+        return real(path, to)
+
+    def killed(*_, **__):
+        raise Killed
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "rename", rename)
+        patch.setattr(parcel, "_restore", killed)  # a kill runs nothing more
+        with pytest.raises(Killed):
+            parcel.unpack(home, here)
+    # A parcel without an asset is enough to get the older one back.
+    parcel.unpack(parcel.homeward(there, ("log.txt",)), here)
+    now = (here / "asset" / "kept.json").read_text()
+    assert now == ("new" if killed_at == 3 else "old")
+    parcel.unpack(home, here)
+    assert files(here) == {"job.json", "asset/asset.json", "asset/kept.json"}
+    assert (here / "asset" / "kept.json").read_text() == "new"
+    assert {path.name for path in here.iterdir()} == {"job.json", "asset"}
+
+
+def test_a_failed_rename_leaves_the_older_asset(tmp_path, monkeypatch):
+    here = asset(run_folder(tmp_path / "here"), asset="{}", kept="old")
+    there = asset(run_folder(tmp_path / "there"), asset="{}", kept="new")
+
+    def rename(path, to, real=Path.rename):
+        if path.name == parcel.RECEIVED:
+            raise PermissionError(13, "Permission denied")
+        return real(path, to)
+
+    monkeypatch.setattr(Path, "rename", rename)
+    with pytest.raises(UserError, match="may not be written"):
+        parcel.unpack(parcel.homeward(there, parcel.ASSET), here)
+    assert (here / "asset" / "kept.json").read_text() == "old"
+
+
+def test_a_file_of_the_users_in_an_asset_is_not_replaced(tmp_path):
+    here = asset(run_folder(tmp_path / "here"), asset="{}", notes="mine")
+    there = asset(run_folder(tmp_path / "there"), asset="{}")
+    home = parcel.homeward(there, parcel.ASSET)
+    with pytest.raises(UserError, match=r"notes.json is not a file of an asset"):
+        parcel.unpack(home, here)
+    assert (here / "asset" / "notes.json").read_text() == "mine"
+    (here / "asset" / "notes.json").rename(tmp_path / "notes.json")
+    parcel.unpack(home, here)
+    assert files(here) == {"job.json", "asset/asset.json"}
+
+
+def test_a_card_s_number_does_not_travel(tmp_path):
+    for device, there in (("cuda:1", "cuda"), ("cuda", "cuda"), ("cpu", "cpu")):
+        here = run_folder(tmp_path / device)
+        (here / "job.json").write_text(Job(prompt="a chair", device=device).to_json())
+        parcel.unpack(parcel.outward(here), tmp_path / f"{device} there")
+        assert Job.from_json((tmp_path / f"{device} there/job.json").read_text()).device == there
+
+
 @pytest.mark.parametrize("name", ["../evil", "/evil", "a/../../evil"])
 def test_a_parcel_leads_nowhere_else(tmp_path, name):
     packed = io.BytesIO()

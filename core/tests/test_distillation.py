@@ -32,11 +32,14 @@ def random(*shape, seed=0):
 
 
 class Spoken(Normal):
-    """Exact scores of three texts: N(mu, s² I) with the means of ``WORDS``."""
+    """Exact scores of three texts: N(mu, s² I) with the means of ``WORDS``.
 
-    def __init__(self):
+    ``negative``: whether there is a negative prompt, the third.
+    """
+
+    def __init__(self, negative=True):
         super().__init__(0.0, STD)
-        self.calls = 0
+        self.calls, self.negative = 0, negative
 
     def prompted(self, *_):
         return PromptedSpoken(self)
@@ -49,10 +52,12 @@ class PromptedSpoken(PromptedGuidance):
             mixture_eps(z_t, self.alpha_bar[t], torch.full_like(z_t, mu)[None], STD)
             for mu in WORDS.values()
         )
+        if not self._guidance.negative:
+            return Predictions(cond, uncond)
         # Without ``apart`` the negative prompt takes the unconditional's place.
         if apart:
             return Predictions(cond, uncond, negative=negative)
-        return Predictions(cond, uncond)
+        return Predictions(cond, negative)
 
 
 def grad(guidance, z, eps, method, scale=1.0):
@@ -88,8 +93,20 @@ def test_csd_s_negative_prompt_counts_as_much_as_its_weight():
     torch.testing.assert_close(found, expected.expand_as(z))
 
 
-def test_csd_is_what_one_more_of_guidance_adds_to_sds():
+@pytest.mark.parametrize("omega", [0.0, 1e-6, 0.5, 1.0])
+def test_csd_s_weight_is_of_the_negative_prompt_where_all_views_have_the_same(omega):
+    """At 0, a phase's first step, the negative prompt does not count."""
     guidance, z, eps = Spoken(), random(3, 4, 2, 2), random(3, 4, 2, 2, seed=1)
+    ab, sigma, variance = factors(guidance)
+    away = (1 - omega) * WORDS["uncond"] + omega * WORDS["negative"] - WORDS["cond"]
+    expected = sigma**2 * sigma * ab.sqrt() * away / variance
+    weights = torch.full((3,), omega, dtype=torch.float64)
+    found = grad(guidance, z, eps, Method("csd", weights))
+    torch.testing.assert_close(found, expected.expand_as(z))
+
+
+def test_csd_is_what_one_more_of_guidance_adds_to_sds():
+    guidance, z, eps = Spoken(negative=False), random(3, 4, 2, 2), random(3, 4, 2, 2, seed=1)
     more, less = (grad(guidance, z, eps, sds.SDS, scale) for scale in (8.0, 7.0))
     torch.testing.assert_close(more - less, grad(guidance, z, eps, Method("csd")))
 

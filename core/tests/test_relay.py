@@ -179,6 +179,44 @@ def test_a_job_that_dies_is_a_sentence_and_the_run_goes_on_from_its_checkpoint(r
     assert carry_out(run, cluster.url, "", time.time()) == run / "asset"
 
 
+def test_a_finished_run_is_made_again_and_its_asset_replaced(run, cluster):
+    (run / "asset").mkdir()
+    (run / "asset" / "asset.json").write_text("older")
+    assert carry_out(run, cluster.url, "", time.time()) == run / "asset"
+    assert (run / "asset" / "asset.json").read_text() != "older"
+    assert kinds(run)[-1] == "done"
+    assert not [path for path in run.iterdir() if path.name.startswith(".")]
+
+
+def test_what_has_come_is_remembered_message_by_message(run, cluster, monkeypatch):
+    one = relay.Relay(run, Jobs(cluster.url, SECRET), "")
+    lines = [MARK + json.dumps({"event": {"type": "warning", "text": str(i)}}) for i in range(2)]
+    lines.append(MARK + json.dumps({"parcel": "a kill while it is unpacked"}))
+
+    def killed(_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(relay, "unpacked", killed)
+    with pytest.raises(KeyboardInterrupt):
+        one._take("\n".join([*lines, ""]))
+    assert json.loads((run / RECORD).read_text())["seen"] == 2
+
+
+@pytest.mark.parametrize(
+    ("device", "guidance", "cards"),
+    [
+        ("cuda:1", "builtin", 1),
+        ("cuda", "builtin", 1),
+        ("auto", "builtin", 0),
+        ("auto", "x", 1),
+        ("cpu", "x", 0),
+    ],
+)
+def test_ray_is_asked_for_a_gpu_where_the_job_takes_one(device, guidance, cards):
+    job = Job(prompt="a chair", device=device, guidance=guidance)
+    assert relay.request_of("a", "b", job)["entrypoint_num_gpus"] == cards
+
+
 def test_a_failure_comes_home_with_its_sentence_and_its_exit_code(run, cluster, capfd):
     (run / "job.json").write_text(Job(prompt="unknown").to_json())
     assert main(["resume", str(run), "--ray-jobs", cluster.url]) == 2
