@@ -27,7 +27,7 @@ from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
 from core.io.asset import Asset, check_asset_folder, place, read_asset, write_asset
 from core.io.job import Job
-from core.io.mesh_file import load_mesh
+from core.io.mesh_file import Needed, load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import config_of, local_ranges, within
@@ -41,7 +41,7 @@ from core.stages.lit_scene import picture_of
 from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.reshape import Part, free_verts, reshaped
-from core.stages.start_color import fit_start_color, start_picture
+from core.stages.start_color import OWN, fit_start_color, start_picture
 from core.stages.start_shape import (
     fit_guide,
     fit_start_shape,
@@ -53,6 +53,7 @@ from core.stages.start_shape import (
 from core.stages.state import Training
 from core.stages.texturing import (
     bake_maps,
+    fine_over,
     load_unwrapped,
     save_unwrapped,
     shared_unwrapped,
@@ -93,7 +94,7 @@ def prepare(job: Job, place: int | None = None) -> Inputs:
     path = job.mesh or job.guide_mesh
     kept = read_asset(Path(job.kept_asset)) if job.region else None
     # Of the asset itself: a reader of any OBJ may order its faces otherwise.
-    shape = kept.mesh if kept else load_mesh(Path(path)) if path else None
+    shape = kept.mesh if kept else load_mesh(Path(path), needed_of(job)) if path else None
     start = start_picture(job.base_color, shape) if job.base_color and shape else None
     light = load_light(job.light)
     guidance = make_guidance(
@@ -157,12 +158,11 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
             own = inputs.shape is not None and (job.command == "texture" or job.guide_strength == 1)
             kept = {"keep_uv": job.uv == "keep", "keep_faces": own}
             unwrapped = unwrap_shape(shape, config.texture, progress, **kept)
+            # The kept asset's normals have its relief; of another shape there is none.
+            if inputs.region and not job.reshape:
+                unwrapped = unwrapped._replace(fine=inputs.region.fine)
             save_unwrapped(run, unwrapped)
     unwrapped = shared_unwrapped(unwrapped, ranks)
-    region = inputs.region
-    if region is not None:  # its normals keep the relief of the shape before it was simplified
-        # ... but of another shape there is none.
-        unwrapped = unwrapped._replace(fine=None if job.reshape else region.fine)
     mesh = unwrapped.mesh.to(device)
 
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
@@ -187,10 +187,10 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     known = {"surfaces": guidance.surfaces(), "areas": areas}
     seed = job.color_seed or job.seed
     maps = bake_maps(unwrapped, net, config, progress, seed=seed, **known)
-    if region is not None:
+    if inputs.region is not None:
         verts = unwrapped.mesh.verts
         feather = config.texture.feather * float((verts.amax(0) - verts.amin(0)).max())
-        maps = edited(unwrapped.mesh.mesh, region, maps, feather, config.texture.samples)
+        maps = edited(unwrapped.mesh.mesh, inputs.region, maps, feather, config.texture.samples)
     verts = mesh.verts.cpu()
     generated = job.command == "generate"
     verts = turned(verts, -run.turn) if run.turn else verts
@@ -275,6 +275,13 @@ def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
     return replace(inputs, shape=replace(guide, verts=turned(guide.verts, turn)) if turn else guide)
 
 
+def needed_of(job: Job) -> Needed:
+    """What ``job`` takes from its mesh file besides the shape."""
+    if job.base_color == OWN:
+        return "texture"
+    return "uv" if job.base_color or job.uv == "keep" else ""
+
+
 def prompt_of(job: Job, asset: Asset | None) -> str:
     """What the guidance is asked for: the whole thing, also where a region's words name a part."""
     if asset is None or job.guidance != "builtin":
@@ -291,7 +298,9 @@ def region_of(job: Job, asset: Asset) -> Region:
         )
     made = load_unwrapped(RunFolder(asset.folder.parent))
     faces = asset.mesh.faces
-    fine = made.fine if made and torch.equal(made.mesh.faces, faces) else None
+    same = made and torch.equal(made.mesh.faces, faces)
+    # Its cube need not be this run's, where the asset's mesh is normalised.
+    fine = fine_over(made, normalise(asset.mesh.verts)[0]) if made and same else None
     return Region(asset.maps, read_faces(Path(job.region), len(faces)), fine)
 
 

@@ -2,8 +2,9 @@
 
 import warnings
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import torch
@@ -20,15 +21,19 @@ Y_UP = {".obj", ".glb", ".gltf"}
 Z_UP = {".ply", ".stl"}
 MAX_BYTES = 1 << 30  # 20 million faces of an STL; a reader takes many times as much memory
 MAX_COORDINATE = 1e15  # its square, and the sum of many, is a float32 still
+Needed = Literal["", "uv", "texture"]  # of a mesh file, besides its shape
 EXPORT_AGAIN = "Open it in Blender and export it as OBJ, PLY, STL or GLB without compression."
 
 
-def load_mesh(path: "str | Path") -> Mesh:
+def load_mesh(path: "str | Path", needed: Needed = "") -> Mesh:
     """The mesh of an OBJ, PLY, STL, GLB or glTF file, turned as Blender's import would.
 
     All parts of a scene are joined, and vertices in one place welded; faces that this closes to a
     line are left out. The uv is kept if all parts have one and share at most one texture; parts
-    with textures of their own overlap in uv space. Raises UserError, its fix in words.
+    with textures of their own overlap in uv space. The texture is kept if all parts are of it.
+
+    Raises UserError, its fix in words; also where the parts' materials leave no uv, or no texture,
+    and that is ``needed``.
     """
     path = Path(path)
     if path.suffix.lower() not in Y_UP | Z_UP:
@@ -55,6 +60,8 @@ def load_mesh(path: "str | Path") -> Mesh:
     kept = (welded != np.roll(welded, 1, axis=1)).all(1)
     if not kept.any():
         raise UserError(f"{path.name} holds no face with an area.", "Give a mesh with an extent.")
+    if needed:
+        _check_materials(path, parts, needed)
     uv, face_uvs, texture = _texture(parts, kept)
     verts, faces = compact(torch.from_numpy(verts), torch.from_numpy(welded[kept]))
     return Mesh(verts, faces, uv, face_uvs, texture)
@@ -134,16 +141,57 @@ def _texture(
     parts: list[_Part], kept: np.ndarray
 ) -> tuple[Tensor | None, Tensor | None, Tensor | None]:
     """uv, face_uvs and the base colour of the parts, if they go together."""
-    images = {id(image): (image, p) for p in parts if (image := _image(p.material)) is not None}
-    if len(images) > 1 or any(part.uv is None for part in parts):
+    if any(part.uv is None for part in parts) or not _same_picture(parts):
         return None, None, None
     uv, face_uvs = _join([(part.uv, part.faces) for part in parts])
     uv, number = _weld(uv.astype(np.float32))
-    texture = None
-    for image, part in images.values():
+    texture, image = None, _image(parts[0].material)
+    if image is not None and _same_colors(parts):
         srgb = torch.from_numpy(_pixels(image).astype(np.float32) / 255)
-        texture = srgb_to_linear(srgb) * _factor(part.material)
+        texture = srgb_to_linear(srgb) * _factor(parts[0].material)
     return torch.from_numpy(uv), torch.from_numpy(number[face_uvs][kept]), texture
+
+
+def _check_materials(path: Path, parts: list[_Part], needed: Needed) -> None:
+    """UserError where the parts have what is ``needed``, but not in common."""
+    bare = sum(part.uv is None for part in parts)
+    if bare == len(parts):
+        return  # whoever needs a uv says that there is none
+    if bare:
+        raise UserError(
+            f"{bare} of the {len(parts)} parts of {path.name} have no UV map.",
+            "Unwrap them too, or take --uv auto without a base colour.",
+        )
+    if not _same_picture(parts):
+        raise UserError(
+            f"{path.name} has several materials with textures of their own: no UV map is of all.",
+            "Bake them into one texture with one UV map, or take --uv auto without a base colour.",
+        )
+    if needed == "texture" and _pictures(parts) and not _same_colors(parts):
+        raise UserError(
+            f"{path.name} has several materials, not all of which have its texture's colours.",
+            "Bake them into one texture, name a picture, or start plain.",
+        )
+
+
+def _same_picture(parts: list[_Part]) -> bool:
+    """Whether all textures of the parts are one picture; an OBJ's materials each read their own."""
+    return all(
+        a.size == b.size and np.array_equal(_pixels(a), _pixels(b))
+        for a, b in pairwise(_pictures(parts))
+    )
+
+
+def _pictures(parts: list[_Part]) -> list[Picture]:
+    """Those of the parts, each once."""
+    images = (_image(part.material) for part in parts)
+    return list({id(image): image for image in images if image is not None}.values())
+
+
+def _same_colors(parts: list[_Part]) -> bool:
+    """Whether the parts differ neither in having a texture nor in its factor."""
+    looks = {(_image(p.material) is None, *_factor(p.material).tolist()) for p in parts}
+    return len(looks) == 1
 
 
 def _image(material: object) -> Picture | None:

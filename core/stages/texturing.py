@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from jaxtyping import Float, Int
+from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.appearance.material import Material, MaterialNet
@@ -29,6 +30,7 @@ from core.texture.unwrap import unwrap
 
 PARTS = ("verts", "faces", "uv", "face_uvs")  # of the mesh, in a checkpoint; the rest is derived
 FINE = ("fine_verts", "fine_faces")  # of the shape before it was simplified, if it was
+ASTRAY = 1e-3  # training units; a file's and float32's rounding far from the origin are below it
 
 
 class Unwrapped(NamedTuple):
@@ -112,6 +114,28 @@ def load_unwrapped(run: RunFolder) -> Unwrapped | None:
 def save_unwrapped(run: RunFolder, unwrapped: Unwrapped) -> None:
     """Keep the unwrapped mesh: from here on the geometry is not trained again."""
     run.save("mesh", _tensors(unwrapped), {})
+
+
+def fine_over(made: Unwrapped, verts: Float[Tensor, "v 3"]) -> Mesh | None:
+    """The fine shape of ``made``, moved, turned and scaled as its mesh's vertices are in ``verts``,
+    which is in training units.
+
+    None where there is no fine shape, and where ``verts`` are not the mesh's in that sense.
+    """
+    own, fine = made.mesh.verts.double().numpy(), made.fine
+    there = verts.double().numpy()
+    if fine is None or own.shape != there.shape:
+        return None
+    from_center, to_center = own - own.mean(0), there - there.mean(0)
+    turn = Rotation.align_vectors(to_center, from_center)[0]
+    scale = np.linalg.norm(to_center) / np.linalg.norm(from_center)
+
+    def moved(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        return scale * turn.apply(points - own.mean(0)) + there.mean(0)
+
+    if np.abs(moved(own) - there).max() > ASTRAY:
+        return None
+    return Mesh(torch.from_numpy(moved(fine.verts.double().numpy())).to(fine.verts), fine.faces)
 
 
 def shared_unwrapped(unwrapped: Unwrapped | None, ranks: Ranks) -> Unwrapped:

@@ -6,8 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
+from PIL import Image
+from trimesh.visual.material import PBRMaterial
 
 from core.errors import UserError
+from core.generate import prepare
+from core.io.job import Job
 from core.io.mesh_file import load_mesh
 
 TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
@@ -85,3 +90,77 @@ def test_a_uv_that_is_no_number_of_32_bits_is_none(tmp_path: Path, number: bytes
 def test_nodes_in_a_circle_end(tmp_path: Path, nodes: list[dict]) -> None:
     (tmp_path / "a.glb").write_bytes(glb([0, 1, 2], nodes))
     assert len(load_mesh(tmp_path / "a.glb").faces) == 1
+
+
+RED, BLUE = (Image.new("RGB", (4, 4), color) for color in ("red", "blue"))
+TEXTURED, PLAIN = {"baseColorTexture": RED}, {"baseColorFactor": [0, 0, 255, 255]}
+
+
+def boxes(path: Path, *materials: dict) -> Path:
+    """A row of boxes, whose uv none shares with another, each of its own material."""
+    parts = []
+    for k, material in enumerate(materials):
+        box = trimesh.creation.box()
+        box.apply_translation([3.0 * k, 0, 0])
+        uv = np.random.default_rng(k).random((len(box.vertices), 2)) / len(materials)
+        uv += k / len(materials)
+        box.visual = trimesh.visual.TextureVisuals(uv=uv, material=PBRMaterial(**material))
+        parts.append(box)
+    trimesh.Scene(parts).export(path)
+    return path
+
+
+@pytest.mark.parametrize("needed", ["uv", "texture"])
+def test_several_textures_are_called_so(tmp_path: Path, needed) -> None:
+    path = boxes(tmp_path / "a.glb", TEXTURED, {"baseColorTexture": BLUE})
+    assert load_mesh(path).uv is None
+    with pytest.raises(UserError, match="several materials with textures of their own") as error:
+        load_mesh(path, needed)
+    assert "--uv auto" in error.value.fix
+
+
+@pytest.mark.parametrize("asked", [{"uv": "keep"}, {"base_color": "mesh"}])
+def test_a_job_that_asks_for_the_uv_is_told_of_the_textures(tmp_path: Path, asked: dict) -> None:
+    path = boxes(tmp_path / "a.glb", TEXTURED, {"baseColorTexture": BLUE})
+    job = Job(prompt="a red cube", command="texture", mesh=str(path), device="cpu", **asked)
+    with pytest.raises(UserError, match="several materials with textures of their own"):
+        prepare(job)
+
+
+@pytest.mark.parametrize("other", [PLAIN, {}, TEXTURED | PLAIN])
+def test_a_part_of_another_colour_does_not_get_the_texture(tmp_path: Path, other: dict) -> None:
+    path = boxes(tmp_path / "a.glb", TEXTURED, other)
+    mesh = load_mesh(path, "uv")
+    assert mesh.uv is not None and mesh.base_color is None
+    with pytest.raises(UserError, match="not all of which have its texture's colours") as error:
+        load_mesh(path, "texture")
+    assert error.value.fix
+
+
+@pytest.mark.parametrize("needed", ["", "uv", "texture"])
+def test_colours_alone_are_no_texture_and_share_a_uv(tmp_path: Path, needed) -> None:
+    mesh = load_mesh(boxes(tmp_path / "a.glb", PLAIN, {}), needed)
+    assert mesh.uv is not None and mesh.base_color is None
+
+
+def test_materials_of_an_obj_with_one_picture_have_it_in_common(tmp_path: Path) -> None:
+    RED.save(tmp_path / "red.png")
+    mtl = "".join(f"newmtl {name}\nmap_Kd red.png\n" for name in ("a", "b"))
+    (tmp_path / "a.mtl").write_text(mtl)
+    faces = b"usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/1\n"
+    path = tmp_path / "a.obj"
+    path.write_bytes(b"mtllib a.mtl\n" + OBJ + b"v 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n" + faces)
+    mesh = load_mesh(path, "texture")
+    assert mesh.uv is not None and mesh.base_color is not None
+    assert mesh.base_color[0, 0].tolist() == [1, 0, 0]
+
+
+@pytest.mark.parametrize("needed", ["uv", "texture"])
+def test_a_uv_that_some_parts_lack_is_not_called_missing(tmp_path: Path, needed) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl a\nnewmtl b\n")
+    path = tmp_path / "a.obj"
+    faces = b"vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1 3 4\n"
+    path.write_bytes(b"mtllib a.mtl\n" + OBJ + b"v 0 0 1\n" + faces)
+    assert load_mesh(path).uv is None
+    with pytest.raises(UserError, match="1 of the 2 parts of a.obj have no UV map"):
+        load_mesh(path, needed)

@@ -3,18 +3,25 @@
 import shutil
 from pathlib import Path
 
+import igl
+import numpy as np
 import pytest
 import torch
 
 from core.command_line import carry_out, main, parse
 from core.errors import UserError
-from core.geometry.mesh import Mesh
+from core.geometry.mesh import NORMAL_RADIUS, Mesh, turned
 from core.geometry.tangents import smooth_normals
 from core.io.asset import read_asset, write_asset
 from core.io.maps import Maps
+from core.io.obj import write_plain_obj
+from core.io.run_folder import RunFolder
 from core.ops import normalize
 from core.stages.reshape import free_verts
+from core.stages.texturing import Unwrapped, fine_over, load_unwrapped
+from core.tests import meshes
 from core.tests.tiny_runs import OPTIONS
+from core.texture.fine_surface import FineSurface
 from core.texture.region import Region, edited, read_faces, region_weight
 from core.texture.texels import texel_points
 
@@ -216,3 +223,71 @@ def test_an_edited_asset_keeps_its_mesh_and_every_other_texel(whole: Path, tmp_p
     for old, new in zip(before.maps[:3], after.maps[:3], strict=True):
         assert torch.equal(old[outside], new[outside])
     assert (before.maps.base_color != after.maps.base_color).any()
+
+
+def edit(run: Path, out: Path) -> Path:
+    """Another material on the first 50 faces of an asset; the run folder."""
+    faces = out.with_suffix(".txt")
+    faces.write_text("\n".join(map(str, range(50))))
+    argv = ["edit", str(run), "a blue metal torus", f"--faces={faces}", f"--out={out}"]
+    assert main([*argv, *OPTIONS[:-2]]) == 0
+    return out
+
+
+def relief(run: Path) -> tuple[float, float, float]:
+    """How far a run's mesh is from the shape before it was simplified: at most, in the shape's own
+    radius; the mean of its normals' angles, degrees. And that radius, training units."""
+    found = load_unwrapped(RunFolder(run))
+    assert found is not None and found.fine is not None
+    mesh, fine = found
+    radius = float((fine.verts - fine.verts.mean(0)).norm(dim=1).max())
+    verts = (x.double().numpy() for x in (mesh.verts, fine.verts))
+    squared = igl.point_mesh_squared_distance(*verts, fine.faces.numpy().astype(np.int64))[0]
+    n = FineSurface(fine).normals(mesh.verts, mesh.normals)
+    angles = (n * mesh.normals).sum(1).clamp(-1, 1).acos().rad2deg()
+    return float(np.sqrt(squared).max()) / radius, float(angles.mean()), radius
+
+
+def same_relief(first: Path, later: Path) -> None:
+    distance, angle, _ = relief(first)
+    assert relief(later)[:2] == pytest.approx((distance, angle), rel=0.01, abs=1e-3)
+    fine = load_unwrapped(RunFolder(later)).fine
+    assert fine.verts.norm(dim=1).max() == pytest.approx(NORMAL_RADIUS, rel=0.05)
+
+
+def test_an_edit_and_an_edit_of_it_keep_the_relief_where_it_was(whole: Path, tmp_path: Path):
+    """What was drawn is in the cube as it was drawn; what is edited is normalised."""
+    once = edit(whole, tmp_path / "once")
+    first, later = (load_unwrapped(RunFolder(run)).mesh.verts for run in (whole, once))
+    assert (first - later).norm(dim=1).max() > 0.01
+    same_relief(whole, once)
+    same_relief(whole, edit(once, tmp_path / "twice"))
+
+
+def test_an_edit_keeps_the_relief_of_a_turned_guide(tmp_path: Path, coarse, monkeypatch):
+    guide, run = tmp_path / "guide.obj", tmp_path / "run"
+    write_plain_obj(guide, *meshes.torus())
+    monkeypatch.setattr("core.generate.front_turn", lambda *_: 0.7)
+    argv = ["generate", "a red torus", f"--guide={guide}", "--guide-strength=1", f"--out={run}"]
+    assert main([*argv, *OPTIONS]) == 0
+    same_relief(run, edit(run, tmp_path / "edited"))
+
+
+def test_a_fine_shape_follows_its_mesh_and_no_other():
+    # No mirror image of itself: of that no turn is the best one.
+    fine, coarse = (
+        Mesh(verts * torch.tensor([1, 0.8, 0.6]), faces)
+        for verts, faces in (meshes.sphere(4), meshes.sphere(2))
+    )
+    made = Unwrapped(coarse, fine)  # type: ignore[arg-type]  # of a UvMesh the vertices alone
+    moved, there = (
+        turned(x.verts[:, [1, 2, 0]], 0.4) * 1.7 + torch.tensor([3.0, -2, 5])
+        for x in (coarse, fine)
+    )
+    found = fine_over(made, moved)
+    torch.testing.assert_close(found.verts, there, atol=1e-5, rtol=0)
+    assert found.verts.dtype == fine.verts.dtype and torch.equal(found.faces, fine.faces)
+    for stretch in ([1.0, 1, 1.1], [-1.0, 1, 1]):
+        assert fine_over(made, moved * torch.tensor(stretch)) is None
+    assert fine_over(made, fine.verts) is None
+    assert fine_over(Unwrapped(coarse), moved) is None  # type: ignore[arg-type]
