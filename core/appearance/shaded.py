@@ -12,6 +12,7 @@ from core.appearance.environment import Environment
 from core.appearance.material import Material
 from core.appearance.shade import CHUNK, lifted, perturb, shade
 from core.camera import Cameras
+from core.geometry.faces import outward
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import corner_tangents, smooth_normals
 from core.ops import dot, linear_to_srgb, normalize, recomputed
@@ -35,7 +36,7 @@ class UvMesh:
     normals: Float[Tensor, "v 3"]
     tangents: Float[Tensor, "f 3 4"]  # MikkTSpace, by corner
     edges: EdgeTable
-    closed: bool
+    closed: bool  # and facing outward: nothing of its inside can be seen
 
     @classmethod
     def of(cls, mesh: Mesh) -> "UvMesh":
@@ -43,9 +44,8 @@ class UvMesh:
         normals = smooth_normals(mesh.verts, mesh.faces)
         edges = edge_table(mesh.faces)
         tangents = corner_tangents(mesh, normals)
-        # Each edge has two faces: nothing of the inside can be seen, and back faces need no
-        # drawing.
-        closed = bool((edges.faces >= 0).all())
+        # Back faces need no drawing then. An inside-out mesh would show its far side without them.
+        closed = outward(mesh.verts.detach().cpu().double().numpy(), mesh.faces.cpu().numpy())
         return cls(mesh.verts, mesh.faces, *mesh.atlas, normals, tangents, edges, closed)
 
     @property
@@ -102,7 +102,7 @@ def surface_at(mesh: UvMesh, fragments: Fragments, cameras: Cameras) -> SurfaceP
     # The squared length is that of twice the face's area: on fine meshes below the usual bound.
     front = normalize(torch.linalg.cross(b - a, c - a), 1e-30)
     side = torch.ones_like(to_eye[:, :1])
-    # A closed mesh is drawn with its back faces culled: every pixel sees a front.
+    # Of a closed mesh that faces outward every pixel sees a front: its back faces are culled.
     if not mesh.closed:
         side = torch.where(dot(front, to_eye) < 0, -side, side)
     return SurfacePoints(points, uv, normal, tangent, to_eye, side, front)

@@ -1,7 +1,12 @@
 """What a mesh's faces are, and which lie side by side; in numpy, double precision."""
 
+import igl
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+SHEET = 1e-6  # volume by area to the power of 1.5, below which a piece has no inside: its own back
 
 
 def areas_and_normals(
@@ -19,6 +24,58 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     -1 unless exactly two faces share it, and both look to the same side of the surface: libigl's
     triangle_triangle_adjacency joins faces of opposite winding, and two of three at one edge.
     """
+    a, b, alike = _pairs(faces)
+    a, b = a[alike], b[alike]
+    adjacent = np.full(faces.size, -1, np.int64)
+    adjacent[a], adjacent[b] = b // 3, a // 3
+    return adjacent.reshape(-1, 3)
+
+
+def agree(faces: Int[np.ndarray, "f 3"]) -> bool:
+    """Whether all two faces that share an edge, and are alone there, look to the same side."""
+    return not len(faces) or bool(_pairs(faces)[2].all())
+
+
+def agreeing(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
+) -> tuple[Int[np.ndarray, "f 3"], Int[np.ndarray, " f"]]:
+    """Faces turned until neighbours look to the same side, and the patch that each is in.
+
+    A patch is joined by edges of two faces. It looks where most of its area did. On a surface with
+    a single side (Möbius) some neighbours disagree still.
+    """
+    turned, patch = igl.bfs_orient(np.ascontiguousarray(faces))
+    flip, patch = (np.asarray(turned) != faces).any(1), np.asarray(patch).astype(np.int64)
+    area = areas_and_normals(verts, faces)[0]
+    flip ^= (np.bincount(patch, area * flip) > np.bincount(patch, area) / 2)[patch]
+    return np.ascontiguousarray(np.where(flip[:, None], faces[:, ::-1], faces)), patch
+
+
+def outward(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> bool:
+    """Whether no face of an opaque mesh can be seen from behind, whatever it looks like.
+
+    Each edge has two faces, they look to the same side, and no piece (faces joined by edges) is
+    inside out. The wall of a void is, though no one sees it. A piece as flat as a sheet is not.
+    """
+    if not len(faces):
+        return True
+    adjacent = neighbours(faces)
+    if (adjacent < 0).any():
+        return False
+    links = np.repeat(np.arange(len(faces)), 3), adjacent.reshape(-1)
+    graph = coo_array((np.ones(faces.size, np.int8), links), shape=(len(faces),) * 2)
+    _, piece = connected_components(graph, directed=False)
+    a, b, c = (verts[faces[:, i]] - verts.mean(0) for i in range(3))
+    volume = np.bincount(piece, (a * np.cross(b, c)).sum(1) / 6)
+    area = np.bincount(piece, areas_and_normals(verts, faces)[0])
+    return bool((volume >= -SHEET * area**1.5).all())
+
+
+def _pairs(
+    faces: Int[np.ndarray, "f 3"],
+) -> tuple[Int[np.ndarray, " e"], Int[np.ndarray, " e"], Bool[np.ndarray, " e"]]:
+    """The two half-edges (3 f + i, from corner i to i + 1) of each edge that has two faces, and
+    whether these look to the same side."""
     ends = np.stack([faces, np.roll(faces, -1, 1)], -1).reshape(-1, 2)
     key = ends.min(1) * (int(faces.max()) + 1) + ends.max(1)
     order = np.argsort(key, kind="stable")
@@ -26,11 +83,7 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     two = starts[np.diff(np.r_[starts, len(key)]) == 2]
     a, b = order[two], order[two + 1]
     # Faces that look to one side run along the edge in opposite directions.
-    alike = ends[a, 0] != ends[b, 0]
-    a, b = a[alike], b[alike]
-    adjacent = np.full(len(key), -1, np.int64)
-    adjacent[a], adjacent[b] = b // 3, a // 3
-    return adjacent.reshape(-1, 3)
+    return a, b, ends[a, 0] != ends[b, 0]
 
 
 def unit(x: Float[np.ndarray, "n k"]) -> Float[np.ndarray, "n k"]:

@@ -14,6 +14,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.geometry.faces import outward
 from core.geometry.mesh import Mesh
 from core.io.obj import to_y_up
 
@@ -69,7 +70,8 @@ def glb_bytes(
 
     ``origin`` is kept in the object's extras; its "prompt" names the object.
 
-    Vertices are split where their uv or tangents differ.
+    Vertices are split where their uv or tangents differ. Both sides of the faces are drawn where a
+    back can be seen: of an open mesh, and of one that is inside out.
     """
     uv, face_uvs = mesh.atlas
     corner, index = split_corners(mesh.faces, face_uvs, tangents)
@@ -90,10 +92,24 @@ def glb_bytes(
     }
     indices = buffer.array(index.numpy().astype(np.uint32), "SCALAR", INDICES)
     described = _described(buffer, attributes, indices, pictures, dict(origin or {}))
-    extensions = _light(described["materials"][0], list(pictures), emission_strength, ior)
+    material = described["materials"][0]
+    if _shows_a_back(mesh):
+        material["doubleSided"] = True
+    extensions = _light(material, list(pictures), emission_strength, ior)
     if extensions:
         described |= {"extensionsUsed": extensions}
     return _packed(described, bytes(buffer.data))
+
+
+def _shows_a_back(mesh: Mesh) -> bool:
+    """Whether some face can be seen from behind; a mesh that is only cut at its seams is closed."""
+    verts, faces = mesh.verts.detach().cpu().double().numpy(), mesh.faces.cpu().numpy()
+    if outward(verts, faces):
+        return False
+    welded, number = np.unique(verts, axis=0, return_inverse=True)
+    faces = number.reshape(-1)[faces]
+    faces = faces[(faces != np.roll(faces, 1, 1)).all(1)]  # a corner twice: no face any more
+    return not outward(welded, faces)
 
 
 def _light(

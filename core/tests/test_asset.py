@@ -234,6 +234,29 @@ def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
     assert entry["min"] == got["POSITION"].min(0).tolist()
 
 
+def test_glb_shows_both_sides_of_an_open_mesh_only(parts, tmp_path: Path) -> None:
+    mesh, maps = parts
+    verts, faces, uv, face_uvs = arrays(mesh)
+    at_seams, number = np.unique(
+        np.stack([faces.reshape(-1), face_uvs.reshape(-1)], 1), axis=0, return_inverse=True
+    )
+    cut = Mesh(
+        verts[at_seams[:, 0]], torch.from_numpy(number.reshape(-1, 3)), uv, face_uvs
+    )  # a vertex for each uv
+    assert not health(cut.verts, cut.faces)["closed"]
+    cases = {
+        "closed": mesh,
+        "cut": cut,
+        "open": Mesh(verts, faces[50:], uv, face_uvs[50:]),
+        "inward": Mesh(verts, faces.flip(1), uv, face_uvs.flip(1)),
+    }
+    sides = {}
+    for name, case in cases.items():
+        told, _ = read_glb(write_asset(tmp_path / name, case, maps, INFO) / "asset.glb")
+        sides[name] = told["materials"][0].get("doubleSided", False)
+    assert sides == {"closed": False, "cut": False, "open": True, "inward": True}
+
+
 def test_glb_textures_are_the_files(folder: Path) -> None:
     told, data = read_glb(folder / "asset.glb")
     for image in told["images"]:

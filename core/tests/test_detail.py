@@ -32,6 +32,7 @@ from core.tests.texture_shapes import area, one_material, torus, torus_uv
 from core.tests.tiny_runs import remembered
 from core.texture import finish
 from core.texture.bake import bake
+from core.texture.detail import grain
 from core.texture.detail.detail import DEEP, THIN, Coat, Detail, Spots
 from core.texture.detail.grain import lengths
 from core.texture.detail.kinds import KINDS
@@ -459,6 +460,25 @@ def test_a_parts_length_is_its_grain():
         size[axis] = 1.0
         box = box_mesh(tuple(size))
         assert (lengths(box.verts, box.faces).argmax(1) == axis).float().mean() > 0.95
+
+
+def test_lengths_do_not_depend_on_how_many_vertices_are_looked_at_at_once(monkeypatch):
+    box = box_mesh((1.0, 0.1, 0.1))
+    assert len(box.verts) < grain.CHUNK
+    whole = lengths(box.verts, box.faces)
+    monkeypatch.setattr(grain, "CHUNK", 100)
+    most = 0
+
+    class Points(grain.KDTree):
+        def sparse_distance_matrix(self, other, *args, **kwargs):
+            nonlocal most
+            found = super().sparse_distance_matrix(other, *args, **kwargs)
+            most = max(most, found.nnz)
+            return found
+
+    monkeypatch.setattr(grain, "KDTree", Points)
+    torch.testing.assert_close(lengths(box.verts, box.faces), whole, atol=1e-6, rtol=0)
+    assert 0 < most <= 100 * grain.SAMPLES
 
 
 def test_wicker_closes_around_and_the_finish_knows_the_parts_lengths():

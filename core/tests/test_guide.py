@@ -1,6 +1,9 @@
 """A guide mesh is kept: all of it at strength 1, nearly all just below, its start at 0."""
 
 import itertools
+import subprocess
+import sys
+from textwrap import dedent
 
 import pytest
 import torch
@@ -107,6 +110,36 @@ def test_a_guide_of_many_faces_that_is_no_manifold_is_simplified() -> None:
     few = Mesh(*simplify(mesh.verts, mesh.faces, 300))
     assert len(few.faces) <= 300
     assert apart(few, guide) < BOUND
+
+
+LEAVES = """
+    import hashlib
+    import numpy as np
+    import torch
+    import trimesh
+    from core.geometry.guide import kept
+    from core.geometry.mesh import Mesh
+
+    draw = np.random.default_rng(1)
+    trunk = trimesh.creation.cylinder(0.1, 1.5)
+    verts, faces = [trunk.vertices], [trunk.faces]
+    for k in range(40):  # each as its modeller left it
+        leaf = np.array([[-0.15, -0.15, 0], [0.15, -0.15, 0], [0.15, 0.15, 0], [-0.15, 0.15, 0]])
+        turn = trimesh.transformations.random_rotation_matrix(draw.random(3))[:3, :3]
+        verts.append(leaf @ turn.T + draw.normal(size=3) * 0.3 + [0, 0, 0.8])
+        two = np.array([[0, 1, 2], [0, 2, 3]])[:, :: draw.choice([-1, 1])]
+        faces.append(two + len(trunk.vertices) + 4 * k)
+    mesh = Mesh(torch.tensor(np.concatenate(verts)).float(), torch.tensor(np.concatenate(faces)))
+    print(hashlib.sha256(kept(mesh).faces.numpy().tobytes()).hexdigest())
+"""
+
+
+def test_a_guide_of_sheets_is_the_same_in_every_process() -> None:
+    command = [sys.executable, "-c", dedent(LEAVES)]
+    # libigl's rays are drawn by the second.
+    first = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
+    again = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
+    assert first.stdout == again.stdout != ""
 
 
 @pytest.fixture

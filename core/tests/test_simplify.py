@@ -1,5 +1,9 @@
 """Simplification keeps a closed surface closed, its topology, and its place."""
 
+import subprocess
+import sys
+from textwrap import dedent
+
 import numpy as np
 import pytest
 import torch
@@ -106,6 +110,40 @@ def test_three_faces_on_an_edge_are_refused() -> None:
     fin = torch.cat([faces, torch.tensor([[0, 12, 30]])])
     with pytest.raises(UserError, match="three faces share an edge"):
         simplify(verts, fin, 100)
+
+
+@pytest.mark.parametrize("flips", ["one", "first", "half", "strip"])
+def test_faces_that_disagree_are_turned_first(flips: str) -> None:
+    """In a process of its own, with little memory: collapses of such a mesh never end."""
+    code = f"""
+        import resource
+        import torch
+        from core.geometry.mesh import Mesh, health
+        from core.tests.meshes import sphere
+        from core.tests.texture_shapes import moebius
+        from core.texture.remesh import even
+        from core.texture.simplify import simplify
+
+        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+        torch.set_num_threads(1)
+        verts, faces = moebius(200, 6) if "{flips}" == "strip" else sphere(4)
+        flip = torch.zeros(len(faces), dtype=torch.bool)
+        flip[0], flip[7] = "{flips}" == "first", "{flips}" == "one"
+        if "{flips}" == "half":
+            flip = verts[faces].mean(1)[:, 0] > 0
+        mixed = torch.where(flip[:, None], faces.flip(1), faces)
+        before = health(verts, faces)
+        for found in (simplify(verts, mixed, 700), even(Mesh(verts, mixed), 700)):
+            after = health(*found)
+            assert 600 < after["faces"] <= 700 and after["manifold"] and after["oriented"]
+            assert abs(after["area"] / before["area"] - 1) < 0.02, after["area"]
+            if "{flips}" != "strip":
+                assert abs(after["volume"] / before["volume"] - 1) < 0.02, after["volume"]
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", dedent(code)], capture_output=True, text=True, timeout=300
+    )
+    assert not done.returncode, done.stderr
 
 
 def test_a_fold_is_spread_out_over_the_surface() -> None:

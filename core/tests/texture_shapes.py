@@ -1,5 +1,7 @@
 """Small closed meshes, with and without uv, for the tests of textures and assets."""
 
+import math
+
 import torch
 from torch import Tensor
 
@@ -67,3 +69,17 @@ def one_material(kd: tuple[float, float, float]) -> "callable":
         )
 
     return material
+
+
+def moebius(columns: int, rows: int) -> tuple[Tensor, Tensor]:
+    """A strip with a single side, about the z axis: vertices and faces."""
+    u = (torch.arange(columns) * (2 * math.pi / columns))[:, None]
+    w = torch.linspace(-0.3, 0.3, rows + 1)[None]
+    r = 1 + w * (u / 2).cos()
+    verts = torch.stack([r * u.cos(), r * u.sin(), w * (u / 2).sin()], -1).view(-1, 3)
+    number = torch.arange(len(verts)).view(columns, rows + 1)
+    following = torch.cat([number[1:], number[:1].flip(1)])  # the strip's end is turned over
+    a, b = number[:, :-1], number[:, 1:]
+    c, d = following[:, :-1], following[:, 1:]
+    faces = [torch.stack(face, -1).view(-1, 3) for face in ((a, b, d), (a, d, c))]
+    return verts, torch.cat(faces)

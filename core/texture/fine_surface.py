@@ -9,6 +9,7 @@ from torch import Tensor
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
 from core.ops import dot, normalize
+from core.texture.simplify import oriented
 
 # Cosine to the coarse surface's normal: below it the nearest point is another side of a thin part.
 SAME_SIDE = 0.2
@@ -19,6 +20,7 @@ class FineSurface:
     """Normals of a fine mesh, found from points of a coarse one."""
 
     def __init__(self, mesh: Mesh) -> None:
+        mesh = Mesh(*oriented(mesh.verts, mesh.faces))  # as the coarse one was
         self._verts = np.ascontiguousarray(mesh.verts.cpu().double().numpy())
         self._faces = np.ascontiguousarray(mesh.faces.cpu().numpy().astype(np.int64))
         self._normals = torch.from_numpy(self._by_corner(smooth_normals(mesh.verts, mesh.faces)))

@@ -28,7 +28,7 @@ from core.kernels import remesh as loops
 from core.kernels.quadrics import add_planes
 from core.kernels.thin import take_out_thin
 from core.texture.charts import charts
-from core.texture.simplify import simplify
+from core.texture.simplify import oriented, simplify
 from core.texture.unfold import unfolded
 from core.texture.unwrap import at_unit_size
 
@@ -55,9 +55,10 @@ def even(
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """The shape with ``max_faces`` even triangles or fewer, and never with more than it has.
 
-    Where three faces share an edge, or neighbours look to opposite sides, it is only simplified.
-    ``check`` is called now and then; what it raises stops the work.
+    Where three faces share an edge it is only simplified. Neighbours that look to opposite sides
+    are turned first. ``check`` is called now and then; what it raises stops the work.
     """
+    shape = Mesh(*oriented(shape.verts, shape.faces))
     count = min(max_faces, len(shape.faces))
     fine = simplify(shape.verts, shape.faces, FINER * count, check)
     report = health(*fine)
@@ -104,6 +105,7 @@ def even_in_charts(
     shape: Mesh, max_faces: int, check: Callable[[], None] = lambda: None
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"], Int[np.ndarray, " f"] | None]:
     """:func:`even`, and a chart for each face, the borders smooth; None where it is no manifold."""
+    shape = Mesh(*oriented(shape.verts, shape.faces))
     verts, faces = even(shape, max_faces, check)
     report = health(verts, faces)
     if not (report["manifold"] and report["oriented"]) or report["degenerate_faces"]:

@@ -16,8 +16,9 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.errors import UserError
-from core.geometry.faces import areas_and_normals
+from core.geometry.faces import agree, agreeing, areas_and_normals
 from core.geometry.mesh import mean_around
+from core.geometry.signed_distance import facing_outward
 
 # A mesh of more faces than so many, and than so many times what is asked for, is halved first.
 MANY, MANY_TIMES = 200_000, 10
@@ -36,12 +37,14 @@ def simplify(
     """The same surface with ``max_faces`` faces or fewer; within the budget it is left untouched.
 
     More faces than asked for come back only where no edge is left that may collapse: a closed
-    piece keeps at least 4 faces. ``check`` is called now and then; what it raises stops the work.
+    piece keeps at least 4 faces. Neighbours that look to opposite sides are turned first
+    (:func:`oriented`). ``check`` is called now and then; what it raises stops the work.
 
     Raises UserError for a mesh where three faces share an edge: it has no collapse that is safe.
     """
     if len(faces) <= max_faces:
         return verts, faces
+    verts, faces = oriented(verts, faces)
     used, compact = np.unique(faces.cpu().numpy(), return_inverse=True)
     points = verts.detach().cpu().double().numpy()[used]
     triangles = compact.reshape(-1, 3)
@@ -65,6 +68,23 @@ def simplify(
     off = [_off(places, new_faces, points, triangles) for places in (spread, new_verts)]
     new_verts = spread if off[0] < FARTHER * off[1] + NEAR else new_verts
     return torch.from_numpy(new_verts).to(verts), torch.from_numpy(new_faces).to(faces)
+
+
+def oriented(
+    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "f 3"]]:
+    """The same surface, turned outward where neighbours look to opposite sides; else untouched.
+
+    Collapses of such a mesh never end. A surface with a single side (Möbius) is cut open.
+    """
+    triangles = faces.cpu().numpy().astype(np.int64)
+    if agree(triangles):
+        return verts, faces
+    points = np.ascontiguousarray(verts.detach().cpu().double().numpy())
+    triangles, _ = facing_outward(points, agreeing(points, triangles)[0])
+    if not agree(triangles):
+        points, triangles, _ = igl.split_nonmanifold(points, triangles)
+    return torch.from_numpy(points).to(verts), torch.from_numpy(triangles).to(faces)
 
 
 def _halved(

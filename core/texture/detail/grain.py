@@ -17,6 +17,7 @@ from core.geometry.tangents import smooth_normals
 from core.texture.detail.survey import spread
 
 SAMPLES = 3000  # points of the surface
+CHUNK = 2000  # vertices at a time: of a long object most points are within reach of each
 REACH = 0.16  # radius of a vertex's surroundings, of the object's longest side
 SMOOTHING = 300  # rounds over neighbouring vertices
 FINE = 0.04  # of an edge, of the object's longest side
@@ -31,16 +32,26 @@ def lengths(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Ten
     face, bary = spread(verts, faces, SAMPLES)
     points = np.einsum("nk,nkc->nc", bary.cpu().double().numpy(), v[f[face.numpy()]])
     reach = REACH * float(np.ptp(v[np.unique(f)], axis=0).max())
-    near = KDTree(v).sparse_distance_matrix(KDTree(points), reach, output_type="coo_matrix")
-    inside = csr_array((np.ones(near.nnz), (near.row, near.col)), near.shape)
-    count = np.maximum(inside.sum(1), 1)[:, None]
-    # The variance along each axis: E[x²] - E[x]².
-    variance = np.maximum((inside @ points**2) / count - ((inside @ points) / count) ** 2, 1e-12)
-    score = PREFERRED * np.sqrt(variance)
+    tree = KDTree(points)
+    chunks = [v[i : i + CHUNK] for i in range(0, len(v), CHUNK)]
+    score = PREFERRED * np.concatenate([_spread_around(some, tree, reach) for some in chunks])
     mean = _mean_along(verts, faces)
     for _ in range(SMOOTHING):
         score = mean @ score
     return torch.from_numpy(score / np.maximum(score.sum(1, keepdims=True), 1e-30)).to(verts)
+
+
+def _spread_around(
+    centres: Float[np.ndarray, "n 3"], points: KDTree, reach: float
+) -> Float[np.ndarray, "n 3"]:
+    """Standard deviation along each axis of the points within ``reach`` of each centre."""
+    near = KDTree(centres).sparse_distance_matrix(points, reach, output_type="coo_matrix")
+    inside = csr_array((np.ones(near.nnz), (near.row, near.col)), near.shape)
+    count = np.maximum(inside.sum(1), 1)[:, None]
+    at = points.data
+    # The variance along each axis: E[x²] - E[x]².
+    variance = (inside @ at**2) / count - ((inside @ at) / count) ** 2
+    return np.sqrt(np.maximum(variance, 1e-12))
 
 
 def convexity(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "v 1"]:
