@@ -129,17 +129,17 @@ def gnome(draw: Draw) -> Parts:
     return {
         "coat": join(body, both(arm)),
         "hat": join(
-            lathe([(head + 0.02, z + 0.2), (0.02, z + 0.2 + hat)], 0.05),
-            tube((0, 0.02, z + 0.17), (0, 0.02, z + 0.33), head + 0.06, 0.07),
+            lathe([(head, z + 0.3), (0.02, z + 0.3 + hat)], 0.05),
+            tube((0, 0.04, z + 0.24), (0, 0.04, z + 0.36), head + 0.04, 0.05),
         ),
         "beard": join(
             moustache((0, face - 0.06, z - 0.14), 0.2),
             _beard((0, face + 0.14, z - 0.14), head * 0.82, beard),
         ),
-        "skin": join(ball((0, 0, z), head), ball((0, face - 0.06, z - 0.04), 0.13),
+        "skin": join(ball((0, 0, z), head), ball((0, face - 0.1, z - 0.06), 0.15),
                      both(ball(hand, 0.19))),
         "boots": join(both(shoe), lathe([(wide + 0.04, 0.4), (wide + 0.04, 0.56)], 0.01)),
-        "eyes": eyes(0.17, face + 0.07, z + 0.05, 0.085),
+        "eyes": eyes(0.18, face + 0.05, z + 0.1, 0.095),
     }  # fmt: skip
 
 

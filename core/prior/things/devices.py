@@ -44,17 +44,15 @@ def laptop(draw: Draw) -> Parts:
 def phone(draw: Draw) -> Parts:
     """A smartphone standing upright, its cameras on the back."""
     x, thick, high, soft = draw(0.46, 0.56), draw(0.09, 0.12), draw(0.95, 1.1), draw(0.07, 0.09)
-    edge = draw(0.06, 0.16)
     lenses = (
         tube((x * 0.5, thick, high * v), (x * 0.5, thick + 0.11, high * v), 0.1, 0.02)
         for v in (1.75, 1.5)
     )
-    home = tube((0, -thick - 0.03, edge * 0.8), (0, 0, edge * 0.8), min(edge * 0.5, 0.08))
     return {
         "body": box((0, 0, high), (x, thick, high), soft),
-        "screen": box((0, -thick, high), (x - 0.06, 0.03, high - edge), 0.02),
+        "screen": box((0, -thick, high), (x - 0.07, 0.04, high - 0.09)),
         "camera": join(*lenses),
-        "buttons": join(home, box((x, 0, high * 1.4), (0.05, 0.05, 0.18), 0.02)),
+        "buttons": box((x, 0, high * 1.4), (0.05, 0.05, 0.18)),
     }
 
 

@@ -180,20 +180,20 @@ def bathtub(draw: Draw) -> Parts:
     """A long tub on feet, a tap at its end, water in it."""
     x, y, high, leg = draw(1.2, 1.4), draw(0.6, 0.7), draw(0.75, 0.9), 0.2
     top = leg + high
-    body = cut(egg((0, 0, top), (x, y, high)), box((0, 0, top + 1), (3, 3, 1)))
-    hole = egg((0, 0, top + 0.05), (x - 0.16, y - 0.16, high - 0.12))
+    body = cut(egg((0, 0, top), (x, y, high)), box((0, 0, top + 0.96), (3, 3, 1)))
     turn = [(math.cos(k * math.pi / 24), math.sin(k * math.pi / 24)) for k in range(48)]
-    outer, inner = ([((x + d) * u, (y + d) * v) for u, v in turn] for d in (0.09, -0.11))
-    rim = cut(prism(outer, 2, 0.09, top), prism(inner, 2, 1, top))
+    outer, inner, edge = (
+        [((x + d) * u, (y + d) * v) for u, v in turn] for d in (0.09, -0.13, -0.06)
+    )
+    rim = cut(prism(outer, 2, 0.1, top), prism(inner, 2, 1, top))
     tap = join(
         capsule((x - 0.04, 0, top - 0.1), (x - 0.04, 0, top + 0.4), 0.1),
         capsule((x - 0.04, 0, top + 0.4), (x - 0.4, 0, top + 0.34), 0.09),
         both(ball((x - 0.04, 0.2, top + 0.14), 0.13), 1),
     )
-    water = cut(egg((0, 0, top), (x - 0.1, y - 0.1, high - 0.1)), box((0, 0, top + 0.8), (3, 3, 1)))
     return {
-        "body": cut(body, hole),
-        "water": water,
+        "body": body,
+        "water": prism(edge, 2, 0.06, top - 0.04),
         "tap": tap,
         "feet": both(taper((x * 0.6, y * 0.55, 0.1), (x * 0.5, y * 0.45, 0.5), 0.13, 0.16), 0, 1),
         "rim": rim,

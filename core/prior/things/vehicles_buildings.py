@@ -227,20 +227,16 @@ def tower(draw: Draw) -> Parts:
     """A castle's round tower with six battlements."""
     radius, high, rise = draw(0.5, 0.6), draw(1.55, 1.85), draw(0.26, 0.34)
     rim, deck = radius + 0.16, high + 0.3
-    merlon = box((rim - 0.13, 0, deck + rise / 2), (0.13, 0.2, rise / 2 + 0.02))
-    slit = box((0, -radius, high * 0.66), (0.1, 0.1, 0.2))
+    slit = box((0, 0.05 - radius, high * 0.66), (0.1, 0.1, 0.2))
+    side = [(radius + 0.1, 0), (radius + 0.1, 0.2), (radius, 0.2), (radius, high), (rim, high)]
     return {
-        "walls": join(
-            tube((0, 0, 0), (0, 0, 0.2), radius + 0.1),
-            tube((0, 0, 0), (0, 0, high + 0.1), radius),
-            tube((0, 0, high), (0, 0, deck), rim),
-            around(6, merlon, -90),
-        ),
+        "walls": lathe([*side, (rim, deck)]),
         "door": join(
-            box((0, -radius, 0.25), (0.22, 0.2, 0.25)),
-            tube((0, -radius - 0.2, 0.5), (0, -radius + 0.2, 0.5), 0.22),
+            box((0, 0.02 - radius, 0.25), (0.22, 0.16, 0.25)),
+            tube((0, -radius - 0.14, 0.5), (0, -radius + 0.18, 0.5), 0.22),
         ),
         "windows": join(slit, both(turned(slit, 2, 90))),
+        "battlements": around(6, box((rim - 0.13, 0, deck + rise / 2), (0.13, 0.2, rise / 2)), -90),
     }
 
 

@@ -47,27 +47,27 @@ def barrel(draw: Draw) -> Parts:
 
 
 def crate(draw: Draw) -> Parts:
-    """Planks in a frame, a diagonal on each side."""
+    """Planks in a frame, a brace across each side."""
     x, y, z = draw(0.8, 0.95), draw(0.75, 0.95), draw(0.72, 0.95)
-    edge, sunk = draw(0.13, 0.17), 0.08
+    edge = draw(0.15, 0.18)  # half the frame's
     holes = (
         box((0, 0, z), (x - 2 * edge, 2, z - 2 * edge)),
         box((0, 0, z), (2, y - 2 * edge, z - 2 * edge)),
         box((0, 0, z), (x - 2 * edge, y - 2 * edge, 2)),
     )
-    frame = cut(box((0, 0, z), (x, y, z), 0.01), *holes)
-    tilt = edge * 0.9
-    u, v = x - edge, z - edge
-    bar = prism(
-        [(-u, z - v), (-u + tilt * 2, z - v), (u, z + v), (u - tilt * 2, z + v)], 1, y - 0.02
-    )
-    u = y - edge
-    side = prism(
-        [(-u, z - v), (-u + tilt * 2, z - v), (u, z + v), (u - tilt * 2, z + v)], 0, x - 0.02
-    )
+    v = z - edge * 1.2
+
+    def brace(half: float) -> list[tuple[float, float]]:
+        u, wide = half - edge * 1.2, edge * 0.8
+        return [(-u - wide, z - v), (-u + wide, z - v), (u + wide, z + v), (u - wide, z + v)]
+
     return {
-        "planks": box((0, 0, z), (x - sunk, y - sunk, z - sunk)),
-        "frame": join(frame, bar, side),
+        "planks": box((0, 0, z), (x - 0.13, y - 0.13, z - 0.13)),
+        "frame": cut(box((0, 0, z), (x, y, z)), *holes),
+        "braces": join(
+            *(prism(brace(x), 1, 0.05, k * (y - 0.09)) for k in (-1, 1)),
+            *(prism(brace(y), 0, 0.05, k * (x - 0.09)) for k in (-1, 1)),
+        ),
     }
 
 

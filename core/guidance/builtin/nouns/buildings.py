@@ -29,7 +29,12 @@ BUILDINGS = {
     ),
     "tower": Noun(
         "castle tower, watchtower; turret",
-        {"walls": "*a29c90 bricks stone", "door": "+5d3a1f", "windows": "-33302c"},
+        {
+            "walls": "*a29c90 bricks stone",
+            "door": "+5d3a1f",
+            "windows": "-33302c",
+            "battlements": "&a29c90 bricks stone",
+        },
         Usual(20.0, STONE, 0.3),
     ),
     "lighthouse": Noun(

@@ -63,7 +63,7 @@ PROPS = {
     "crate": Noun(
         "shipping crate, supply crate; packing case, ammo box, care package, ammo crate, wooden "
         "box, storage box, storage bin, storage crate, lobster trap, lobster pot",
-        {"planks": "*b98a52 grain", "frame": "&9c6f3e grain"},
+        {"planks": "*b98a52 grain", "frame": "&9c6f3e grain", "braces": "&9c6f3e grain"},
         Usual(0.6, WOOD, 0.12),
     ),
     "lantern": Noun(
