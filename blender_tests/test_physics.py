@@ -141,6 +141,15 @@ def test_a_copy_is_freed_where_it_is_and_the_original_stays_simulated(obj, kind)
     assert simulation.owner_of(obj) is not None
 
 
+def test_a_simulated_object_that_is_deleted_is_gone(obj):
+    simulation.simulate(obj, "RIGID", simulation.Options(frames=3, height=0.3))
+    name = obj.name
+    bpy.ops.object.select_all(action="DESELECT")
+    obj.select_set(True)
+    bpy.ops.object.delete()
+    assert name not in bpy.data.objects
+
+
 def test_a_copy_outlives_the_original_simulation(obj):
     bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
     floor = bpy.context.object

@@ -327,7 +327,8 @@ def test_a_tick_that_fails_is_told_once_and_the_next_goes_on(ready, monkeypatch,
     monkeypatch.setattr("fantasia3d_addon.jobs.session.live_preview.remove", broken)
     while session.tick() is not None:
         time.sleep(0.01)
-    assert session.error[0] == "The jobs can't be followed (RuntimeError: No such layer)."
+    text = "“a red wooden chair” can't be followed (RuntimeError: No such layer)."
+    assert session.error[0] == text
     assert capsys.readouterr().err.count("Traceback") == 1
     assert (run / "taken").exists()
     assert len(bpy.data.objects) == 1

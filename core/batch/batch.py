@@ -139,11 +139,12 @@ def _needs(runs: list[Task], has_gpu: bool) -> Needs:
 
 def _most(needs: list[Needs]) -> Needs:
     """The most of each: one place fits every asset of the batch."""
+    named = [n.cards for n in needs if n.gpus]
     return Needs(
         max(n.cpus for n in needs),
         max(n.memory for n in needs),
         max(n.gpus for n in needs),
-        any(n.one_card for n in needs),
+        frozenset().union(*named) if all(named) else frozenset(),
     )
 
 

@@ -29,7 +29,7 @@ class Needs:
     cpus: int
     memory: int  # bytes
     gpus: float  # 0 on the CPU; a fraction lets several share one
-    one_card: bool = False  # a device such as cuda:1 is named: other GPUs are no room for it
+    cards: frozenset[int] = frozenset()  # those that are named (cuda:1), if no other will do
 
     def __str__(self) -> str:
         gpus = f", {self.gpus:g} GPU" if self.gpus else ""
@@ -39,11 +39,12 @@ class Needs:
 def needs_of(job: Job, has_gpu: bool) -> Needs:
     """What ``job`` takes on a machine with or without a CUDA GPU."""
     on_gpu = job.device.split(":")[0] == "cuda" or (job.device == "auto" and has_gpu)
-    one_card = card_of(job.device) is not None
+    card = card_of(job.device)
+    cards = frozenset() if card is None else frozenset({card})
     if job.guidance == BUILTIN:
-        return Needs(1, int(BUILTIN_MEMORY), BUILTIN_GPU if on_gpu else 0.0, one_card)
+        return Needs(1, int(BUILTIN_MEMORY), BUILTIN_GPU if on_gpu else 0.0, cards)
     memory = checkpoint_memory(Path(job.guidance))
-    return Needs(1, memory, 1.0 if on_gpu else 0.0, one_card)
+    return Needs(1, memory, 1.0 if on_gpu else 0.0, cards)
 
 
 def card_of(device: str) -> int | None:
@@ -87,6 +88,6 @@ def places(needs: Needs, at_once: int | None) -> int:
         check_at_once(at_once)
         return at_once
     by_memory = psutil.virtual_memory().available // needs.memory
-    cards = min(gpus(), 1) if needs.one_card else gpus()
+    cards = min(gpus(), len(needs.cards) or gpus())
     by_gpu = int(cards / needs.gpus) if needs.gpus else cores()
     return max(1, min(cores() // needs.cpus, by_memory, by_gpu))

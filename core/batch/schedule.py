@@ -163,7 +163,8 @@ def use_smaller_parts(folder: Path) -> bool:
     config, group, less = config_of(job), group_of(job.guidance), {}
     for stage in STAGES:
         now = min(getattr(config, stage).views_at_once, getattr(config, stage).views)
-        if half := now // 2 // group * group:
+        half = now // 2 - now // 2 % (group or TOGETHER) or (0 if group else now // 2)
+        if half:
             less[f"{stage}.views_at_once"] = half
     if not less:
         return False
@@ -172,13 +173,11 @@ def use_smaller_parts(folder: Path) -> bool:
 
 
 def group_of(guidance: str) -> int:
-    """How many views the ``guidance`` of a job predicts together.
-
-    As MVDream does, of a checkpoint that this machine cannot read: the cluster's nodes may.
-    """
+    """How many views the ``guidance`` of a job predicts together; 0 of a checkpoint that this
+    machine cannot read, as the cluster's nodes may."""
     if guidance == BUILTIN:
         return 1
     try:
         return TOGETHER if find_checkpoint(guidance).family == "mvdream" else 1
     except (UserError, OSError, ImportError):
-        return TOGETHER
+        return 0

@@ -279,11 +279,21 @@ def test_smaller_parts_keep_views_together_that_a_checkpoint_predicts_together(t
     assert (tmp_path / "job.json").read_bytes() == before
 
 
-def test_smaller_parts_of_a_checkpoint_that_is_elsewhere_may_have_to_be_groups(tmp_path):
+def test_smaller_parts_of_a_checkpoint_that_is_elsewhere_are_groups_as_long_as_they_can(tmp_path):
     job = Job(prompt="a chair", preset="paper", guidance="/nowhere/x", settings=parts(24))
     (tmp_path / "job.json").write_text(job.to_json())
-    assert [use_smaller_parts(tmp_path) for _ in range(3)] == [True, True, False]
-    assert Job.from_json((tmp_path / "job.json").read_text()).settings == parts(4)
+    seen = []
+    while use_smaller_parts(tmp_path):
+        settings = Job.from_json((tmp_path / "job.json").read_text()).settings
+        seen.append(settings["geometry.views_at_once"])
+    assert seen == [12, 4, 2, 1]
+
+
+def test_a_batch_has_the_places_of_the_cards_that_its_rows_name():
+    named = [needs_of(Job(prompt="x", device=f"cuda:{k}"), True) for k in (0, 1, 1)]
+    assert batch._most(named).cards == {0, 1}
+    anywhere = needs_of(Job(prompt="x", device="cuda"), True)
+    assert batch._most([*named, anywhere]).cards == frozenset()
 
 
 def test_single_views_are_the_smallest_parts(tmp_path):
@@ -468,8 +478,8 @@ def test_a_card_that_is_named_is_a_gpu_and_no_more_than_one(monkeypatch):
     assert named.gpus == any_card.gpus == 0.25
     assert (places(named, None), places(any_card, None)) == (4, 8)
     tasks = [Task(Row(1, "x"), job=Job(prompt="x", device=d)) for d in ("cuda", "cuda:1", "cpu")]
-    assert batch._needs(tasks, True) == named
-    assert batch._needs(tasks[:1], True) == any_card
+    assert batch._needs(tasks[1:], True) == named
+    assert batch._needs(tasks, True) == batch._needs(tasks[:1], True) == any_card
     found = [card_of(d) for d in ("cuda:1", "cuda:0", "cuda", "auto", "cpu", "cuda:", "cuda:x")]
     assert found == [1, 0, None, None, None, None, None]
 

@@ -475,6 +475,11 @@ def test_words_put_in_the_place_of_fewer_keep_what_follows():
         ("a boy in jeans", "person", {"part_materials": {"trousers": "denim"}}),
         ("chocolate cake with white cream", "cake", {"part_colours": {"icing": "white"}}),
         ("a cream cake", "cake", {}),
+        ("a cupcake in pink and cream", "cupcake", {}),
+        ("cake with fruit and white cream", "cake", {"part_colours": {"icing": "white"}}),
+        ("a lantern with a red glass", "lantern", {"part_colours": {"glass": "red"}}),
+        ("a horse with a saddle with a horn", "horse", {}),
+        ("a bicycle with silver rims", "bicycle", {"part_materials": {"wheels": "silver"}}),
         ("record player with black vinyl", "record player", {"part_colours": {"record": "black"}}),
         ("elf with green clothes", "elf", {"part_colours": {"tunic": "green"}}),
         ("a chair, wood, cushion red", "chair", {"part_colours": {"seat": "red"}}),
@@ -520,3 +525,8 @@ def test_a_place_is_no_part(prompt, note):
     told = read(prompt)
     assert [text for text in told["notes"] if text.startswith(note)] == told["notes"]
     assert told["materials"] == []
+
+
+def test_cream_behind_in_is_a_colour():
+    assert read("a cake in cream")["colours"] == ["cream"]
+    assert read("a record player in vinyl")["materials"] == ["plastic"]

@@ -315,11 +315,17 @@ class Session:
         It never raises: Blender would not call it again.
         """
         try:
-            working = self._handle()
+            self._handle()
         except Exception as error:
             self._report_bug("The jobs can't be followed", error)
-            working = any(task and task.running for task in (self.task, self._scan))
-        return TICK_SECONDS if self.busy or working else None
+        redraw()
+        return TICK_SECONDS if self.busy or self._is_working() else None
+
+    def _is_working(self) -> bool:
+        """Whether the background still works on something."""
+        tasks = any(task and task.running for task in (self.task, self._scan))
+        words = self.words.pending and not bpy.app.background
+        return bool(tasks or self.models.pending or words)
 
     def _report_bug(self, what: str, error: Exception) -> None:
         """Show ``what`` went wrong, and print its traceback once."""
@@ -328,14 +334,16 @@ class Session:
             traceback.print_exception(error)
         self.error = (text, BUG)
 
-    def _handle(self) -> bool:
-        """Handle what has happened; whether the background still works on something."""
+    def _handle(self) -> None:
         for followed in list(self.running):
-            followed.poll()
-            if followed.run.finished:
-                self._end(followed)
-            elif followed.shape:
-                self._show_shape(followed)
+            try:
+                followed.poll()
+                if followed.run.finished:
+                    self._end(followed)
+                elif followed.shape:
+                    self._show_shape(followed)
+            except Exception as error:  # the other runs go on
+                self._report_bug(f"“{followed.prompt}” can't be followed", error)
         self._import_finished()
         self._start_next()
         if self._scan and not self._scan.running:
@@ -345,9 +353,6 @@ class Session:
             update_list(self.history)
         self._ask_words()
         self.models.tick()
-        redraw()
-        working = (self.task and self.task.running) or self._scan or self.models.pending
-        return bool(working or (self.words.pending and not bpy.app.background))
 
     def _ask_words(self) -> None:
         # A script would wait for what nobody looks at.

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from uuid import uuid4
 
 import bmesh
 import bpy
@@ -65,7 +66,8 @@ def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float
     _check(obj, kind, settings)
     clear(obj)
     scene = bpy.context.scene
-    obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current}
+    token = {"token": uuid4().hex, "name": obj.name}
+    obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current} | token
     scene.frame_set(scene.frame_start)  # a simulation starts there, and so must its objects
     try:
         make = {"RIGID": _rigid, "SOFT": _soft, "CLOTH": _cloth, "DRAPE": _drape}[kind]
@@ -90,6 +92,7 @@ def clear(obj: bpy.types.Object) -> None:
 
 def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
     before, scene = obj[MARK], bpy.context.scene
+    helpers = _made_for(obj)
     if not is_copy:
         scene.frame_set(scene.frame_start)
     place = obj.matrix_world.copy()
@@ -101,7 +104,7 @@ def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
     if not is_copy:
         obj.location = before["location"]
     del obj[MARK]
-    for made in _made_for(obj):
+    for made in helpers:
         _remove(made)
     # Several simulations may use one collider: the last one releases it.
     others = any(_is_helper(o) for o in bpy.data.objects)
@@ -354,7 +357,22 @@ def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
 
 def _made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
     """The helpers of the simulation of ``obj``; none where it is a copy of a simulated object."""
-    return [o for o in bpy.data.objects if o.get(MARK) in (obj, obj.name)]
+    helpers = [o for o in bpy.data.objects if _is_helper(o)]
+    if not (token := _token(obj)):  # of an earlier version, whose helpers have the name
+        return [o for o in helpers if o[MARK] == obj.name]
+    # A copy has the token too, and a name that comes later: "chair.001".
+    twins = [o for o in bpy.data.objects if _token(o) == token]
+    original = next((o for o in twins if o.name == o[MARK]["name"]), twins[0])
+    return [o for o in helpers if o[MARK] in (token, obj.name)] if obj == original else []
+
+
+def _token(obj: bpy.types.Object) -> str:
+    """What the object and the helpers of its simulation share; "" where it is not simulated.
+
+    Not its name, which the user may change, nor a pointer to it, which would keep it when it is
+    deleted.
+    """
+    return obj[MARK].to_dict().get("token", "") if is_simulated(obj) else ""
 
 
 def _is_helper(obj: bpy.types.Object) -> bool:
@@ -366,7 +384,7 @@ def _add(
 ) -> bpy.types.Object:
     """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
     made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
-    made[MARK] = obj  # not its name, which the user may change
+    made[MARK] = _token(obj)
     own = obj.users_collection or [bpy.context.scene.collection]
     for collection in [_hidden_collection()] if hidden else own:
         collection.objects.link(made)

@@ -170,7 +170,8 @@ class Clauses:
     def _is_beside(self, entry: Entry, start: int, end: int) -> bool:
         """Whether a material or a colour is another thing, which goes with the thing."""
         stands = entry.slot in ("material", "color") and entry.form in ALONE and self._stands(end)
-        one = self._ended_by not in MADE_OF and entry.form in COUNTED  # "with a white cloth"
+        own = own_name(self.got.thing, entry.form)  # a lantern's glass
+        one = entry.form in COUNTED and self._ended_by not in MADE_OF and not own
         stands |= (one or entry.form == RAINBOW) and self._tokens.ends_phrase(end)
         if not stands or self._accessory is None:
             return False

@@ -40,7 +40,7 @@ OVER = ("on", "around", "over", "along", "across")  # before a part that somethi
 LONGEST_LINK = 7  # words: "which are made out of the"
 # The link begins before what is right behind these.
 BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow shine".split()}
-STRANGE = 2  # words before a look that are not known: "in signal orange"
+STRANGE = 2  # words before a look, or a plant, that are not known: "in signal orange"
 INSIDES = ("inside", "interior", "lining")
 FULL = frozenset("of with containing filled full some".split())  # right before what is in it
 # What a material comes in: "sandstone blocks" are sandstone, where the thing has no such part.
@@ -130,8 +130,20 @@ def _name_part(tokens: Tokens, at: int) -> None:
     """ "A cake with white cream" has white icing; "a boy in jeans" denim trousers."""
     *looks, part = SAID_OF_PARTS.get(tokens.words[at], "").split() or [""]
     ended = tokens.ends_phrase(at + 1) or tokens.words[at + 1] == "and"
-    if part and ended and own_name(_thing_before(tokens, at), part):
+    entry = tokens.entry(tokens.words[at])
+    is_look = entry is not None and entry.slot in LOOKS  # "a cake in cream" is of that colour
+    named = not is_look or _introduced_by(tokens, at) == "with"
+    if part and ended and named and own_name(_thing_before(tokens, at), part):
         tokens.put(at, at + 1, [*looks, part])
+
+
+def _introduced_by(tokens: Tokens, at: int) -> str:
+    """The word that began what is said at the index, and of what "and" joins to it; or ""."""
+    while at and at not in tokens.breaks:
+        at -= 1
+        if tokens.words[at] in PHRASE_ENDS - {*ARTICLES, "and"}:
+            return tokens.words[at]
+    return ""
 
 
 def _drop_place(tokens: Tokens, at: int) -> None:

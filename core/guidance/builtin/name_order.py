@@ -3,9 +3,11 @@
 "The seat is red, a chair" is a chair, "a house for birds" a bird house. Standard library only.
 """
 
+from itertools import takewhile
+
 from core.guidance.builtin.findings import with_article
 from core.guidance.builtin.lexicon import look_up
-from core.guidance.builtin.look_order import looks_end
+from core.guidance.builtin.look_order import STRANGE, looks_end
 from core.guidance.builtin.part_names import is_own, owns
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
@@ -20,10 +22,9 @@ from core.guidance.builtin.words import (
     WITHOUT,
 )
 
-STRANGE = 2  # words before a plant that are not known
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
 POT = "flower pot"
-FULL = frozenset(("with", "containing", "holding"))
+HOLDING = frozenset(("with", "containing", "holding"))
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
@@ -85,7 +86,7 @@ def _take_plants_first(tokens: Tokens) -> None:
         name = next((p for p in tokens.phrases(at) if tokens.thing(p) == POT), "")
         behind = at + len(name.split())
         follows = tokens.words[behind : behind + 2]
-        if not name or behind in tokens.breaks or not FULL.intersection(follows[:1]):
+        if not name or behind in tokens.breaks or not HOLDING.intersection(follows[:1]):
             continue
         if (first := _pots_looks_begin(tokens, at)) is None:
             continue
@@ -214,8 +215,9 @@ def _take_what_has_the_part(tokens: Tokens) -> None:
     begins = tokens.words[at + 1 : at + 2] == ["with"] and at + 1 not in tokens.breaks
     if not begins or any(map(tokens.has_thing, range(at))):
         return
-    thing, end = tokens.words[at], min(k for k in (*tokens.breaks, len(tokens.words)) if k > at)
-    clause = tokens.words[at + 1 : end]
+    thing, ends = tokens.words[at], PHRASE_ENDS - {*ARTICLES, "and"}
+    clause = range(at + 2, min(k for k in (*tokens.breaks, len(tokens.words)) if k > at))
+    clause = list(takewhile(lambda word: word not in ends, (tokens.words[k] for k in clause)))
     for name, parts in WITH_PARTS[thing].items():
         part = next((word for word in clause if word in parts.split()), "")
         if part and tokens.thing(name) and not set(WITHOUT).intersection(clause):

@@ -222,7 +222,7 @@ PART_ALSO = {
     "cover": "lid, canopy, cap",
     "tub": "tray",
     "scroll wheel": "wheel",
-    "rims": "hubs, frame",
+    "rims": "hubs, wheels, frame",
     "plume": "crest, plumes",
     "center": "heart, core",
     "centre": "heart, core",
