@@ -10,7 +10,14 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from core.errors import UserError
-from core.io.atomic import OURS, atomic_file, disk_errors, flush_folder, left_over, temporary
+from core.io.atomic import (
+    atomic_file,
+    disk_errors,
+    left_over,
+    refuse_foreign_files,
+    restore,
+    take_place,
+)
 from core.io.job import Job, write_text
 from core.io.json_file import read_object
 
@@ -94,7 +101,7 @@ def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
     """
     shutil.rmtree(folder / RECEIVED, ignore_errors=True)
     for old in left_over(folder, "old", "asset"):
-        _restore(folder / "asset", old)
+        restore(folder / "asset", old)
     with tarfile.open(fileobj=io.BytesIO(parcel)) as tar:
         for entry in tar:
             if only and entry.name.partition("/")[0] not in only:
@@ -102,42 +109,20 @@ def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
             content = tar.extractfile(entry)
             if content is not None:
                 _write(folder / _inside(entry.name), content.read())
-    if (folder / RECEIVED).is_dir():
-        _replace(folder / "asset", folder / RECEIVED)
+    new, asset = folder / RECEIVED, folder / "asset"
+    if new.is_dir():
+        with disk_errors(asset):
+            refuse_foreign_files(asset, _files_of(new, asset), "Move it elsewhere, and resume.")
+            take_place(new, asset)
 
 
-def _replace(asset: Path, new: Path) -> None:
-    """Give ``new`` the name ``asset``. As ``core.io.asset`` does, which loads torch."""
-    old = temporary(asset, "old")
-    with disk_errors(asset):
-        _refuse_foreign_files(asset, new)
-        flush_folder(new)  # whole after a power cut too, before it gets its name
-        try:
-            if asset.exists():
-                asset.rename(old)
-            new.rename(asset)
-        finally:  # after a failure the older one gets its name back
-            _restore(asset, old)
-
-
-def _restore(asset: Path, old: Path) -> None:
-    """The older asset gets its name back where there is no newer one, else it goes."""
-    if old.exists() and not asset.exists():
-        old.rename(asset)
-    shutil.rmtree(old, ignore_errors=True)
-
-
-def _refuse_foreign_files(asset: Path, new: Path) -> None:
-    """Only an asset's own files may be replaced; anything else is somebody's work."""
-    fix = "Move it elsewhere, and resume the run."
-    if asset.is_symlink() or (asset.exists() and not asset.is_dir()):
-        raise UserError(f"{asset} is not a folder of this run.", fix)
-    ours = {"asset.json", *(path.name for path in new.iterdir())}
-    with suppress(OSError, ValueError, KeyError, TypeError, RecursionError):  # broken
-        ours |= {*json.loads((asset / "asset.json").read_text(encoding="utf-8"))["files"]}
-    for path in asset.iterdir() if asset.exists() else ():
-        if not (path.name in ours or OURS.fullmatch(path.name)) or path.is_dir():
-            raise UserError(f"{path} is not a file of an asset, and would be lost.", fix)
+def _files_of(*assets: Path) -> set[str]:
+    """The names of the files that are in the newest of the assets, and that the others tell of."""
+    ours = {"asset.json", *(path.name for path in assets[0].iterdir())}
+    for asset in assets:
+        with suppress(OSError, ValueError, KeyError, TypeError, RecursionError):  # broken
+            ours |= {*json.loads((asset / "asset.json").read_text(encoding="utf-8"))["files"]}
+    return ours
 
 
 def _inside(name: str) -> PurePosixPath:

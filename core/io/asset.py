@@ -18,12 +18,13 @@ from core.geometry.tangents import corner_tangents, smooth_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
 from core.io.atomic import (
-    OURS,
     atomic_file,
     check_target,
     disk_errors,
-    flush_folder,
     left_over,
+    refuse_foreign_files,
+    restore,
+    take_place,
     temporary,
 )
 from core.io.glb import glb_bytes
@@ -77,6 +78,7 @@ FILES: dict[str, dict[str, Any]] = {
     "asset.glb": {"role": "glb", "axes": "forward +Z, up +Y"},
     "preview.png": {"role": "preview", "color_space": "sRGB"},
 }  # fmt: skip
+OWN = {"asset.json", *FILES}  # names of the files that may be replaced
 DATA_FILES = ("mesh.obj", "base_color.png", "orm.png", "normal.png", "asset.glb")
 FORMATS = ("glb", "obj", "stl", "3mf")  # that are written without Blender
 
@@ -210,7 +212,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
 def check_asset_folder(folder: Path) -> None:
     """Refuse before the work a folder that :func:`write_asset` would refuse after it."""
     with disk_errors(folder):
-        _refuse_foreign_files(folder)
+        refuse_foreign_files(folder, OWN)
 
 
 def check_output(path: Path) -> None:
@@ -316,22 +318,17 @@ def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
 
     Raises UserError where one of the folders that it would remove holds a file of somebody else's.
     """
-    new, old = temporary(folder), temporary(folder, "old")
+    new = temporary(folder)
     with disk_errors(folder):
-        _refuse_foreign_files(folder)
+        refuse_foreign_files(folder, OWN)
         _clean_up(folder)
         try:
             new.mkdir(parents=True)
             fill(new)
-            flush_folder(new)  # whole after a power cut too, before it gets its name
-            if folder.exists():
-                folder.rename(old)
-            new.rename(folder)
+            take_place(new, folder)
         except BaseException:
             shutil.rmtree(new, ignore_errors=True)
-            _restore(folder, old)
             raise
-        shutil.rmtree(old, ignore_errors=True)
 
 
 def _clean_up(folder: Path) -> None:
@@ -339,33 +336,11 @@ def _clean_up(folder: Path) -> None:
     halves = left_over(folder.parent, of=folder.name)
     older = left_over(folder.parent, "old", folder.name)
     for left in (*halves, *older):
-        _refuse_foreign_files(left)
+        refuse_foreign_files(left, OWN)
     for left in older:
-        _restore(folder, left)
+        restore(folder, left)
     for left in halves:
         shutil.rmtree(left, ignore_errors=True)
-
-
-def _refuse_foreign_files(folder: Path) -> None:
-    """Only what this module wrote may be replaced; anything else is somebody's work."""
-    if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-        raise UserError(f"{folder} is not a folder of this run.", "Move it elsewhere.")
-    ours = {"asset.json", *FILES}
-    for found in folder.iterdir() if folder.exists() else ():
-        if not (found.name in ours or OURS.fullmatch(found.name)) or found.is_dir():
-            raise UserError(
-                f"{found} is not a file of an asset, and would be lost.", "Move it elsewhere."
-            )
-
-
-def _restore(folder: Path, old: Path) -> None:
-    """After an end between the two renames: the older asset gets its name back.
-
-    One that ended after them left an older asset over, which would block the next rename.
-    """
-    if old.exists() and not folder.exists():
-        old.rename(folder)
-    shutil.rmtree(old, ignore_errors=True)
 
 
 def _copy(source: Path, to: Path) -> None:

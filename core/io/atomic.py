@@ -4,8 +4,9 @@ import errno
 import os
 import re
 import secrets
+import shutil
 import stat
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -116,3 +117,43 @@ def flush_folder(folder: Path) -> None:
     for path in folder.iterdir():
         with path.open("rb+") as file:
             os.fsync(file.fileno())
+
+
+def take_place(new: Path, folder: Path) -> None:
+    """Give the folder ``new`` the name ``folder``; the one that had it goes only then.
+
+    Whole after a power cut too. After a failure the older one gets its name back.
+    """
+    old = temporary(folder, "old")
+    flush_folder(new)
+    try:
+        if folder.exists():
+            folder.rename(old)
+        new.rename(folder)
+    finally:
+        restore(folder, old)
+
+
+def restore(folder: Path, old: Path) -> None:
+    """After an end between two renames ``old`` gets the name of ``folder`` back.
+
+    Where there is a newer one it goes: it would block the next rename.
+    """
+    if old.exists() and not folder.exists():
+        old.rename(folder)
+    shutil.rmtree(old, ignore_errors=True)
+
+
+def refuse_foreign_files(
+    folder: Path, ours: Collection[str], fix: str = "Move it elsewhere."
+) -> None:
+    """Only the files named ``ours`` and temporary ones may be replaced: else it is somebody's work.
+
+    Raises:
+        UserError: what else is there, or that ``folder`` is none.
+    """
+    if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
+        raise UserError(f"{folder} is not a folder of this run.", fix)
+    for found in folder.iterdir() if folder.exists() else ():
+        if not (found.name in ours or OURS.fullmatch(found.name)) or found.is_dir():
+            raise UserError(f"{found} is not a file of an asset, and would be lost.", fix)

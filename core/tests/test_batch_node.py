@@ -13,6 +13,7 @@ import pytest
 from core.batch import node, parcel
 from core.batch.node import Order, make, source_version
 from core.errors import UserError
+from core.io import atomic
 from core.io.job import Job, read_events
 from core.tests.test_batch import FAKE, sessions
 
@@ -125,7 +126,7 @@ def test_a_kill_while_an_asset_is_replaced_loses_none(tmp_path, monkeypatch, kil
 
     with monkeypatch.context() as patch:
         patch.setattr(Path, "rename", rename)
-        patch.setattr(parcel, "_restore", killed)  # a kill runs nothing more
+        patch.setattr(atomic, "restore", killed)  # a kill runs nothing more
         with pytest.raises(Killed):
             parcel.unpack(home, here)
     # A parcel without an asset is enough to get the older one back.

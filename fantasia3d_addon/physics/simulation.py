@@ -26,8 +26,8 @@ from .bake import bake_until_stable, cache_of, edge_lengths
 from .mass import mass_of
 
 KINDS = options.KIND.names
-# Custom property: on the asset, what clear() needs; on objects made for it, the asset itself, or
-# its name where an earlier version made them.
+# Custom property: on the asset, what clear() needs; on objects made for it, the token in that, or
+# the asset's name where an earlier version made them.
 MARK = "fantasia3d_physics"
 GROUND = "Fantasia3D ground"
 COLLECTION = "Fantasia3D Physics"
@@ -363,7 +363,7 @@ def _made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
     # A copy has the token too, and a name that comes later: "chair.001".
     twins = [o for o in bpy.data.objects if _token(o) == token]
     original = next((o for o in twins if o.name == o[MARK]["name"]), twins[0])
-    return [o for o in helpers if o[MARK] in (token, obj.name)] if obj == original else []
+    return [o for o in helpers if o[MARK] == token] if obj == original else []
 
 
 def _token(obj: bpy.types.Object) -> str:
