@@ -215,3 +215,13 @@ def test_colours_are_shown_as_they_are():
     scene_render.set_up_cycles(bpy.context.scene)
     assert bpy.context.scene.view_settings.view_transform == "Standard"
     assert bpy.context.scene.cycles.use_denoising == compat.has_denoiser()
+
+
+def test_samples_that_are_asked_for_get_the_better_denoiser():
+    if not compat.has_denoiser():
+        pytest.skip("this build has no denoiser")
+    cycles = bpy.context.scene.cycles
+    scene_render.set_up_cycles(bpy.context.scene)
+    assert (cycles.samples, cycles.denoising_quality) == (24, "BALANCED")
+    scene_render.set_up_cycles(bpy.context.scene, samples=96)
+    assert (cycles.samples, cycles.denoising_quality) == (96, "HIGH")

@@ -9,6 +9,7 @@ from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.part_tables import OPTIONS, PART_WORDS
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.words import (
@@ -17,8 +18,6 @@ from core.guidance.builtin.words import (
     FILLER,
     IGNORED_ADJECTIVES,
     MATERIALS,
-    OPTIONS,
-    PART_WORDS,
     PATTERNS,
     PHRASE_ENDS,
     SHAPES,

@@ -9,6 +9,7 @@ from core.guidance.builtin.findings import Findings
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.living import ROLES, is_creature
 from core.guidance.builtin.part_names import is_own, may_state, own_name, owns
+from core.guidance.builtin.part_tables import LEGS, SURFACE, WHOLE
 from core.guidance.builtin.tokens import MADE, Tokens
 from core.guidance.builtin.wider import is_wider
 from core.guidance.builtin.words import (
@@ -17,11 +18,8 @@ from core.guidance.builtin.words import (
     COUNTED,
     DEPICTIONS,
     FILLER,
-    LEGS,
     LOOKS,
     PHRASE_ENDS,
-    SURFACE,
-    WHOLE,
     WITHOUT,
 )
 

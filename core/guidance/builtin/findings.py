@@ -8,8 +8,9 @@ from core.guidance.builtin.colors import shade
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
+from core.guidance.builtin.part_tables import OPTIONS, WHOLE
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
-from core.guidance.builtin.words import COUNTS, LOOKS, OPTIONS, WHOLE
+from core.guidance.builtin.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"

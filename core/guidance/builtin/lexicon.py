@@ -10,22 +10,24 @@ from typing import NamedTuple
 from core.guidance.builtin.colors import SHADES
 from core.guidance.builtin.nearest import MISSPELLED, NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
+from core.guidance.builtin.part_tables import (
+    PART_ALSO,
+    PART_SYNONYMS,
+    PART_WORDS,
+    PARTS,
+    TRIM,
+    WHOLE,
+)
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
     COLORS,
     FILLER,
     IGNORED_ADJECTIVES,
     MATERIALS,
-    PART_ALSO,
-    PART_SYNONYMS,
-    PART_WORDS,
-    PARTS,
     PATTERNS,
     SHAPES,
     SHEENS,
-    TRIM,
     WEATHERS,
-    WHOLE,
     WITHOUT,
 )
 

@@ -10,11 +10,11 @@ from typing import NamedTuple
 from core.guidance.builtin.colors import TOWARDS
 from core.guidance.builtin.lexicon import NAMED, look_up
 from core.guidance.builtin.part_names import LIQUID, is_own, own_name, owns, shows_liquid
+from core.guidance.builtin.part_tables import CONTENTS, SAID_OF_PARTS, SURFACE
 from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
     BANDS,
-    CONTENTS,
     COUNTS,
     FIGURES,
     FILLER,
@@ -23,8 +23,6 @@ from core.guidance.builtin.words import (
     OWN,
     PHRASE_ENDS,
     PLAIN,
-    SAID_OF_PARTS,
-    SURFACE,
     WITHOUT,
 )
 

@@ -9,6 +9,7 @@ from core.guidance.builtin.findings import with_article
 from core.guidance.builtin.lexicon import look_up
 from core.guidance.builtin.look_order import STRANGE, looks_end
 from core.guidance.builtin.part_names import is_own, owns
+from core.guidance.builtin.part_tables import WITH_PARTS
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
@@ -18,7 +19,6 @@ from core.guidance.builtin.words import (
     LOOKS,
     OWN,
     PHRASE_ENDS,
-    WITH_PARTS,
     WITHOUT,
 )
 

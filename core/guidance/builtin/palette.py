@@ -25,9 +25,10 @@ from core.guidance.builtin.colors import (
 )
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.part_tables import WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
-from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS, WHOLE
+from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")

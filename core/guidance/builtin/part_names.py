@@ -5,7 +5,7 @@ from collections.abc import Collection
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
 from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.words import (
+from core.guidance.builtin.part_tables import (
     BORNE,
     LEGS,
     OPTIONS,
