@@ -155,3 +155,24 @@ def test_a_place_is_no_part(prompt, note):
 def test_cream_behind_in_is_a_colour():
     assert read("a cake in cream")["colours"] == ["cream"]
     assert read("a record player in vinyl")["materials"] == ["plastic"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colors"),
+    [
+        ("an orange tabby cat", ["orange", "umber"]),
+        ("a grey tabby kitten", ["grey", "charcoal"]),
+        ("a tabby", ["tan", "umber"]),
+        ("an orange and white tabby cat", ["orange", "white"]),
+        ("an orange striped cat", ["orange"]),
+    ],
+)
+def test_a_tabby_has_darker_stripes(prompt, colors):
+    assert read(prompt)["colours"] == colors
+    assert read(prompt)["pattern"] == "striped"
+
+
+def test_what_is_behind_a_longer_name_is_no_part_of_it():
+    assert read("street lamp victorian black iron")["notes"] == [
+        "The built-in model does not know 'victorian': left out."
+    ]

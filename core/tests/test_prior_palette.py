@@ -536,3 +536,10 @@ def test_what_a_covered_thing_is_painted_is_what_lies_below() -> None:
 def test_somebody_of_wood_is_carved_and_his_staff_alone_is_not() -> None:
     assert parse("a wooden king").is_statue
     assert not parse("a wizard with a wooden staff").is_statue
+
+
+def test_what_is_of_cloth_on_a_wooden_thing_stays_so_and_an_animal_is_carved() -> None:
+    boat = {part.name: part for part in painted("boat", parse("a wooden boat"))}
+    assert (boat["hull"].material, boat["sails"].material) == ("wooden", "")
+    owl = {part.name: part for part in painted("owl", parse("a wooden owl"))}
+    assert owl["belly"].material == "wooden"

@@ -37,6 +37,7 @@ _ROWS = {
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",
     "lynx, bobcat, cougar": "tan; muzzle: white",
     "calico cat": "white spotted burnt orange",
+    "tabby": "tan striped umber",
     "tuxedo cat": "black; muzzle: white",
     "siamese cat, siamese": "cream; muzzle: umber",
     "ginger cat": "burnt orange; muzzle: cream",
@@ -164,6 +165,10 @@ _ROWS = {
     "panzer": "slate grey",
 }
 KINDS = {form: row for forms, row in _ROWS.items() for form in forms.split(", ")}
+
+TABBY = ("tabby", "brindle")
+# Where they are not brown: the stripes of a coat of a colour.
+TABBY_STRIPES = {"grey": "charcoal", "black": "charcoal", "white": "ash grey"}
 
 
 def look_of_kind(form: str) -> tuple[list[str], dict[str, str]]:

@@ -8,7 +8,7 @@ from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.clauses import NOT_SAID, Clauses
 from core.guidance.builtin.colors import shade
 from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.kinds import look_of_kind
+from core.guidance.builtin.kinds import TABBY, TABBY_STRIPES, look_of_kind
 from core.guidance.builtin.lexicon import Entry, look_up
 from core.guidance.builtin.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.nouns import GROUPS, NOUNS
@@ -157,6 +157,13 @@ class Likeness(Clauses):
             colors.remove(stones[0])
             form = shade(*stones[0][1:])
             self.got.parts.append(StatedPart("gem", True, "gem", stones[0].word, form))
+
+    def _darken_its_stripes(self) -> None:
+        """A tabby cat is striped with a darker colour of fur; stripes of no colour are white."""
+        colors = self.got.found["color"]
+        if len(colors) < 2 and any(one.form in TABBY for one in self.got.found["pattern"]):
+            names = [TABBY_STRIPES.get(one.word, "umber") for one in colors] or ["tan", "umber"]
+            colors += filter(None, (look_up(name, self.known) for name in names))
 
     def _look_like_its_kind(self) -> None:
         """A crow is black, made as a bird that is blue, where no colour is stated."""

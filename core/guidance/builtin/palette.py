@@ -24,6 +24,7 @@ from core.guidance.builtin.colors import (
     toned,
 )
 from core.guidance.builtin.lexicon import SLOTS
+from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
@@ -32,7 +33,7 @@ from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
-HARD = ("wooden", "metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
+HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
@@ -317,7 +318,9 @@ def is_of(noun: str, look: Look, material: str) -> bool:
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):
         return look.material == material
     if look.finish.metallic < 0.5:
-        return look.material not in SOFT or material not in HARD
+        # A wooden boat has sails of cloth, a wooden owl is carved of one block.
+        hard = HARD if is_animal(noun) else (*HARD, "wooden")
+        return look.material not in SOFT or material not in hard
     main = [other.finish.metallic for other in looks(noun).values() if other.role == "*"]
     return FINISHES[material].metallic > 0.5 or max(main, default=0) > 0.5
 

@@ -75,6 +75,7 @@ class Reading(Likeness):
         self._make_as_qualified()
         self._spare_the_living()
         self._say_what_it_depicts()
+        self._darken_its_stripes()
         self._look_like_its_kind()
         self._say_how_large()
 
