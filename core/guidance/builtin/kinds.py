@@ -37,7 +37,6 @@ _ROWS = {
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",
     "lynx, bobcat, cougar": "tan; muzzle: white",
     "calico cat": "white spotted burnt orange",
-    "tabby": "tan striped umber",
     "tuxedo cat": "black; muzzle: white",
     "siamese cat, siamese": "cream; muzzle: umber",
     "ginger cat": "burnt orange; muzzle: cream",

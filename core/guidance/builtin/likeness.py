@@ -160,8 +160,11 @@ class Likeness(Clauses):
 
     def _darken_its_stripes(self) -> None:
         """A tabby cat is striped with a darker colour of fur; stripes of no colour are white."""
-        colors = self.got.found["color"]
-        if len(colors) < 2 and any(one.form in TABBY for one in self.got.found["pattern"]):
+        found, colors = self.got.found, self.got.found["color"]
+        if not any(one.form in TABBY for one in (*found["pattern"], *found["noun"])):
+            return
+        found["pattern"] = found["pattern"] or [Entry("pattern", "striped", TABBY[0])]
+        if len(colors) < 2:
             names = [TABBY_STRIPES.get(one.word, "umber") for one in colors] or ["tan", "umber"]
             colors += filter(None, (look_up(name, self.known) for name in names))
 
