@@ -160,7 +160,7 @@ def test_cream_behind_in_is_a_colour():
 @pytest.mark.parametrize(
     ("prompt", "colors"),
     [
-        ("an orange tabby cat", ["orange", "umber"]),
+        ("an orange tabby cat", ["orange", "chestnut"]),
         ("a grey tabby kitten", ["grey", "charcoal"]),
         ("a tabby", ["tan", "umber"]),
         ("an orange and white tabby cat", ["orange", "white"]),

@@ -166,8 +166,8 @@ _ROWS = {
 KINDS = {form: row for forms, row in _ROWS.items() for form in forms.split(", ")}
 
 TABBY = ("tabby", "brindle")
-# Where they are not brown: the stripes of a coat of a colour.
-TABBY_STRIPES = {"grey": "charcoal", "black": "charcoal", "white": "ash grey"}
+# Where they are not umber: the stripes of a coat of a colour.
+TABBY_STRIPES = {"orange": "chestnut", "grey": "charcoal", "black": "charcoal", "white": "ash grey"}
 
 
 def look_of_kind(form: str) -> tuple[list[str], dict[str, str]]:
