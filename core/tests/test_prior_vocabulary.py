@@ -308,7 +308,7 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
     assert (words.color, words.second, words.left_out) == ("red", "blue", ("green",))
     assert "green: left out, as two colours are taken." in words.notes
     assert (words.color_form, words.second_form) == ("", "")
-    words = parse("a wooden and metal chair")
+    words = parse("a wooden and metal vase")
     assert (words.material, words.left_out) == ("wooden", ("metal",))
     assert "metal: left out, as one material is taken." in words.notes
 
@@ -320,6 +320,8 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
         ("a rolled up rug, lilac", Words("rug", color="purple")),
         ("a coral cluster", Words("coral")),
         ("a bathtub 1950s", Words("bathtub")),
+        ("a tower 3 levels high", Words("tower")),
+        ("office building 5 floors", Words("skyscraper")),
         ("a mermaid sitting on a rock combing her hair", Words("mermaid")),
         ("a tree with snow on the branches", Words("tree", weather=("snowy",))),
         ("pls make me a robot w sunglasses", Words("robot")),

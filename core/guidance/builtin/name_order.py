@@ -24,6 +24,10 @@ from core.guidance.builtin.words import (
 
 HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
 POT = "flower pot"
+# Things whose names also say what another is of: "a strawberry and chocolate cake".
+SAYS_OF_WHAT = frozenset(
+    "crystal bone feather shell strawberry lemon cherry banana pumpkin carrot apple coconut".split()
+)
 HOLDING = frozenset(("with", "containing", "holding"))
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
@@ -33,6 +37,7 @@ def set_names_in_order(tokens: Tokens) -> None:
     _take_owners_first(tokens)
     _take_the_thing_first(tokens)
     _take_plants_first(tokens)
+    _leave_listed_out(tokens)
     _join_names_of(tokens)
     _join_names_for(tokens)
     _join_split_names(tokens)
@@ -102,6 +107,18 @@ def _take_plants_first(tokens: Tokens) -> None:
                 looks = [*tokens.words[first:at], *named]
                 tokens.put(first, end, [*tokens.words[begin:end], "with", *looks, "pot"])
                 return
+
+
+def _leave_listed_out(tokens: Tokens) -> None:
+    """ "A crystal and gold chandelier" is a gold one, and no crystal."""
+    for at in range(len(tokens.words) - 3):
+        if tokens.words[at] not in SAYS_OF_WHAT or tokens.words[at + 1] != "and":
+            continue
+        end = tokens.qualities_end(at + 2, LOOKS)
+        if tokens.has_thing(end) and tokens.breaks.isdisjoint(range(at + 1, end + 1)):
+            tokens.notes.append(f"{tokens.words[at]}: left out, as one material is taken.")
+            tokens.put(at, end, tokens.words[at + 2 : end])
+            return
 
 
 def _is_look(tokens: Tokens, word: str) -> bool:

@@ -28,7 +28,7 @@ from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
-from core.guidance.builtin.substances import BY_PATTERN, ROUGHNESS, substance
+from core.guidance.builtin.substances import ROUGHNESS, natural_kind
 from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
@@ -125,7 +125,7 @@ def looks(noun: str) -> dict[str, Look]:
 def _look(noun: str, part: str, text: str) -> Look:
     color, pattern, stated = (*text[1:].split(), ".", ".")[:3]
     rgb = [int(color[i : i + 2], 16) / 255 for i in (0, 2, 4)]
-    kind = BY_PATTERN.get(pattern) or stated.strip(".") or substance(noun, part)
+    kind = natural_kind(noun, part)
     finish = _natural(kind) if stated == "." else (FINISHES | {"paint": PAINT})[stated]
     if finish.metallic > 0.5:
         rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]

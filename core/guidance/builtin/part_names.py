@@ -7,11 +7,13 @@ from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import (
     BORNE,
+    FEET,
     LEGS,
     OPTIONS,
     PART_ALSO,
     PART_SYNONYMS,
     PART_WORDS,
+    SEATS,
     TRIM,
     WHOLE,
 )
@@ -54,7 +56,10 @@ def own_names(noun: str, part: str) -> list[str]:
     named = [name for name in _names(part) if name in looks]
     roles = WIDE.get(part, ())
     each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
-    return named[:1] or next(filter(None, each), [])
+    found = named[:1] or next(filter(None, each), [])
+    if part in TRIM and set(found) <= set(SEATS):  # "a chair with metal accents"
+        return [name for name in FEET if name in looks][:1] or found
+    return found
 
 
 def is_own(noun: str, form: str) -> bool:

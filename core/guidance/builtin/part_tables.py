@@ -148,6 +148,8 @@ PART_ALSO = {
     "pads": "cushions, cushion",
     "earpads": "cushions",
     "band": "strap, belt, ribbon, bands",
+    "bands": "hoops, rings, straps",
+    "rings": "hoops, bands",
     "ribbon": "bow, band, sash",
     "liquid": "brew, water, flask, body, bottle",
     "bark": "trunk, wood",
@@ -215,7 +217,14 @@ WHOLE = frozenset(
 )
 # What is no thing by itself: "a guitar finish".
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
-TRIM = frozenset("trim accent accents detail details edging hardware fittings piping".split())
+TRIM = frozenset(
+    """trim accent accents detail details detailing edging hardware fittings piping reinforcement
+    reinforcements plating inlay inlays filigree banding bracing strapping embellishments ornaments
+    highlights elements touches""".split()
+)
+# What the trim is not where there is something else.
+SEATS = ("seat", "cushion")
+FEET = ("legs", "feet", "base")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
 # Of the legs a caption states how many.
 CHOICES = ("armrests", "backrest", "handle", "cap", "hat", "chimney")

@@ -20,6 +20,7 @@ from core.guidance.builtin.lexicon import (
 from core.guidance.builtin.likeness import Likeness
 from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.look_order import set_looks_in_order
+from core.guidance.builtin.mixture import share_out
 from core.guidance.builtin.name_order import set_names_in_order
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state
@@ -74,6 +75,7 @@ class Reading(Likeness):
         self._set_its_gem()
         self._make_as_qualified()
         self._spare_the_living()
+        share_out(self.got, self._tokens)
         self._say_what_it_depicts()
         self._darken_its_stripes()
         self._look_like_its_kind()

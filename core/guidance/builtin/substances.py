@@ -6,7 +6,7 @@ is a kind of detail (``core.texture.detail.kinds``). Standard library only.
 
 from functools import cache
 
-from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 
 # How rough each kind is that is no material word.
 ROUGHNESS = {
@@ -313,6 +313,12 @@ UNWORN = frozenset(
     soil flame embers liquid bark""".split()
 ) | {"wet skin"}
 BURNING = ("flame", "embers")
+
+
+def natural_kind(noun: str, part: str) -> str:
+    """What the noun's ``part`` is of by its look, which may state it, or else by its name."""
+    _, pattern, stated = (*NOUNS[noun].looks[part].split(), ".", ".")[:3]
+    return BY_PATTERN.get(pattern) or stated.strip(".") or substance(noun, part)
 
 
 def substance(noun: str, part: str) -> str:

@@ -282,8 +282,14 @@ IGNORED_ADJECTIVES = frozenset(
 # How many of what is no part by itself: "a three-seater sofa", "a two story house".
 IGNORED_ADJECTIVES |= {
     f"{count} {of}"
-    for count in ("one", "two", "three", "four", "five", "six", "1", "2", "3", "4", "5", "6")
-    for of in "seater poster piece storey story stories tier tiered way burner".split()
+    for count in (
+        *"one two three four five six seven eight nine ten".split(),
+        *map(str, range(1, 21)),
+    )
+    for of in (
+        "seater poster piece storey storeys story stories floor floors floored level levels tier "
+        "tiers tiered way burner door drawer"
+    ).split()
 }
 COLORED = ("colored", "coloured", "color", "colour")
 # How a thing came by its material or its looks, which are said by themselves.
