@@ -2,6 +2,7 @@
 
 import pytest
 
+from core.errors import UserError
 from core.guidance.builtin.lexicon import Entry
 from core.guidance.builtin.mixture import (
     SUITED,
@@ -40,6 +41,14 @@ WOOD, METAL, GLASS = material("wooden"), material("metal"), material("glass")
         ("a wooden stone well", "wooden", {"wall": "stone"}),
         ("a brass and glass lantern", "brass", {"glass": "glass"}),
         ("a rattan and metal chair", "rattan", {"legs": "metal"}),
+        ("wood/metal bar stool", "wooden", {"legs": "metal"}),  # and no metal bar
+        ("broom wood and straw", "wooden", {"bristles": "straw"}),
+        (
+            "teapot of glass and steel",
+            "glass",
+            {"handle": "metal", "lid": "metal"},
+        ),  # and not the body
+        ("a radio of wood and plastic", "wooden", {"knobs": "plastic"}),
         # of one class
         ("oak and walnut table", "oak", {"legs": "walnut"}),
         ("sword, silver and gold", "silver", {"guard": "golden", "pommel": "golden"}),
@@ -117,6 +126,9 @@ def test_a_second_material_without_a_part_is_left_out_with_its_colour():
         ("blue and silver fish", ["blue"], {"fins": "silver"}),
         ("white and gold dragon", ["white"], {"belly": "golden", "wings": "golden"}),
         ("black leather and gold sofa", ["black"], {"feet": "golden"}),
+        ("black dragon with gold", ["black"], {"belly": "golden", "wings": "golden"}),
+        ("a kettle, red, chrome", ["red"], {"handle": "chrome", "lid": "chrome"}),
+        ("silver-blue car", ["silver blue"], {}),
         # What has no part for it is of two colours.
         ("black and gold vase", ["black", "golden yellow"], {}),
         ("black and gold striped vase", ["black", "golden yellow"], {}),
@@ -141,6 +153,37 @@ def test_what_is_of_metal_by_nature_leaves_the_colour_to_the_rest():
     assert read("gold and red chest")["part_materials"] == {"bands": "golden", "lock": "golden"}
 
 
+@pytest.mark.parametrize(
+    ("prompt", "parts"),
+    [
+        ("a gold and red crown", {"gems": "red"}),
+        ("silver and turquoise necklace", {"stone": "turquoise"}),
+        ("picture frame silver and black", {}),  # not its picture
+    ],
+)
+def test_gems_take_the_colour_and_what_has_no_part_for_it_loses_it(prompt, parts):
+    told = read(prompt)
+    assert (told["part_colours"], told["colours"]) == (parts, [])
+    lost = "black: left out, as nothing else of it has a colour."
+    assert (lost in told["notes"]) == (not parts)
+
+
+@pytest.mark.parametrize(
+    "prompt", ["a car, red, wooden", "a car, red, metal", "a car, red, velvet"]
+)
+def test_behind_a_comma_what_is_no_other_metal_is_of_the_whole(prompt):
+    told = read(prompt)
+    assert len(told["materials"]) == len(told["colours"]) == 1
+
+
+def test_behind_a_colour_materials_with_their_own_are_all_of_parts():
+    told = read("vintage motorcycle, cream, brown leather, chrome")
+    assert (told["colours"], told["materials"]) == (["cream"], [])
+    assert told["part_colours"] == {"seat": "brown"}
+    metal = {"engine": "chrome", "handlebar": "chrome"}
+    assert told["part_materials"] == {"seat": "leather"} | metal
+
+
 @pytest.mark.parametrize("prompt", ["a red and rusty car", "a grey and metallic robot"])
 def test_a_quality_next_to_a_colour_is_of_the_whole(prompt):
     told = read(prompt)
@@ -148,24 +191,40 @@ def test_a_quality_next_to_a_colour_is_of_the_whole(prompt):
     assert told["part_materials"] == {}
 
 
-@pytest.mark.parametrize("prompt", ["crystal and gold chandelier", "a bone and gold crown"])
+@pytest.mark.parametrize(
+    "prompt",
+    ["crystal and gold chandelier", "a bone and gold crown", "chandelier in gold and crystal"],
+)
 def test_a_thing_that_says_what_another_is_of_is_left_out(prompt):
     told = read(prompt)
     assert told["materials"] == ["golden"]
-    first = prompt.removeprefix("a ").split()[0]
-    assert f"{first}: left out, as one material is taken." in told["notes"]
+    left = next(word for word in ("crystal", "bone") if word in prompt)
+    assert f"{left}: left out, as one material is taken." in told["notes"]
+
+
+def test_what_an_and_joins_without_an_article_is_no_other_thing():
+    told = read("a vase, blue porcelain and gold cracks")
+    assert (told["colours"], told["materials"]) == (["blue"], ["ceramic"])
+    assert read("golem with moss and a crystal")["weather"] == ["mossy"]
+    for prompt in ("a vase and a gold okapi", "a vase and okapi"):
+        with pytest.raises(UserError, match="okapi"):
+            read(prompt)
 
 
 @pytest.mark.parametrize(
     ("prompt", "of_parts"),
     [
         ("wooden barrel with iron bands", {"hoops": "iron"}),
+        ("a book with brass corners", {"bands": "brass"}),
+        ("a spoon with a blue silicone head", {"bowl": "silicone"}),
+        ("a fork with gold tines", {"head": "golden"}),
+        ("copper pot with brass handles", {"handles": "brass"}),
         ("a wooden chair with metal accents", {"legs": "metal"}),
         ("leather sofa with chrome accents", {"feet": "chrome"}),
         ("a wooden shield with iron reinforcement", {"rim": "iron", "emblem": "iron"}),
     ],
 )
-def test_trim_is_no_seat_and_bands_are_hoops(prompt, of_parts):
+def test_trim_is_no_seat_and_parts_go_by_other_names(prompt, of_parts):
     assert read(prompt)["part_materials"] == of_parts
 
 

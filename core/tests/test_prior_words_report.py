@@ -381,11 +381,11 @@ def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
 
 
 def test_what_is_left_out_is_said_for_its_own_reason():
-    notes = understood("a book with three brass corners", known=SLOTS)["notes"]
+    notes = understood("a book with three brass gizmos", known=SLOTS)["notes"]
     assert notes == [
         "'brass': left out with what is not known beside it.",
         "'three': left out, as parts are not counted.",
-        "The built-in model does not know 'corners': left out.",
+        "The built-in model does not know 'gizmos': left out.",
     ]
 
 

@@ -56,6 +56,7 @@ class Clauses:
         self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began
         self._late = False  # whether a comma has ended the clause that has the thing
         self._ended_by = ""  # the word that began the phrase
+        self._has_article = False
         self._aside_end = -1  # the index behind the last noun that goes with the thing
         self._noun_end = -1  # the index behind the last noun, if nothing ended its phrase
         self._tokens = Tokens.of(prompt, known)
@@ -89,6 +90,18 @@ class Clauses:
         known = [look_up(word, self.known) for word in looks]
         return all(one is not None and one.slot in LOOKS for one in known)
 
+    def _is_look_of_thing(self, entry: Entry, at: int, count: int) -> bool:
+        """Whether a thing's name is a material and another's first word: "a metal bar stool"."""
+        if entry.slot != "noun" or count == 1 or at + count in self._tokens.breaks:
+            return False
+        words = self._tokens.words
+        first = look_up(words[at], self.known)
+        behind = " ".join(words[at + count - 1 : at + count + 1])
+        is_look = first is not None and first.slot in LOOKS
+        return (
+            is_look and count == 2 and behind != words[at + 1] and bool(self._tokens.thing(behind))
+        )
+
     def _is_thing_and_color(self, entry: Entry, at: int, count: int) -> bool:
         """Whether a shade that begins with a thing's name is that thing: "a pumpkin orange with a
         stem", or its last word begins another's: "a periwinkle blue jay"."""
@@ -117,7 +130,9 @@ class Clauses:
             self.got.left_out += self._of_accessory()
         self._leave_what_it_is_not()
         self.got.parts += self._before
-        beside = self._late or self._ended_by != "and"  # "a chair and an okapi" are two things
+        # "A chair and an okapi" are two things; "a vase of blue china and gold cracks" is one.
+        looked = not self._has_article and self._begun != self.got.counts()
+        beside = self._late or self._ended_by != "and" or looked
         if self.got.found["noun"] and self._noun_end < 0 and beside:
             # "a car, exposed copper pipes": of something else, which goes with the thing.
             if self._strange:
@@ -126,7 +141,7 @@ class Clauses:
             self.got.refused += self._pending
         self.got.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
-        self._begun, self._strange = self.got.counts(), False
+        self._begun, self._strange, self._has_article = self.got.counts(), False, False
 
     def _leave_what_it_is_not(self) -> None:
         """ "A chair, not wooden", "a not red apple"."""

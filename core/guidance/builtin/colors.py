@@ -64,6 +64,7 @@ SHADES: dict[str, dict[str, str]] = {
         "bright blue": "1f4cff", "royal blue": "2a4fc0", "cobalt blue": "0f47ab",
         "cobalt": "0f47ab", "slate blue": "5f6ea8", "electric blue": "2b6cff",
         "sapphire blue": "1438a0", "azure": "2a7fe0", "steel blue": "4682b4",
+        "silver blue": "9db2c6",
         "cerulean": "2a7fb8", "ocean blue": "1f6a9c", "denim blue": "3a5580",
         "cornflower blue": "6495ed", "duck egg blue": "b8dcd4", "periwinkle": "9aa5e8",
         "periwinkle blue": "9aa5e8", "seafoam blue": "7fc4c8",

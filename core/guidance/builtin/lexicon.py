@@ -88,6 +88,7 @@ def _as_read(form: str) -> str:
 LEXICON, NARROWER = _lexicon()
 # The ends of plurals with those of their singulars.
 PLURALS = (("s", ""), ("es", ""), ("ies", "y"), ("ves", "f"), ("ves", "fe"), ("men", "man"))
+HISSING = ("s", "x", "z", "ch", "sh", "o")
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
 COMPOUNDS = tuple(form for form in LEXICON if " " in form)
@@ -115,7 +116,8 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
 def singulars(phrase: str) -> list[str]:
     """The phrase and what it may be the plural of."""
     stem = [phrase.removesuffix(plural) + one for plural, one in PLURALS if phrase.endswith(plural)]
-    return [phrase, *stem]
+    hissing = phrase.removesuffix("es").endswith(HISSING)
+    return [phrase, *(one for one in stem if hissing or f"{one}es" != phrase)]  # "tines": no tin
 
 
 def corrected(token: str, also: Iterable[str] = (), no_thing: bool = False) -> str:

@@ -32,11 +32,13 @@ _CLASS_OF = {
     RUBBER: "rubber",
 }
 CLASS_OF = {form: name for name, forms in _CLASS_OF.items() for form in forms_of(forms)}
+GEM_PARTS = ("gem", "gems", "stone")
 BY_NATURE, WELL = 2, 4  # how well a part suits the class that it is of by nature; and no doubt
 RUSTY = "rusty"
-_PLAIN = frozenset(PLAIN) - {"stone"}  # "brick and stone" are two
+_PLAIN = frozenset(PLAIN) - {"stone", "plastic"}  # "brick and stone" are two
 _LISTING = PHRASE_ENDS - {*ARTICLES}
-QUALITIES = ("metallic", "mirrored", "robotic", "enamel", "enameled", "enamelled")
+QUALITIES = ("rusty", "rusted", "rust", "corroded", "metallic", "mirrored", "robotic")
+QUALITIES += ("enamel", "enameled", "enamelled")
 # The colours of metals, where one is the second colour of a thing.
 TONES = {"golden": "golden yellow", "metal": "silver grey", "copper": "sienna"}
 # How well parts suit a class by their names.
@@ -65,7 +67,7 @@ _SUITED = {
         2: "legs",
         1: "body, seat, floor",
     },
-    PLASTIC: {4: "seat, back, lid, cap", 2: "handle, handles, knob, knobs, grip, arms, body"},
+    PLASTIC: {4: "seat, back, lid, cap", 1: "handle, handles, knob, knobs, grip, arms, body"},
     RUBBER: {5: "wheels, tracks, sole, grip, grips", 2: "feet, handle, handles"},
 }
 SUITED = {
@@ -76,20 +78,14 @@ SUITED = {
 }
 
 
-class Beside(NamedTuple):
-    """A colour that an "and" joins to a material."""
-
-    color: Entry
-    is_behind: bool
-
-
 class Named(NamedTuple):
     """A material where a prompt names it."""
 
     entry: Entry
-    color: Entry | None  # right before it: "black leather"
-    is_listed: bool  # behind a comma, "and", "with" or the like
-    beside: Beside | None = None  # a colour: "black and gold", "gold and black"
+    color: Entry | None = None  # right before it: "black leather"
+    joined_by: str = ""  # a comma, "and", "with" or the like before it
+    before: Entry | None = None  # the last colour before these: "black and gold"
+    behind: Entry | None = None  # one that an "and" joins to it: "gold and black"
 
 
 def share_out(got: Findings, tokens: Tokens) -> None:
@@ -99,16 +95,18 @@ def share_out(got: Findings, tokens: Tokens) -> None:
     named = [one for one in _named(tokens) if one.entry in got.found["material"]]
     if not got.thing or got.is_statue:
         return
-    if len(named) == 1 and _is_second(named[0], got):
-        _set_beside_color(got, named[0])
+    if len(named) == 1 and (color := _color_beside(named[0], got)):
+        _set_beside_color(got, named[0], color)
     if len(named) < 2 or is_creature(got.thing):
         return
     first, *others = _clearest(named)
+    if first.color and first.before in got.found["color"]:  # "a car, red, black leather, chrome"
+        first, others = Named(Entry("material", "", "")), [first, *others]
     suited = parts_of_each(got.thing, [first.entry, *(one.entry for one in others)])
-    got.found["material"] = [first.entry]
+    got.found["material"] = [first.entry] if first.entry.word else []
     for one in others:
         parts = [part for part, entry in suited.items() if entry == one.entry]
-        if not parts and one.is_listed:
+        if not parts and one.joined_by:
             parts = lesser_parts(got.thing, one.entry)
         if one.color in got.found["color"]:
             got.found["color"].remove(one.color)
@@ -117,13 +115,17 @@ def share_out(got: Findings, tokens: Tokens) -> None:
             got.leave_aside(forms, "one material is taken")
 
 
-def _is_second(material: Named, got: Findings) -> bool:
-    """Whether it is of other parts than the colour next to it, and no quality of all: "grey and
-    fluffy", "red and rusty"."""
-    entry = material.entry
-    quality = entry.word == RUSTY or entry.form in QUALITIES
-    colored = material.beside is not None and material.beside.color in got.found["color"]
-    return colored and not quality and class_of(entry) in (METAL, WOOD, STONE)
+def _color_beside(material: Named, got: Findings) -> Entry | None:
+    """The colour that is said next to it, of other parts; of a quality of the whole none: "grey and
+    fluffy", "red and rusty", "a chair, red, wooden"."""
+    entry, name = material.entry, class_of(material.entry)
+    if entry.form in QUALITIES or name not in (METAL, WOOD, STONE) or material.color:
+        return None
+    metal = name == METAL and entry.form not in PLAIN
+    joined = material.joined_by in ("and", "with") or (material.joined_by == "," and metal)
+    color = material.before if joined else None
+    color = color or material.behind
+    return color if color in got.found["color"] else None
 
 
 def _state(got: Findings, parts: list[str], material: Named) -> bool:
@@ -136,22 +138,24 @@ def _state(got: Findings, parts: list[str], material: Named) -> bool:
     return bool(stated)
 
 
-def _set_beside_color(got: Findings, named: Named) -> None:
+def _set_beside_color(got: Findings, named: Named, color: Entry) -> None:
     """Give some parts the material, and leave the colour to the rest, or the other way about; where
     no part is for it, or a pattern is stated, it is the second colour."""
-    material, beside = named.entry, named.beside
-    parts = parts_of_color(got.thing, material) if beside and beside.is_behind else []
-    if beside and parts and not got.found["pattern"]:
-        got.found["color"].remove(beside.color)
-        look = (beside.color.word, shade(*beside.color[1:]))
+    material, patterned = named.entry, bool(got.found["pattern"])
+    if color == named.behind and not patterned and is_of_it(got.thing, material):
+        got.found["color"].remove(color)
+        parts = parts_of_color(got.thing, material)
+        look = (color.word, shade(*color[1:]))
         got.parts += [StatedPart(part, True, part, *look) for part in parts]
+        if not parts:
+            got.leave_aside([color.form], "nothing else of it has a colour")
         return
-    parts = [] if got.found["pattern"] else parts_beside_color(got.thing, material)
+    parts = [] if patterned else parts_beside_color(got.thing, material)
     tone = look_up(TONES.get(material.word, ""), got.known)
     if not (parts or tone):
         return
     got.found["material"].remove(material)
-    if not _state(got, parts, Named(material, None, True)) and tone:
+    if not _state(got, parts, Named(material)) and tone:
         got.found["color"].append(tone)
 
 
@@ -163,16 +167,17 @@ def _clearest(named: list[Named]) -> list[Named]:
         if not kept or not _is_same(kept[-1], one):
             kept.append(one)
         elif one.entry.word == RUSTY or kept[-1].entry.form in PLAIN:
-            kept[-1] = one._replace(is_listed=kept[-1].is_listed)
+            kept[-1] = one._replace(joined_by=kept[-1].joined_by)
     return kept
 
 
 def _is_same(before: Named, one: Named) -> bool:
     """Whether two materials in a row are of one and the same part."""
     both = {class_of(before.entry), class_of(one.entry)}
-    if one.is_listed:
-        plain = before.entry.word == one.entry.word and {before.entry.form, one.entry.form} & _PLAIN
-        return bool(plain) or (len(both) == 1 and RUSTY in (before.entry.word, one.entry.word))
+    if one.joined_by:
+        words = {before.entry.word, one.entry.word}
+        plain = len(words) == 1 and {before.entry.form, one.entry.form} & _PLAIN
+        return len(both) == 1 and (bool(plain) or RUSTY in words)
     return len(both) == 1 or both == {GLASS, PLASTIC}
 
 
@@ -180,15 +185,18 @@ def _named(tokens: Tokens) -> Iterator[Named]:
     """The materials that the prompt's words name, in order."""
     words, at, last = tokens.words, 0, 0
     while at < len(words):
-        looked = ((look_up(phrase, tokens.known), phrase) for phrase in tokens.phrases(at))
-        entry, phrase = next(((one, phrase) for one, phrase in looked if one), (None, ""))
+        looked = [(look_up(phrase, tokens.known), phrase) for phrase in tokens.phrases(at)]
+        known = [(one, phrase) for one, phrase in looked if one]
+        entry, phrase = next((x for x in known if x[0].slot == "material"), (None, ""))
+        phrase = phrase or next((phrase for _, phrase in known), "")
         end = at + max(len(phrase.split()), 1)
-        if entry is not None and entry.slot == "material":
+        if entry is not None:
             begin = max(tokens.qualities_begin(at), last)
-            before = words[max(begin - 1, last) : begin]
-            is_listed = begin in tokens.breaks or not _LISTING.isdisjoint(before)
-            beside = _beside(tokens, at if before == ["and"] and begin == at else 0, end)
-            yield Named(entry, _color(tokens, begin, at), is_listed, beside)
+            joined = words[begin - 1] if begin > last and words[begin - 1] in _LISTING else ""
+            joined = "," if begin in tokens.breaks else joined
+            before = next(filter(None, (_color(tokens, 0, k) for k in range(begin, 0, -1))), None)
+            own = _color(tokens, begin, at)
+            yield Named(entry, own, joined, before, _color_behind(tokens, end))
             last = end
         at = end
 
@@ -201,18 +209,14 @@ def _color(tokens: Tokens, begin: int, end: int) -> Entry | None:
     return next((one for one in looked if one and one.slot == "color"), None)
 
 
-def _beside(tokens: Tokens, begin: int, end: int) -> Beside | None:
-    """The colour before the "and" that stands before ``begin``, if that is not 0; or behind the one
-    that stands at ``end``, unless it is that of more: "gold and white leather"."""
-    before = _color(tokens, 0, begin - 1) if begin else None
-    if before:
-        return Beside(before, False)
+def _color_behind(tokens: Tokens, end: int) -> Entry | None:
+    """The colour behind the "and" that stands at the index, unless it is that of more: "gold and
+    white leather"."""
     while tokens.words[end : end + 1] and tokens.words[end] in COLORED:  # "gold coloured and black"
         end += 1
     if tokens.words[end : end + 1] != ["and"] or tokens.breaks.intersection((end, end + 1)):
         return None
-    behind = _color(tokens, end + 1, tokens.qualities_end(end + 1, LOOKS))
-    return Beside(behind, True) if behind else None
+    return _color(tokens, end + 1, tokens.qualities_end(end + 1, LOOKS))
 
 
 def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
@@ -221,9 +225,10 @@ def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
     The materials are of different classes, or the first of each counts.
     """
     found: dict[str, Entry] = {}
-    for part in NOUNS[noun].looks:
+    for part, look in NOUNS[noun].looks.items():
         best = max(materials, key=lambda one: suits(noun, part, class_of(one)))
-        if best is not materials[0] and suits(noun, part, class_of(best)):
+        least = (BY_NATURE if materials[0].word else WELL) if look[0] == "*" else 1
+        if best is not materials[0] and suits(noun, part, class_of(best)) >= least:
             found[part] = best
     return found
 
@@ -243,17 +248,23 @@ def parts_beside_color(noun: str, material: Entry) -> list[str]:
     return parts or _lesser(noun, "+&")
 
 
+def is_of_it(noun: str, material: Entry) -> bool:
+    """Whether the noun's main parts are of such a material by nature."""
+    mains = (part for part, look in NOUNS[noun].looks.items() if look[0] == "*")
+    return all(_is_by_nature(noun, part, class_of(material)) for part in mains)
+
+
 def parts_of_color(noun: str, material: Entry) -> list[str]:
     """The noun's parts that a colour is of behind a material that the noun is of by nature: "a
     silver and black sword"."""
     name, looks = class_of(material), NOUNS[noun].looks
-    if not all(_is_by_nature(noun, part, name) for part, look in looks.items() if look[0] == "*"):
-        return []
+    if gems := [part for part in GEM_PARTS if looks.get(part, "*")[0] != "*"]:
+        return gems
     accents, rest = (
         [part for part in _lesser(noun, roles) if not _is_by_nature(noun, part, name)]
         for roles in ("+&", "-")
     )
-    return accents or rest
+    return accents or [part for part in rest if any((one, part) in SUITED for one in _SUITED)]
 
 
 def lesser_parts(noun: str, material: Entry) -> list[str]:
@@ -281,8 +292,8 @@ def _lesser(noun: str, roles: str) -> list[str]:
 
 
 def _is_by_nature(noun: str, part: str, name: str) -> bool:
-    """Whether the noun's part is of the class by nature."""
-    return CLASS_OF.get(natural_kind(noun, part)) == name
+    """Whether the noun's part is of the class by nature; much is of plastic as nothing is known."""
+    return name != PLASTIC and CLASS_OF.get(natural_kind(noun, part)) == name
 
 
 def class_of(material: Entry) -> str:

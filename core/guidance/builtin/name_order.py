@@ -110,7 +110,21 @@ def _take_plants_first(tokens: Tokens) -> None:
 
 
 def _leave_listed_out(tokens: Tokens) -> None:
-    """ "A crystal and gold chandelier" is a gold one, and no crystal."""
+    """ "A crystal and gold chandelier" is a gold one, and no crystal; so is one "in gold and
+    crystal"."""
+    for at in range(2, len(tokens.words)):
+        joined = tokens.words[at] in SAYS_OF_WHAT and tokens.words[at - 1] == "and"
+        before = tokens.qualities_begin(at - 1, LOOKS) < at - 1 if joined else False
+        named = any(map(tokens.has_thing, range(at - 1)))
+        if (
+            before
+            and named
+            and tokens.ends_phrase(at + 1)
+            and tokens.breaks.isdisjoint((at - 1, at))
+        ):
+            tokens.notes.append(f"{tokens.words[at]}: left out, as one material is taken.")
+            tokens.put(at - 1, at + 1, [])
+            return
     for at in range(len(tokens.words) - 3):
         if tokens.words[at] not in SAYS_OF_WHAT or tokens.words[at + 1] != "and":
             continue

@@ -149,6 +149,9 @@ PART_ALSO = {
     "earpads": "cushions",
     "band": "strap, belt, ribbon, bands",
     "bands": "hoops, rings, straps",
+    "tines": "head",
+    "prongs": "head",
+    "head": "bowl",
     "rings": "hoops, bands",
     "ribbon": "bow, band, sash",
     "liquid": "brew, water, flask, body, bottle",
@@ -183,6 +186,7 @@ SAID_OF_PARTS = {
 }
 # What a thing is with a part that it has not: "a horse with a horn".
 WITH_PARTS = {
+    "pot": {"cooking pot": "handle handles lid"},
     "pumpkin": {"jackolantern": "face faces eyes mouth nose smile grin teeth"},
     "horse": {"unicorn": "horn"},
     "chair": {"office chair": "wheels casters castors", "rocking chair": "rockers"},
@@ -220,7 +224,7 @@ SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating fini
 TRIM = frozenset(
     """trim accent accents detail details detailing edging hardware fittings piping reinforcement
     reinforcements plating inlay inlays filigree banding bracing strapping embellishments ornaments
-    highlights elements touches""".split()
+    highlights elements touches corners""".split()
 )
 # What the trim is not where there is something else.
 SEATS = ("seat", "cushion")

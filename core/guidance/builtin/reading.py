@@ -97,6 +97,8 @@ class Reading(Likeness):
                 continue
             if entry is not None and self._is_thing_and_color(entry, at, count):
                 continue
+            if entry is not None and self._is_look_of_thing(entry, at, count):
+                continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
                 entry = Entry("part", phrase, phrase)
             if entry is not None and self._is_stone(entry, at + count):
@@ -159,6 +161,7 @@ class Reading(Likeness):
             else:
                 self._end_phrase()
                 self._ended_by = word
+            self._has_article = token in ARTICLES
             self._without |= negated
         elif token in SURROUNDINGS:  # "a candle, soft pink lighting"
             self.got.left_out += [*self._looks_before(), token]
@@ -281,6 +284,8 @@ class Reading(Likeness):
             self.got.found[slot].append(entry)
             if slot == "material":
                 self._take_block(entry, end)
+            if slot == "weather" and entry.form.startswith("with ") and self.got.found["noun"]:
+                self._accessory = self.got.counts()  # "with moss and a crystal"
         begun = self._begun if self._late and self._accessory is None else self._accessory
         if slot == "pattern" and entry.form in FIGURES and begun is not None:
             # "with orange stripes and a lid": it is complete, and what it lies on is not orange.

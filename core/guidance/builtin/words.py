@@ -255,7 +255,7 @@ IGNORED_ADJECTIVES = frozenset(
     cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
-    handmade decorated evil miniature empty full racing
+    handmade decorated evil miniature empty full racing sunburst
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled surrounded topped toy figurine prop
     ornament stuffed cuddly cut sliced stained bent torn crooked percent
@@ -288,7 +288,7 @@ IGNORED_ADJECTIVES |= {
     )
     for of in (
         "seater poster piece storey storeys story stories floor floors floored level levels tier "
-        "tiers tiered way burner door drawer"
+        "tiers tiered way burner"
     ).split()
 }
 COLORED = ("colored", "coloured", "color", "colour")
