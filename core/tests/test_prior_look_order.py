@@ -51,6 +51,57 @@ def test_what_is_in_a_see_through_thing_is_its_colour(prompt, color):
     assert list(read(prompt)["part_colours"].values()) == ([color] if color else [])
 
 
+@pytest.mark.parametrize(
+    ("prompt", "colors", "said"),
+    [
+        (
+            "toy train, colour: red, wheels: yellow",
+            ["red"],
+            {"part_colours": {"wheels": "yellow"}},
+        ),
+        ("helmet, steel, the plume: crimson", [], {"part_colours": {"crest": "crimson"}}),
+        (
+            "chair, seat: red leather, legs = chrome",
+            [],
+            {
+                "part_colours": {"seat": "red"},
+                "part_materials": {"seat": "leather", "legs": "chrome"},
+            },
+        ),
+        ("cottage: thatched roof", [], {"part_materials": {"roof": "thatched"}}),  # no key
+        (
+            "a radio with a dial that glows amber",
+            [],
+            {"part_colours": {"dial": "amber"}, "part_sheens": {"dial": "glowing"}},
+        ),
+        ("a mushroom that glows blue", ["blue"], {}),
+        ("a toolbox, red sheet metal", ["red"], {}),
+        ("a neon pink chair", ["neon pink"], {}),
+    ],
+)
+def test_keys_state_looks_and_what_a_part_glows_is_its_colour(prompt, colors, said):
+    told = read(prompt)
+    assert (told["colours"], parts(prompt)) == (colors, said)
+    assert ("glowing" in told["sheen"]) == ("glows blue" in prompt)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("a church door", "door"),
+        ("barn door, red", "door"),
+        ("a barn with red doors", "barn"),
+        ("oil painting on canvas", "picture frame"),
+        ("a canvas tent", "tent"),
+        ("easel with a white canvas", "easel"),
+    ],
+)
+def test_doors_and_canvas_are_what_is_meant(prompt, thing):
+    told = read(prompt)
+    assert told["thing"] == thing
+    assert told["materials"] == (["fabric"] if thing == "tent" else [])
+
+
 def test_a_stated_colour_is_not_its_contents():
     told = read("a green bottle of oil")
     assert (told["colours"], told["part_colours"]) == (["green"], {})

@@ -16,6 +16,9 @@ from core.guidance.builtin.vocabulary import Words, parse, understood
         ("a table with four legs", "four legs"),
         ("a three-legged stool", "three legs"),
         ("stool with 4 legs", "four legs"),
+        ("a table with white legs", "four legs"),  # not on one
+        ("a table with a white leg", ""),
+        ("a table with one leg and brass legs", "one leg"),
         ("a table on a pedestal", "one leg"),
         ("a mug with no handle", "no handle"),
         ("a bottle with a lid", "cap"),

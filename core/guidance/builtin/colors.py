@@ -30,6 +30,7 @@ COLOR_VALUES: dict[str, Color] = {
 # The shades that have names of their own, by the word that the networks know them by.
 SHADES: dict[str, dict[str, str]] = {
     "red": {
+        "neon red": "ff2a3c",
         "bright red": "e01414", "cherry red": "b3122a", "crimson": "a80f2b", "scarlet": "d8210c",
         "ruby red": "9b111e", "blood red": "7c0a0a", "vermilion": "e0402c", "brick red": "9c3a2c",
         "tomato red": "d8402a", "coral red": "e5533f", "rust red": "97412a",
@@ -37,12 +38,14 @@ SHADES: dict[str, dict[str, str]] = {
         "strawberry red": "cf2b3a", "rose red": "c21e4f",
     },
     "orange": {
+        "neon orange": "ff7a14",
         "bright orange": "ff7a0a", "burnt orange": "c1541b", "amber": "e09a20",
         "rust orange": "b1521c", "tangerine orange": "f28500", "apricot orange": "f5a86a",
         "pumpkin orange": "ee7a1e", "carrot orange": "ed8128", "safety orange": "ff6a00",
         "coral orange": "ff7f50", "peach orange": "fbb27c", "ginger": "c8702a",
     },
     "yellow": {
+        "neon yellow": "eaff1f",
         "bright yellow": "ffe01a", "lemon yellow": "f4e04d", "golden yellow": "f5b81f",
         "mustard": "cc9a22", "mustard yellow": "cc9a22", "canary yellow": "ffe733",
         "saffron": "f0b32a", "ochre": "c08030", "sunny yellow": "ffd42a",
@@ -61,6 +64,7 @@ SHADES: dict[str, dict[str, str]] = {
         "mint": "a3dcc0", "mint green": "a3dcc0",
     },
     "blue": {
+        "neon blue": "2e6bff",
         "bright blue": "1f4cff", "royal blue": "2a4fc0", "cobalt blue": "0f47ab",
         "cobalt": "0f47ab", "slate blue": "5f6ea8", "electric blue": "2b6cff",
         "sapphire blue": "1438a0", "azure": "2a7fe0", "steel blue": "4682b4",
@@ -70,11 +74,13 @@ SHADES: dict[str, dict[str, str]] = {
         "periwinkle blue": "9aa5e8", "seafoam blue": "7fc4c8",
     },
     "purple": {
+        "neon purple": "b32cff",
         "violet": "7a3fc0", "lilac": "c0a0d8", "lavender": "b8a4e0", "indigo": "3f1f8f",
         "mauve": "a8799a", "royal purple": "5a2a96", "aubergine purple": "3f1a3c",
         "plum purple": "6a2a5a", "grape purple": "5c2d82", "eggplant purple": "3f1a3c",
     },
     "pink": {
+        "neon pink": "ff3cac",
         "light red": "f08080", "rose pink": "e8799a", "hot pink": "ff3f9a", "barbie pink": "e0218a",
         "magenta": "d0207f",
         "fuchsia": "e0208f", "baby pink": "f6c2d0", "blush": "e8b4b8", "blush pink": "e8b4b8",

@@ -13,6 +13,7 @@ from core.guidance.builtin.prompt_errors import near_words, part_error, two_erro
 from core.guidance.builtin.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
+MANY_LEGS = "four legs"  # where several are meant and none is counted
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
 
 
@@ -179,6 +180,8 @@ class Findings:
                 states.append(state)
             elif noun and there and not always_has(noun, part):
                 raise part_error(noun, form, there, self.options(noun))
+        if not states and MANY_LEGS in self.options(noun):  # "a table with white legs"
+            states += [MANY_LEGS for part in self.parts if part.there and part.form == "legs"]
         if len(set(states)) > 1:
             raise two_error("part", states)
         return states[0] if states else ""

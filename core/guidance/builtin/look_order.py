@@ -29,7 +29,7 @@ from core.guidance.builtin.words import (
 OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what has it
 LINK = re.compile(
     r"(?P<said>(?:(?:that|which|who) )?(?:is|are|should be) )?"
-    r"(?P<glow>(?:glow|glowing|shine|shines|shining) )?"
+    r"(?P<glow>(?:(?:that|which) )?(?:glows?|glowing|shines?|shining) )?"
     rf"(?P<way>(?:{'|'.join(MADE)}) (?:out of |of |in |from |with |by )"
     r"|(?:painted|dyed) |(?:in|of|from|with) )?"
     r"(?P<article>(?:an?|the) )?"
@@ -37,7 +37,11 @@ LINK = re.compile(
 OVER = ("on", "around", "over", "along", "across")  # before a part that something covers
 LONGEST_LINK = 7  # words: "which are made out of the"
 # The link begins before what is right behind these.
-BEFORE = {*MADE, *OF_LOOKS, *"out by with that which who is are should be glow shine".split()}
+BEFORE = {
+    *MADE,
+    *OF_LOOKS,
+    *"out by with that which who is are should be glow glows shine shines".split(),
+}
 STRANGE = 2  # words before a look, or a plant, that are not known: "in signal orange"
 INSIDES = ("inside", "interior", "lining")
 FULL = frozenset("of with containing filled full some".split())  # right before what is in it
@@ -192,6 +196,8 @@ def _set_looks_before(tokens: Tokens, at: int) -> None:
     if link is None or not tokens.breaks.isdisjoint(range(at, link.end + 1)):
         return
     head = _head_begins(tokens, at)
+    if link.end == at and _is_look(tokens, head, at + 1):  # "sheet metal"
+        return
     if head == at or ((link.is_said or link.is_bare) and not _is_part(tokens, head, at)):
         return
     end = looks_end(tokens, link.end)
@@ -201,6 +207,12 @@ def _set_looks_before(tokens: Tokens, at: int) -> None:
     if is_its and not _looks_so(tokens, head, link.end, end):
         looks = ["glowing"] * link.glowing + tokens.words[link.end : end]
         tokens.put(head, end, [*looks, *tokens.words[head:at]])
+
+
+def _is_look(tokens: Tokens, begin: int, end: int) -> bool:
+    """Whether the words between the indices are one look."""
+    entry = look_up(" ".join(tokens.words[begin:end]), tokens.known)
+    return end - begin > 1 and entry is not None and entry.slot in LOOKS
 
 
 def _link(tokens: Tokens, at: int) -> Link | None:

@@ -39,6 +39,7 @@ _PLAIN = frozenset(PLAIN) - {"stone", "plastic"}  # "brick and stone" are two
 _LISTING = PHRASE_ENDS - {*ARTICLES}
 QUALITIES = ("rusty", "rusted", "rust", "corroded", "metallic", "mirrored", "robotic")
 QUALITIES += ("enamel", "enameled", "enamelled")
+HOW = ("quilted", "woven", "knitted", "padded")  # which say how a cloth or a leather is made
 # The colours of metals, where one is the second colour of a thing.
 TONES = {"golden": "golden yellow", "metal": "silver grey", "copper": "sienna"}
 # How well parts suit a class by their names.
@@ -60,7 +61,8 @@ _SUITED = {
     GLASS: {5: "top, glass, windows, window, panels, doors, shade, globe, shelf, jug, screen"},
     CLOTH: {
         5: "seat, back, cushion, cushions, grip, strap, straps, blanket, curtains, canopy, lining",
-        2: "handle, handles, shade, belt, flap, arms, body",
+        2: "handle, handles, shade, belt, flap, arms",
+        1: "body",
     },
     STONE: {
         5: "top, foot, base, walls, basin, column, step, mantel, hearth, chimney, pot, bowl, cup",
@@ -166,7 +168,7 @@ def _clearest(named: list[Named]) -> list[Named]:
     for one in named:
         if not kept or not _is_same(kept[-1], one):
             kept.append(one)
-        elif one.entry.word == RUSTY or kept[-1].entry.form in PLAIN:
+        elif one.entry.word == RUSTY or kept[-1].entry.form in (*PLAIN, *HOW):
             kept[-1] = one._replace(joined_by=kept[-1].joined_by)
     return kept
 

@@ -33,7 +33,6 @@ NEAREST = {
     "trophy": "prize, award",
     "beige": "sand",
     "stone": "cement",
-    "fabric": "canvas",
 }
 # What is often written for a word; much of it is more than one slip away, or short.
 MISSPELLED = {

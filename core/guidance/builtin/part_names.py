@@ -1,5 +1,6 @@
 """What a thing calls its parts, and which it always has. Standard library only."""
 
+import re
 from collections.abc import Collection
 
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
@@ -8,6 +9,7 @@ from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import (
     BORNE,
     FEET,
+    HARDWARE,
     LEGS,
     OPTIONS,
     PART_ALSO,
@@ -24,6 +26,7 @@ FOUR_LEGS = frozenset(
 )
 
 
+METAL = re.compile(" (?:metal|golden)$")  # at the end of a look
 LIQUID = "liquid"
 CONTAINED = ("liquid", "brew", "water")
 # Of what most of a thing is, and of its trim; the second only where there are none of the first.
@@ -56,6 +59,9 @@ def own_names(noun: str, part: str) -> list[str]:
     named = [name for name in _names(part) if name in looks]
     roles = WIDE.get(part, ())
     each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
+    if part in HARDWARE and not named:
+        metal = [name for name, look in looks.items() if look[0] != "*" and METAL.search(look)]
+        each = iter((metal, *each))
     found = named[:1] or next(filter(None, each), [])
     if part in TRIM and set(found) <= set(SEATS):  # "a chair with metal accents"
         return [name for name in FEET if name in looks][:1] or found

@@ -149,6 +149,7 @@ PART_ALSO = {
     "earpads": "cushions",
     "band": "strap, belt, ribbon, bands",
     "bands": "hoops, rings, straps",
+    "boss": "emblem",
     "tines": "head",
     "prongs": "head",
     "head": "bowl",
@@ -225,6 +226,11 @@ TRIM = frozenset(
     """trim accent accents detail details detailing edging hardware fittings piping reinforcement
     reinforcements plating inlay inlays filigree banding bracing strapping embellishments ornaments
     highlights elements touches corners""".split()
+)
+# Of these what is of metal comes first.
+HARDWARE = frozenset(
+    """hardware fittings reinforcement reinforcements plating bracing strapping banding
+    corners""".split()
 )
 # What the trim is not where there is something else.
 SEATS = ("seat", "cushion")

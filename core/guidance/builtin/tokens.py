@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, field
 
 from core.guidance.builtin.colors import OF_MATERIALS, TOWARDS
-from core.guidance.builtin.lexicon import Entry, Vocabulary, look_up
+from core.guidance.builtin.lexicon import PARTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size, set_apart
 from core.guidance.builtin.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
 
@@ -29,6 +29,14 @@ NOT = re.compile(
     r"|(?:\b(?:do|does|did|ca|wo))?n['\u2019]t\b",
     re.IGNORECASE,
 )
+# What the words behind a colon are of.
+STATED = re.compile(
+    r"([,;.(]\s*(?:the )?)([a-z]+)\s*[:=]\s*([^,;:.()=]*[^,;:.()=\s])", re.IGNORECASE
+)
+KEYS = frozenset(
+    """color colour colors colours material materials finish pattern texture style theme look
+    made""".split()
+)
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 
@@ -52,6 +60,7 @@ class Tokens:
         # "A robot needs a hug" is about a robot.
         if asked and {"", PERSON}.issuperset(map(found.thing, asked[1].lower().split())):
             prompt = prompt[asked.end() :]
+        prompt = STATED.sub(found._keyed, prompt)
         plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
             if token == POSSESSIVE:
@@ -63,6 +72,14 @@ class Tokens:
                 found.breaks.add(len(found.words))
         found._join_names()
         return found
+
+    @staticmethod
+    def _keyed(found: re.Match[str]) -> str:
+        """What a key states: "wheels: yellow" are yellow wheels, "material: oak" is oak."""
+        before, key, value = found.groups()
+        if key.lower() in KEYS:
+            return f"{before}{value}"
+        return f"{before}{value} {key}" if key.lower() in PARTS else found[0]
 
     def _join_names(self) -> None:
         """Join the halves of a thing's name: "a snow man". "A gold fish" is a fish of gold."""

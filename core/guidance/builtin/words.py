@@ -70,10 +70,10 @@ MATERIALS = {
     "transparent, translucent, crystal clear, see through, see thru, perspex, plexiglass, "
     "plexiglas",
     "copper": "polished copper; bronze",
-    "fabric": "cloth, textile, upholstered; felt, wool, woollen, woolen, velvet, cotton, silk, "
-    "denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, burlap, "
-    "jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, fleece, "
-    "paper, cardboard, papier mache, paper mache, boucle, chenille, mohair",
+    "fabric": "cloth, textile, upholstered; canvas, felt, wool, woollen, woolen, velvet, cotton, "
+    "silk, denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, "
+    "burlap, jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, "
+    "fleece, paper, cardboard, papier mache, paper mache, boucle, chenille, mohair",
 }
 # Names of things that say that they are of glass, where no material is stated.
 GLASSWARE = frozenset(
@@ -276,6 +276,7 @@ IGNORED_ADJECTIVES = frozenset(
     *("lawn ornament", "garden ornament", "lawn decoration", "garden decoration"),
     "wind up",
     *("you can", "can see", "you can see", "so you can"),
+    "on canvas",
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
 }

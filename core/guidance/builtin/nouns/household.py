@@ -104,7 +104,8 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door; castle gate, portcullis, shoji screen, shoji",
+        "front door, house door; castle gate, castle door, portcullis, shoji screen, shoji, "
+        "barn door, church door, garage door, dungeon door, cell door, cellar door, prison door",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",
