@@ -139,6 +139,12 @@ def test_any_asset_json_is_imported_or_leaves_nothing(small, tmp_path, place, va
         assert len(obj.data.polygons)
 
 
+def fields(panel) -> dict[str, object]:
+    """What was entered: from Blender 5.0 on a group's items() have no declared property."""
+    names = [p.identifier for p in panel.bl_rna.properties if not p.is_readonly]
+    return {name: getattr(panel, name) for name in names if panel.is_property_set(name)}
+
+
 @quick
 @given(field=st.sampled_from(FIELDS), value=JSON)
 def test_any_job_is_shown_in_the_panel_or_changes_nothing(addon, field, value):
@@ -147,11 +153,11 @@ def test_any_job_is_shown_in_the_panel_or_changes_nothing(addon, field, value):
 
     panel = bpy.context.scene.fantasia3d
     panel.prompt = "mine"
-    before = dict(panel.items())
+    before = fields(panel)
     job = JOB | {field: value}
     if not job_file.has_types(job, job_file.KINDS):
         return  # the history shows no such job
     try:
         apply_job(panel, job)
     except AddonError:
-        assert dict(panel.items()) == before
+        assert fields(panel) == before

@@ -235,6 +235,18 @@ BREAKS = {
         lambda f: (f / "mesh.obj").write_text(f"v 0 0 0\nvt 0 0\nf {9**30}/1 1/1 1/1\n"),
         "is no triangle mesh",
     ),
+    "a face without corners": (
+        lambda f: (f / "mesh.obj").write_text("v 0 0 0\nvt 0 0\nf  \n"),
+        "is no triangle mesh",
+    ),
+    "a name that is too long": (
+        lambda f: break_json(
+            f,
+            files=json.loads((f / "asset.json").read_text())["files"]
+            | {"x" * 300: {"role": "mesh"}},
+        ),
+        "xxx is missing",
+    ),
     "a number that is none": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 nan\nvt 0 0\nf 1/1 1/1 1/1\n"),
         "is no triangle mesh",
@@ -362,3 +374,26 @@ def test_an_unreadable_file_is_no_asset(asset):
     cut(asset / "orm.png", 0.5)
     with pytest.raises(AssetError, match=r"orm\.png"):
         import_asset(bpy.context, asset)
+
+
+def test_an_entry_of_an_odd_role_is_not_its_business(asset):
+    files = json.loads((asset / "asset.json").read_text())["files"]
+    break_json(asset, files=files | {"odd": {"role": ["mesh"]}}, prompt=None)
+    assert import_asset(bpy.context, asset).name == "Asset"
+
+
+def test_a_collection_of_another_file_gives_way_to_the_scenes(asset, tmp_path):
+    library = tmp_path / "set.blend"
+    bpy.data.libraries.write(str(library), {bpy.data.collections.new("set")})
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(library), link=True) as (_, wanted):
+        wanted.collections = ["set"]
+    bpy.context.scene.collection.children.link(wanted.collections[0])
+    layer = bpy.context.view_layer
+    layer.active_layer_collection = layer.layer_collection.children["set"]
+    obj = import_asset(bpy.context, asset)
+    assert obj.users_collection == (bpy.context.scene.collection,)
+    other = bpy.data.scenes.new("other")  # as of a job whose scene is not the present one
+    other.collection.children.link(wanted.collections[0])
+    obj = import_asset(other.view_layers[0].layer_collection.children["set"], asset)
+    assert obj.users_collection == (other.collection,)

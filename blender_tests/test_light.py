@@ -164,3 +164,15 @@ def test_a_sunsets_sun_stands_to_the_side_and_other_lights_stay():
         if turned:  # the camera stands at -Y, that is -90 degrees
             sun = light.glow_of(light.environment_image(scene.world)).azimuth + turn
             assert math.degrees(sun) == pytest.approx(-90 + 75, abs=1)
+
+
+@pytest.mark.parametrize("what", ["node", "picture"])
+def test_a_light_without_its_picture_is_replaced(tmp_path, what):
+    world = set_light(tmp_path, (0, 0, 1)) or bpy.context.scene.world
+    if what == "node":
+        world.node_tree.nodes.remove(light.light_node(world, "TexEnvironment"))
+    else:
+        bpy.data.images.remove(light.environment_image(world))
+    set_light(tmp_path, (1, 0, 0))
+    assert light.environment_image(bpy.context.scene.world)
+    assert len(bpy.data.worlds) == 1

@@ -86,6 +86,12 @@ def test_a_file_that_is_being_replaced_is_passed_over(addon, tmp_path):
     assert show(path) is None
     np.savez(path, verts=np.zeros((0, 3), np.float32), faces=np.zeros((0, 3), np.int32))
     assert show(path) is None
+    write_shape(path)
+    with np.load(path) as parts:
+        whole = dict(parts)
+    for size in (np.nan, np.inf, -1.0):
+        np.savez(path, size_m=size, **whole)
+        assert show(path) is None
     assert not bpy.data.objects
 
 

@@ -167,3 +167,24 @@ def test_the_operators_are_the_functions(addon, asset):
     assert [round(v, 6) for v in (*values[0][:3], values[1], values[2])] == [1, 0.5, 0.25, 0.5, 1]
     assert bpy.ops.fantasia3d.reset_material() == {"FINISHED"}
     assert wiring(own) == before
+
+
+def test_a_removed_adjustment_comes_back_alone(asset):
+    obj = import_asset(bpy.context, asset)
+    before, nodes = wiring(obj.active_material), obj.active_material.node_tree.nodes
+    material_edit.adjust_material(obj.active_material, (1, 0.5, 0.5))
+    nodes.remove(nodes["Fantasia3D metallic"])
+    material_edit.adjust_material(obj.active_material, (1, 0.5, 0.5))
+    assert sorted(n.name for n in nodes if "Fantasia3D" in n.name) == sorted(material_edit.EDITS)
+    material_edit.reset_material(obj.active_material)
+    assert not [n for n in nodes if "Fantasia3D" in n.name]
+    assert before >= wiring(obj.active_material)
+
+
+def test_a_slot_that_is_new_since_the_swap_keeps_its_material(asset):
+    obj, mine = import_asset(bpy.context, asset), bpy.data.materials.new("mine")
+    own = obj.active_material
+    material_edit.replace_material(obj, "gold")
+    obj.data.materials.append(mine)
+    material_edit.restore_material(obj)
+    assert [slot.material for slot in obj.material_slots] == [own, mine]

@@ -8,10 +8,13 @@ import pytest
 
 bpy = pytest.importorskip("bpy")
 
+from mathutils import Matrix  # noqa: E402
+
 from blender_tests.pictures import add_ball, linear, read  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
-from fantasia3d_addon.blender.mesh_arrays import world_verts  # noqa: E402
+from fantasia3d_addon.blender.mesh_arrays import verts_of, world_verts  # noqa: E402
 from fantasia3d_addon.errors import AddonError  # noqa: E402
+from fantasia3d_addon.mesh import new_shape  # noqa: E402
 from fantasia3d_addon.scene import cornell_box, placement, render  # noqa: E402
 from fantasia3d_addon.ui.operator_helpers import reason_against_tool  # noqa: E402
 
@@ -211,3 +214,41 @@ def test_the_operators_are_the_functions(addon, asset):
     obj.data.transform(obj.matrix_world.Translation((0, 0, 1)))
     assert bpy.ops.fantasia3d.origin_to_base() == {"FINISHED"}
     assert obj.location.z == pytest.approx(1, abs=1e-5)
+
+
+def test_the_origin_moves_in_a_mesh_of_a_fake_user_and_the_kept_shape_with_it(asset):
+    obj = import_asset(bpy.context, asset, (1, 2, 3))
+    obj.data.use_fake_user = True
+    obj.data.transform(Matrix.Translation((0, 0, 0.5)))
+    obj.data.attributes.new(new_shape.OLD, "FLOAT_VECTOR", "POINT")
+    obj.data.attributes[new_shape.OLD].data.foreach_set("vector", verts_of(obj.data).ravel())
+    bpy.context.view_layer.update()
+    before = world_verts(obj)
+    placement.origin_to_base(obj)
+    new_shape.restore_shape(obj)
+    bpy.context.view_layer.update()
+    np.testing.assert_allclose(world_verts(obj), before, atol=1e-5)
+
+
+def test_a_child_stands_in_the_box_too_and_goes_back(asset):
+    child, parent = (import_asset(bpy.context, asset, (x, 1, 2)) for x in (0, 5))
+    child.parent = parent
+    bpy.context.view_layer.update()
+    before = [world_verts(o) for o in (child, parent)]
+    cornell_box.build(bpy.context.scene, [child, parent])
+    assert world_verts(child)[:, 0].max() < world_verts(parent)[:, 0].min()
+    assert world_verts(child)[:, 2].min() == pytest.approx(0, abs=1e-5)
+    cornell_box.remove(bpy.context.scene)
+    bpy.context.view_layer.update()
+    np.testing.assert_allclose([world_verts(o) for o in (child, parent)], before, atol=1e-5)
+
+
+def test_the_box_of_another_scene_keeps_its_colours(asset):
+    first, second = bpy.context.scene, bpy.data.scenes.new("second")
+    for target in (first, second):
+        cornell_box.build(target, [import_asset(target, asset)])
+    cornell_box.remove(first)
+    walls = [o for o in cornell_box.box_of(second).objects if o.type == "MESH"]
+    assert all(o.data.materials[0] for o in walls)
+    cornell_box.remove(second)
+    assert not [m for m in bpy.data.materials if m.name.startswith(cornell_box.NAME)]

@@ -236,3 +236,15 @@ def test_the_operator_is_the_function(addon, lights):
         bpy.ops.fantasia3d.relight(light="nowhere")
     with pytest.raises(LightError):
         relight.relight(target, "nowhere")
+
+
+def test_a_film_may_have_any_name_and_its_object_may_be_hidden(table, tmp_path):
+    """Blender takes # for the number of the frame, and since 4.5 braces for a template."""
+    if not compat.has_video():
+        pytest.skip("this build writes no video")
+    table.hide_render = True
+    film = tmp_path / "{films}" / "turn #1.mp4"
+    assert relight.turntable(table, film, frames=2, size=32, samples=1).is_file()
+    out = relight.turntable(table, tmp_path / "{turn} #2", frames=2, size=32, samples=1)
+    assert read(out / "frame_0001.png").std() > 0.02
+    assert table.hide_render

@@ -167,7 +167,7 @@ def test_what_a_file_refers_to_is_found_from_where_it_is_saved(tmp_path, place, 
     assert "linked" in bpy.data.objects and not bpy.data.objects["linked"].is_missing
 
 
-@pytest.mark.parametrize("name", ["x.png", "x.jpg", "x.exr", "x.webp", "x.TIF"])
+@pytest.mark.parametrize("name", ["x.png", "x.jpg", "x.exr", "x.webp", "x.TIF", "{x} #1.png"])
 def test_a_picture_has_the_format_of_its_name(tmp_path, name):
     set_light(tmp_path, (0, -1, 0))
     ball = add_ball()

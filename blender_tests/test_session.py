@@ -306,7 +306,7 @@ def test_what_an_import_raises_is_a_sentence_and_the_asset_is_offered(ready, mon
         time.sleep(0.01)
     text, fix = session.error
     assert text == (
-        "The asset “a red wooden chair” can't be imported (RuntimeError: Could not link it)."
+        "The asset “a red wooden chair” can't be imported. RuntimeError: Could not link it."
     )
     assert fix.endswith(".")
     lock = RunLock.acquire(run)  # nobody follows it any more
@@ -327,7 +327,7 @@ def test_a_tick_that_fails_is_told_once_and_the_next_goes_on(ready, monkeypatch,
     monkeypatch.setattr("fantasia3d_addon.jobs.session.live_preview.remove", broken)
     while session.tick() is not None:
         time.sleep(0.01)
-    text = "“a red wooden chair” can't be followed (RuntimeError: No such layer)."
+    text = "“a red wooden chair” can't be followed. RuntimeError: No such layer."
     assert session.error[0] == text
     assert capsys.readouterr().err.count("Traceback") == 1
     assert (run / "taken").exists()

@@ -325,3 +325,12 @@ def test_a_job_for_an_object_ends_in_another_file(ready, wait, tmp_path):
     process.wait(60)
     assert (len(other.material_slots), len(bpy.data.objects)) == (0, 1)
     assert [entry.folder for entry in session.missed] == [run]
+
+
+@pytest.mark.skipif(compat.ALWAYS_HAS_NODES, reason="no material is without nodes")
+def test_nodes_that_are_switched_off_have_no_colour(tmp_path):
+    obj, material = add_cube(), colored("plain", (0, 0, 1, 1))
+    material.use_nodes, material.diffuse_color = False, (1, 0, 0, 1)
+    obj.data.materials.append(material)
+    bake_base_color.bake(bpy.context, obj, "UVMap", tmp_path / "c.png", 32)
+    np.testing.assert_allclose(pixels(tmp_path / "c.png")[16, 16], (1, 0, 0), atol=0.006)

@@ -69,6 +69,20 @@ def test_without_a_core_nothing_is_shown_and_nothing_is_asked_again():
     assert not reader.pending
 
 
+@pytest.mark.parametrize("question", ["report", "groups"])
+def test_what_could_not_be_asked_is_asked_again_later(question):
+    reader = words.Words()
+    ask = {"report": lambda: reader.report("a mug"), "groups": reader.groups}[question]
+    ask()
+    reader._since = 0
+    reader.tick(None)
+    reader._failed -= words.RETRY
+    assert not ask()
+    assert reader.pending
+    answer(reader, ask)
+    assert ask()
+
+
 @pytest.fixture
 def settings(ready):
     """With the words' reader answered for each prompt that is set."""

@@ -3,6 +3,7 @@
 Standard library only, and nothing of the core: every part may declare its settings with it.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_origin
 
@@ -25,6 +26,16 @@ class Range:
 
     def __str__(self) -> str:
         return f"{_short(self.low)} to {_short(self.high)}{', rising' if self.rising else ''}"
+
+
+class Squares(Range):
+    """Of these the square numbers, as of what is laid out in rows and columns."""
+
+    def allows(self, value: Any) -> bool:
+        return super().allows(value) and math.isqrt(value) ** 2 == value
+
+    def __str__(self) -> str:
+        return f"a square number from {super().__str__()}"
 
 
 def _short(number: float) -> str:

@@ -38,7 +38,7 @@ def load_light(name_or_path: "str | Path") -> Float[Tensor, "h w 3"]:
     if name == STUDIO:
         return studio()
     path = Path(name)
-    if name.startswith("blender:") or not (path.suffix or path.exists()):
+    if name.startswith("blender:") or not (path.suffix or path.is_file()):
         path = blender_light(name.removeprefix("blender:"))
     reader = SUFFIXES.get(path.suffix.lower())
     if reader is None:
@@ -50,14 +50,15 @@ def load_light(name_or_path: "str | Path") -> Float[Tensor, "h w 3"]:
 
 
 def checked(image: Float[Tensor, "h w 3"], path: Path) -> Float[Tensor, "h w 3"]:
-    """``image`` if it can be a light."""
+    """``image`` if it can be a light. Where a half float is infinite, as the sun is in many a file,
+    it is as bright as one can be."""
     height, width, _ = image.shape
     if width != 2 * height or height < 2:
         raise UserError(
             f"The light {path} is {width} x {height} pixels, not twice as wide as high.",
             "Give a full lat-long (equirectangular) panorama.",
         )
-    if not bool(torch.isfinite(image).all()):
+    if bool(image.isnan().any()):
         raise UserError(f"The light {path} has pixels that are not numbers.", "Save it again.")
     if not bool((image > 0).any()):
         raise UserError(f"The light {path} is black.", "Give a light that lights something.")

@@ -36,10 +36,9 @@ def make(folder: Path) -> None:
     write_exr(folder / "ok.exr", light)
     write_exr(folder / "black.exr", 0 * light)
     write_exr(folder / "square.exr", light[:, :8])
-    for name, value in (("nan.exr", torch.nan), ("inf.exr", torch.inf)):
-        bad = light.clone()
-        bad[2, 3] = value
-        write_exr(folder / name, bad)
+    bad = light.clone()
+    bad[2, 3] = torch.nan
+    write_exr(folder / "nan.exr", bad)
     whole = (folder / "ok.exr").read_bytes()
     (folder / "cut.exr").write_bytes(whole[: len(whole) // 2])
     (folder / "huge.exr").write_bytes(huge_exr(whole))

@@ -342,6 +342,15 @@ def test_files_that_are_no_light_are_refused_with_a_reason(tmp_path: Path) -> No
         load_light(tmp_path / "missing.exr")
 
 
+def test_an_infinite_sun_is_as_bright_as_one_can_be(tmp_path: Path) -> None:
+    sky = torch.ones(8, 16, 3)
+    sky[2, 3] = math.inf
+    write_exr(tmp_path / "sun.exr", sky)
+    light = load_light(tmp_path / "sun.exr")
+    assert light[2, 3].tolist() == [lights.MAX_RADIANCE] * 3
+    assert int((light != 1).any(-1).sum()) == 1
+
+
 def test_blenders_lights_are_found_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = tmp_path / "4.5/datafiles/studiolights/world"
     folder.mkdir(parents=True)
@@ -349,6 +358,9 @@ def test_blenders_lights_are_found_by_name(tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.setattr(lights, "blender_roots", lambda: [tmp_path])
     assert load_light("forest").shape == (8, 16, 3)
     assert load_light("blender:forest").shape == (8, 16, 3)
+    (tmp_path / "elsewhere" / "forest").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path / "elsewhere")  # a folder of that name is no light
+    assert load_light("forest").shape == (8, 16, 3)
     with pytest.raises(MissingError, match="no light 'desert'") as error:
         load_light("desert")
     assert "forest" in error.value.fix

@@ -60,7 +60,7 @@ class AssetFolder:
     @property
     def prompt(self) -> str:
         """The text that the asset was generated from."""
-        return str(self.info.get("prompt", ""))
+        return str(self.info.get("prompt") or "")
 
     @property
     def distribution(self) -> str:
@@ -71,7 +71,7 @@ class AssetFolder:
     def light(self) -> Light:
         """What its optional maps are to be taken with."""
         entries = [entry for entry in self.info["files"].values() if isinstance(entry, dict)]
-        by_role = {entry.get("role"): entry for entry in entries}
+        by_role = {str(entry.get("role")): entry for entry in entries}
         strength = by_role.get("emission", {}).get("strength", STRENGTH)
         return Light(strength, by_role.get("transmission", {}).get("ior", IOR))
 
@@ -128,7 +128,8 @@ def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, 
     for role in ("mesh", *ROLES, *(role for role in OPTIONAL if role in files)):
         if role not in files:
             raise AssetError(f"asset.json of {folder} names no {role.replace('_', ' ')}.", REMAKE)
-        if not files[role][0].is_file():
+        # Not Path.is_file, which raises for a name that is too long.
+        if not os.path.isfile(files[role][0]):  # noqa: PTH113
             raise AssetError(f"{files[role][0]} is missing.", REMAKE)
         if files[role][0].resolve().parent != folder.resolve():
             raise AssetError(f"{files[role][0]} is a link to another folder.", REMAKE)
@@ -250,7 +251,7 @@ def _corners(lines: list[bytes]) -> np.ndarray:
     found = [line[2:] for line in lines if line.startswith(b"f ")]
     if not found:
         return np.empty((0, 3, 2), np.int64)
-    width = found[0].split()[0].count(b"/") + 1  # v/vt, or v/vt/vn
+    width = b"".join(found[0].split()[:1]).count(b"/") + 1  # v/vt, or v/vt/vn
     if width < 2:
         raise ValueError("no uv")
     words = np.array(b" ".join(found).replace(b"/", b" ").split(), dtype=np.int64)

@@ -92,7 +92,7 @@ def _bake_scene(
 
 def _emitting(material: bpy.types.Material | None, image: bpy.types.Image) -> bpy.types.Material:
     """A copy of ``material`` that emits its base colour, and bakes into ``image``."""
-    if material is None or not material.node_tree:
+    if material is None or not compat.has_nodes(material):
         emitting = bpy.data.materials.new("Base colour")
         compat.empty_nodes(emitting)
         color = tuple(material.diffuse_color) if material else GREY

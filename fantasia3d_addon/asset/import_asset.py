@@ -24,7 +24,7 @@ def import_asset(
 
     ``folder`` may be an AssetFolder that was read already. The object is upright, its front to -Y,
     in metres; welded, smooth, with a Principled material and packed maps. The user's selection and
-    mode stay as they are.
+    mode stay as they are. Where the collection is another file's, it goes into the scene's own.
 
     Raises:
         AssetError: the folder is no asset, or an incomplete one; nothing of it is left in the file.
@@ -42,11 +42,18 @@ def import_asset(
         made.append(obj)
         obj.location = location
         set_origin(obj, asset.info)
-        where.collection.objects.link(obj)
+        scene = where.scene if isinstance(where, bpy.types.Context) else where.id_data
+        own = where.collection
+        (own if can_link(own) else scene.collection).objects.link(obj)
     except BaseException:
         bpy.data.batch_remove(made)
         raise
     return obj
+
+
+def can_link(collection: bpy.types.Collection) -> bool:
+    """Whether an object can be put into ``collection``: it is not linked from another file."""
+    return collection.is_editable and not collection.override_library
 
 
 def import_material(folder: Path | AssetFolder, uv_map: str) -> bpy.types.Material:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping
 from typing import Any
 
 import bpy
+
+from ..errors import AddonError
 
 PREFIX = "fantasia3d_"
 DENSITY = f"{PREFIX}density"  # kg/m³, averaged over the volume; the user may change it
@@ -52,6 +55,23 @@ def origin_of(owner: bpy.types.ID) -> dict[str, str]:
     """What :func:`set_origin` kept, by the names in asset.json."""
     found = {name: owner.get(PREFIX + name) for name in NAMES}
     return {name: value for name, value in found.items() if isinstance(value, str)}
+
+
+def density_of(obj: bpy.types.Object, usual: float) -> float:
+    """Kg/m³: the custom property that an import sets and the user may change, or ``usual``.
+
+    Raises:
+        AddonError: the user made it something else than a number above 0.
+    """
+    density = 0.0
+    with contextlib.suppress(TypeError, ValueError):
+        density = float(obj.get(DENSITY, usual))
+    if not 0 < density < math.inf:
+        raise AddonError(
+            f"The density of {obj.name} is no number above 0.",
+            f"Change its custom property {DENSITY}, in kg/m³, or remove it.",
+        )
+    return density
 
 
 def copy_origin(source: bpy.types.ID, to: bpy.types.ID) -> None:

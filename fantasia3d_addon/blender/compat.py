@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import bpy
 
 ALWAYS_HAS_NODES = bpy.app.version >= (5, 0, 0)  # use_nodes is deprecated, and goes in 6.0
@@ -15,6 +17,11 @@ def empty_nodes(owner: bpy.types.Material | bpy.types.World) -> bpy.types.NodeTr
     tree = owner.node_tree
     tree.nodes.clear()
     return tree
+
+
+def has_nodes(owner: bpy.types.Material | bpy.types.World) -> bool:
+    """Whether it shows its nodes; they may be switched off before 5.0."""
+    return bool(owner.node_tree) and (ALWAYS_HAS_NODES or owner.use_nodes)
 
 
 def deselect_nodes(tree: bpy.types.NodeTree) -> None:
@@ -41,6 +48,13 @@ def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
     """Set the OpenGL convention (green points up); before 5.1 there was no other."""
     if "convention" in node.bl_rna.properties:
         node.convention = "OPENGL"
+
+
+def render_path(path: Path) -> str:
+    """``path`` for a render to write to: since 4.5 what stands in braces there is a template."""
+    text, name = str(path), bpy.types.RenderSettings.bl_rna.properties["filepath"]
+    templates = getattr(name, "is_path_supports_templates", False)
+    return text.replace("{", "{{").replace("}", "}}") if templates else text
 
 
 def set_video(scene: bpy.types.Scene) -> None:

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from ..errors import AddonError
 
 EDIT_MODE = "Leave Edit Mode first."
+KEPT_SHAPE = "fantasia3d_shape"  # attribute of the vertices: where they were before the first edit
 
 
 def values(
@@ -46,6 +48,14 @@ def moved(points: np.ndarray, matrix: object) -> np.ndarray:
     return points @ m[:3, :3].T + m[:3, 3]
 
 
+def move_kept_shape(mesh: bpy.types.Mesh, matrix: Matrix) -> None:
+    """Move the vertices' earlier places as the mesh was moved, which moves no attributes."""
+    kept = mesh.attributes.get(KEPT_SHAPE)
+    if kept is not None and (kept.data_type, kept.domain) == ("FLOAT_VECTOR", "POINT"):
+        places = moved(values(kept.data, "vector", 3), matrix)
+        kept.data.foreach_set("vector", places.astype(np.float32).ravel())
+
+
 def world_verts(obj: bpy.types.Object) -> np.ndarray:
     """(V,3) in the world, as the object looks: with its modifiers, after the last update."""
     evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -63,6 +73,23 @@ def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
     return bpy.data.meshes.new_from_object(
         evaluated, preserve_all_data_layers=True, depsgraph=depsgraph
     )
+
+
+def shown_copy(obj: bpy.types.Object, name: str) -> bpy.types.Object:
+    """A new object that looks as ``obj`` does now and stays so in any scene, hidden nowhere.
+
+    ``obj`` itself is elsewhere, or empty, where what moves or hides it is not.
+    """
+    place = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.copy()
+    mesh, copy = baked_mesh(obj), obj.copy()
+    copy.name = name
+    copy.animation_data_clear()
+    copy.modifiers.clear()
+    copy.constraints.clear()
+    copy.data, copy.parent = mesh, None
+    copy.hide_render = copy.hide_viewport = False
+    copy.matrix_world = place
+    return copy
 
 
 def apply_modifiers(obj: bpy.types.Object) -> None:

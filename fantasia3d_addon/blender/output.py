@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ..environment import try_lock
+from ..environment.files import expanded
 from ..errors import OutputError
 
 PREFIX = ".fantasia3d-"  # of every temporary file and folder next to an output
@@ -38,7 +39,7 @@ def temporary_output(path: Path) -> Iterator[Path]:
     Raises:
         OutputError: the place can't be written, or nothing was written.
     """
-    path = path.expanduser().absolute()
+    path = expanded(path, OutputError).absolute()
     try:
         if path.is_dir():
             raise OutputError(f"{path} is a folder.", "Name a file.")
@@ -60,7 +61,8 @@ def temporary_output(path: Path) -> Iterator[Path]:
 
 def is_of_asset(path: Path) -> bool:
     """Whether ``path`` is one of the files that an asset consists of, which would be lost."""
-    return path.name in ASSET_FILES and (path.parent / "asset.json").exists()
+    # Windows and macOS take Mesh.OBJ for the same file.
+    return path.name.lower() in ASSET_FILES and (path.parent / "asset.json").exists()
 
 
 def unwritten(path: Path, error: OSError | RuntimeError) -> OutputError:
@@ -123,7 +125,8 @@ def _remove_stale(parent: Path) -> None:
     for folder in parent.glob(f"{PREFIX}*"):
         try:
             with (folder / LOCK).open("rb+") as lock:  # without a lock it is none of ours
-                stale = time.time() - folder.stat().st_mtime > NEW and try_lock(lock)
+                old = time.time() - folder.stat().st_mtime > NEW
+                stale = old and try_lock(lock, unlockable=False)
         except OSError:
             continue
         if stale:

@@ -14,13 +14,13 @@ from .. import options
 from ..asset.asset_folder import read_info
 from ..asset.import_asset import import_asset
 from ..blender.mesh_arrays import mesh_object, world_verts
+from ..environment.files import expanded
 from ..errors import AddonError, LightError
 from ..material import edit as material_edit
 from ..mesh import engines, export, remesh
 from ..physics import simulation
 from ..scene import cornell_box, light, relight
 from ..scene import render as scene_render
-from .parser import no_home
 
 LIGHT = "fantasia3d_light"  # custom property: the light that an imported asset was made under
 DEFAULT_USD = ".usdc"  # of --format usd into a folder
@@ -115,10 +115,7 @@ def _object(name: str) -> bpy.types.Object:
     if not os.path.exists(name) and name in {obj.name for obj in bpy.data.objects}:  # noqa: PTH110
         return mesh_object(bpy.data.objects[name])
     scene = bpy.context.scene
-    try:
-        folder = Path(name).expanduser()
-    except RuntimeError:
-        raise AddonError(*no_home(name)) from None
+    folder = expanded(name, AddonError)
     obj = import_asset(scene, folder, scene.cursor.location)
     obj[LIGHT] = str(read_info(folder).get("light") or light.STUDIO)
     return obj

@@ -16,6 +16,7 @@ import bpy
 from ..asset.asset_folder import read_info
 from ..asset.import_asset import import_asset
 from ..environment import clean_environ
+from ..environment.files import expanded
 from ..errors import AddonError, LightError
 from ..scene import light as lights
 from ..scene import render as scene_render
@@ -75,7 +76,7 @@ def _tell(written: Sequence[Path]) -> int:
     """Print the files that were written: the exit code."""
     try:
         for path in written:
-            print(path.expanduser().absolute(), flush=True)
+            print(expanded(path, AddonError).absolute(), flush=True)
     except BrokenPipeError:  # the reader of a pipe had enough
         pass
     except OSError as error:
@@ -130,7 +131,8 @@ def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
     """
     with subprocess.Popen(
         [str(word) for word in command],
-        env=clean_environ() | {"PYTHONUNBUFFERED": "1"} | environ,
+        # The encoding that is read here, whatever the system's is.
+        env=clean_environ() | {"PYTHONUNBUFFERED": "1", "PYTHONIOENCODING": "utf-8"} | environ,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,  # Blender may have no terminal of its own to pass on
         encoding="utf-8",
@@ -139,7 +141,8 @@ def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
         assert process.stdout
         with _ignore_ctrl_c():  # after the start, or the core would inherit it
             for line in process.stdout:
-                with contextlib.suppress(OSError):  # nobody reads it: the job goes on
+                # Nobody reads it, or the terminal has no such letter: the job goes on.
+                with contextlib.suppress(OSError, UnicodeEncodeError):
                     print(line, end="", flush=True)
             process.wait()
     code = process.returncode

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from .. import options
+from ..environment.files import no_home
 from ..options import Option
 
 ASSET = "an asset or run folder; or the name of a mesh object of the open file"
@@ -104,12 +105,6 @@ def unknown_home(args: argparse.Namespace) -> tuple[str, str] | None:
                 except RuntimeError:
                     return no_home(path)
     return None
-
-
-def no_home(path: str | Path) -> tuple[str, str]:
-    """What is wrong with ``path``, which starts with a home folder that is not here; what to do."""
-    text = f"There is no home folder {Path(path).parts[0]!r}, as in {str(path)!r}."
-    return text, f"Name the whole path, or ./{path} for a name that starts so."
 
 
 class _Once(argparse.Action):

@@ -44,9 +44,9 @@ def find_blender(version: str) -> list[str]:
     """
     named = os.environ.get("FANTASIA3D_BLENDER") or "blender"
     # A program with spaces in its path, or a command with arguments of its own.
-    words = [named] if Path(named).is_file() else shlex.split(named)
-    program = words[0] if Path(words[0]).is_file() else machine.which(words[0])
+    words = [named] if os.path.isfile(named) else _words(named)  # noqa: PTH113
     text = NO_MODULE.format(version=version)
+    program = words[0] if os.path.isfile(words[0]) else machine.which(words[0])  # noqa: PTH113
     if not program:
         raise SetupError(f"{text}, and no program {words[0]}.", FIX)
     command = [program, *words[1:]]
@@ -57,3 +57,11 @@ def find_blender(version: str) -> list[str]:
         what = f"Blender {answer[1]}.{answer[2]}" if answer else "no Blender"
         raise SetupError(f"{text}, and {named} is {what}.", FIX)
     return command
+
+
+def _words(command: str) -> list[str]:
+    """The words of a command line; all in one where its quotes do not match, or there is none."""
+    try:
+        return shlex.split(command) or [command]
+    except ValueError:
+        return [command]

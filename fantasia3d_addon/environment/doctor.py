@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from . import machine, paths
 from .blender_program import find_blender, has_module
+from .given import named_python
 from .machine import SetupError
 
 ANSWER_SECONDS = 120  # torch may load from a cold disk
@@ -64,7 +65,7 @@ def examine(root: Path, folder: Path | None = None, python: Path | None = None) 
     environment needs none.
     """
     # Priority: the interpreter that is given, the variable, the environment.
-    named = os.environ.get("FANTASIA3D_PYTHON", "") if python is None else str(python)
+    named = named_python() if python is None else str(python)
     given = named if folder is None or python else ""
     folder = folder or paths.env_folder(root)
     return [*_python(root, folder, given), *_environment(root, folder, given), *_data(root)]

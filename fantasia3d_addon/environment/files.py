@@ -1,10 +1,29 @@
-"""Small files that are never seen half-written. Standard library only."""
+"""A path's ~, and small files that are never seen half-written. Standard library only."""
 
 from __future__ import annotations
 
 import contextlib
 import secrets
+from collections.abc import Callable
 from pathlib import Path
+
+
+def expanded(path: str | Path, error: Callable[[str, str], Exception]) -> Path:
+    """``path`` with the home folder that its ~ stands for.
+
+    Raises:
+        error: of the caller's kind, by a text and its fix: there is no such home.
+    """
+    try:
+        return Path(path).expanduser()
+    except RuntimeError:
+        raise error(*no_home(path)) from None
+
+
+def no_home(path: str | Path) -> tuple[str, str]:
+    """What is wrong with ``path``, which starts with a home folder that is not here; what to do."""
+    text = f"There is no home folder {Path(path).parts[0]!r}, as in {str(path)!r}."
+    return text, f"Name the whole path, or ./{path} for a name that starts so."
 
 
 def write_text(path: Path, text: str) -> None:

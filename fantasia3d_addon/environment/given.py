@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
 from . import machine
+from .files import expanded
 from .machine import SetupError
 
 MODULES = {
@@ -22,13 +24,19 @@ lacking = ", ".join(name for name in sys.argv[1:] if not u.find_spec(name))
 print("%d.%d" % sys.version_info[:2], lacking, sep="|")"""
 
 
+def named_python() -> str:
+    """What FANTASIA3D_PYTHON names, with its ~ expanded where there is such a home; or ""."""
+    # Who starts it says what is wrong with it.
+    return os.path.expanduser(os.environ.get("FANTASIA3D_PYTHON", ""))  # noqa: PTH111
+
+
 def given_python(given: str, groups: Sequence[str]) -> Path:
     """The interpreter that FANTASIA3D_PYTHON names, if it has the packages of ``groups``.
 
     Raises:
         SetupError: it is no program, no Python, too old, or lacks packages.
     """
-    found = shutil.which(str(Path(given).expanduser()))
+    found = shutil.which(str(expanded(given, SetupError)))
     fix = "Set it to a Python that has this project's packages, or unset it."
     if not found:
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is no program.", fix)

@@ -80,7 +80,14 @@ def ensure(
             todo = ["core", *groups] if renew else paths.lacking(folder, root, groups)
             if todo:  # no other process has done it meanwhile
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
-                set_up.carry_out(todo, allow_cuda)
+                try:
+                    set_up.carry_out(todo, allow_cuda)
+                except OSError as error:  # of our own small files; pip's output tells of its own
+                    raise SetupError(
+                        f"{error.filename or folder} cannot be written "
+                        f"({error.strerror or error}).",
+                        "Free some space, or change its permissions; then start again.",
+                    ) from None
     return paths.env_python(folder)
 
 
@@ -390,8 +397,7 @@ class _SetUp:
 
     def _report(self, text: str) -> None:
         """Report a step; the fraction is by the bytes on disk: downloads count once unpacked."""
-        # lstat: a link to the base Python is not written here.
-        written = sum(path.lstat().st_size for path in self.folder.rglob("*"))
+        written = _size_of(self.folder)
         self.fraction = max(self.fraction, min(0.95, written / self.expected))
         self.progress(text, self.fraction)
 
@@ -401,3 +407,14 @@ class _SetUp:
 
     def _seconds(self) -> int:
         return round(time.monotonic() - self.start)
+
+
+def _size_of(folder: Path) -> int:
+    """Bytes in ``folder``, into which pip writes meanwhile: what has gone again counts nothing."""
+    size = 0
+    for place, _, names in os.walk(folder):
+        for name in names:
+            with contextlib.suppress(OSError):
+                # A link to the base Python is not written here.
+                size += Path(place, name).lstat().st_size
+    return size

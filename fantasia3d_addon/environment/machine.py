@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import subprocess
@@ -13,6 +14,7 @@ from typing import IO, Any
 # The best tested first: bpy 4.5's wheel is for 3.11 alone, 5.2's for 3.13 alone; 3.12 has none.
 PYTHONS = ("3.11", "3.13", "3.12")
 ANY_PYTHON = "3.11, 3.12 or 3.13"  # the same in a sentence
+HELD = (errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES, errno.EDEADLK)  # by another, of a lock
 LONGEST, DEEPEST = 259, 190  # characters: of a path under Windows; of torch's files in the folder
 CLEAN = (
     "PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP", "__PYVENV_LAUNCHER__", "VIRTUAL_ENV",
@@ -189,8 +191,12 @@ def version_of(python: Path) -> str:
     return answer if answer.count(".") == 1 else ""
 
 
-def try_lock(file: IO[bytes]) -> bool:
-    """Acquire the lock of an open file if it is free; closing the file releases it."""
+def try_lock(file: IO[bytes], unlockable: bool = True) -> bool:
+    """Acquire the lock of an open file if it is free; closing the file releases it.
+
+    ``unlockable`` is the answer on a file system without locks, such as some network folders: as in
+    core/io/lock.py nothing is refused for that.
+    """
     try:
         if sys.platform == "win32":
             import msvcrt
@@ -203,8 +209,8 @@ def try_lock(file: IO[bytes]) -> bool:
 
             # flock belongs to the open file, and is released by the system when its process dies.
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
+    except OSError as error:
+        return unlockable and error.errno not in HELD
     return True
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .files import write_text
+from .files import expanded, write_text
 from .lock_file import applies, digest, locked
 from .machine import SetupError
 
@@ -50,7 +50,9 @@ def data_folder() -> Path:
     elif sys.platform == "darwin":
         base = Path.home() / "Library" / "Application Support"
     else:
-        base = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+        given = os.environ.get("XDG_DATA_HOME", "")
+        # Its specification has one that is relative ignored.
+        base = given if Path(given).is_absolute() else Path.home() / ".local" / "share"
     return Path(base) / "fantasia3d"
 
 
@@ -69,7 +71,7 @@ def env_folder(root: Path) -> Path:
     """
     given = os.environ.get("FANTASIA3D_ENV")
     if given:
-        return Path(given).expanduser().absolute()
+        return expanded(given, SetupError).absolute()
     return data_folder() / f"env-{digest(locked(root, 'core'))}"
 
 

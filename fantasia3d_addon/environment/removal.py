@@ -21,6 +21,16 @@ def remove(folder: Path) -> None:
     if not folder.exists():
         return
     check_folder(folder)
+    try:
+        _remove(folder)
+    except OSError as error:
+        raise SetupError(
+            f"{error.filename or folder} cannot be removed ({error.strerror or error}).",
+            "Close the programs that use it, such as a running job, and check its permissions.",
+        ) from None
+
+
+def _remove(folder: Path) -> None:
     (folder / paths.BUILDING).touch()  # so that an interrupted removal can be continued
     # The marker goes first: from here on the environment counts as incomplete.
     (folder / paths.MARKER).unlink(missing_ok=True)

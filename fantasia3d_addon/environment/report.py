@@ -19,6 +19,8 @@ from typing import Any, cast
 
 from . import machine, paths
 from .doctor import Line
+from .files import expanded
+from .given import named_python
 from .lock_file import digest, locked, package_of, read_lock
 from .machine import SetupError
 
@@ -32,6 +34,8 @@ FIELDS = (
     "ignore_unknown_words", "settings", "version",
 )  # fmt: skip  # of job.json
 FILE_FIELDS = ("guidance", "guide_mesh", "mesh", "base_color", "light")  # or a name
+# Where jobs/paths.py has the panel's runs, of an extension and of a plain module.
+PANEL_RUNS = ("*/extensions/.user/*/fantasia3d/runs", "*/datafiles/fantasia3d/runs")
 PRIVATE_FIELDS = ("prompt", "negative_prompt")
 MAX_BYTES = 256 << 20  # of a log or a run's events
 SYSTEM = ("/usr/", "/bin/", "/lib", "/opt/", "/etc/ssl", "/proc/", "/dev/null")
@@ -52,12 +56,14 @@ def write_report(file: Path, root: Path, lines: Sequence[Line]) -> Path:
     Raises:
         SetupError: ``file`` is something else than an earlier report, or cannot be written.
     """
-    file = file.expanduser().absolute()
-    if file.exists() and not _is_report(file):
+    file = expanded(file, SetupError).absolute()
+    if os.path.exists(file) and not _is_report(file):  # noqa: PTH110 - a name may be too long
         raise SetupError(
             f"{file} exists and is not a report of this project.", "Name another file."
         )
     text = json.dumps(facts(root, lines), indent=1, ensure_ascii=False) + "\n"
+    # Half a surrogate pair, as of a job.json or of a path that is no text, as JSON has it.
+    text = text.encode(errors="backslashreplace").decode()
     name = None
     try:
         # A name of its own: nothing of the user's has it.
@@ -77,16 +83,19 @@ def write_report(file: Path, root: Path, lines: Sequence[Line]) -> Path:
 
 
 def _is_report(file: Path) -> bool:
-    try:
-        return KEY in json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, TypeError):
+    if not file.is_file():  # to read a pipe would wait for its writer forever
         return False
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(found, dict) and KEY in found
 
 
 def facts(root: Path, lines: Sequence[Line]) -> dict[str, Any]:
     """The report, redacted."""
     folder = paths.env_folder(root)
-    python = os.environ.get("FANTASIA3D_PYTHON") or str(paths.env_python(folder))
+    python = named_python() or str(paths.env_python(folder))
     found = {
         KEY: VERSION,
         "project": {
@@ -154,9 +163,20 @@ def _last_lines(log: Path) -> list[str]:
 
 def _latest_runs() -> list[Path]:
     """The run folders of the add-on, and those in the current folder's ``out``."""
-    places = (paths.data_folder() / "runs", Path("out"))
+    blender = _blender_folder()
+    panels = [runs for form in PANEL_RUNS for runs in blender.glob(form)]
+    places = (paths.data_folder() / "runs", *panels, Path("out"))
     found = [file for place in places for file in place.glob("*/job.json")]
     return [file.parent for file in sorted(found, key=_time, reverse=True)[:RUNS]]
+
+
+def _blender_folder() -> Path:
+    """Where Blender keeps what is a user's own, in a folder for each version."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("APPDATA") or Path.home(), "Blender Foundation", "Blender")
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Application Support" / "Blender"
+    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "blender"
 
 
 def _time(file: Path) -> float:
@@ -281,6 +301,7 @@ def _forms(places: dict[Path, str]) -> list[tuple[str, str]]:
         form: name
         for path, name in places.items()
         for form in (str(path), os.path.realpath(str(path)), path.as_posix())
+        if len(form) > 1  # the home of a container may be /
     }
     return sorted(found.items(), key=lambda item: -len(item[0]))
 

@@ -59,7 +59,10 @@ def reason_against(needs_network: bool = True) -> str:
     """Why the environment can't be created now; empty if it can."""
     if session.task and session.task.running:
         return RUNNING
-    wheels = Paths(bpy.context).place.wheels
+    try:
+        wheels = Paths(bpy.context).place.wheels
+    except environment.SetupError as error:
+        return str(error)
     if wheels and not wheels.is_dir():
         return f"The wheels folder {wheels} does not exist."
     if needs_network and not wheels and not bpy.app.online_access:
@@ -84,5 +87,5 @@ def reason_against_removal() -> str:
     try:
         exists = Paths(bpy.context).environment.exists()
     except environment.SetupError as error:
-        return error.text
+        return str(error)
     return "" if exists else "It is not installed."

@@ -17,6 +17,7 @@ from . import candidates, target
 from .candidates import Candidate
 from .events import END_EVENTS, event_object
 from .job_file import FILES, IMPORTED, KEPT, NAME, read_job
+from .lock import RunLock
 from .process import START_SECONDS, is_core
 from .untrusted import read_object
 
@@ -191,7 +192,8 @@ def open_candidates(entries: Sequence[Entry]) -> list[Entry]:
     """The newest group that has candidates to choose from, the chosen one included, in order."""
     group = next((e.candidate.group for e in entries if e.candidate.is_open), "")
     found = [entry for entry in entries if group and entry.candidate.group == group]
-    return sorted(found, key=lambda entry: (entry.job.get("color_seed", 0), entry.job["seed"]))
+    seeds = ("color_seed", "seed")
+    return sorted(found, key=lambda entry: [entry.job.get(name, 0) for name in seeds])
 
 
 def copy_of_job(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], dict[str, Path]]:
@@ -206,6 +208,7 @@ def copy_of_job(entry: Entry, seed: int | None = None) -> tuple[dict[str, Any], 
     job = dict(entry.job)
     if seed is not None:
         job["seed"] = seed
+        job.pop("color_seed", None)  # or a material that has one would be the same again
     files = {}
     for key, name in FILES.items():
         given = job.get(key)
@@ -247,17 +250,32 @@ def other_seed(seed: int) -> int:
     return (seed + random.randrange(1, SEEDS)) % SEEDS
 
 
+def _is_followed(folder: Path) -> bool:
+    """Whether a Blender has the run in its queue, resumes it now, or imports its asset."""
+    try:
+        lock = RunLock.acquire(folder)
+    except JobError:  # read-only: nobody can
+        return False
+    if lock:
+        lock.release()
+    return lock is None
+
+
 def remove(entry: Entry) -> None:
     """Remove a run from the disk, its asset too.
 
     Raises:
-        JobError: it is running, or the folder can't be removed.
+        JobError: it is running, a Blender waits for it, or the folder can't be removed.
     """
     now = read_entry(entry.folder)
     if now is None:
         return
     if now.state == RUNNING:
         raise JobError(f"“{entry.prompt}” is still running.", "Cancel it first.")
+    if _is_followed(entry.folder):
+        raise JobError(
+            f"A Blender waits for “{entry.prompt}”.", "Cancel it there, or wait until it is done."
+        )
     try:
         shutil.rmtree(entry.folder)
     except OSError as error:

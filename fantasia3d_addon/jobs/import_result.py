@@ -50,23 +50,13 @@ def import_result(
     else:
         asset = asset or read_asset(folder)
         place = place_of(scene, target, bounds_of(asset), near)
-        obj = import_asset(_where(scene), asset, place)
+        # A timer's context has no window.
+        obj = import_asset(scene.view_layers[0].active_layer_collection, asset, place)
     mark_imported(folder)
     if push_undo:
         verb = "Edit Region of" if target.assign in REGION else "Generate"
         _push_undo(f"{verb} {obj.name}")
     return obj.name
-
-
-def _where(scene: bpy.types.Scene) -> bpy.types.LayerCollection | bpy.types.Scene:
-    """The active collection of ``scene``; where that is another file's, the scene's own."""
-    active = scene.view_layers[0].active_layer_collection  # a timer's context has no window
-    return active if can_link(active.collection) else scene
-
-
-def can_link(collection: bpy.types.Collection) -> bool:
-    """Whether an object can be put into ``collection``: it is not linked from another file."""
-    return collection.is_editable and not collection.override_library
 
 
 def is_as_sent(obj: bpy.types.Object, folder: Path, target: Target) -> bool:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import bpy
 
+from ..environment.files import expanded
 from ..errors import AddonError
 from ..scene import light
 
 FILE = "FILE"  # the value of the light's enum for a file of the user's own
+SMALLEST, FEWEST = 0.001, 100  # metres, triangles: as core/io/job.py takes them
 Settings = bpy.types.PropertyGroup  # FANTASIA3D_PG_settings, which ui/ declares
 
 
@@ -32,7 +35,7 @@ def job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
         **additions_of(settings),
         "light": light_of(settings),
         "texture_size": int(settings.texture_size),
-        "max_faces": settings.max_faces,
+        "max_faces": max_faces_of(settings),
         "device": settings.device,
         "ignore_unknown_words": settings.ignore_unknown,
         "settings": overrides_of(settings),
@@ -50,14 +53,17 @@ def apply_job(settings: Settings, job: Mapping[str, Any]) -> None:
     Raises:
         AddonError: a value that the panel does not take; the fields stay as they are.
     """
-    before = dict(settings.items())
+    # Not settings.items(): from Blender 5.0 on they have no declared property.
+    names = [p.identifier for p in settings.bl_rna.properties if not p.is_readonly]
+    before = {name: getattr(settings, name) for name in names if settings.is_property_set(name)}
     try:
         _apply(settings, job)
     except (TypeError, ValueError, OverflowError) as error:
-        for name in list(settings.keys()):
-            del settings[name]
-        for name, value in before.items():
-            settings[name] = value
+        for name in names:
+            if name not in before:
+                settings.property_unset(name)
+            elif getattr(settings, name) != before[name]:
+                setattr(settings, name, before[name])
         raise AddonError(
             f"The job has a value that the panel does not take ({error}).",
             "Set the fields yourself, or repeat the job as it is.",
@@ -76,10 +82,15 @@ def _apply(settings: Settings, job: Mapping[str, Any]) -> None:
     strength = "color_strength" if settings.task == "texture" else "guide_strength"
     setattr(settings, strength, job.get("guide_strength", 0.5))
     settings.use_present_color = bool(job.get("base_color"))
-    settings.overrides = " ".join(f"{k}={v}" for k, v in job.get("settings", {}).items())
+    settings.overrides = " ".join(f"{k}={_text_of(v)}" for k, v in job.get("settings", {}).items())
     _apply_guidance(settings, str(job.get("guidance", "builtin")))
     _apply_additions(settings, job)
     _apply_light(settings, str(job.get("light", light.STUDIO)))
+
+
+def _text_of(value: Any) -> str:
+    """A setting's value as a word: numbers with commas, and no spaces."""
+    return "".join((",".join(map(str, value)) if isinstance(value, list) else str(value)).split())
 
 
 def light_of(settings: Settings) -> str:
@@ -94,7 +105,17 @@ def light_of(settings: Settings) -> str:
 
 def size_of(settings: Settings) -> float:
     """The longest side in metres; 0: as the prompt says, or the usual size."""
-    return float(f"{settings.size:.4g}")
+    size = float(f"{settings.size:.4g}")
+    if 0 < size < SMALLEST:
+        raise AddonError("The size is too small.", "Enter 1 mm or more, or 0 for the usual size.")
+    return size
+
+
+def max_faces_of(settings: Settings) -> int:
+    """The face budget; 0: as the quality has it."""
+    if 0 < settings.max_faces < FEWEST:
+        raise AddonError("Max Faces is too low.", "Enter 100 or more, or 0 for the quality's own.")
+    return settings.max_faces
 
 
 def guidance_of(settings: Settings) -> str:
@@ -105,9 +126,10 @@ def guidance_of(settings: Settings) -> str:
         if not settings.hub_id.strip():
             raise AddonError("No model is chosen.", "Enter its hub id: owner/name.")
         return settings.hub_id.strip()
-    path = Path(bpy.path.abspath(settings.model_folder.strip())).expanduser()
-    is_file = path.suffix.lower() == ".safetensors" and path.is_file()
-    is_folder = (path / "model_index.json").is_file()
+    path = expanded(bpy.path.abspath(settings.model_folder.strip()), AddonError)
+    # Not Path.is_file, which raises for a name that is too long.
+    is_file = path.suffix.lower() == ".safetensors" and os.path.isfile(path)  # noqa: PTH113
+    is_folder = os.path.isfile(path / "model_index.json")  # noqa: PTH113
     if not settings.model_folder.strip() or not (is_file or is_folder):
         raise AddonError(
             "What is chosen is no Stable Diffusion model.",
@@ -134,8 +156,8 @@ def additions_of(settings: Settings) -> dict[str, Any]:
 
 
 def _safetensors(text: str, what: str) -> Path:
-    path = Path(bpy.path.abspath(text.strip())).expanduser()
-    if path.suffix.lower() != ".safetensors" or not path.is_file():
+    path = expanded(bpy.path.abspath(text.strip()), AddonError)
+    if path.suffix.lower() != ".safetensors" or not os.path.isfile(path):  # noqa: PTH113
         raise AddonError(f"There is no {what} “{path.name}”.", "Choose a .safetensors file.")
     return path.resolve()
 

@@ -39,7 +39,7 @@ def show(scene: bpy.types.Scene, path: Path, followed: FollowedRun) -> bpy.types
     # MemoryError: a declared size; TypeError: a size that is no number; zlib.error: a broken part.
     except (OSError, TypeError, ValueError, KeyError, MemoryError, zipfile.BadZipFile, zlib.error):
         return None  # it is being replaced or removed at this moment: the next one comes soon
-    if not _is_mesh(verts, faces):
+    if not _is_mesh(verts, faces) or not 0 < size < math.inf:
         return None
     obj = find(followed.name)
     if obj and followed.place is None:  # of an earlier session, such as a candidate's

@@ -10,13 +10,16 @@ from .history import Entry
 
 
 def update_list(entries: Sequence[Entry]) -> None:
-    """Give the panel's list the entries of the history."""
-    listed = bpy.context.window_manager.fantasia3d.entries
+    """Give the panel's list the entries of the history; the selected run stays selected."""
+    jobs = bpy.context.window_manager.fantasia3d
+    before, names = [item.name for item in jobs.entries], [str(entry.folder) for entry in entries]
     # Only where they differ: writing the property makes Blender redraw.
-    if [item.name for item in listed] != [str(entry.folder) for entry in entries]:
-        listed.clear()
-        for entry in entries:
-            listed.add().name = str(entry.folder)
+    if before != names:
+        jobs.entries.clear()
+        for name in names:
+            jobs.entries.add().name = name
+        selected = before[jobs.index] if 0 <= jobs.index < len(before) else ""
+        jobs.index = names.index(selected) if selected in names else jobs.index
 
 
 def redraw() -> None:

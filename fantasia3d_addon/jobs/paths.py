@@ -10,12 +10,16 @@ from pathlib import Path
 import bpy
 
 from .. import PACKAGE, environment
+from ..environment.files import expanded
 from ..errors import JobError
 from .process import Core
 
 
 class Paths:
-    """The add-on's preferences as paths; the defaults where it is used as a plain module."""
+    """The add-on's preferences as paths; the defaults where it is used as a plain module.
+
+    Each raises SetupError where it is in a home folder that is not here.
+    """
 
     def __init__(self, context: bpy.types.Context) -> None:
         addon = context.preferences.addons.get(PACKAGE)
@@ -23,7 +27,7 @@ class Paths:
 
     def _path(self, name: str) -> Path | None:
         text = getattr(self._preferences, name, "").strip()
-        return Path(bpy.path.abspath(text)).expanduser() if text else None
+        return expanded(bpy.path.abspath(text), environment.SetupError) if text else None
 
     @property
     def root(self) -> Path:
@@ -45,7 +49,8 @@ class Paths:
     @property
     def own_python(self) -> Path | None:
         """The interpreter that the user chose instead of the environment's."""
-        named = self._path("python") or os.environ.get("FANTASIA3D_PYTHON")
+        given = os.environ.get("FANTASIA3D_PYTHON")
+        named = self._path("python") or (given and expanded(given, environment.SetupError))
         return Path(shutil.which(str(named)) or named) if named else None
 
     @property

@@ -13,10 +13,10 @@ import numpy as np
 
 from ..asset.asset_folder import VERSION
 from ..asset.export_shape import export_shape, obj_text
-from ..asset.origin import DENSITY, origin_of
+from ..asset.origin import DENSITY, density_of, origin_of
 from ..blender.mesh_arrays import mesh_object
 from ..environment import clean_environ
-from ..environment.files import write_text
+from ..environment.files import expanded, write_text
 from ..errors import OutputError
 from ..mesh import maps
 from .process import Core
@@ -73,43 +73,56 @@ def kind_of(path: Path, chosen: str) -> str:
 
 def _write_asset(obj: bpy.types.Object, folder: Path) -> None:
     """An asset folder of the object as it looks now."""
+    found = maps.maps_of(obj)
     matrix = np.array(obj.matrix_world)
     matrix[:3, 3] = 0
     evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
     try:
-        text = obj_text(evaluated.to_mesh(), matrix)
+        mesh = evaluated.to_mesh()
+        maps.use_uv_map(mesh, maps.uv_map_of(obj))
+        text = obj_text(mesh, matrix)
     finally:
         evaluated.to_mesh_clear()
     # An asset's corners name a normal each: that of their vertex.
     write_text(folder / "mesh.obj", re.sub(r"(\d+)/(\d+)", r"\1/\2/\1", text))
-    for role, picture in maps.save_images(maps.maps_of(obj), folder, "map").items():
+    for role, picture in maps.save_images(found, folder, "map").items():
         picture.rename(folder / f"{role}.png")
     info = {"prompt": obj.name, **origin_of(obj), "version": VERSION}
     if DENSITY in obj:
-        info["density"] = float(obj[DENSITY])
+        info["density"] = density_of(obj, 0.0)
     write_text(folder / "asset.json", json.dumps(info))
 
 
 def _target(path: Path, core: Core) -> Path:
     if not core.python.exists():
         raise OutputError("This format needs the installation.", "Press Install in Installation.")
-    return Path(path).expanduser().absolute()
+    return expanded(path, OutputError).absolute()
 
 
 def _export(core: Core, source: Path, path: Path, kind: str, *more: str) -> None:
     """Have the core write ``source`` as ``kind`` to ``path``."""
-    done = subprocess.run(
-        [str(core.python), "-m", "core", "export", str(source), "--out", str(path),
-         "--format", kind, *more],
-        cwd=core.root,
-        env=clean_environ() | {"PYTHONUTF8": "1"} | dict(core.environ),
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        encoding="utf-8",
-        timeout=TIMEOUT,
-        check=False,
-        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),  # Windows: no console opens
-    )  # fmt: skip
+    try:
+        done = subprocess.run(
+            [str(core.python), "-m", "core", "export", str(source), "--out", str(path),
+             "--format", kind, *more],
+            cwd=core.root,
+            env=clean_environ() | {"PYTHONUTF8": "1"} | dict(core.environ),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            timeout=TIMEOUT,
+            check=False,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),  # Windows: no console opens
+        )  # fmt: skip
+    except OSError as error:
+        raise OutputError(
+            f"{core.python} can't be started ({error.strerror}).", "Press Install in Installation."
+        ) from None
+    except subprocess.TimeoutExpired:
+        raise OutputError(
+            f"{path.name} was not ready after {TIMEOUT:.0f} s.", "Export fewer faces: Create LODs."
+        ) from None
     if done.returncode:
         said = done.stderr.strip().splitlines() or ["the core gave no reason"]
         raise OutputError(said[-1].removeprefix("error: "), "")

@@ -255,7 +255,10 @@ def kill_process(pid: int) -> None:
         subprocess.run(command, capture_output=True, check=False)
         return
     with contextlib.suppress(ProcessLookupError):
-        os.killpg(pid, signal.SIGKILL)  # :func:`_spawn` made it the leader of its own group
+        if os.getpgid(pid) == pid:  # :func:`_spawn` made it the leader of its own group
+            os.killpg(pid, signal.SIGKILL)
+        else:  # a terminal or a script started it, whose group is not ours to end
+            os.kill(pid, signal.SIGKILL)
 
 
 def _is_alive_on_windows(pid: int) -> bool:

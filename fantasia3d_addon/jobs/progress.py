@@ -70,7 +70,8 @@ class Progress:
         if self.stage in self.stages:
             number = f"Stage {self.stages.index(self.stage) + 1} of {len(self.stages)}"
         left = self.seconds_left
-        time_left = f"{left // 60:.0f}:{left % 60:02.0f} left in it" if left is not None else ""
+        minutes, seconds = divmod(round(left or 0), 60)  # first: 59.7 is a minute, not 0:60
+        time_left = f"{minutes}:{seconds:02} left in it" if left is not None else ""
         return ", ".join(filter(None, (number, time_left)))
 
 

@@ -136,9 +136,9 @@ class Session:
         if not Target.read(folder).object:  # a new object comes where its run is resumed
             self._requested[folder] = self._file_number
         self.waiting.append((folder, lock))
+        self.start_timer()  # first: where the head of the queue fails, the others go on
         self._start_next(raise_error=True)
         self.refresh()
-        self.start_timer()
 
     def remove_from_queue(self, folder: Path) -> None:
         """Remove a waiting job from the queue, and its folder from the disk."""
@@ -184,8 +184,10 @@ class Session:
 
         A run that another living Blender follows is left to it.
         """
-        self.history = history.scan(Paths(context).runs)
+        runs = self._runs(context)
+        self.history = history.scan(runs) if runs else []
         ours = {*(f.run.folder for f in self.running), *(folder for folder, _ in self.waiting)}
+        ours |= {entry.folder for entry in self.missed}  # they are offered already
         for entry in reversed(self.history):  # the oldest first, as they were queued
             if entry.folder not in ours and entry.state in history.ADOPTABLE:
                 self._adopt(entry)
@@ -235,9 +237,19 @@ class Session:
     def refresh(self) -> None:
         """Read the history again, in the background."""
         if self._scan is None or not self._scan.running:
-            runs, known = Paths(bpy.context).runs, {e.folder: e for e in self.history}
+            runs, known = self._runs(bpy.context), {e.folder: e for e in self.history}
+            if runs is None:
+                return
             self._scan = Task("History", lambda _progress: history.scan(runs, known))
             self.start_timer()
+
+    def _runs(self, context: bpy.types.Context) -> Path | None:
+        """The folder of all run folders; None where the preferences' can't be, which is shown."""
+        try:
+            return Paths(context).runs
+        except SetupError as error:
+            self.error = (error.text, error.fix)
+            return None
 
     def start_task(self, task: Task) -> Task:
         """Show a set-up, check or removal of the environment until it ends."""
@@ -317,7 +329,7 @@ class Session:
         try:
             self._handle()
         except Exception as error:
-            self._report_bug("The jobs can't be followed", error)
+            self._report_bug("The jobs can't be followed.", error)
         redraw()
         return TICK_SECONDS if self.busy or self._is_working() else None
 
@@ -328,8 +340,8 @@ class Session:
         return bool(tasks or self.models.pending or words)
 
     def _report_bug(self, what: str, error: Exception) -> None:
-        """Show ``what`` went wrong, and print its traceback once."""
-        text = f"{what} ({type(error).__name__}: {str(error).strip().rstrip('.')})."
+        """Show the sentence ``what`` went wrong, and print its traceback once."""
+        text = f"{what} {type(error).__name__}: {str(error).strip().rstrip('.')}."
         if self.error != (text, BUG):
             traceback.print_exception(error)
         self.error = (text, BUG)
@@ -343,7 +355,7 @@ class Session:
                 elif followed.shape:
                     self._show_shape(followed)
             except Exception as error:  # the other runs go on
-                self._report_bug(f"“{followed.prompt}” can't be followed", error)
+                self._report_bug(f"“{followed.prompt}” can't be followed.", error)
         self._import_finished()
         self._start_next()
         if self._scan and not self._scan.running:
@@ -390,8 +402,9 @@ class Session:
             self._show_shape(followed)
 
     def forget_candidate(self, folder: Path) -> None:
-        """Remove the preview of a candidate that was discarded."""
+        """Remove the preview of a run that was deleted, and the offer of its asset."""
         self.candidates.pop(folder.name, None)
+        self.missed = [entry for entry in self.missed if entry.folder != folder]
         live_preview.remove(keep=self.shown)
 
     def _show_shape(self, followed: FollowedRun) -> None:
@@ -430,7 +443,7 @@ class Session:
                 else:
                     self._import(followed, task)
             except Exception as error:
-                self._report_bug(f"The asset “{followed.prompt}” can't be imported", error)
+                self._report_bug(f"The asset “{followed.prompt}” can't be imported.", error)
                 self._offer(followed)
             finally:
                 followed.release()

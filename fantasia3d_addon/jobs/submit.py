@@ -20,7 +20,7 @@ from . import candidates, history
 from .candidates import Candidate
 from .history import Entry
 from .job_file import unwritable
-from .job_settings import job_of
+from .job_settings import Settings, job_of
 from .paths import Paths
 from .session import session
 from .target import FREE, Target
@@ -33,6 +33,7 @@ SHAPE_PARTS = (
     "checkpoint/front.safetensors",
     history.SHAPE,
 )
+NO_PROMPT = "Enter a prompt: what to generate."
 COLOR_SIZE = 1024  # texels a side of the picture of the present base colour
 
 
@@ -43,10 +44,17 @@ def generate(context: bpy.types.Context) -> Path:
         AddonError: it can't be made; nothing is left on the disk then.
         SetupError: the core is missing.
     """
-    job = job_of(context.scene.fantasia3d)
+    job = _job_of(context.scene.fantasia3d)
     with tempfile.TemporaryDirectory() as folder:
         files = _guide(context, job, Path(folder))
         return session.submit(context, job, session.target_here(context), files)
+
+
+def _job_of(settings: Settings, command: str = "generate") -> dict[str, Any]:
+    """:func:`job_of`, which must have a prompt."""
+    if not settings.prompt.strip():
+        raise AddonError(NO_PROMPT)
+    return job_of(settings, command)
 
 
 def _guide(context: bpy.types.Context, job: dict[str, Any], folder: Path) -> dict[str, Path]:
@@ -68,7 +76,7 @@ def explore(context: bpy.types.Context) -> Path:
         SetupError: the core is missing.
     """
     settings = context.scene.fantasia3d
-    job = job_of(settings)
+    job = _job_of(settings)
     seeds = [(job["seed"] + n) % history.SEEDS for n in range(settings.candidates)]
     with tempfile.TemporaryDirectory() as folder:
         files = _guide(context, job, Path(folder))
@@ -174,7 +182,7 @@ def texture(context: bpy.types.Context) -> Path:
     reason = texture_object.reason_against(obj)
     if reason:
         raise AddonError(reason, "Select a mesh with faces, in Object Mode.")
-    job = job_of(settings, "texture") | {"mesh": "mesh.obj"}
+    job = _job_of(settings, "texture") | {"mesh": "mesh.obj"}
     with tempfile.TemporaryDirectory() as folder:
         files = {"mesh.obj": Path(folder) / "mesh.obj"}
         new_uv = settings.uv == "new"
@@ -231,7 +239,7 @@ def report_of(settings: bpy.types.PropertyGroup) -> Report | None:
 def reason_against_generate(context: bpy.types.Context) -> str:
     """Why no job can be requested now; empty if one can."""
     if not context.scene.fantasia3d.prompt.strip():
-        return "Enter a prompt: what to generate."
+        return NO_PROMPT
     reason = reason_against_jobs(context)
     if reason:
         return reason

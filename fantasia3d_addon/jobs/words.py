@@ -1,7 +1,8 @@
 """What the built-in model understands of a prompt, asked of the core in the background. No bpy.
 
 The core answers in about 0.1 s (``python -m core words``, which needs no package), for each prompt
-once. It is asked when the prompt has not changed for a moment.
+once, and again some seconds after it could not be asked. It is asked when the prompt has not
+changed for a moment.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from .process import Core
 
 DEBOUNCE = 0.25  # seconds without a key until the core is asked
 TIMEOUT = 20.0
+RETRY = 10.0  # seconds after the core could not be asked
 MAX_ANSWERS = 500  # kept; then all are forgotten
 GROUPS = None  # in place of a prompt: all known words
 
@@ -34,6 +36,7 @@ class Words:
         self._answers: dict[Question, Any] = {}
         self._wanted: Question | None = None
         self._since = 0.0  # when it was wanted first
+        self._failed = 0.0  # when the core could not be asked last
         self._task: tuple[Question, Task] | None = None
 
     @property
@@ -53,11 +56,13 @@ class Words:
         return self._answer((GROUPS, False)) or ()
 
     def _answer(self, question: Question) -> Any:
-        if question in self._answers:
-            return self._answers[question]
+        answer = self._answers.get(question)
+        failed_now = answer is not None and time.monotonic() - self._failed < RETRY
+        if answer or failed_now:
+            return answer
         if self._wanted != question and not (self._task and self._task[0] == question):
             self._wanted, self._since = question, time.monotonic()
-        return None
+        return answer
 
     def tick(self, core: Core | None) -> None:
         """Take an answer, and ask what is wanted; never blocks. ``core`` None: it is missing."""
@@ -65,14 +70,19 @@ class Words:
             question, task = self._task
             if len(self._answers) >= MAX_ANSWERS:
                 self._answers.clear()
-            self._answers[question], self._task = task.result or {}, None
+            self._task = None
+            self._keep(question, task.result or {})
         is_quiet = time.monotonic() - self._since > DEBOUNCE
         if self._wanted and self._task is None and (is_quiet or self._wanted[0] is GROUPS):
             question, self._wanted = self._wanted, None
             if core is None:
-                self._answers[question] = {}
+                self._keep(question, {})
                 return
             self._task = question, Task("Words", lambda _progress: ask(core, question))
+
+    def _keep(self, question: Question, answer: Any) -> None:
+        self._answers[question] = answer
+        self._failed = self._failed if answer else time.monotonic()
 
 
 def ask(core: Core, question: Question) -> Any:

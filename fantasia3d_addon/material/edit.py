@@ -62,7 +62,8 @@ def restore_material(obj: bpy.types.Object) -> None:
     others = [slot.material for slot in obj.material_slots]
     kept = obj[KEPT].to_dict()
     for number, slot in enumerate(obj.material_slots):
-        slot.material = kept.get(str(number))
+        if str(number) in kept:  # a slot that was added since has its own
+            slot.material = kept[str(number)]
     del obj[KEPT]
     _remove_unused(others)
 
@@ -109,9 +110,11 @@ def edit_nodes(material: bpy.types.Material, make: bool = False) -> list[bpy.typ
         raise AddonError(
             f"{material.name} has no Principled BSDF.", "Choose a material that has one."
         )
-    made = [_edit_node(tree, bsdf, name, EDITS[name]) for name in EDITS]
+    for name, into in EDITS.items():
+        if name not in tree.nodes:  # the user may have removed one of them
+            _edit_node(tree, bsdf, name, into)
     compat.deselect_nodes(tree)
-    return made
+    return [tree.nodes[name] for name in EDITS]
 
 
 def principled(material: bpy.types.Material | None) -> bpy.types.Node | None:
@@ -129,16 +132,22 @@ def factor(node: bpy.types.Node) -> bpy.types.NodeSocket:
 
 
 def image_of(socket: bpy.types.NodeSocket) -> tuple[bpy.types.Image, str] | None:
-    """The picture that feeds ``socket``, directly or through our adjustments, and its channel.
+    """The picture of :func:`picture_of`, and its channel."""
+    found = picture_of(socket)
+    return (found[0].image, found[1]) if found else None
 
-    "Color", or "Red", "Green", "Blue" after a Separate Color node.
+
+def picture_of(socket: bpy.types.NodeSocket) -> tuple[bpy.types.Node, str] | None:
+    """The node whose picture feeds ``socket``, directly or through our adjustments; its channel.
+
+    "Color" or "Alpha", or "Red", "Green", "Blue" after a Separate Color node.
     """
     # Walks from the socket back to the picture, through what may be in between.
     channel = "Color"
     while socket.links:
         node, out = socket.links[0].from_node, socket.links[0].from_socket
         if node.type == "TEX_IMAGE":
-            return (node.image, channel) if node.image else None
+            return (node, "Alpha" if out.name == "Alpha" else channel) if node.image else None
         if node.name in EDITS:
             socket = node.inputs[_first(node)]
         elif node.bl_idname == "ShaderNodeSeparateColor":

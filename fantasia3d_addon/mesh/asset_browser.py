@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
@@ -12,7 +11,8 @@ import numpy as np
 
 from ..asset.origin import copy_origin, origin_of
 from ..blender.blend_output import temporary_blend
-from ..blender.mesh_arrays import mesh_object
+from ..blender.mesh_arrays import mesh_object, shown_copy
+from ..environment.files import expanded
 from ..errors import AddonError, OutputError
 from ..scene import light
 from ..scene import render as scene_render
@@ -62,9 +62,7 @@ def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     """
     if not obj.asset_data:
         raise AddonError(f"{obj.name} is not marked as an asset.", "Mark it first.")
-    with contextlib.suppress(RuntimeError):  # in the home of nobody: there is no such folder
-        folder = Path(folder).expanduser()
-    folder = Path(folder).absolute()
+    folder = expanded(folder, OutputError).absolute()
     # Characters that a file name may have on every system.
     words = "".join(c if c.isalnum() or c in " -_" else "_" for c in obj.name).strip()
     path = folder / f"{words or 'asset'}.blend"
@@ -81,16 +79,15 @@ def render_thumbnail(obj: bpy.types.Object) -> np.ndarray:
     """(H,W,4) sRGB with a transparent background, row 0 at the bottom."""
     # A scene of its own: the user's camera, world and render settings stay as they are.
     scene = bpy.data.scenes.new(TABLE)
-    # A hidden object would give an empty picture.
-    hidden, obj.hide_render = obj.hide_render, False
     image = None
     try:
-        scene.collection.objects.link(obj)
-        camera = scene_render.add_camera(scene, obj)
+        asset = shown_copy(obj, f"{TABLE} asset")
+        scene.collection.objects.link(asset)
+        camera = scene_render.add_camera(scene, asset)
         camera.name = camera.data.name = f"{TABLE} camera"
         light.set_world(scene, light.STUDIO_FILE)
         scene.view_layers[0].update()
-        scene_render.expose(scene, obj)
+        scene_render.expose(scene, asset)
         scene_render.set_up_cycles(scene, SIZE, SAMPLES)
         scene.render.film_transparent = True
         scene.render.image_settings.file_format = "PNG"
@@ -103,7 +100,6 @@ def render_thumbnail(obj: bpy.types.Object) -> np.ndarray:
             image.pixels.foreach_get(pixels)
         return pixels.reshape(SIZE, SIZE, 4)
     finally:
-        obj.hide_render = hidden
         world_image = light.environment_image(scene.world) if scene.world else None
         remove_turntable_scene(scene)
         for unused in (image, world_image):

@@ -22,6 +22,7 @@ from mathutils import Matrix
 from ..blender.mesh_arrays import acting, mesh_object
 from ..blender.output import temporary_output
 from ..blender.png import to_bytes, write_png
+from ..environment.files import expanded
 from ..errors import OutputError
 from . import export, maps, proxy, remesh
 
@@ -63,7 +64,7 @@ def export_for(obj: bpy.types.Object, folder: Path, engine: str, size: int = 0) 
         raise OutputError(f"There is no engine {engine!r}.", f"Use one of {', '.join(ENGINES)}.")
     preset = ENGINES[engine]
     name = plain_name(mesh_object(obj).name)
-    path = Path(folder).expanduser().absolute() / f"{name}.{preset.kind.lower()}"
+    path = expanded(folder, OutputError).absolute() / f"{name}.{preset.kind.lower()}"
     export.check_format(path, False)
     with temporary_output(path) as temporary:
         found = maps.maps_of(obj, size)

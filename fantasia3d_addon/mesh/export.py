@@ -23,6 +23,7 @@ from ..asset.origin import copy_origin
 from ..blender import compat
 from ..blender.mesh_arrays import acting, baked_mesh, mesh_object
 from ..blender.output import temporary_output
+from ..environment.files import expanded
 from ..errors import OutputError
 from ..material.edit import principled
 from . import maps
@@ -45,7 +46,7 @@ def export_object(
         AddonError: the object has no faces, UVs or material to export.
         OutputError: the extension is unknown, or this Blender can't write the format or the place.
     """
-    path = Path(path).expanduser().absolute()
+    path = expanded(path, OutputError).absolute()
     check_format(path, flip_normal_y)
     mesh_object(obj)
     kind = ENDINGS[path.suffix.lower()]
@@ -89,12 +90,12 @@ def plain_copy(
     obj: bpy.types.Object, paths: Mapping[str, Path], light: Light
 ) -> Iterator[bpy.types.Object]:
     """A copy of ``obj`` with the same name, no modifiers, and the files ``paths`` as its maps."""
-    own = obj, obj.data, obj.material_slots[0].material
+    own, uv_map = (obj, obj.data, obj.material_slots[0].material), maps.uv_map_of(obj)
     names = [datablock.name for datablock in own]
     distribution = principled(own[2]).distribution
     images = maps.load_images(paths, pack=False)
     material = bpy.data.materials.new("copy")
-    _connect(material, images, obj.data.uv_layers.active.name, distribution, light)
+    _connect(material, images, uv_map, distribution, light)
     copy = bpy.data.objects.new("copy", baked_mesh(obj))
     copy_origin(obj, copy)
     mesh = copy.data
@@ -104,6 +105,9 @@ def plain_copy(
     bpy.context.scene.collection.objects.link(copy)
     copy.matrix_world = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world
     try:
+        maps.use_uv_map(mesh, uv_map)
+        while mesh.uv_layers[0].name != uv_map:  # programs show the pictures over the first
+            mesh.uv_layers.remove(mesh.uv_layers[0])
         # Exporters write the datablocks' names: the copy gets them for as long as it exists.
         for datablocks, titles in ((own, ["own"] * 3), ((copy, mesh, material), names)):
             for datablock, title in zip(datablocks, titles, strict=True):

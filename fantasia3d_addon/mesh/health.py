@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import bmesh
 import bpy
 import numpy as np
-from mathutils import Vector
+from mathutils import Matrix, Vector
 from mathutils.bvhtree import BVHTree
 
-from ..blender.mesh_arrays import acting, corner_uv, mesh_object, triangles, verts_of
+from ..blender.mesh_arrays import (
+    acting,
+    corner_uv,
+    mesh_object,
+    move_kept_shape,
+    triangles,
+    values,
+    verts_of,
+)
 from ..errors import AddonError
 from ..material.edit import image_of, principled
 
@@ -182,8 +192,14 @@ def textures_of(obj: bpy.types.Object) -> tuple[tuple[str, int, int], ...]:
 
 def _apply_repair(obj: bpy.types.Object, what: str) -> None:
     if what == "SCALE":
+        scale = Matrix.Diagonal((*obj.scale, 1.0))
+        corners = tuple(obj.data.polygons[0].vertices)
         with acting(obj):
             bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
+        move_kept_shape(obj.data, scale)
+        # A mirrored object: keep the normals outward, where Blender has not done so.
+        if scale.determinant() < 0 and tuple(obj.data.polygons[0].vertices) == corners:
+            obj.data.flip_normals()
         return
     if what == "UV":
         unwrap(obj)
@@ -201,7 +217,7 @@ def unwrap(obj: bpy.types.Object) -> None:
     """Create UVs by Blender's Smart UV Project, packed by the islands' outlines with a margin."""
     if obj.data.uv_layers.active is None:
         obj.data.uv_layers.new(name="UVMap")
-    with acting(obj):
+    with acting(obj), _nothing_hidden(obj.data):
         bpy.ops.object.mode_set(mode="EDIT")
         bpy.ops.mesh.select_all(action="SELECT")
         bpy.ops.uv.smart_project(angle_limit=1.15, island_margin=0.0, area_weight=0.0)
@@ -212,6 +228,22 @@ def unwrap(obj: bpy.types.Object) -> None:
             rotate_method="CARDINAL", shape_method="CONCAVE", margin_method="ADD", margin=0.002
         )
         bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@contextlib.contextmanager
+def _nothing_hidden(mesh: bpy.types.Mesh) -> Iterator[None]:
+    """Show what was hidden in Edit Mode, whose operators skip it; hide it again afterwards."""
+    parts = (mesh.vertices, mesh.edges, mesh.polygons)
+    hidden = [values(part, "hide", 1, bool).ravel() for part in parts]
+    for part in parts:
+        part.foreach_set("hide", np.zeros(len(part), bool))
+    try:
+        yield
+    finally:
+        # Again from the mesh: Edit Mode has written all of it anew.
+        parts = (mesh.vertices, mesh.edges, mesh.polygons)
+        for part, was in zip(parts, hidden, strict=True):
+            part.foreach_set("hide", was)
 
 
 def _loose(bm: bmesh.types.BMesh, _size: float) -> None:
@@ -253,13 +285,13 @@ def _holes(bm: bmesh.types.BMesh, _size: float) -> None:
     layer = bm.loops.layers.uv.active
     made = bmesh.ops.holes_fill(bm, edges=[e for e in bm.edges if e.is_boundary], sides=0)
     # A filled hole is one polygon, which is rarely flat.
-    made = bmesh.ops.triangulate(bm, faces=made["faces"])["faces"]
+    made = set(bmesh.ops.triangulate(bm, faces=made["faces"])["faces"])
     for face in made:
         face.smooth = True
-        near = next((f for e in face.edges for f in e.link_faces if f not in set(made)), None)
+        near = next((f for e in face.edges for f in e.link_faces if f not in made), None)
         face.material_index = near.material_index if near else 0
         for loop in face.loops if layer else ():
-            old = [other for other in loop.vert.link_loops if other.face not in set(made)]
+            old = [other for other in loop.vert.link_loops if other.face not in made]
             if old:
                 loop[layer].uv = old[0][layer].uv
 

@@ -14,10 +14,10 @@ import numpy as np
 from ..asset.asset_folder import OPTIONAL, USUAL, Light
 from ..background.thread import ReportProgress, ignore_progress
 from ..blender import compat
-from ..blender.mesh_arrays import acting
+from ..blender.mesh_arrays import acting, baked_mesh
 from ..blender.png import to_bytes, write_png
 from ..errors import AddonError
-from ..material.edit import edit_nodes, factor, image_of, principled
+from ..material.edit import EDITS, edit_nodes, factor, picture_of, principled
 
 SOCKETS = {
     "base_color": "Base Color",
@@ -50,29 +50,65 @@ class Maps:
 
 
 def maps_of(obj: bpy.types.Object, size: int = 0) -> Maps:
-    """The maps of ``obj`` over its own active UV map, with the tint and the scales in them.
+    """The maps of ``obj`` over :func:`uv_map_of`, with the tint and the scales in them.
 
     ``size``: texels along a side of the result; 0 is the size of its pictures, or 1024.
 
     Raises:
-        AddonError: it has no UVs, or its material has no Principled BSDF.
+        AddonError: it has no UVs, its material has no Principled BSDF, or a picture is lost.
     """
     if obj.data.uv_layers.active is None:
         raise AddonError(f"{obj.name} has no UVs.", "Press Create UVs under Mesh Health.")
-    bsdfs = [principled(slot.material) for slot in obj.material_slots]
+    bsdfs = _bsdfs(obj)
     if not bsdfs or None in bsdfs:
         raise AddonError(
             f"{obj.name} has a material without a Principled BSDF.", "Use one that has it."
         )
+    images = [node.image for node in _pictures(bsdfs)]
+    for image in images:
+        if not all(image.size):
+            raise AddonError(
+                f"The picture “{image.name}” can't be read.",
+                "Find its file: File, External Data, Find Missing Files.",
+            )
     # The largest picture decides: no map loses detail.
-    size = size or max((max(image.size) for image in _images(bsdfs)), default=1024)
+    size = size or max((max(image.size) for image in images), default=1024)
     if len(bsdfs) > 1:  # each face shows one of them: only a bake joins them
         return bake_maps(obj, obj, size, EXTRUSION)
-    given = {name: _read(obj, bsdfs[0], name, size) for name in channels_of(bsdfs)}
+    uv_map = uv_map_of(obj)
+    given = {name: _read(obj, bsdfs[0], name, size, uv_map) for name in channels_of(bsdfs)}
     wanted = [name for name, value in given.items() if value is None]
-    baked = bake_channels(obj, obj, size, EXTRUSION, wanted) if wanted else {}
+    baked = bake_channels(obj, obj, size, EXTRUSION, wanted, uv_map=uv_map) if wanted else {}
     found = {name: _resized(v, size) for name, v in (given | baked).items()}
     return Maps(**found, light=light_of(bsdfs))
+
+
+def uv_map_of(obj: bpy.types.Object) -> str:
+    """The UV map of the pictures of its only material, where none is over the active one.
+
+    Else the active one.
+    """
+    active = obj.data.uv_layers.active.name
+    bsdfs = _bsdfs(obj)
+    pictures = _pictures(bsdfs) if len(bsdfs) == 1 and bsdfs[0] else ()
+    used = [_uv_map_of(node, obj.data) for node in pictures]
+    known = [name for name in used if name and name in obj.data.uv_layers]
+    return active if active in known or not known else known[0]
+
+
+def use_uv_map(mesh: bpy.types.Mesh, name: str) -> None:
+    """Make the UV map ``name`` the active one, for bakes and exporters.
+
+    Raises:
+        AddonError: the modifiers have left none of that name.
+    """
+    layer = mesh.uv_layers.get(name)
+    if layer is None:
+        raise AddonError(
+            f"The modifiers leave no UV map “{name}”.",
+            "Apply the modifier that makes new faces, then start again.",
+        )
+    mesh.uv_layers.active, layer.active_render = layer, True
 
 
 def channels_of(bsdfs: list[bpy.types.Node]) -> list[str]:
@@ -127,12 +163,14 @@ def bake_channels(
     size: int,
     extrusion: float,
     channels: list[str],
+    *,
+    uv_map: str = "",
 ) -> dict[str, np.ndarray]:
-    """Some of the fields of :class:`Maps`, baked by Cycles.
+    """Some of the fields of :class:`Maps`, baked by Cycles; ``uv_map``: by default the active one.
 
     Values are baked as emission: a bake of diffuse colour is black where the material is metal.
     """
-    with _receiver(target, size) as (receiver, image), _bake_settings():
+    with _receiver(target, size, uv_map) as (receiver, image), _bake_settings():
         reach = extrusion * max(source.dimensions)
         found = {}
         for channel in channels:
@@ -199,25 +237,50 @@ def to_linear(srgb: np.ndarray) -> np.ndarray:
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
-def _images(bsdfs: list[bpy.types.Node]) -> Iterator[bpy.types.Image]:
+def _bsdfs(obj: bpy.types.Object) -> list[bpy.types.Node | None]:
+    """The Principled node of each material of ``obj``; once of one that several slots show."""
+    return [principled(m) for m in dict.fromkeys(slot.material for slot in obj.material_slots)]
+
+
+def _pictures(bsdfs: list[bpy.types.Node]) -> Iterator[bpy.types.Node]:
+    """The nodes of the pictures that feed these nodes."""
     for bsdf in bsdfs:
         names = [SOCKETS.get(name, "Normal") for name in channels_of(bsdfs)]
         for name in names:
-            found = image_of(bsdf.inputs[name])
+            found = picture_of(bsdf.inputs[name])
             if found:
                 yield found[0]
 
 
-def _read(obj: bpy.types.Object, bsdf: bpy.types.Node, name: str, size: int) -> np.ndarray | None:
+def _uv_map_of(picture: bpy.types.Node, mesh: bpy.types.Mesh) -> str | None:
+    """The UV map that a picture's node is over; None where it is over something else."""
+    shown = next((layer.name for layer in mesh.uv_layers if layer.active_render), "")
+    links = picture.inputs["Vector"].links
+    node = links[0].from_node if links else None
+    if picture.projection != "FLAT":
+        return None
+    if node and node.bl_idname == "ShaderNodeUVMap":
+        return node.uv_map or shown
+    is_default = node is None or (
+        node.bl_idname == "ShaderNodeTexCoord" and links[0].from_socket.name == "UV"
+    )
+    return shown if is_default else None
+
+
+def _read(
+    obj: bpy.types.Object, bsdf: bpy.types.Node, name: str, size: int, uv_map: str
+) -> np.ndarray | None:
     """A field of :class:`Maps` from a picture or a constant; None where it must be baked."""
+    found = picture_of(bsdf.inputs[SOCKETS.get(name, "Normal")])
+    if found and (_uv_map_of(found[0], obj.data) != uv_map or found[1] == "Alpha"):
+        return None
     if name == "normal":
         return _read_normal(bsdf.inputs["Normal"], size)
     socket, scale = bsdf.inputs[SOCKETS[name]], _scale(obj, name)
     if name == "emission" and bsdf.inputs["Emission Strength"].links:
         return None
-    found = image_of(socket)
     if found:
-        return _read_picture(found, name, scale)
+        return _read_picture((found[0].image, found[1]), name, scale)
     constant = _constant(socket)
     if constant is None:
         return None
@@ -230,10 +293,10 @@ def _read(obj: bpy.types.Object, bsdf: bpy.types.Node, name: str, size: int) -> 
 def _read_normal(socket: bpy.types.NodeSocket, size: int) -> np.ndarray | None:
     if not socket.links:
         return np.full((size, size, 3), FLAT, np.float32)
-    found = image_of(socket)
+    found = picture_of(socket)
     if not found or not _plain_normal_map(socket.links[0].from_node):
         return None
-    return _pixels(found[0])
+    return _pixels(found[0].image)
 
 
 def _read_picture(found: tuple[bpy.types.Image, str], name: str, scale: np.ndarray) -> np.ndarray:
@@ -278,9 +341,10 @@ def _plain_normal_map(node: bpy.types.Node) -> bool:
 
 def _scale(obj: bpy.types.Object, name: str) -> np.ndarray:
     nodes = edit_nodes(obj.material_slots[0].material)
-    if not nodes or name in OPTIONAL:
+    node = next((node for node in nodes if EDITS[node.name] == SOCKETS[name]), None)
+    if node is None:
         return np.float64(1.0)
-    value = factor(nodes[list(SOCKETS).index(name)]).default_value
+    value = factor(node).default_value
     return np.array(value[:3]) if name == "base_color" else np.float64(value)
 
 
@@ -304,9 +368,11 @@ def _resized(values: np.ndarray, size: int) -> np.ndarray:
 
 @contextlib.contextmanager
 def _receiver(
-    target: bpy.types.Object, size: int
+    target: bpy.types.Object, size: int, uv_map: str = ""
 ) -> Iterator[tuple[bpy.types.Object, bpy.types.Image]]:
     """A copy of ``target`` with a material of its own, whose picture receives the bake."""
+    # As it looks: without its modifiers it would be elsewhere than what is baked.
+    mesh = baked_mesh(target)
     # Float: 8 bits would round the normals.
     image = bpy.data.images.new("Fantasia3D bake", size, size, alpha=False, float_buffer=True)
     image.colorspace_settings.is_data = True
@@ -314,7 +380,6 @@ def _receiver(
     tree = compat.empty_nodes(material)
     tree.nodes.active = tree.nodes.new("ShaderNodeTexImage")
     tree.nodes.active.image = image
-    mesh = target.data.copy()
     mesh.materials.clear()
     mesh.materials.append(material)
     # All faces use the one material that has the bake's picture.
@@ -322,8 +387,9 @@ def _receiver(
     receiver = bpy.data.objects.new("Fantasia3D bake", mesh)
     receiver.matrix_world = target.matrix_world
     bpy.context.scene.collection.objects.link(receiver)
-    bpy.context.view_layer.update()
     try:
+        use_uv_map(mesh, uv_map or target.data.uv_layers.active.name)
+        bpy.context.view_layer.update()
         yield receiver, image
     finally:
         bpy.data.batch_remove([receiver, mesh, material, image])
@@ -351,7 +417,10 @@ def _emitting(obj: bpy.types.Object, socket: str) -> Iterator[None]:
             given, factor = bsdf.inputs["Emission Strength"], emission.inputs["Strength"]
             factor.default_value = given.default_value / strongest
             if given.links:
-                tree.links.new(given.links[0].from_socket, factor)
+                part = tree.nodes.new("ShaderNodeMath")
+                part.operation, part.inputs[1].default_value = "DIVIDE", strongest
+                tree.links.new(given.links[0].from_socket, part.inputs[0])
+                tree.links.new(part.outputs[0], factor)
         for link in list(bsdf.outputs["BSDF"].links):
             tree.links.new(emission.outputs["Emission"], link.to_socket)
     try:

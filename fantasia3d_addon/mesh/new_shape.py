@@ -8,10 +8,9 @@ import bpy
 import numpy as np
 
 from ..asset.asset_folder import AssetFolder, read_obj
+from ..blender.mesh_arrays import KEPT_SHAPE as OLD
 from ..blender.mesh_arrays import reason_against_mesh, triangles, values, verts_of
 from ..errors import AddonError
-
-OLD = "fantasia3d_shape"  # attribute of the vertices: where they were before the first edit
 
 
 def reason_against(obj: bpy.types.Object | None) -> str:

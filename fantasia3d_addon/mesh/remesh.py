@@ -11,7 +11,7 @@ import bpy
 from .. import options
 from ..asset.material_nodes import build_material
 from ..background.thread import ReportProgress, ignore_progress
-from ..blender.mesh_arrays import apply_modifiers, mesh_object
+from ..blender.mesh_arrays import apply_modifiers, baked_mesh, mesh_object
 from ..blender.names import data_name
 from ..errors import AddonError
 from ..material.edit import principled
@@ -59,6 +59,12 @@ def make_lods(
             bpy.data.objects.remove(lod)
             bpy.data.meshes.remove(mesh)
             lod = _decimated(obj, data_name(obj.name, f" LOD{level}"), fewer, collection)
+        if max_faces and (count := len(lod.data.polygons)) > max_faces:
+            bpy.data.batch_remove([lod.data, lod, collection])
+            raise AddonError(
+                f"{max_faces} faces can't be made of {obj.name}: {count} are left.",
+                "Use more faces, or remove small components under Mesh Health.",
+            )
         _shade_apart(lod)
         hide(lod)
         made.append(lod)
@@ -66,9 +72,11 @@ def make_lods(
 
 
 def _fraction(obj: bpy.types.Object, max_faces: int) -> float:
-    """Of the triangles of ``obj`` that ``max_faces`` are."""
-    obj.data.calc_loop_triangles()
-    present = len(obj.data.loop_triangles)
+    """Of the triangles of ``obj``, with its modifiers, that ``max_faces`` are."""
+    mesh = baked_mesh(obj)
+    mesh.calc_loop_triangles()
+    present = len(mesh.loop_triangles)
+    bpy.data.meshes.remove(mesh)
     if not MIN_FACES <= max_faces < present:
         raise AddonError(
             f"{max_faces} faces can't be made of {obj.name}, which has {present} triangles.",
@@ -80,8 +88,8 @@ def _fraction(obj: bpy.types.Object, max_faces: int) -> float:
 def _decimated(
     obj: bpy.types.Object, name: str, fraction: float, collection: bpy.types.Collection
 ) -> bpy.types.Object:
-    """A copy of ``obj`` with that fraction of its triangles, the UVs kept."""
-    lod = bpy.data.objects.new(name, obj.data.copy())
+    """A copy of ``obj`` as it looks with that fraction of its triangles, the UVs kept."""
+    lod = bpy.data.objects.new(name, baked_mesh(obj))
     lod.data.name = name
     lod.matrix_world = obj.matrix_world
     collection.objects.link(lod)
@@ -92,6 +100,9 @@ def _decimated(
     fewer.ratio, fewer.use_collapse_triangulate = fraction, True
     bpy.context.view_layer.update()
     apply_modifiers(lod)
+    for slot, own in zip(lod.material_slots, obj.material_slots, strict=False):
+        if own.link == "OBJECT":  # shown instead of the mesh's own
+            slot.link, slot.material = "OBJECT", own.material
     return lod
 
 
@@ -114,7 +125,7 @@ def quad_remesh(
     size: int = 0,
     progress: ReportProgress = ignore_progress,
 ) -> bpy.types.Object:
-    """A new object like ``obj`` of ``faces`` quads or fewer, with UVs and maps of its own.
+    """A new object that looks like ``obj``, of ``faces`` quads or fewer, with UVs and maps.
 
     ``size``: texels along a side; 0 is that of the present maps. ``obj`` is kept, hidden.
     ``progress`` is called for the quads and for each map, which take seconds.
@@ -122,11 +133,12 @@ def quad_remesh(
     Raises:
         AddonError: the mesh is not closed and manifold, or the remesher found none.
     """
-    _check(obj)
-    quads = bpy.data.objects.new(data_name(obj.name, " quads"), obj.data.copy())
+    mesh_object(obj)
+    quads = bpy.data.objects.new(data_name(obj.name, " quads"), baked_mesh(obj))
     quads.data.name = quads.name
     place_like(quads, obj)
     try:
+        _check(quads, obj.name)
         progress("Quads", 0.0)
         reach = max(REACH, FARTHER * to_quads(quads, faces))
         quads.data.set_sharp_from_angle(angle=EDGE)
@@ -141,12 +153,11 @@ def quad_remesh(
     return quads
 
 
-def _check(obj: bpy.types.Object) -> None:
-    mesh_object(obj)
-    report = health.examine(obj)
+def _check(quads: bpy.types.Object, name: str) -> None:
+    report = health.examine(quads)
     if not (report.closed and report.manifold):
         raise AddonError(
-            f"The mesh of {obj.name} is not closed and manifold: it has {report.open_edges} open "
+            f"The mesh of {name} is not closed and manifold: it has {report.open_edges} open "
             f"and {report.nonmanifold} non-manifold edges or vertices.",
             "Press Repair All under Mesh Health first.",
         )

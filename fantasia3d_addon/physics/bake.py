@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 
-from ..blender.mesh_arrays import acting, moved, values, verts_of
+from ..blender.mesh_arrays import moved, values, verts_of
 from ..errors import AddonError
 
 STRETCH = 30.0  # an edge that is this many times as long: the simulation has exploded
@@ -16,10 +16,23 @@ TRIES = 3  # each with finer steps
 
 def bake_until_stable(owner: bpy.types.Object, frames: int) -> Iterator[float]:
     """Bake; where it is unstable, again with finer steps. Yields the fraction done."""
+    cache, last = cache_of(owner), bpy.context.scene.frame_start + frames - 1
+    # All rigid bodies of a scene have one cache: an earlier bake must not be cut off.
+    has_others = cache.is_baked
+    last = max(last, cache.frame_end if has_others else 0)
+    try:
+        yield from _tries(owner, cache, last)
+    except BaseException:
+        if has_others:
+            _keep(cache)  # for :func:`bake_others`, which bakes again what is baked
+        raise
+
+
+def _tries(owner: bpy.types.Object, cache: bpy.types.PointCache, last: int) -> Iterator[float]:
     for _ in range(TRIES):
-        cache = cache_of(owner)
+        _unbake(cache)  # or the frames of the earlier bake would be shown again
         wrong = ""
-        for fraction, wrong in _bake(owner, cache, frames):
+        for fraction, wrong in _bake(owner, cache, last):
             yield fraction
             if wrong:
                 break
@@ -27,7 +40,6 @@ def bake_until_stable(owner: bpy.types.Object, frames: int) -> Iterator[float]:
             return
         # Instability is a matter of the time step in most cases.
         _finer(owner)
-        _unbake(owner, cache)
     raise AddonError(
         f"The simulation is not stable: {wrong} (tried {TRIES} times).",
         "Repair the mesh under Mesh Health, or use a smaller height.",
@@ -35,29 +47,50 @@ def bake_until_stable(owner: bpy.types.Object, frames: int) -> Iterator[float]:
 
 
 def _bake(
-    owner: bpy.types.Object, cache: bpy.types.PointCache, frames: int
+    owner: bpy.types.Object, cache: bpy.types.PointCache, last: int
 ) -> Iterator[tuple[float, str]]:
-    """Step through the frames, which fills the cache, and keep it.
+    """Step to the frame ``last``, which fills the cache, and keep it.
 
     Yields the fraction done, and what is wrong (empty if nothing).
     """
     scene = bpy.context.scene
     first = scene.frame_start
-    last = first + frames - 1
-    # All rigid bodies of a scene have one cache: an earlier bake must not be cut off.
-    cache.frame_start, cache.frame_end = first, max(last, cache.frame_end if cache.is_baked else 0)
+    cache.frame_start, cache.frame_end = first, last
     scene.frame_set(first)
     # The shape at the first frame is the reference for all others.
     lengths = edge_lengths(_shape(owner))
     start = _state(owner)
     for frame in range(first, last + 1):
         scene.frame_set(frame)
-        yield (frame - first) / frames, _what_is_wrong(owner, lengths, start)
-    with acting(owner, scene=scene, point_cache=cache):
-        # Stepping has filled the cache; this keeps it, also in the saved file.
-        bpy.ops.ptcache.bake_from_cache()
-    scene.frame_set(first)
+        yield (frame - first) / (last - first + 1), _what_is_wrong(owner, lengths, start)
+    _keep(cache)
     yield 1.0, ""
+
+
+def bake_others() -> None:
+    """Bake the scene's rigid bodies again after one was removed.
+
+    Their common cache knows each by its number alone: one would move as the removed one did.
+    """
+    scene = bpy.context.scene
+    world = scene.rigidbody_world
+    cache = world.point_cache if world else None
+    if cache is None or not cache.is_baked:
+        return
+    _unbake(cache)
+    bodies = world.collection.objects if world.collection else ()
+    if any(obj.rigid_body and obj.rigid_body.type == "ACTIVE" for obj in bodies):
+        for frame in range(cache.frame_start, cache.frame_end + 1):
+            scene.frame_set(frame)
+        _keep(cache)
+
+
+def _keep(cache: bpy.types.PointCache) -> None:
+    """Keep the frames that stepping has filled the cache with, also in the saved file."""
+    scene = bpy.context.scene
+    with bpy.context.temp_override(scene=scene, point_cache=cache):
+        bpy.ops.ptcache.bake_from_cache()
+    scene.frame_set(scene.frame_start)
 
 
 def _what_is_wrong(owner: bpy.types.Object, lengths: np.ndarray, start: np.ndarray) -> str:
@@ -86,11 +119,11 @@ def _finer(owner: bpy.types.Object) -> None:
         bpy.context.scene.rigidbody_world.substeps_per_frame *= 2
 
 
-def _unbake(owner: bpy.types.Object, cache: bpy.types.PointCache) -> None:
+def _unbake(cache: bpy.types.PointCache) -> None:
     scene = bpy.context.scene
-    with acting(owner, scene=scene, point_cache=cache):
-        # A cancelled bake leaves frames in the cache, but is not marked as baked.
-        if cache.is_baked:
+    # A cancelled bake leaves frames in the cache, but is not marked as baked.
+    if cache.is_baked:
+        with bpy.context.temp_override(scene=scene, point_cache=cache):
             bpy.ops.ptcache.free_bake()
     scene.frame_set(scene.frame_start)
 

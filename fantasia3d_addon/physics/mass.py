@@ -5,19 +5,14 @@ from __future__ import annotations
 import bmesh
 import bpy
 
-from ..asset.origin import DENSITY
+from ..asset.origin import density_of
 
 WOOD = 400.0  # kg/m³: light wood, of what has no density of its own
 
 
-def density_of(obj: bpy.types.Object) -> float:
-    """Kg/m³: the custom property that an import sets and the user may change, or light wood's."""
-    return float(obj.get(DENSITY, WOOD))
-
-
 def mass_of(obj: bpy.types.Object, hulls: float) -> float:
     """Kilograms. ``hulls`` is the volume of its convex parts in m³, for a mesh that is open."""
-    return density_of(obj) * (volume_of(obj) or hulls)
+    return density_of(obj, WOOD) * (volume_of(obj) or hulls)
 
 
 def volume_of(obj: bpy.types.Object) -> float:

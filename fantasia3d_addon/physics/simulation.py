@@ -21,16 +21,39 @@ from .. import options
 from ..blender.mesh_arrays import acting, mesh_object, moved, verts_of, world_verts
 from ..errors import AddonError
 from ..mesh import health, proxy
-from ..scene.placement import shown_verts, visible_meshes
-from .bake import bake_until_stable, cache_of, edge_lengths
+from ..scene.placement import shown_verts
+from .bake import bake_others, bake_until_stable, cache_of, edge_lengths
+from .colliders import GROUND, add_rigid, collide_with, release, supports
+from .helpers import (
+    BODY,
+    COLLECTION,
+    COLLIDER,
+    MARK,
+    add,
+    is_helper,
+    is_local,
+    is_simulated,
+    made_for,
+    remove,
+    token_of,
+)
 from .mass import mass_of
 
+__all__ = [
+    "COLLECTION",
+    "GROUND",
+    "KINDS",
+    "MARK",
+    "Options",
+    "clear",
+    "is_simulated",
+    "owner_of",
+    "remove_left_behind",
+    "simulate",
+    "steps",
+]
+
 KINDS = options.KIND.names
-# Custom property: on the asset, what clear() needs; on objects made for it, the token in that, or
-# the asset's name where an earlier version made them.
-MARK = "fantasia3d_physics"
-GROUND = "Fantasia3D ground"
-COLLECTION = "Fantasia3D Physics"
 MIN_MASS = 0.001  # kg: Blender's own limit
 CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
 _NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
@@ -51,7 +74,7 @@ def simulate(obj: bpy.types.Object, kind: str, settings: Options | None = None) 
     """Make ``obj`` a simulated ``kind`` from the scene's first frame on, and bake it.
 
     It collides with what is below it; where nothing is, a ground plane is created. An earlier
-    simulation of it is removed first.
+    simulation of it is removed first, and so is what deleted assets have left.
 
     Raises:
         AddonError: the mesh can't be simulated (the text names the repair), or the
@@ -65,6 +88,7 @@ def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float
     """:func:`simulate`, a frame at a time: yields the fraction done."""
     _check(obj, kind, settings)
     clear(obj)
+    remove_left_behind()
     scene = bpy.context.scene
     token = {"token": uuid4().hex, "name": obj.name}
     obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current} | token
@@ -72,7 +96,7 @@ def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float
     try:
         make = {"RIGID": _rigid, "SOFT": _soft, "CLOTH": _cloth, "DRAPE": _drape}[kind]
         if kind != "DRAPE":  # there the sheet falls, not the asset
-            obj.location.z += settings.height
+            _lift(obj, settings.height)
         bpy.context.view_layer.update()
         owner = make(obj, settings)
         yield from bake_until_stable(owner, settings.frames)
@@ -87,41 +111,71 @@ def clear(obj: bpy.types.Object) -> None:
     A copy of a simulated object stays where it is, and so does the original's simulation.
     """
     if is_simulated(obj):
-        _clear(obj, is_copy=not _made_for(obj))
+        _clear(obj, is_copy=not made_for(obj))
+
+
+def remove_left_behind() -> None:
+    """Remove what was made for assets that were deleted: hardly seen, but others run into it.
+
+    A sheet that was draped over one is the user's own from then on.
+    """
+    alive = {token_of(o) for o in bpy.data.objects if is_simulated(o) and o.users_scene}
+    if "" in alive:  # of an earlier version, whose helpers have a name, which may be another now
+        return
+    left = [o for o in _local() if is_helper(o) and o[MARK] not in alive]
+    for made in list(left):
+        if any(m.type == "CLOTH" for m in made.modifiers) and not made.hide_render:
+            del made[MARK]
+            left.remove(made)
+    _remove_all(left)
 
 
 def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
     before, scene = obj[MARK], bpy.context.scene
-    helpers = _made_for(obj)
+    helpers = made_for(obj)
     if not is_copy:
         scene.frame_set(scene.frame_start)
     place = obj.matrix_world.copy()
     for modifier in [m for m in obj.modifiers if m.name == MARK]:
         obj.modifiers.remove(modifier)
-    if obj.parent and _is_helper(obj.parent):
+    if obj.parent and is_helper(obj.parent):
         obj.parent = None
         obj.matrix_world = place if is_copy else _matrix(before["matrix"])
+        parent = bpy.data.objects.get(before.get("parent", ""))
+        if parent and not is_copy:
+            obj.parent, obj.parent_type = parent, before["type"]
+            obj.parent_bone, obj.matrix_parent_inverse = before["bone"], _matrix(before["inverse"])
+            obj.matrix_basis = _matrix(before["basis"])
     if not is_copy:
         obj.location = before["location"]
     del obj[MARK]
-    for made in helpers:
-        _remove(made)
-    # Several simulations may use one collider: the last one releases it.
-    others = any(_is_helper(o) for o in bpy.data.objects)
-    for other in [o for o in bpy.data.objects if f"{MARK}_collider" in o]:
-        if not others:
-            _release(other)
+    _remove_all(helpers)
     bpy.context.view_layer.update()
 
 
-def is_simulated(obj: bpy.types.Object) -> bool:
-    """Whether ``obj`` was simulated by :func:`simulate`."""
-    return hasattr(obj.get(MARK), "to_dict")
+def _remove_all(helpers: Sequence[bpy.types.Object]) -> None:
+    had_body = any(made.rigid_body for made in helpers)
+    for made in helpers:
+        remove(made)
+    _release_colliders()
+    if had_body:
+        bake_others()
+
+
+def _release_colliders() -> None:
+    """Several simulations may use one collider: the last one releases it."""
+    if not any(is_helper(o) for o in _local()):
+        for other in [o for o in _local() if COLLIDER in o or BODY in o]:
+            release(other)
+
+
+def _local() -> list[bpy.types.Object]:
+    return [obj for obj in bpy.data.objects if is_local(obj)]
 
 
 def owner_of(obj: bpy.types.Object) -> bpy.types.Object | None:
     """The object that is simulated in place of ``obj``."""
-    return next((o for o in _made_for(obj) if cache_of(o)), None)
+    return next((o for o in made_for(obj) if cache_of(o)), None)
 
 
 def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
@@ -150,6 +204,14 @@ def _check(obj: bpy.types.Object, kind: str, settings: Options) -> None:
         )
 
 
+def _lift(obj: bpy.types.Object, height: float) -> None:
+    up = Vector((0, 0, height))
+    if obj.parent:  # in whose axes the location is
+        axes = (obj.matrix_world @ obj.matrix_basis.inverted_safe()).to_3x3()
+        up = axes.inverted_safe() @ up
+    obj.location += up
+
+
 # What is simulated
 
 
@@ -162,36 +224,45 @@ def _rigid(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     volumes = np.array([max(volume, 1e-9) for _, _, volume in hulls])
     middle = Vector(np.average([center for _, center, _ in hulls], 0, volumes))
     if len(hulls) == 1:
-        body = _add(obj, "body", hulls[0][0])
+        body = add(obj, "body", hulls[0][0])
         body.data.transform(Matrix.Translation(-middle))
         children = []
     else:
         # A compound needs a parent with a mesh; its own shape is not used.
         whole, _, _ = proxy.hull_mesh("hull", np.concatenate([moved(p, matrix) for p in parts]))
         whole.transform(Matrix.Translation(-middle))
-        body = _add(obj, "body", whole)
-        children = [_add(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
+        body = add(obj, "body", whole)
+        children = [add(obj, f"part {i}", hull) for i, (hull, _, _) in enumerate(hulls)]
     body.location = middle
     for child in children:
         child.data.transform(Matrix.Translation(-middle))
         child.parent = body
     bpy.context.view_layer.update()
     # For clear(): the parent changes the matrix.
-    obj[MARK] = {**obj[MARK].to_dict(), "matrix": [v for row in matrix for v in row]}
-    obj.parent = body
-    # So that the asset stays where it is while it becomes a child.
-    obj.matrix_parent_inverse = Matrix.Translation(-middle)
-    for other in _supports(obj):
-        _add_rigid(other, "PASSIVE", "MESH")
-    _add_rigid(body, "ACTIVE", "COMPOUND" if children else "CONVEX_HULL")
+    obj[MARK] = {**obj[MARK].to_dict(), "matrix": _flat(matrix)} | _parent_of(obj)
+    # So that the asset stays where it is while it becomes a child, also of another than before.
+    inverse = Matrix.Translation(-middle) @ matrix @ obj.matrix_basis.inverted_safe()
+    obj.parent, obj.parent_type = body, "OBJECT"
+    obj.matrix_parent_inverse = inverse
+    for other in supports(obj):
+        add_rigid(other, "PASSIVE", "MESH")
+    add_rigid(body, "ACTIVE", "COMPOUND" if children else "CONVEX_HULL")
     for child in children:  # after their parent: or Blender finds a cycle
-        _add_rigid(child, "ACTIVE", "CONVEX_HULL")
+        add_rigid(child, "ACTIVE", "CONVEX_HULL")
     # The mass changes how it collides with the user's own rigid bodies.
     body.rigid_body.mass = max(mass, MIN_MASS)
     body.rigid_body.friction, body.rigid_body.restitution = 0.6, 0.15
     world = bpy.context.scene.rigidbody_world
     world.substeps_per_frame, world.solver_iterations = 20, 20
     return body
+
+
+def _parent_of(obj: bpy.types.Object) -> dict[str, object]:
+    """The user's own parent by name, and where the object is in it; nothing without one."""
+    if obj.parent is None:
+        return {}
+    where = {"inverse": _flat(obj.matrix_parent_inverse), "basis": _flat(obj.matrix_basis)}
+    return {"parent": obj.parent.name, "type": obj.parent_type, "bone": obj.parent_bone} | where
 
 
 def _parts(obj: bpy.types.Object, convex: bool) -> list[np.ndarray]:
@@ -215,7 +286,7 @@ def _soft(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     soft.bend, soft.damping = firm + 0.1, 2.0
     soft.mass, soft.friction = 1.0, 0.5
     soft.step_min, soft.error_threshold = 5, 0.1
-    _collide_with(_supports(obj), float(max(obj.dimensions)))
+    collide_with(supports(obj), float(max(obj.dimensions)))
     return cage
 
 
@@ -224,7 +295,7 @@ def _cloth(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     cloth = cage.modifiers.new(MARK, "CLOTH")
     _set_up_cloth(cloth, cage, settings.self_collision)
     cloth.settings.bending_stiffness = 2.0
-    _collide_with(_supports(obj), float(max(obj.dimensions)))
+    collide_with(supports(obj), float(max(obj.dimensions)))
     return cage
 
 
@@ -241,7 +312,7 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     bm.to_mesh(mesh)
     bm.free()
     mesh.shade_smooth()
-    sheet = _add(obj, "sheet", mesh, hidden=False)
+    sheet = add(obj, "sheet", mesh, hidden=False)
     middle = (low + high) / 2
     rise = max(0.05 * float((high - low).max()), min(settings.height, 0.3))
     sheet.location = (middle[0], middle[1], high[2] + rise)
@@ -253,9 +324,9 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     smooth = sheet.modifiers.new("smooth", "SUBSURF")
     smooth.levels, smooth.render_levels = 1, 2
     # The fine mesh as a collider would slow each frame down.
-    hard = _add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
+    hard = add(obj, "collider", proxy.cage(obj, CAGE_FACES["DRAPE"]))
     hard.parent = obj
-    _collide_with([hard, *_supports(obj)], float(max(obj.dimensions)))
+    collide_with([hard, *supports(obj)], float(max(obj.dimensions)))
     return sheet
 
 
@@ -279,7 +350,7 @@ def _set_up_cloth(
 
 def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
     """The cage of ``obj``, bound so that ``obj`` follows it."""
-    cage = _add(obj, "cage", proxy.cage(obj, faces))
+    cage = add(obj, "cage", proxy.cage(obj, faces))
     cage.matrix_world = obj.matrix_world
     bpy.context.view_layer.update()
     follow = obj.modifiers.new(MARK, "SURFACE_DEFORM")
@@ -295,141 +366,8 @@ def _caged(obj: bpy.types.Object, faces: int) -> bpy.types.Object:
     return cage
 
 
-# What it collides with
-
-
-def _supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
-    """The visible objects below or around the footprint of ``obj``; a new ground if none."""
-    points = world_verts(obj)
-    low, high = points.min(0), points.max(0)
-    reach = float((high - low).max())
-    found = []
-    for other in visible_meshes(obj):
-        theirs = world_verts(other)
-        # Within a reach of the footprint: it may roll there.
-        near = (theirs.min(0)[:2] < high[:2] + reach) & (theirs.max(0)[:2] > low[:2] - reach)
-        if near.all() and theirs.min(0)[2] < high[2] and MARK not in other:
-            found.append(other)
-    if any(world_verts(other).min(0)[2] <= low[2] + 1e-3 for other in found):
-        return found
-    return [*found, _ground(obj, float(low[2]), reach)]
-
-
-def _ground(obj: bpy.types.Object, low: float, reach: float) -> bpy.types.Object:
-    """A wide plane at z = 0, or just below the object if that is lower."""
-    half = 6 * reach
-    mesh = bpy.data.meshes.new(GROUND)
-    corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
-    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
-    ground = _add(obj, "ground", mesh, hidden=False)
-    ground.name = GROUND
-    # A little below the lowest point, so that it does not start in contact.
-    ground.location = (*obj.matrix_world.translation[:2], min(low - 0.002 * reach, 0.0))
-    bpy.context.view_layer.update()
-    return ground
-
-
-def _collide_with(others: Sequence[bpy.types.Object], size: float) -> None:
-    """Let what falls, ``size`` metres large, collide with ``others``."""
-    for other in others:
-        if not any(m.type == "COLLISION" for m in other.modifiers):
-            other.modifiers.new(MARK, "COLLISION")
-            other[f"{MARK}_collider"] = True
-        # Blender's default of 20 mm is visible as a gap; 1 mm is its least.
-        other.collision.thickness_outer = min(max(0.01 * size, 0.001), 0.01)
-        other.collision.damping = 0.4
-        other.collision.friction_factor = 0.5
-        other.collision.cloth_friction = 20.0
-
-
-def _add_rigid(obj: bpy.types.Object, kind: str, shape: str) -> None:
-    if obj.rigid_body is None:
-        with acting(obj):
-            bpy.ops.rigidbody.object_add(type=kind)
-        obj[f"{MARK}_collider"] = True
-    obj.rigid_body.collision_shape = shape
-    obj.rigid_body.use_margin = True
-    obj.rigid_body.collision_margin = 0.001
-
-
-# Helper objects
-
-
-def _made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
-    """The helpers of the simulation of ``obj``; none where it is a copy of a simulated object."""
-    helpers = [o for o in bpy.data.objects if _is_helper(o)]
-    if not (token := _token(obj)):  # of an earlier version, whose helpers have the name
-        return [o for o in helpers if o[MARK] == obj.name]
-    # A copy has the token too, and a name that comes later: "chair.001".
-    twins = [o for o in bpy.data.objects if _token(o) == token]
-    original = next((o for o in twins if o.name == o[MARK]["name"]), twins[0])
-    return [o for o in helpers if o[MARK] == token] if obj == original else []
-
-
-def _token(obj: bpy.types.Object) -> str:
-    """What the object and the helpers of its simulation share; "" where it is not simulated.
-
-    Not its name, which the user may change, nor a pointer to it, which would keep it when it is
-    deleted.
-    """
-    return obj[MARK].to_dict().get("token", "") if is_simulated(obj) else ""
-
-
-def _is_helper(obj: bpy.types.Object) -> bool:
-    return MARK in obj and not is_simulated(obj)
-
-
-def _add(
-    obj: bpy.types.Object, part: str, mesh: bpy.types.Mesh, hidden: bool = True
-) -> bpy.types.Object:
-    """A new object for the simulation of ``obj``, in its collections; ``hidden`` in all views."""
-    made = bpy.data.objects.new(f"{obj.name} {part}", mesh)
-    made[MARK] = _token(obj)
-    own = obj.users_collection or [bpy.context.scene.collection]
-    for collection in [_hidden_collection()] if hidden else own:
-        collection.objects.link(made)
-    if hidden:
-        made.hide_render = True
-        made.display_type = "WIRE"
-        made.hide_set(True)
-    return made
-
-
-def _hidden_collection() -> bpy.types.Collection:
-    """The scene's collection of cages, hulls and colliders, which no view shows."""
-    scene = bpy.context.scene
-    found = next((c for c in scene.collection.children if MARK in c), None)
-    if found is None:
-        found = bpy.data.collections.new(COLLECTION)
-        found[MARK] = True
-        scene.collection.children.link(found)
-        found.hide_render = True
-    return found
-
-
-def _remove(made: bpy.types.Object) -> None:
-    _release(made)
-    mesh, collections = made.data, made.users_collection
-    bpy.data.objects.remove(made)
-    if not mesh.users:
-        bpy.data.meshes.remove(mesh)
-    for collection in collections:
-        if MARK in collection and not collection.all_objects:
-            bpy.data.collections.remove(collection)
-
-
-def _release(obj: bpy.types.Object) -> None:
-    """Remove what makes an object collide."""
-    if obj.rigid_body and f"{MARK}_collider" in obj:
-        # The operator ignores hidden objects.
-        hidden = obj.hide_get()
-        obj.hide_set(False)
-        with acting(obj):
-            bpy.ops.rigidbody.object_remove()
-        obj.hide_set(hidden)
-    for modifier in [m for m in obj.modifiers if m.name == MARK and m.type == "COLLISION"]:
-        obj.modifiers.remove(modifier)
-    obj.pop(f"{MARK}_collider", None)
+def _flat(matrix: Matrix) -> list[float]:
+    return [value for row in matrix for value in row]
 
 
 def _matrix(numbers: Sequence[float]) -> Matrix:

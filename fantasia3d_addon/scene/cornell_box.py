@@ -64,7 +64,8 @@ def build(
     # Kept in the file, so that remove() works after it was saved and opened again.
     collection["fantasia3d_before"] = {"world": scene.world, "camera": scene.camera}
     collection["fantasia3d_places"] = {o.name: [*o.matrix_world.translation] for o in objs}
-    for obj, place in zip(objs, places, strict=True):
+    # Parents first: each moves its children.
+    for obj, place in sorted(zip(objs, places, strict=True), key=lambda pair: _depth(pair[0])):
         obj.matrix_world.translation += Vector(place)
         # No further than the back wall, for a box of the user's own height.
         free = (1 - size[1] / (DEPTH * height)) / 2
@@ -88,17 +89,19 @@ def remove(scene: bpy.types.Scene) -> None:
     if collection is None:
         raise AddonError("This scene has no Cornell box.", "Build one first.")
     before = collection["fantasia3d_before"].to_dict()
-    for name, place in collection["fantasia3d_places"].to_dict().items():
-        if name in scene.objects:
-            scene.objects[name].matrix_world.translation = place
+    places = collection["fantasia3d_places"].to_dict()
+    for obj in sorted((obj for obj in scene.objects if obj.name in places), key=_depth):
+        obj.matrix_world.translation = places[obj.name]
     dark = scene.world
     scene.world, scene.camera = before.get("world"), before.get("camera")
     made: set[bpy.types.ID] = {obj for obj in collection.objects if obj.get("fantasia3d_box")}
+    meshes = {obj.data for obj in made if obj.type == "MESH"}
     made |= {obj.data for obj in made}
-    made |= {m for data in made if isinstance(data, bpy.types.Mesh) for m in data.materials}
+    materials = {material for mesh in meshes for material in mesh.materials if material}
     if dark and dark.name.startswith(NAME):
         made.add(dark)
     bpy.data.batch_remove(made)
+    bpy.data.batch_remove([m for m in materials if not m.users])  # another scene's box has them too
     for obj in list(collection.objects):  # what the user has added since
         scene.collection.objects.link(obj)
     bpy.data.collections.remove(collection)
@@ -107,6 +110,11 @@ def remove(scene: bpy.types.Scene) -> None:
 def box_of(scene: bpy.types.Scene) -> bpy.types.Collection | None:
     """The box that :func:`build` made for ``scene``."""
     return next((c for c in scene.collection.children if "fantasia3d_before" in c), None)
+
+
+def _depth(obj: bpy.types.Object) -> int:
+    """How many parents are above ``obj``."""
+    return 1 + _depth(obj.parent) if obj.parent else 0
 
 
 def flux(height: float) -> np.ndarray:

@@ -15,6 +15,7 @@ import numpy as np
 
 from ..blender import compat
 from ..blender.input_file import require_file
+from ..environment.files import expanded
 from ..errors import LightError
 
 WORLD = "Fantasia3D light"
@@ -45,7 +46,7 @@ def light_file(name_or_path: str) -> Path:
     if name_or_path == STUDIO:
         return STUDIO_FILE
     # A file comes before a name: "city" may be a file of the user's.
-    path = Path(bpy.path.abspath(name_or_path)).expanduser()
+    path = expanded(bpy.path.abspath(name_or_path), LightError)
     if os.path.isfile(path):  # noqa: PTH113 - Path.is_file raises for a name that is too long
         return path.resolve()
     named = blender_lights()
@@ -188,9 +189,10 @@ def _remove_unused(world: bpy.types.World | None) -> None:
         return
     if world.users:
         return
-    image = environment_image(world)
+    node = light_node(world, "TexEnvironment")  # which the user may have removed, or its picture
+    image = node.image if node else None
     bpy.data.worlds.remove(world)
-    if not image.users:
+    if image and not image.users:
         bpy.data.images.remove(image)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 from mathutils.bvhtree import BVHTree
 
-from ..blender.mesh_arrays import mesh_object, moved, verts_of, world_verts
+from ..blender.mesh_arrays import mesh_object, move_kept_shape, moved, verts_of, world_verts
 from ..errors import AddonError
 
 DOWN = Vector((0, 0, -1))
@@ -113,7 +113,7 @@ def origin_to_base(obj: bpy.types.Object) -> None:
         AddonError: the object is no mesh, or shares its mesh with others, or has shape keys.
     """
     mesh = mesh_object(obj).data
-    if mesh.users > 1:
+    if mesh.users - mesh.use_fake_user > 1:
         raise AddonError(
             f"{obj.name} shares its mesh with other objects.",
             "Make it single-user first: Object, Relations, Make Single User.",
@@ -127,7 +127,9 @@ def origin_to_base(obj: bpy.types.Object) -> None:
     matrix = obj.matrix_world.copy()
     # Children keep their place in the world.
     kept = [(child, child.matrix_world.copy()) for child in obj.children]
-    mesh.transform(Matrix.Translation(-(matrix.inverted() @ base)))
+    to_base = Matrix.Translation(-(matrix.inverted_safe() @ base))
+    mesh.transform(to_base)
+    move_kept_shape(mesh, to_base)
     matrix.translation = base
     obj.matrix_world = matrix
     bpy.context.view_layer.update()

@@ -12,8 +12,9 @@ import bpy
 
 from .. import options
 from ..blender import compat
-from ..blender.mesh_arrays import mesh_object
+from ..blender.mesh_arrays import mesh_object, shown_copy
 from ..blender.output import raise_if_full, temporary_folder, unwritten
+from ..environment.files import expanded
 from ..errors import AddonError, OutputError
 from . import light
 from . import render as scene_render
@@ -63,7 +64,7 @@ def turntable_scene(
     size: int = int(options.SIZE.default),
     samples: int | None = None,
 ) -> bpy.types.Scene:
-    """A scene of its own that shows ``obj`` under its scene's world in one full turn.
+    """A scene of its own that shows ``obj``, as it looks now, under its scene's world in one turn.
 
     A world without a picture or a sky is even, and shows no shape: the film has the studio light
     then. The user's own scene and world stay as they are.
@@ -81,15 +82,16 @@ def turntable_scene(
     world = bpy.context.scene.world
     scene = bpy.data.scenes.new(TABLE)
     try:
-        scene.collection.objects.link(obj)
+        asset = shown_copy(obj, f"{TABLE} asset")
+        scene.collection.objects.link(asset)
         if _is_lit(world):
             scene.world = world
         else:
             world = light.set_world(scene, light.light_file(light.STUDIO))
             light.environment_image(world).name = f"{TABLE} light"
-        pivot = _camera(scene, obj)
+        pivot = _camera(scene, asset)
         # It also gives the scene a copy of the world, which _animate may rotate.
-        scene_render.add_backdrop(scene, obj).name = f"{TABLE} ground"
+        scene_render.add_backdrop(scene, asset).name = f"{TABLE} ground"
         if not world.users:
             bpy.data.worlds.remove(world)
         _animate(scene, pivot, frames, turn)
@@ -103,7 +105,7 @@ def turntable_scene(
 
 def _is_lit(world: bpy.types.World | None) -> bool:
     """Whether a picture or a sky lights ``world``."""
-    if world is None or not world.node_tree or not (compat.ALWAYS_HAS_NODES or world.use_nodes):
+    if world is None or not compat.has_nodes(world):
         return False
     nodes = world.node_tree.nodes
     output = next((n for n in nodes if n.bl_idname == "ShaderNodeOutputWorld"), None)
@@ -140,7 +142,7 @@ def turntable(obj: bpy.types.Object, out: Path, **settings: object) -> Path:
     """
     with whole_turntable(out) as temporary:
         _render_turntable(obj, temporary, settings)
-    return Path(out).expanduser().absolute()
+    return expanded(out, OutputError).absolute()
 
 
 @contextlib.contextmanager
@@ -152,15 +154,17 @@ def whole_turntable(out: Path) -> Iterator[Path]:
     Raises:
         OutputError: ``out`` can't be written, or nothing was rendered.
     """
-    out = Path(out).expanduser().absolute()
+    out = expanded(out, OutputError).absolute()
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         with temporary_folder(out.parent) as folder:
-            yield folder / out.name
-            if not (folder / out.name).exists():
+            # Not under its own name, in which Blender takes # for the frame's number.
+            temporary = folder / f"turntable{out.suffix}"
+            yield temporary
+            if not temporary.exists():
                 raise OSError(0, "Blender wrote nothing")
             raise_if_full(out.parent)
-            _move(folder / out.name, out)
+            _move(temporary, out)
     except (OSError, RuntimeError) as error:
         raise unwritten(out, error) from None
 
@@ -184,7 +188,6 @@ def _move(temporary: Path, out: Path) -> None:
 
 def remove_turntable_scene(scene: bpy.types.Scene) -> None:
     """Remove a scene of :func:`turntable_scene`, with everything that was made for it."""
-    # By name: the asset itself is in the scene too.
     made: set[bpy.types.ID] = {o for o in scene.collection.objects if o.name.startswith(TABLE)}
     made |= {obj.data for obj in made if obj.data}
     world = scene.world
@@ -268,7 +271,7 @@ def _output(scene: bpy.types.Scene, out: Path, video: bool) -> None:
         compat.set_video(scene)
         # The temporary name ends in .mp4 already.
         scene.render.use_file_extension = False
-        scene.render.filepath = str(out)
+        scene.render.filepath = compat.render_path(out)
         return
     scene.render.image_settings.file_format = "PNG"
-    scene.render.filepath = str(out / "frame_")
+    scene.render.filepath = compat.render_path(out / "frame_")

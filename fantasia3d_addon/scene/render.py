@@ -121,7 +121,7 @@ def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> No
         scene.render.image_settings.file_format = FORMATS[path.suffix.lower()]
         # The path has its extension already.
         scene.render.use_file_extension = False
-        scene.render.filepath = str(temporary)
+        scene.render.filepath = compat.render_path(temporary)
         bpy.ops.render.render(write_still=True)
         # The temporary path must not stay in the user's scene.
         scene.render.filepath = ""

@@ -11,6 +11,7 @@ from ..jobs.session import session
 from . import icons
 from .job_operators import RunOperator
 from .operator_helpers import USER_ERRORS, queue_job, report_error
+from .text import in_language
 
 PICTURE = 5.0  # height of a candidate's, in rows
 COLUMNS = 2
@@ -25,7 +26,7 @@ class FANTASIA3D_OT_explore(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         reason = submit.reason_against_generate(context)
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -72,7 +73,7 @@ class FANTASIA3D_OT_discard_candidates(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("There are no candidates.")
+        cls.poll_message_set(in_language, "There are no candidates.")
         return bool(history.open_candidates(session.history))
 
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -11,6 +11,7 @@ from ..blender import compat
 from ..blender.mesh_arrays import EDIT_MODE
 from ..errors import AddonError
 from .operator_helpers import UNDO, USER_ERRORS, import_and_select, report_error
+from .text import in_language
 
 
 class FANTASIA3D_OT_import_file(bpy.types.Operator):
@@ -26,7 +27,7 @@ class FANTASIA3D_OT_import_file(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(EDIT_MODE)
+        cls.poll_message_set(in_language, EDIT_MODE)
         return context.mode == "OBJECT"
 
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -32,6 +33,8 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
         default="*.glb;*.usd;*.usdc;*.usda;*.usdz;*.fbx;*.obj;*.stl;*.3mf;*.urdf;*.xml",
         options={"HIDDEN"},
     )
+    # Blender's file browser then warns of a file that would be replaced.
+    check_existing: BoolProperty(default=True, options={"HIDDEN"})
     format: option_property(options.FORMAT, description="For a file name without an extension")
     flip_normal_y: option_property(options.FLIP_NORMAL_Y)
 
@@ -49,6 +52,9 @@ class FANTASIA3D_OT_export(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(bpy.path.abspath(self.filepath))
+        # No file was named in it. Not Path.is_dir, which raises for a name that is too long.
+        if os.path.isdir(path) and self.format not in engines.ENGINES:  # noqa: PTH112
+            path /= bpy.path.clean_name(context.active_object.name)
         return run_and_report(self, lambda: self._export(context.active_object, path))
 
     def _export(self, obj: bpy.types.Object, path: Path) -> None:

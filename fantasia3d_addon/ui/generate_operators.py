@@ -14,6 +14,7 @@ from ..jobs.import_result import mark_imported
 from ..jobs.session import session
 from ..scene import view
 from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
+from .text import in_language
 
 
 class FANTASIA3D_OT_generate(bpy.types.Operator):
@@ -25,7 +26,7 @@ class FANTASIA3D_OT_generate(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         reason = submit.reason_against_generate(context)
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -43,7 +44,7 @@ class FANTASIA3D_OT_generate_prompt(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         reason = submit.reason_against_jobs(context)
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -65,7 +66,7 @@ class FANTASIA3D_OT_texture(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         reason = submit.reason_against_texture(context)
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -82,7 +83,7 @@ class FANTASIA3D_OT_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("No job is running.")
+        cls.poll_message_set(in_language, "No job is running.")
         return bool(session.running)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -103,7 +104,7 @@ class FANTASIA3D_OT_local_view(bpy.types.Operator):
         reason = "" if live_preview.any_shown() else "There is no preview."
         if context.area is None or context.area.type != "VIEW_3D":
             reason = "Use it in a 3D view."
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -131,7 +132,7 @@ class FANTASIA3D_OT_show_colors(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         is_view = context.area is not None and context.area.type == "VIEW_3D"
-        cls.poll_message_set("Use it in a 3D view.")
+        cls.poll_message_set(in_language, "Use it in a 3D view.")
         return is_view
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -147,7 +148,7 @@ class FANTASIA3D_OT_stop_now(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("Press Cancel first.")
+        cls.poll_message_set(in_language, "Press Cancel first.")
         return any(followed.progress.cancelling for followed in session.running)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -184,7 +185,7 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(EDIT_MODE)
+        cls.poll_message_set(in_language, EDIT_MODE)
         return context.mode == "OBJECT"
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -220,7 +221,7 @@ class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("Select a mesh.")
+        cls.poll_message_set(in_language, "Select a mesh.")
         return context.active_object is not None and context.active_object.type == "MESH"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -236,7 +237,7 @@ class FANTASIA3D_OT_open_log(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("There is no log yet.")
+        cls.poll_message_set(in_language, "There is no log yet.")
         return session.log is not None
 
     def execute(self, context: bpy.types.Context) -> set[str]:

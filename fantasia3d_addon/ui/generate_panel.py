@@ -94,7 +94,8 @@ def _draw_mesh(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     right.alignment = "RIGHT"
     right.label(text="Mesh")
     is_mesh = obj is not None and obj.type == "MESH"
-    split.label(text=obj.name if is_mesh else "None selected", icon="OUTLINER_OB_MESH")
+    text = obj.name if is_mesh else translated("None selected")
+    split.label(text=text, icon="OUTLINER_OB_MESH", translate=False)
     column.row().prop(settings, "uv", expand=True)
     column.row().prop(settings, "assign", expand=True)
     column.prop(settings, "use_present_color")
@@ -177,7 +178,7 @@ def _draw_run(
     picture = icons.icon(followed.picture, at_once=True)
     if picture:
         box.template_icon(picture, scale=PICTURE)
-    wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH")
+    wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH", as_it_is=True)
     title = translated(progress.title if not progress.cancelling else progress.line)
     percent = f"  {progress.fraction:.0%}" if progress.steps and not progress.cancelling else ""
     box.progress(factor=progress.fraction, text=title + percent)
@@ -211,7 +212,7 @@ def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None
         row.operator("fantasia3d.dismiss", text="", icon="X")
     elif session.asset:
         text = f"{translated('Imported')}: {session.asset}"
-        wrapped_label(layout, context, text, "CHECKMARK")
+        wrapped_label(layout, context, text, "CHECKMARK", as_it_is=True)
         if view.hides_colors(context.space_data):
             row = layout.row(align=True)
             for shading, text in (("MATERIAL", "Material Preview"), ("TEXTURE", "Texture Color")):

@@ -7,10 +7,11 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
+from ..asset.import_asset import can_link
 from ..blender.mesh_arrays import EDIT_MODE
 from ..jobs import history, submit
 from ..jobs.history import Entry
-from ..jobs.import_result import can_link, import_result, is_as_sent
+from ..jobs.import_result import import_result, is_as_sent
 from ..jobs.job_settings import apply_job
 from ..jobs.session import session
 from ..jobs.target import Target
@@ -55,7 +56,7 @@ class RunOperator:
         entry = self.entry(context)
         reason = self.reason_against(entry) if entry else "There is no such run."
         if entry is None or reason:
-            self.report({"ERROR"}, reason)
+            self.report({"ERROR"}, in_language(reason))
             return {"CANCELLED"}
         return self.act(context, entry)
 
@@ -200,7 +201,7 @@ class FANTASIA3D_OT_queue_drop(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("The queue is empty.")
+        cls.poll_message_set(in_language, "The queue is empty.")
         return bool(session.waiting)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -220,7 +221,7 @@ class FANTASIA3D_OT_queue_go_on(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("The queue is not paused.")
+        cls.poll_message_set(in_language, "The queue is not paused.")
         return session.paused and bool(session.waiting)
 
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -41,9 +41,9 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
         picture = icons.icon(entry.picture, at_once=entry.state == history.RUNNING)
         row = layout.row(align=True)
         if picture:
-            row.label(text=entry.prompt, icon_value=picture)
+            row.label(text=entry.prompt, icon_value=picture, translate=False)
         else:
-            row.label(text=entry.prompt, icon="OUTLINER_OB_MESH")
+            row.label(text=entry.prompt, icon="OUTLINER_OB_MESH", translate=False)
         end = row.row()
         end.active = False
         end.alignment = "RIGHT"
@@ -93,7 +93,8 @@ def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     box = layout.box().column(align=True)
     for number, (folder, _) in enumerate(session.waiting, 1):
         row = box.row(align=True)
-        row.label(text=f"{number}. {read_job(folder).get('prompt', folder.name)}", icon="TIME")
+        text = f"{number}. {read_job(folder).get('prompt', folder.name)}"
+        row.label(text=text, icon="TIME", translate=False)
         row.operator("fantasia3d.queue_drop", text="", icon="X", emboss=False).folder = str(folder)
     if session.paused:
         text = "These jobs were queued in an earlier Blender session."
@@ -107,7 +108,7 @@ def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: E
     picture = icons.icon(entry.picture, at_once=True)
     if picture:
         box.template_icon(picture, scale=PICTURE)
-    wrapped_label(box, context, entry.prompt)
+    wrapped_label(box, context, entry.prompt, as_it_is=True)
     column = box.column(align=True)
     for line in facts(entry):
         wrapped_label(column, context, line, dimmed=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 from bpy.props import EnumProperty
 
 from .. import options
@@ -14,8 +15,11 @@ from ..mesh import health, remesh
 from .modal_operator import ModalTask, reason_to_wait, wait_for
 from .operator_helpers import UNDO, can_run, run_and_report
 from .option_properties import option_property
+from .text import in_language
 
 ALL = "ALL"  # of the repairs
+NOTHING = "Nothing to repair."
+NO_SCALE = "The scale is not applied: other objects share the mesh."
 
 
 class FANTASIA3D_OT_check_mesh(bpy.types.Operator):
@@ -65,11 +69,11 @@ class FANTASIA3D_OT_repair_mesh(bpy.types.Operator):
 
         def repair() -> None:
             done = health.repair(obj, what)
-            names = ", ".join(health.REPAIRS[name][0] for name in done)
-            said = f"Repaired: {names}." if names else "Nothing to repair."
+            names = ", ".join(translated(health.REPAIRS[name][0]) for name in done)
+            said = f"{translated('Repaired')}: {names}." if names else NOTHING
             if "SCALE" in health.update_report(obj).faults and what is None:
-                said += " The scale is not applied: other objects share the mesh."
-            self.report({"INFO"}, said)
+                said += f" {NO_SCALE}"
+            self.report({"INFO"}, in_language(said))
 
         return run_and_report(self, repair)
 

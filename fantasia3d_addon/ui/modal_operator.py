@@ -46,7 +46,7 @@ class ModalTask:
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if running:  # a shortcut does not ask poll()
-            self.report({"ERROR"}, reason_to_wait())
+            self.report({"ERROR"}, in_language(reason_to_wait()))
             return {"CANCELLED"}
         self._steps = self.steps(context)
         running[:] = [Running(self.title)]
@@ -69,9 +69,12 @@ class ModalTask:
             self._end(context)
             return {"FINISHED"}
         except AddonError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, in_language(str(error)))
             self._end(context)
             return {"CANCELLED"}
+        except Exception:  # a bug; or it would count as running for ever, and no other tool start
+            self._end(context)
+            raise
         now = Running(self.title, step, round(fraction, 2))
         if running != [now]:  # drawing takes longer than most steps
             running[:] = [now]

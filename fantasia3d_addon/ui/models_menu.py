@@ -5,6 +5,8 @@ from bpy.props import StringProperty
 
 from ..jobs import models
 from ..jobs.session import session
+from .operator_helpers import USER_ERRORS, report_error
+from .text import in_language
 
 
 class FANTASIA3D_OT_find_models(bpy.types.Operator):
@@ -15,7 +17,10 @@ class FANTASIA3D_OT_find_models(bpy.types.Operator):
     bl_options = {"INTERNAL"}
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
-        session.find_models()
+        try:
+            session.find_models()
+        except USER_ERRORS as error:
+            return report_error(self, error)
         return {"FINISHED"}
 
 
@@ -52,7 +57,11 @@ class FANTASIA3D_MT_models(bpy.types.Menu):
     bl_label = "Models on This Machine"
 
     def draw(self, _context: bpy.types.Context) -> None:
-        found = session.found_models()
+        try:
+            found = session.found_models()
+        except USER_ERRORS as error:
+            self.layout.label(text=in_language(str(error)), icon="ERROR", translate=False)
+            return
         if found is None:
             self.layout.label(text="Looking for models…")
             return

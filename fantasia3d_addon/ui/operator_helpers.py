@@ -44,7 +44,8 @@ def can_run(
 ) -> bool:
     """The poll of a tool, with its reason; ``more`` is a reason of the operator's own."""
     reason = reason_against_tool(context, changes) or more
-    cls.poll_message_set(reason)
+    # Blender translates no message of a poll; it calls this where the message is shown.
+    cls.poll_message_set(in_language, reason)
     return not reason
 
 
@@ -52,7 +53,7 @@ def run_and_report(operator: bpy.types.Operator, act: Callable[[], object]) -> s
     """Call ``act``; report what the user can fix as an error message."""
     try:
         act()
-    except AddonError as error:
+    except USER_ERRORS as error:
         operator.report({"ERROR"}, in_language(str(error)))
         return {"CANCELLED"}
     return {"FINISHED"}

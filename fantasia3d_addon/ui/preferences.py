@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from bpy.app.translations import pgettext_iface as translated
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from .. import PACKAGE, environment
@@ -101,7 +102,8 @@ class FANTASIA3D_AddonPreferences(bpy.types.AddonPreferences):
         if self.jobs_place == "RAY":
             column.prop(self, "ray_address")
             column.prop(self, "ray_token")
-        column.prop(self, "use_pie", text=f"Pie Menu ({shortcut.TEXT})")
+        text = f"{translated('Pie Menu')} ({shortcut.TEXT})"
+        column.prop(self, "use_pie", text=text, translate=False)
 
 
 def uses_pie() -> bool:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
 from .. import options
 from ..errors import AddonError
@@ -18,6 +18,7 @@ from ..jobs.session import session
 from ..scene import cornell_box, placement, relight
 from .operator_helpers import UNDO, can_run, rendering, run_and_report
 from .option_properties import option_property
+from .text import in_language
 
 
 class FANTASIA3D_OT_relight(bpy.types.Operator):
@@ -55,6 +56,8 @@ class FANTASIA3D_OT_turntable(bpy.types.Operator):
         default="//turntable.mp4",
     )  # fmt: skip
     filter_glob: StringProperty(default="*.mp4", options={"HIDDEN"})
+    # Blender's file browser then warns of a file that would be replaced.
+    check_existing: BoolProperty(default=True, options={"HIDDEN"})
     frames: option_property(options.TURN_FRAMES)
     turn: option_property(options.TURN)
     size: option_property(options.SIZE)
@@ -103,7 +106,7 @@ class FANTASIA3D_OT_remove_cornell_box(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("This scene has no Cornell box.")
+        cls.poll_message_set(in_language, "This scene has no Cornell box.")
         return cornell_box.box_of(context.scene) is not None
 
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -13,6 +13,7 @@ from ..jobs import environment_setup
 from ..jobs.paths import Paths
 from ..jobs.session import session
 from .operator_helpers import USER_ERRORS, report_error
+from .text import in_language
 
 NO_ADDON = "The add-on is not installed in this Blender."
 
@@ -27,7 +28,7 @@ class _SetupOperator:
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         reason = cls.reason_against()
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def start(
@@ -97,7 +98,7 @@ class FANTASIA3D_OT_allow_online_access(bpy.types.Operator):
         reason = "Online access is allowed already." if bpy.app.online_access else ""
         if bpy.app.online_access_override:
             reason = "It was decided when Blender was started."
-        cls.poll_message_set(reason)
+        cls.poll_message_set(in_language, reason)
         return not reason
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -116,7 +117,7 @@ class FANTASIA3D_OT_choose_wheels(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(NO_ADDON)
+        cls.poll_message_set(in_language, NO_ADDON)
         return PACKAGE in context.preferences.addons
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -136,7 +137,7 @@ class FANTASIA3D_OT_cancel_set_up(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("No installation is running.")
+        cls.poll_message_set(in_language, "No installation is running.")
         return session.task is not None and session.task.running
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -153,7 +154,7 @@ class FANTASIA3D_OT_open_set_up_log(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set("There is no log yet.")
+        cls.poll_message_set(in_language, "There is no log yet.")
         try:
             return environment.log_file(Paths(context).environment).exists()
         except environment.SetupError:
@@ -172,7 +173,7 @@ class FANTASIA3D_OT_open_preferences(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(NO_ADDON)
+        cls.poll_message_set(in_language, NO_ADDON)
         return PACKAGE in context.preferences.addons
 
     def execute(self, context: bpy.types.Context) -> set[str]:

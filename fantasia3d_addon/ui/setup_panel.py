@@ -7,7 +7,7 @@ import bpy
 from ..environment import Line
 from ..jobs import environment_setup
 from ..jobs.session import session
-from .text import TAB, error_and_fix, wrapped_label
+from .text import TAB, error_and_fix, in_language, wrapped_label
 
 ICONS = {"ok": "CHECKMARK", "MISSING": "ERROR", "-": "DOT"}  # by a Line's state
 
@@ -37,7 +37,8 @@ def draw_set_up(
     """
     task = session.task
     if task and task.running:
-        layout.progress(factor=task.fraction, text=f"{task.title}  {task.fraction:.0%}")
+        text = f"{in_language(task.title)}  {task.fraction:.0%}"
+        layout.progress(factor=task.fraction, text=text, translate=False)
         wrapped_label(layout, context, task.text, dimmed=True)
         row = layout.row(align=True)
         row.enabled = not task.cancelled

@@ -22,12 +22,17 @@ def wrapped_label(
     text: str,
     icon: str = "NONE",
     dimmed: bool = False,
+    as_it_is: bool = False,
 ) -> None:
-    """Text of any length, in lines that fit the region; ``dimmed`` for the less important."""
+    """Text of any length, in lines that fit the region; ``dimmed`` for the less important.
+
+    ``as_it_is``: of the user's, such as a prompt, which is no message.
+    """
     column = layout.column(align=True)
     column.active = not dimmed
     # Before it is wrapped: the lines are no messages.
-    for index, line in enumerate(wrapped(in_language(text), _text_width(context))):
+    text = text if as_it_is else in_language(text)
+    for index, line in enumerate(wrapped(text, _text_width(context))):
         # The icon comes before the first line; a blank one indents the others.
         shown = icon if index == 0 or icon == "NONE" else "BLANK1"
         column.label(text=line, icon=shown, translate=False)

@@ -38,9 +38,10 @@ class FANTASIA3D_PT_light(ToolPanel, bpy.types.Panel):
             layout.prop(tools, "light_file")
         button = layout.operator("fantasia3d.relight", icon="LIGHT_SUN")
         button.light = tools.light_file if tools.light == FILE else tools.light
-        background = light.light_node(context.scene.world, "Background")
-        if background:  # the world is ours: its strength and rotation are edited in place
-            rotation = light.light_node(context.scene.world, "Mapping").inputs["Rotation"]
+        kinds = ("Background", "Mapping")  # either may have been deleted
+        background, mapping = (light.light_node(context.scene.world, kind) for kind in kinds)
+        if background and mapping:  # the world is ours: both are edited in place
+            rotation = mapping.inputs["Rotation"]
             button.strength = background.inputs["Strength"].default_value
             button.rotation = -rotation.default_value[2]
             column = layout.column(align=True)
@@ -80,8 +81,9 @@ class FANTASIA3D_PT_material(ToolPanel, bpy.types.Panel):
             layout.operator("fantasia3d.adjust_material", icon="MODIFIER")
             return
         column = layout.column(align=True)
-        for node, name in zip(nodes, ("Tint", "Roughness", "Metallic"), strict=True):
-            column.prop(material_edit.factor(node), "default_value", text=name)
+        names = dict(zip(material_edit.EDITS, ("Tint", "Roughness", "Metallic"), strict=True))
+        for node in nodes:  # not all three where the user has deleted one
+            column.prop(material_edit.factor(node), "default_value", text=names[node.name])
         layout.operator("fantasia3d.reset_material", icon="LOOP_BACK")
 
 
