@@ -43,7 +43,8 @@ COMMAND --help lists a command's options. The first run makes an environment for
 Python packages in your data folder (about 3 GB; `doctor` says where).
 
 Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
-5 no surface could be kept; 6 some assets of a batch failed; 130 cancelled.
+5 no surface could be kept; 6 some assets of a batch failed; 7 another process of the same asset
+ended; 130 cancelled.
 """
 
 # ruff: noqa: E402 - Ctrl-C is heard before all the rest is loaded
@@ -170,7 +171,7 @@ def check_target(option: str, path: Path, endings: Sequence[str]) -> None:
     """Raise UserError for a wrong ending, a folder, or a place that cannot be written."""
     if path.suffix.lower() not in endings:
         raise UserError(f"{option} is {str(path)!r}.", f"Its name ends in {endings[0]}.")
-    full = path.expanduser().absolute()
+    full = path.absolute()
     fix = "Name a file in a folder of yours."
     try:
         place = next(p for p in full.parents if p.exists())
@@ -270,11 +271,14 @@ def test_processes() -> int:
 
 def package(args: Namespace) -> int:
     """Build the extension's zip with Blender's own builder, and validate it."""
-    folder = args.out.expanduser().absolute()
+    from core.io.atomic import atomic_file, check_folder, disk_errors
+
+    folder = args.out.absolute()
     if not next(path for path in (folder, *folder.parents) if path.exists()).is_dir():
         raise UserError(
             f"--out is {folder}, which is not a folder.", "Name a folder, or a new one."
         )
+    check_folder(folder)
     builder = environment.find_builder(environment.ensure(ROOT, ("blender",), say, runs_core=False))
     with tempfile.TemporaryDirectory() as temporary:
         source = Path(temporary) / "fantasia3d"
@@ -282,8 +286,11 @@ def package(args: Namespace) -> int:
         use_builder([*builder, "build", f"--source-dir={source}"], temporary)
         (made,) = Path(temporary).glob("*.zip")
         use_builder([*builder, "validate", made], temporary)
-        folder.mkdir(parents=True, exist_ok=True)
-        terminal.put(shutil.copy(made, folder))
+        with disk_errors(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+        with atomic_file(folder / made.name) as new:
+            shutil.copy(made, new)
+    terminal.put(folder / made.name)
     return 0
 
 

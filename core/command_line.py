@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from core.errors import MissingError, Paused, UserError
 from core.interrupt import asks_to_stop, process_began
-from core.options import Commands, absolute, add_core_commands, job_of, setting_of
+from core.options import Commands, absolute, add_core_commands, job_of, named, setting_of
 from core.terminal import exit_code, put, sentence_of
 
 if TYPE_CHECKING:
@@ -250,6 +250,7 @@ def _render(args: argparse.Namespace) -> None:
 
     names = ("light", "azimuth_deg", "elevation_deg", "fovy_deg", "distance", "size", "map")
     options = {name: getattr(args, name) for name in names}
+    options["light"] = named(args.light)
     render_asset(args.asset, args.out, **options)
 
 
@@ -275,12 +276,14 @@ def _verify(args: argparse.Namespace) -> None:
 
 
 def _export(args: argparse.Namespace) -> None:
-    from core.io.asset import export
+    from core.io.asset import check_format, export
     from core.simulation.body import check_body
     from core.simulation.export import ENDINGS, export_body, file_for
 
     kind = args.format.lower()
     check_body(args.mass, args.hulls)
+    if kind not in ENDINGS:
+        check_format(kind)  # before a folder is made for it
     out = file_for(args.asset, args.out, ENDINGS.get(kind, f".{kind}"))
     if kind in ENDINGS:
         export_body(args.asset, kind, out, args.mass, args.hulls)
@@ -321,8 +324,7 @@ def _reproduce(args: argparse.Namespace) -> None:
     with _whole_project("reproduce"):
         from core.reproduce.command import run_reproduce
 
-        if args.guidance and Path(args.guidance).exists():
-            args.guidance = absolute(args.guidance)
+        args.guidance = args.guidance and named(args.guidance, folders=True)
         run_reproduce(args, lambda words: job_of(parse(words)))
 
 

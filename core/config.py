@@ -21,11 +21,13 @@ from core.ranges import (
     Range,
     Rate,
     Scale,
+    Squares,
     Steps,
     Weight,
 )
 
 SPHERE = CameraConfig()
+Left = Annotated[float, Range(1e-6, 1)]  # of a rate that falls exponentially: never to 0
 Weighting = Literal["sigma2", "sigma2_sqrt", "inv_sigma2"]
 Prediction = Literal["auto", "epsilon", "v_prediction"]
 Distillation = Literal["sds", "csd", "sdi"]
@@ -112,7 +114,7 @@ class GeometryConfig:
     views_at_once: Count = 24
     cameras: CameraConfig = SPHERE
     learning_rate: Rate = 1e-3
-    learning_rate_end: Fraction = 1.0  # fraction of the rate that is left at the last step
+    learning_rate_end: Left = 1.0  # fraction of the rate that is left at the last step
     rotate_normals: bool = True  # the coarse phase's augmentation (§4.2), for latent diffusion
     # Learned from normals (§4.2), or (ablations) from pictures of clay, or of Γ, learned with it.
     pictures: ShapePictures = "normals"
@@ -148,7 +150,7 @@ class AppearanceConfig:
     views_at_once: Count = 24
     cameras: CameraConfig = SPHERE
     learning_rate: Rate = 1e-2
-    learning_rate_end: Fraction = 1.0  # fraction left at the end of distilling and of refining
+    learning_rate_end: Left = 1.0  # fraction left at the end of distilling and of refining
     gradient_cap: Weight = 0.0
     shading: ShadingModel = "lobes"  # as in Cycles; the paper's split sum; or without a specular
     # The object shadows itself and shines on itself, as in Cycles; the built-in prior's pictures
@@ -159,7 +161,8 @@ class AppearanceConfig:
     kd_curve: Curve = "linear"  # what kd's sigmoid runs over
     roughness_range: Interval = (0.08, 0.9)
     metallic_range: Interval = (0.0, 1.0)
-    metallic_start: Fraction = 0.5  # fraction of its range that metallic starts at
+    # Fraction of its range that metallic starts at; at an end a sigmoid has no slope.
+    metallic_start: Annotated[float, Range(0.001, 0.999)] = 0.5
     bump: Annotated[float, Range(0, 10)] = 1.0  # reach of kn's x and y; 0 leaves the surface smooth
     smooth: Weight = 0.0  # weight of the material's change between neighbouring points
     # Strength of what the bake adds for the materials that a guidance names (grain, rust, a weave);
@@ -179,7 +182,7 @@ class TextureConfig:
     max_faces: Annotated[int, Range(100, 100_000_000)] = 20000
     # Up to this max_faces the triangles are made even in size and shape; 0: never.
     even_faces: Annotated[int, Range(0, 100_000_000)] = 100_000
-    samples: Annotated[int, Range(1, 64)] = 4  # of one texel
+    samples: Annotated[int, Squares(1, 64)] = 4  # of one texel
     # Width of the border inside an edited region, of the longest side.
     feather: Annotated[float, Range(0, 1)] = 0.02
 

@@ -321,7 +321,7 @@ def learned_shape(
     """
     guide, strength = inputs.shape, run.job.guide_strength
     if guide and strength == 1:
-        return kept_guide(guide, run, progress)
+        return kept_guide(guide, run, progress) if inputs.ranks.first else None
     config, parts = inputs.config.geometry, inputs.guidance.parts()
     shape = solid_guide(guide, config) if guide else None
     leash = leash_of(guide, shape, config, strength) if guide and shape else None

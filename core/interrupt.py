@@ -88,6 +88,20 @@ def interruptible() -> Iterator[Interrupts]:
 
 
 @contextmanager
+def interruptible_once() -> Iterator[None]:
+    """KeyboardInterrupt at Ctrl-C and at a request to terminate, within, and only when they come.
+
+    For work that ends in an order of its own, which may take longer than ``AGAIN_SECONDS``.
+    """
+
+    def interrupt() -> None:
+        raise KeyboardInterrupt
+
+    with asks_to_stop(interrupt):
+        yield
+
+
+@contextmanager
 def asks_to_stop(ask: Callable[[], None]) -> Iterator[None]:
     """``ask`` at Ctrl-C and at a request to terminate, within."""
     with ExitStack() as stack:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from core.appearance.material_ranges import LocalRanges, MaterialRanges
-from core.config import DRAFT, AppearanceConfig, Config, preset
+from core.config import DRAFT, AppearanceConfig, Config, PhaseConfig, preset
 from core.geometry.sdf_net import SdfNetConfig
 from core.guidance.guidance import Areas
 from core.io.job import Job
@@ -44,12 +44,19 @@ def config_of(job: Job) -> Config:
     # Before what a strength shortens: it then shortens what the user has set, too.
     config = with_settings(config, job.settings)
     check(config)
+    if is_kept(job):  # whatever the settings say: what was drawn would be taken for the shape
+        config = replace(config, geometry=replace(config.geometry, start="ellipsoid"))
     if job.base_color:
         config = retouching(config, job.guide_strength)
     if job.guide_mesh:
         config = shortened(config, job.guide_strength)
-    learned = job.command == "generate" and not (job.guide_mesh and job.guide_strength == 1)
+    learned = job.command == "generate" and not is_kept(job)
     return trained_together(config) if learned else config
+
+
+def is_kept(job: Job) -> bool:
+    """Whether the guide itself is the shape: nothing is drawn then, and nothing learned of it."""
+    return bool(job.guide_mesh) and job.guide_strength == 1
 
 
 def started(config: Config, job: Job) -> Config:
@@ -61,8 +68,7 @@ def started(config: Config, job: Job) -> Config:
     """
     g, asked = config.geometry, with_settings(config, job.settings).geometry
     # An ablation learns the shape in another way, which is what it is there to show.
-    kept = bool(job.guide_mesh) and job.guide_strength == 1  # nothing of it is drawn
-    able = job.guidance == BUILTIN and not kept and asked.pictures == "normals"
+    able = job.guidance == BUILTIN and not is_kept(job) and asked.pictures == "normals"
     if asked.start != "learned" or not able:
         return replace(config, geometry=replace(g, start="ellipsoid"))
     less = replace(
@@ -137,7 +143,7 @@ def shortened(config: Config, strength: float) -> Config:
     """
     g, keep = config.geometry, 1 - strength
     steps, rounds = round(g.coarse.steps * keep), round(g.grow.rounds * keep)
-    coarse = replace(g.coarse, steps=steps, t_high=_calmer(g.coarse.t_high, strength))
+    coarse = replace(_calmed(g.coarse, strength), steps=steps)
     grow = replace(g.grow, rounds=rounds, t=_calmer(g.grow.t, strength))
     fine = replace(g.fine, steps=round(g.fine.steps * keep))
     less = round(g.refine.steps * keep)
@@ -158,7 +164,7 @@ def retouching(config: Config, strength: float) -> Config:
     a, keep = config.appearance, 1 - strength
     early = replace(a.early, steps=round(a.early.steps * keep))
     steps = max(1, round(a.late.steps * (0.2 + 0.8 * keep)))
-    late = replace(a.late, steps=steps, t_high=_calmer(a.late.t_high, strength))
+    late = replace(_calmed(a.late, strength), steps=steps)
     rounds, fewer = (a.refine.rounds if keep else 0), max(1, round(a.refine.steps * keep))
     refine = replace(a.refine, rounds=rounds, steps=fewer, t=_calmer(a.refine.t, strength))
     rate = a.learning_rate * (0.02 + 0.98 * keep)
@@ -181,6 +187,12 @@ def local_ranges(config: AppearanceConfig, areas: Areas | None) -> LocalRanges |
     if areas is None or config.shading == "diffuse":
         return None
     return LocalRanges(areas.nearest(), [one.ranges for one in areas.each], config.kd_range)
+
+
+def _calmed(phase: PhaseConfig, strength: float) -> PhaseConfig:
+    """``phase`` with calmer noise, and the least of it no more than that."""
+    high = _calmer(phase.t_high, strength)
+    return replace(phase, t_high=high, t_low=min(phase.t_low, *high))
 
 
 def _calmer(t: tuple[float, float], strength: float) -> tuple[float, float]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from core.batch.options import add_batch_options, add_node_options
 from core.errors import UserError
+from core.io.input_file import expanded
 
 if TYPE_CHECKING:
     from core.io.job import Job
@@ -55,7 +56,15 @@ class Commands:
             near = difflib.get_close_matches(unknown[0].split("=")[0], known, n=1)
             fix = f"Did you mean {near[0]}?" if near else f"See: run.py {args.command} --help"
             raise UserError(f"{args.command} has no option {unknown[0]!r}.", fix)
+        self._expand_home(args)
         return args
+
+    def _expand_home(self, args: argparse.Namespace) -> None:
+        """Of --out=~/a a shell leaves the ~; what is no option is taken as it is written."""
+        for action in self[args.command]._actions:
+            value = getattr(args, action.dest, None)
+            if action.option_strings and isinstance(value, Path):
+                setattr(args, action.dest, expanded(value))
 
 
 def add_core_commands(commands: Commands) -> None:
@@ -231,7 +240,7 @@ def add_core_commands(commands: Commands) -> None:
 
 def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--seed", type=int)
-    command.add_argument("--preset", help="draft, standard or paper")
+    command.add_argument("--preset", help="draft, sds, standard or paper")
     command.add_argument(
         "--negative", dest="negative_prompt", metavar="TEXT", help='"": none, not the default text'
     )
@@ -315,14 +324,20 @@ def job_of(args: argparse.Namespace) -> "Job":
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):
         value = getattr(args, name, None)
-        given[name] = absolute(value) if value and Path(value).exists() else value
+        given[name] = named(value, folders=name == "guidance") if value else value
     return Job(**{key: value for key, value in given.items() if value is not None})
 
 
 def absolute(path: str) -> str:
     """The full path; "" stays."""
     # Links are kept as they are: one that leads to itself has no target to name.
-    return os.path.abspath(os.path.expanduser(path)) if path else ""  # noqa: PTH100, PTH111
+    return os.path.abspath(expanded(path)) if path else ""  # noqa: PTH100
+
+
+def named(text: str, folders: bool = False) -> str:
+    """The full path of a file (or one of ``folders``) that is there; else ``text``, a name."""
+    path = Path(absolute(text))
+    return str(path) if path.is_file() or (folders and path.is_dir()) else text
 
 
 def lora_of(text: str) -> tuple[str, float]:

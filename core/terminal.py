@@ -17,6 +17,8 @@ from typing import NoReturn
 from core.errors import MemoryShortError, UserError
 from core.interrupt import CANCELLED, interruptible
 
+# Of torch's errors, also of those that have no type of their own: the driver's, cuBLAS', Apple's.
+OUT_OF_MEMORY = ("allocate memory", "out of memory", "STATUS_ALLOC_FAILED")
 FULL = "Free some space or take another --out."
 FIXES = {
     errno.ENOSPC: FULL,
@@ -29,9 +31,7 @@ FIXES = {
 
 def exit_code(work: Callable[[], object]) -> int:
     """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
-    for stream in (sys.stdout, sys.stderr):  # of a code page that lacks the letters of a name
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
+    take_all_letters()
     try:
         with interruptible() as interrupts:
             try:
@@ -60,12 +60,12 @@ def exit_code(work: Callable[[], object]) -> int:
 
 def sentence_of(error: BaseException) -> UserError | None:
     """An error of the machine as a sentence: memory and disk."""
-    out_of_memory = "allocate memory" in str(error) or type(error).__name__ == "OutOfMemoryError"
-    if out_of_memory or isinstance(error, MemoryError):
+    out_of_memory = type(error).__name__ == "OutOfMemoryError" or isinstance(error, MemoryError)
+    if out_of_memory or any(words in str(error) for words in OUT_OF_MEMORY):
         return MemoryShortError(
             "There is not enough memory for this job.",
-            "Lower geometry.views_at_once and appearance.views_at_once with --set, "
-            "or take the draft preset; then resume.",
+            "Lower geometry.views_at_once and appearance.views_at_once: to resume the run in the "
+            "settings of its job.json, in a new one with --set. Or take the draft preset.",
         )
     if isinstance(error, OSError) and error.errno is not None:
         place = f" {error.filename}" if error.filename else ""
@@ -139,6 +139,13 @@ def _unwritten(error: OSError) -> UserError:
     )
 
 
+def take_all_letters() -> None:
+    """Print a letter that the output's code page lacks, as of a name or a help text, as \\u...."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
 def open_streams() -> None:
     """Open the null device in place of an input or output that the process was started without.
 
@@ -149,3 +156,4 @@ def open_streams() -> None:
             os.fstat(number)
         except OSError:
             os.open(os.devnull, os.O_RDWR)  # the lowest free number
+    take_all_letters()

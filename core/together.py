@@ -165,7 +165,7 @@ class Followed(RunFolder):
     """A run whose folder another process reads and writes."""
 
     def __init__(self, job: Job) -> None:
-        self.path, self.timings = Path(os.devnull), {}
+        self.path, self.timings, self.turn = Path(os.devnull), {}, 0.0
         self._job = job
 
     @property

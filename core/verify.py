@@ -55,7 +55,7 @@ def _job(path: Path, info: dict[str, Any]) -> Job:
     job = Job.from_object(info["job"])
     for name in FILES:
         value = getattr(job, name)
-        if value and value not in ("builtin", "studio", "mesh") and not _is_there(value):
+        if value and _is_gone(name, value):
             raise UserError(
                 f"The asset was made from {shown(value)}, which is not here.",
                 "Name its run folder, or run it from the folder that holds this file.",
@@ -63,11 +63,17 @@ def _job(path: Path, info: dict[str, Any]) -> Job:
     return job
 
 
-def _is_there(name: str) -> bool:
+def _is_gone(field: str, value: str) -> bool:
+    """Whether ``value`` was a file, and is not here: the light and the model have names, too."""
     try:
-        return Path(name).exists()
+        if Path(value).exists():
+            return False
     except OSError:  # a name that is too long
-        return False
+        return True
+    if field == "light":  # such as one of Blender's
+        return bool(Path(value).suffix) and not value.startswith("blender:")
+    is_hub_id = field == "guidance" and "/" in value  # of a file its last name alone is recorded
+    return value not in ("builtin", "mesh") and not is_hub_id
 
 
 def _object(path: Path, info: dict[str, Any], name: str) -> dict[str, Any]:

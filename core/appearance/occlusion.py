@@ -23,6 +23,7 @@ from core.render.normals import vertex_normals
 # Each stands for a cone of 7 degrees about it; no shadow is sharper than that.
 DIRECTIONS = 256
 ABOVE = 2e-3  # of the mesh's size: where a vertex looks from, so that it does not see its own faces
+CHUNK = 1 << 12  # vertices at a time: their rays take some 20 kB each
 NEAREST = 4  # directions by which a lamp is judged
 MOST_CLOSED = 0.95  # of a point's view: deeper, light would bounce without end
 # In the order of ``harmonics``.
@@ -122,12 +123,14 @@ def clear_directions(
     tree.init(v, f)
     size = float(np.ptp(v, axis=0).max())
     start = v + ABOVE * size * normals.double().numpy()
+    ways = directions.double().numpy()
     clear = torch.ones(len(v), len(directions), dtype=torch.bool)
-    # Below the horizon no ray is cast: the cosine there is 0 anyway.
-    point, way = ((normals @ directions.t()) > 0).nonzero(as_tuple=True)
-    along = directions.double().numpy()[way.numpy()]
-    hit = tree.intersect_ray_first(v, f, start[point.numpy()], along)[0]
-    clear[point, way] = torch.from_numpy(np.asarray(hit) < 0)
+    for first in range(0, len(v), CHUNK):
+        # Below the horizon no ray is cast: the cosine there is 0 anyway.
+        above = normals[first : first + CHUNK] @ directions.t() > 0
+        point, way = above.numpy().nonzero()
+        hit = tree.intersect_ray_first(v, f, start[first + point], ways[way])[0]
+        clear[first + point, way] = torch.from_numpy(np.asarray(hit) < 0)
     return clear
 
 

@@ -1,13 +1,9 @@
 """``run.py batch TABLE --out DIR``: an asset for each row, made here or on a cluster."""
 
-import signal
 from argparse import Namespace
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
-from typing import NoReturn
 
 from core.batch.local import LocalPool
 from core.batch.needs import Needs, check_at_once, gpus, needs_of
@@ -84,20 +80,6 @@ def _keep_the_users(part: Part) -> None:
             )
 
 
-@contextmanager
-def _terminated() -> Iterator[None]:
-    """A job scheduler's SIGTERM is answered as Ctrl-C is."""
-
-    def interrupt(_: int, __: FrameType | None) -> NoReturn:
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGTERM, interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
-
-
 def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
     by_folder = {task.folder: task for task in reversed(tasks) if task.folder and task.job}
     runs = list(reversed(by_folder.values()))
@@ -114,8 +96,7 @@ def _make(tasks: list[Task], part: Part, args: Namespace) -> Path:
         todo = [task for task in runs if not is_done(task)]
         if todo:
             pool = _pool(todo, args)
-            with _terminated():  # after Ray, which has an answer of its own
-                Batch(runs, pool, args.retries, save, refused, states).run()
+            Batch(runs, pool, args.retries, save, refused, states).run()
     except KeyboardInterrupt:
         stopped = True
     results = save(states)

@@ -148,7 +148,8 @@ def connect(address: str) -> bool:
     except (ConnectionError, ValueError, RuntimeError, OSError) as error:
         raise UserError(
             f"There is no Ray cluster at {address!r} ({str(error).splitlines()[0]}).",
-            "Start one: python3 run.py node --head; or take --ray local.",
+            "Start one: python3 run.py node --head; let this machine join it: node --join "
+            "HOST:PORT; or take --ray local.",
         ) from error
     return ray.cluster_resources().get("GPU", 0.0) > 0
 

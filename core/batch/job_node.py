@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from core.batch.attempt import Attempt, End
-from core.batch.node import source_version, times
+from core.batch.node import at_home, source_version, times
 from core.batch.parcel import found, homeward, settle, unpack
 from core.errors import UserError
 from core.io.job import LAST, read_events
@@ -50,7 +50,7 @@ class Sender:
         self._previews, self._events = now, self._events + len(events)
         for event in events:
             if event.get("type") not in ("started", *LAST):
-                self._put(event=event)
+                self._put(event=at_home(event, self._folder))
         self._save()
 
     def _save(self) -> None:
@@ -65,8 +65,8 @@ class Sender:
         self.news()
         self._put(parcel=packed(self._folder, WHOLE))
         ends = [e for e in read_events(self._folder) if e.get("type") in ("started", *LAST)]
-        last = ends[-1] if ends and ends[-1]["type"] in LAST else None
-        self._put(end=asdict(end), event=last)
+        last = at_home(ends[-1], self._folder) if ends and ends[-1]["type"] in LAST else None
+        self._put(end=at_home(asdict(end), self._folder), event=last)
 
     def _put(self, **fields: Any) -> None:
         line = MARK + json.dumps(fields)

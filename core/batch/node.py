@@ -7,7 +7,7 @@ import hashlib
 import socket
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
@@ -52,7 +52,18 @@ def make(order: dict[str, Any], parcel: bytes) -> Iterator[dict[str, Any]]:
         finally:
             attempt.close()
         files = homeward(folder, ASSET if end.code == 0 else STATE)
-        yield {"parcel": files, "end": asdict(end) | {"node": node}}
+        yield {"parcel": files, "end": at_home(asdict(end), folder) | {"node": node}}
+
+
+def at_home(said: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """What was said of the run in ``folder``, by its name: here the folder is a temporary one."""
+
+    def named(value: Any) -> Any:
+        for place in (folder.resolve(), folder) if isinstance(value, str) else ():
+            value = value.replace(str(place), folder.name)
+        return value
+
+    return {key: named(value) for key, value in said.items()}
 
 
 def times(folder: Path) -> dict[str, int]:

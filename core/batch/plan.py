@@ -94,7 +94,7 @@ def _builtin_weights() -> dict[str, str]:
 def _content(value: str) -> str:
     """A file's hash, a folder's (a checkpoint's), or the ``value`` that names neither."""
     path = Path(value)
-    if not value or not path.exists():
+    if not path.is_absolute() or not path.exists():  # a name: a folder of it may be anywhere
         return value
     if path.is_file():
         return _hashed(path)

@@ -154,9 +154,9 @@ def mirror(events: EventWriter, event: Mapping[str, Any]) -> None:
 def zipped(files: Mapping[str, bytes]) -> bytes:
     """A zip whose bytes depend on its contents alone."""
     out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-        for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name), content)
+    with zipfile.ZipFile(out, "w") as archive:
+        for name, content in files.items():  # a ZipInfo is packed as its own call says
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED, 1)
     return out.getvalue()
 
 
@@ -220,7 +220,8 @@ def _ended(folder: Path, events: EventWriter, message: Mapping[str, Any]) -> Pat
         events.write("done", path="asset", text=f"{folder / 'asset'} is complete.")
         return folder / "asset"
     if last.get("type") == "paused":
-        events.write("paused", text=text, fix=fix or None)
+        fix = f"Finish it: run.py resume {folder}"
+        events.write("paused", text=text, fix=fix)
         raise Paused(text, fix)
     if last.get("type") == "cancelled":
         raise Cancelled("Cancelled.", f"Continue it: run.py resume {folder}")

@@ -46,9 +46,12 @@ def result_of(task: Task, states: Mapping[Path, State]) -> Result:
     here = {"folder": task.folder.name, "seed": task.job.seed, "attempts": state.attempts}
     here |= {"node": state.end.node if state.end else ""}
     asset = task.folder / "asset" / "asset.json"
-    if asset.is_file():
-        return Result(state="done", text="", **row, **(_nothing() | here | _made(asset)))
-    name, text = _unmade(task.folder, state)
+    try:
+        if asset.is_file():
+            return Result(state="done", text="", **row, **(_nothing() | here | _made(asset)))
+        name, text = _unmade(task.folder, state)
+    except UserError as error:  # one broken asset must not stop the others
+        name, text = "failed", str(error)
     return Result(state=name, text=text, **row, **(_nothing() | here))
 
 

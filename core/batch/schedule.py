@@ -3,6 +3,7 @@
 import time
 from collections import deque
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
@@ -15,6 +16,7 @@ from core.batch.progress_line import ProgressLine, seconds_left
 from core.errors import UserError
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint
 from core.guidance.stable_diffusion.multi_view_names import TOGETHER
+from core.interrupt import interruptible_once
 from core.io.job import Job, write_text
 from core.io.json_file import read_object
 from core.io.run_folder import RunFolder
@@ -23,6 +25,7 @@ from core.job_config import BUILTIN, config_of
 # Exit codes that the same run gives again: the input, what is missing, no surface, a cancel.
 FINAL = (2, 3, 5, 130, OUT_OF_TIME)
 MEMORY = (4, -9)  # -9: the system's own answer to a lack of memory
+REFUSED = 2  # the input
 WAIT = 1.0  # seconds between two progress lines
 STAGES = ("geometry", "appearance")
 
@@ -58,6 +61,7 @@ class State:
 
     attempts: int = 0
     end: End | None = None  # of its last attempt
+    larger: tuple[End, str] | None = None  # that of the attempt before smaller parts, and its job
     begun: float = 0.0  # of the running attempt, on the monotonic clock
 
 
@@ -74,6 +78,11 @@ class Batch:
 
     def run(self) -> None:
         """Make what is missing; KeyboardInterrupt leaves it resumable."""
+        # From here on, as Ray's own start has another answer; the last steps may take long.
+        with interruptible_once():
+            self._run()
+
+    def _run(self) -> None:
         waiting = deque(task for task in self.tasks if not is_done(task))
         self._waiting, self._running = waiting, dict[Path, Task]()
         self._failed, self._is_told = self.refused, False
@@ -103,6 +112,9 @@ class Batch:
         assert task.folder and task.job
         if not (task.folder / "job.json").is_file():
             RunFolder.create(task.folder, task.job)
+        elif task.folder not in self.states:  # of an earlier call
+            with suppress(UserError):  # of a broken job.json, which the run itself tells
+                take_means(task.folder, task.job)
         state = self.states.setdefault(task.folder, State())
         state.attempts, state.begun = state.attempts + 1, time.monotonic()
         self._running[task.folder] = task
@@ -112,11 +124,17 @@ class Batch:
         assert task.folder
         del self._running[task.folder]
         state = self.states[task.folder]
+        if torn := end.code == REFUSED and state.larger:
+            # What a checkpoint predicts together, which the node alone can read: as it was before.
+            end, job = torn
+            write_text(task.folder / "job.json", job)
         state.end = end
         if end.code == 0:
             remove_checkpoints(task.folder)
-        elif end.code not in FINAL and state.attempts <= self.retries:
-            smaller = end.code in MEMORY and use_smaller_parts(task.folder)
+        elif not torn and end.code not in FINAL and state.attempts <= self.retries:
+            job = (task.folder / "job.json").read_text("utf-8") if end.code in MEMORY else ""
+            smaller = bool(job) and use_smaller_parts(task.folder)
+            state.larger = (end, job) if smaller else None
             how = " with smaller parts" if smaller else ""
             self._line.add(f"{task.name}: {end.text} It is tried again{how}.")
             self._waiting.append(task)
@@ -149,6 +167,23 @@ def remove_checkpoints(folder: Path) -> None:
     """What resume needs, of a run that is done: two thirds of its bytes."""
     for file in (folder / "checkpoint").glob("*.safetensors"):
         file.unlink()
+
+
+def take_means(folder: Path, job: Job) -> None:
+    """Give the begun run in ``folder`` what ``job`` says of the means and not of the result: its
+    device, and the views at once where they are fewer.
+
+    Not more: the same command as before must not undo :func:`use_smaller_parts`.
+    """
+    path, less = folder / "job.json", {}
+    old = Job.from_object(read_object(path, "Start a new run."))
+    before, now = config_of(old), config_of(job)
+    for stage in STAGES:
+        if (views := getattr(now, stage).views_at_once) < getattr(before, stage).views_at_once:
+            less[f"{stage}.views_at_once"] = views
+    new = replace(old, device=job.device, settings=old.settings | less)
+    if new != old:
+        write_text(path, new.to_json())
 
 
 def use_smaller_parts(folder: Path) -> bool:

@@ -36,7 +36,8 @@ def write_sheet(out: Path, file: str, results: Sequence[Result], title: str) -> 
     }
     page = filled((HERE / "sheet.html").read_text(encoding="utf-8"), parts)
     with atomic_file(out / file) as temporary:
-        temporary.write_text(page, encoding="utf-8")
+        # The title is a file's name, which may be no text.
+        temporary.write_text(page, encoding="utf-8", errors="replace")
     return out / file
 
 

@@ -95,7 +95,8 @@ def _lines(text: str) -> list[Row]:
 
 def _csv_rows(text: str, path: Path) -> list[Row]:
     first = text.partition("\n")[0]
-    delimiter = max(",;\t", key=first.count)  # some countries' spreadsheets write semicolons
+    # Some countries' spreadsheets write semicolons; where there is none of them, the name tells.
+    delimiter = max("\t,;" if path.suffix.lower() == ".tsv" else ",;\t", key=first.count)
     reader = csv.reader(io.StringIO(text), delimiter=delimiter, strict=True)
     try:
         header = [_column(cell, path) for cell in next(reader, [])]
@@ -145,9 +146,11 @@ def _cells(header: list[str], cells: list[str], line: int, path: Path) -> list[t
 
 
 def _row(line: int, cells: dict[str, str], path: Path) -> Row:
-    for name in FILES:
-        if name in cells and (path.parent / cells[name]).exists():
-            cells[name] = str(path.parent / cells[name])
+    for name in (name for name in FILES if name in cells):
+        here = path.parent / cells[name]
+        # A folder is a checkpoint at most: one named mesh may lie beside a base colour of "mesh".
+        if here.is_file() or (name == "guidance" and here.is_dir()):
+            cells[name] = str(here)
     settings = {name: cell for name, cell in cells.items() if "." in name}
     options = {name: cell for name, cell in cells.items() if name not in settings}
     return Row(line, options.pop("prompt", ""), options.pop("name", ""), options, settings)

@@ -19,6 +19,8 @@ import torch
 from torch import Tensor
 
 from core.errors import UserError
+from core.io.job import write_text
+from core.io.json_file import read_object
 
 LONG = 20.0  # s, beside which what only a first run does is little
 PARTS = ("render", "gradients", "geometry", "texture", "guidance", "gpu")
@@ -89,6 +91,19 @@ def ball(faces: int, bump: float = 0.05) -> tuple[Tensor, Tensor]:
     a, b = (start + ring).reshape(-1), (start + after).reshape(-1)
     c, e = a + n, b + n
     return verts, torch.cat([top, torch.stack([a, c, e], 1), torch.stack([a, e, b], 1), end])
+
+
+def keep_settings(folder: Path, settings: dict[str, Any]) -> None:
+    """Remember what the scores in ``folder`` are made with: what is there is not made again.
+
+    Raises:
+        UserError: those that are there were made with other settings.
+    """
+    path = folder / "settings.json"
+    if path.exists() and read_object(path, "Name another --out.") != settings:
+        raise UserError(f"{folder} holds scores of other settings.", "Name another --out.")
+    folder.mkdir(parents=True, exist_ok=True)
+    write_text(path, json.dumps(settings) + "\n")
 
 
 def bench(names: list[str], out: Path | None = None) -> None:

@@ -20,7 +20,7 @@ from torch import Tensor
 from core.appearance.environment import Environment
 from core.appearance.lights import studio
 from core.appearance.material import MaterialNet
-from core.benchmarks import machine, row, table_line
+from core.benchmarks import keep_settings, machine, row, table_line
 from core.benchmarks.bench_prior import main_delta_e, words_for
 from core.config import DRAFT, Config, PhaseConfig, RefineConfig, TextureConfig
 from core.errors import UserError
@@ -83,6 +83,8 @@ def bench_distillation(
             f"Use one of: {', '.join(offered_words()['noun'])}.",
         )
     torch.set_num_threads(1)
+    config_of("sds", calls, settings)  # what is wrong with them is said before anything is made
+    keep_settings(folder or FOLDER, {"calls": calls, "settings": settings})
     chosen = list(nouns or NOUNS)
     references, scores = reference_clouds(chosen), []
     for noun in chosen:

@@ -15,7 +15,7 @@ import torch
 from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
-from core.benchmarks import machine, row, table_line
+from core.benchmarks import keep_settings, machine, row, table_line
 from core.benchmarks.fit_scores import Truth, scores
 from core.benchmarks.oracle import Oracle
 from core.camera import Cameras
@@ -73,7 +73,7 @@ def bench_fit(
         if noun not in FAMILIES:
             raise UserError(f"There is no noun {noun!r}.", known_things(offered_words()))
     folder = folder or FOLDER
-    folder.mkdir(parents=True, exist_ok=True)
+    keep_settings(folder, settings)
     found = []
     for noun in nouns or NOUNS:
         found.append(_scored(noun, config, folder))

@@ -29,7 +29,9 @@ def union(
     """
     whole = manifold3d.Manifold.batch_boolean([_solid(*m) for m in meshes], manifold3d.OpType.Add)
     for _ in range(MOST_STRUTS if strut else 0):
-        pieces = sorted(whole.decompose(), key=lambda piece: piece.volume())
+        # The wall of a void comes as a piece of its own, inside out.
+        solid = [piece for piece in whole.decompose() if piece.volume() > 0]
+        pieces = sorted(solid, key=lambda piece: piece.volume())
         if len(pieces) < 2:
             break
         for ends in struts(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])])):

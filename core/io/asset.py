@@ -28,7 +28,7 @@ from core.io.atomic import (
     temporary,
 )
 from core.io.glb import glb_bytes
-from core.io.input_file import check_file, own_file
+from core.io.input_file import check_file, check_name, own_file
 from core.io.json_file import read_object
 from core.io.maps import (
     EMISSION_STRENGTH,
@@ -46,8 +46,8 @@ from core.io.printing import check_printable, stl_bytes, three_mf_bytes
 from core.io.provenance import file_hash, summary
 
 __all__ = [
-    "Asset", "check_asset_folder", "check_output", "export", "inspect", "place", "read_asset",
-    "write_asset", "write_plain_obj",
+    "Asset", "check_asset_folder", "check_format", "check_output", "export", "inspect", "place",
+    "read_asset", "write_asset", "write_plain_obj",
 ]  # fmt: skip
 
 VERSION = 1
@@ -190,10 +190,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
     a mesh that is not watertight.
     """
     source, out = Path(folder), Path(out)
-    if format not in FORMATS:
-        raise UserError(
-            f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
-        )
+    check_format(format)
     if out.suffix.lower() != f".{format}":
         raise UserError(f"{out} does not end in .{format}.", f"Name a .{format} file.")
     check_output(out)
@@ -209,6 +206,14 @@ def export(folder: Path, format: str, out: Path) -> Path:
     return out
 
 
+def check_format(format: str) -> None:
+    """Refuse what :func:`export` does not write."""
+    if format not in FORMATS:
+        raise UserError(
+            f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
+        )
+
+
 def check_asset_folder(folder: Path) -> None:
     """Refuse before the work a folder that :func:`write_asset` would refuse after it."""
     with disk_errors(folder):
@@ -218,7 +223,8 @@ def check_asset_folder(folder: Path) -> None:
 def check_output(path: Path) -> None:
     """:func:`check_target`, and UserError for a file of an asset itself, which would be lost."""
     check_target(path)
-    if path.name in ("asset.json", *FILES) and (path.parent / "asset.json").exists():
+    # Some systems take Mesh.obj for mesh.obj.
+    if path.name.lower() in OWN and (path.parent / "asset.json").exists():
         raise UserError(f"{path} is a file of the asset itself.", "Name another file.")
 
 
@@ -230,11 +236,12 @@ def _export_print(mesh: Mesh, format: str, out: Path) -> None:
 
 
 def _export_obj(asset: Asset, out: Path) -> None:
+    check_name(out)
     roles = ("base_color", "normal", "roughness", "metallic")
     emission = () if asset.maps.emission is None else ("emission",)
     names = {name: f"{out.stem}_{name}.png" for name in (*roles, *emission)}
-    for name in names.values():
-        check_output(out.with_name(name))
+    for path in (out.with_suffix(".mtl"), *map(out.with_name, names.values())):
+        check_output(path)
     normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
     of_material = [names[name] for name in roles]
     texts = {

@@ -9,7 +9,7 @@ from torch import Tensor
 
 from core.errors import MissingError, UserError
 from core.io.atomic import atomic_file
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_name
 
 # A larger picture is a broken header or an attack on the memory.
 MAX_PIXELS = 1 << 27  # a light of 16384 x 8192
@@ -23,6 +23,7 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
     Raises ``MissingError`` if there is no file or no library, ``UserError`` if it cannot be read.
     """
     check_file(Path(path), missing=MissingError)
+    check_name(Path(path))
     library = load_library()
     try:
         _check_size(library, path)
@@ -94,6 +95,7 @@ def write_exr(
     channels = {letter: np.ascontiguousarray(pixels[..., i]) for i, letter in enumerate(letters)}
     library = load_library()
     header = {"compression": library.ZIP_COMPRESSION, "type": library.scanlineimage}
+    check_name(Path(path))
     with atomic_file(Path(path)) as temporary:
         temporary.open("wb").close()  # for the system's own reason, which the library leaves out
         try:

@@ -1,6 +1,7 @@
 """Files that the user names: there, regular and readable, before a library opens them."""
 
 import errno
+import os
 import stat
 from pathlib import Path
 
@@ -41,12 +42,32 @@ def check_file(
         raise _forbidden(path) from None
 
 
+def expanded(path: "str | Path") -> Path:
+    """``path`` with the user's own folder for "~"; an unknown ~user stays as it is."""
+    return Path(os.path.expanduser(path))  # noqa: PTH111 - Path's own raises RuntimeError there
+
+
+def check_name(path: Path) -> None:
+    """Refuse a name that is no text: libraries for pictures and checkpoints open none such.
+
+    Raises:
+        UserError: UTF-8 cannot hold it, as that of an old archive or disk.
+    """
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        raise UserError(
+            f"{path} has a byte in its name that is no text.", "Rename it, or choose another place."
+        ) from None
+
+
 def own_file(path: Path, folder: Path, fix: str) -> Path:
     """``path`` of our ``folder``; UserError where it is a link that leads out of it.
 
     A folder may come from anywhere: what is made of it must not hold another file of the user's.
     """
-    if path.exists() and not path.resolve().is_relative_to(folder.resolve()):
+    # Not resolve, which may raise for a link that leads back to itself.
+    if not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder)):
         raise UserError(f"{path} is a link to another folder.", fix)
     return path
 

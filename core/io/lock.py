@@ -12,6 +12,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from core.errors import UserError
+from core.io.input_file import own_file
 
 NAME = "lock"  # the file; it stays, because removing one that another process waits for is unsafe
 LOCK_TIMEOUT = 0.5  # seconds: the add-on holds the lock for a moment when it checks who holds it
@@ -23,10 +24,13 @@ def run_lock(folder: Path, name: str = NAME) -> Iterator[None]:
     """Hold the lock of the run in ``folder``; the system releases it when this process dies.
 
     Raises:
-        UserError: another process works on the run, or nothing can be written in its folder.
+        UserError: another process works on the run, or nothing can be written in its folder; a file
+            that is written into is a link to another, as in a folder from elsewhere.
     """
     path = folder / name
     try:
+        for written in (name, "events.jsonl", "log.txt"):
+            own_file(folder / written, folder, "Remove it.")
         # Unbuffered: Windows forbids reading the first byte, which is the one that is locked.
         file = path.open("ab+", buffering=0)
     except OSError as error:

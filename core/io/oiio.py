@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import OpenImageIO
 
+from core.io.input_file import check_name
+
 # A larger picture is a broken header or an attack on the memory.
 MAX_SIDE = 1 << 15  # pixels
 MAX_PIXELS = 1 << 27  # a light of 16384 x 8192; decoded it takes up to 1.5 GB
@@ -26,8 +28,10 @@ class UnreadableError(ValueError):
 def read_pixels(path: Path, format: str) -> np.ndarray:
     """(H,W,C) of the file's own type (uint8, uint16, float32); ``format`` is "png" or "hdr".
 
-    Raises UnreadableError for a file of another format, a broken one, or one too large.
+    Raises UnreadableError for a file of another format, a broken one, or one too large; UserError
+    for a name that is no text.
     """
+    check_name(path)
     source = OpenImageIO.ImageInput.open(str(path), STRAIGHT_ALPHA)
     if source is None:
         raise UnreadableError(_one_line(OpenImageIO.geterror()))

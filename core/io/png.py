@@ -16,7 +16,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.io.atomic import atomic_file
-from core.io.input_file import check_file
+from core.io.input_file import check_file, check_name
 from core.io.oiio import UnreadableError, read_pixels, write_pixels
 from core.ops import linear_to_srgb, srgb_to_linear
 
@@ -68,7 +68,10 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
 
     ``image`` is an array of uint8 or uint16, or a tensor of [0, 1] that already has the curve
     which the file shall have, and is written with 8 bits.
+
+    Raises UserError for a name that is no text, and as :func:`atomic_file`.
     """
+    check_name(path)
     if isinstance(image, Tensor):
         image = unit_bytes(image)
     with atomic_file(path) as temporary:

@@ -32,9 +32,10 @@ def check_printable(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> N
     """Raises UserError for a mesh that encloses no volume: a slicer would guess."""
     report = health(verts, faces)
     if not (report["closed"] and report["manifold"] and report["oriented"]):
+        turned = "" if report["oriented"] else ", and not all faces look outwards"
         raise UserError(
             f"The mesh is not watertight: {report['open_edges']} open and "
-            f"{report['nonmanifold_edges']} non-manifold edges.",
+            f"{report['nonmanifold_edges']} non-manifold edges{turned}.",
             "Repair it in Blender (Mesh Health), or generate the asset again.",
         )
 
@@ -66,9 +67,10 @@ def three_mf_bytes(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> by
         + '</triangles></mesh></object></resources><build><item objectid="1"/></build></model>'
     )
     packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as file:
+    with zipfile.ZipFile(packed, "w") as file:
         parts = (("[Content_Types].xml", TYPES), ("_rels/.rels", RELATIONS))
         for name, text in (*parts, ("3D/3dmodel.model", model)):
-            # A fixed time: the same asset gives the same file.
-            file.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), text)
+            # A fixed time: the same asset gives the same file. Such an entry has its own packing.
+            entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            file.writestr(entry, text, zipfile.ZIP_DEFLATED)
     return packed.getvalue()

@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from core.errors import UserError
 from core.io.atomic import OURS, atomic_file, left_over
-from core.io.input_file import check_file, check_size
+from core.io.input_file import check_file, check_name, check_size
 from core.io.job import EventWriter, Job, write_text
 from core.io.json_file import read_object
 
@@ -44,8 +44,10 @@ class RunFolder:
         """A new run folder with its job.json.
 
         Raises:
-            UserError: the folder holds another run or other files, or can't be written.
+            UserError: the folder holds another run or other files, can't be written, or has a name
+                that is no text.
         """
+        check_name(path)
         if (path / "job.json").exists():
             raise UserError(
                 f"{path} holds a run already.",
@@ -72,6 +74,7 @@ class RunFolder:
     @classmethod
     def open(cls, path: Path) -> "RunFolder":
         """An earlier run folder."""
+        check_name(path)
         if not (path / "job.json").is_file():
             raise UserError(f"{path} is no run folder: it has no job.json.", "Start a new run.")
         return cls(path)

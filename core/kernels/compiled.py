@@ -4,11 +4,13 @@ import os
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from numba import njit
-from numba.core.caching import FunctionCache
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 WAIT_SECONDS = 60.0  # for another process's compiler; then this one compiles too
 
@@ -17,24 +19,41 @@ class Cache(FunctionCache):
     """Of the processes that start together, one compiles a loop; the others take what it kept.
 
     From a load that finds nothing to the save the loop's lock is held; the system releases it if
-    this process dies.
+    this process dies. What is kept is used only while all loops here are as they were then.
     """
 
     _held: int | None = None  # the open file that is locked
 
+    def __init__(self, function: Callable) -> None:
+        super().__init__(function)
+        # Numba's own stamp is that of the loop's file; but what a loop calls from another file, and
+        # that file's numbers, are compiled into it.
+        stamp = self._impl.locator.get_source_stamp(), _all_loops()
+        self._cache_file = IndexDataCacheFile(self.cache_path, self._impl.filename_base, stamp)
+
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        found = super().load_overload(sig, target_context)
+        found = self._kept(sig, target_context)
         if found is None and self._lock():
-            found = super().load_overload(sig, target_context)
+            found = self._kept(sig, target_context)
             if found is not None:
                 self._release()
         return found
 
     def save_overload(self, sig: Any, data: Any) -> None:
         try:
-            super().save_overload(sig, data)
+            with suppress(OSError):  # a full disk: it is compiled all the same
+                super().save_overload(sig, data)
         finally:
             self._release()
+
+    def _kept(self, sig: Any, target_context: Any) -> Any:
+        """What is on disk; None where nothing is, or where a power cut damaged it."""
+        try:
+            return super().load_overload(sig, target_context)
+        except Exception:  # of a damaged pickle any may come
+            with suppress(OSError):
+                self.flush()
+            return None
 
     def _lock(self) -> bool:
         """Whether another process may have compiled it meanwhile."""
@@ -61,9 +80,17 @@ class Cache(FunctionCache):
             self._held = None
 
 
+@cache
+def _all_loops() -> str:
+    """A hash of all files of loops."""
+    files = sorted(Path(__file__).parent.glob("*.py"))
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
 def compiled(function: Callable) -> Any:
-    """The loop, compiled at its first call and kept on disk."""
+    """The loop, compiled at its first call and kept on disk, where a folder can be written."""
     # Other threads run meanwhile; division by zero gives infinity, as in torch.
     loop = njit(nogil=True, error_model="numpy")(function)
-    loop._cache = Cache(function)  # pyright: ignore[reportAttributeAccessIssue]
+    with suppress(RuntimeError):  # numba's, where there is no such folder
+        loop._cache = Cache(function)  # pyright: ignore[reportAttributeAccessIssue]
     return loop

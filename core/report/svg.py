@@ -12,7 +12,10 @@ def curve(points: dict[int, float], title: str, logarithmic: bool = False) -> st
 
     ``logarithmic``: the values' axis, where all of them are positive.
     """
-    steps = sorted(points)[:: max(1, len(points) // MOST_POINTS)]
+    known = sorted(points)
+    kept = {*known[:: max(1, len(known) // MOST_POINTS)], known[-1]}
+    kept |= {min(known, key=points.__getitem__), max(known, key=points.__getitem__)}
+    steps = sorted(kept)
     values = [points[step] for step in steps]
     log = logarithmic and all(value > 0 for value in values)
     heights = [math.log10(value) for value in values] if log else values

@@ -9,6 +9,7 @@ from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
 from core.io.asset import Asset, check_output, read_asset
 from core.io.atomic import atomic_file, disk_errors
+from core.io.input_file import check_name
 from core.io.maps import Maps
 from core.io.obj import from_y_up, mtl_text, obj_text, plain_obj_text
 from core.simulation.body import Body, body_of, identifier, parts_folder
@@ -34,6 +35,7 @@ def export_body(
             f"{out} does not end in {ENDINGS[format]}.", f"Name a {ENDINGS[format]} file."
         )
     check_output(out)
+    check_name(Path(out.name))  # which is in the text
     body, parts = body_of(read_asset(folder), mass, most), parts_folder(out)
     text = {"urdf": urdf_text, "mjcf": mjcf_text, "usd-physics": usd_text}[format](body, parts)
     with disk_errors(out):

@@ -127,7 +127,7 @@ def _picture(path: str, folder: str, role: str) -> str:
     return (
         f'            def Shader "{role}"\n            {{\n'
         '                uniform token info:id = "UsdUVTexture"\n'
-        f"                asset inputs:file = @./{folder}/{file}.png@\n"
+        f"                asset inputs:file = {_asset_path(f'./{folder}/{file}.png')}\n"
         f'                token inputs:sourceColorSpace = "{space}"\n'
         f"                float2 inputs:st.connect = <{path}/st.outputs:result>\n{shift}"
         f"                {kind} outputs:{output}\n            }}\n"
@@ -146,6 +146,12 @@ def _tuple(row: Float[Tensor, " c"]) -> str:
 
 def _numbers(indices: Int[Tensor, "f 3"]) -> str:
     return str(indices.cpu().reshape(-1).tolist())
+
+
+def _asset_path(path: str) -> str:
+    """Between three @ where the path has one itself (OpenUSD, "usda" format, asset values)."""
+    mark = "@@@" if "@" in path else "@"
+    return f"{mark}{path}{mark}"
 
 
 def _quoted(text: str) -> str:

@@ -54,7 +54,8 @@ def keep_frame(run: RunFolder, stage: str, picture: UInt8[np.ndarray, "h w 3"]) 
     folder = run.preview_path("film")
     folder.mkdir(exist_ok=True)
     now = round(time.time() * 1000)
-    times = sorted(int(path.stem.split("-")[1]) for path in folder.glob(f"{stage}-*.png"))
+    frames = folder.glob(f"{stage}-{'[0-9]' * 13}.png")  # and no copy of the user's
+    times = sorted(int(path.stem.split("-")[1]) for path in frames)
     if times and now - times[-1] < (now - times[0]) / FRAMES:
         return
     write_png(folder / f"{stage}-{now:013d}.png", np.ascontiguousarray(picture[::2, ::2]))

@@ -40,11 +40,20 @@ def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
     check_file(Path(name), fix="Check the base colour's path.")
     try:
         with Image.open(Path(name)) as file:
-            srgb = np.asarray(file.convert("RGB"))
+            srgb = _srgb(file)
     # SyntaxError and ValueError: a broken header, as PIL's readers raise it. Size: PIL's own bound.
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise UserError(f"{name} is no picture ({error}).", "Use a PNG or a JPEG.") from None
-    return srgb_to_linear(torch.from_numpy(srgb.astype(np.float32) / 255))
+    return srgb_to_linear(torch.from_numpy(srgb))
+
+
+def _srgb(file: Image.Image) -> Float[np.ndarray, "h w 3"]:
+    """A picture's colours in [0, 1]."""
+    if file.mode.startswith("I;16"):  # grey, which PIL's own conversion cuts off at 255
+        return np.repeat(np.asarray(file, np.float32)[..., None] / 65535, 3, axis=2)
+    if file.mode in ("I", "F"):
+        raise ValueError("its numbers have no known range")
+    return np.asarray(file.convert("RGB"), np.float32) / 255
 
 
 def fit_start_color(

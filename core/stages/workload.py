@@ -26,20 +26,28 @@ def calls_of(config: Config, command: str) -> Calls:
     phases = [(a.early, a.views, True), (a.late, a.views, True)]
     rounds = [a.refine]
     if command == "generate":
-        # The coarse phase's latent is the normals themselves: nothing is encoded (§4.2).
-        phases += [(g.coarse, g.views, False), (g.fine, g.views, True)]
+        # The coarse phase's latent is the normals themselves: nothing is encoded (§4.2). A shaded
+        # picture is.
+        phases += [(g.coarse, g.views, g.pictures != "normals"), (g.fine, g.views, True)]
         rounds += [g.grow, g.refine]
     predictions = sum(phase.steps * views * _of_a_step(phase) for phase, views, _ in phases)
     encodings = sum(phase.steps * views for phase, views, encoded in phases if encoded)
-    return Calls(predictions + sum(map(_of_rounds, rounds)), encodings)
+    fits = [_of_rounds(refine) for refine in rounds]
+    return Calls(
+        predictions + sum(fit.predictions for fit in fits),
+        encodings + sum(fit.encodings for fit in fits),
+    )
 
 
 def _of_a_step(phase: PhaseConfig) -> int:
     return 1 + (phase.inversion_steps if phase.distillation == "sdi" else 0)
 
 
-def _of_rounds(refine: RefineConfig) -> int:
-    return refine.rounds * refine.views * refine.denoise_steps
+def _of_rounds(refine: RefineConfig) -> Calls:
+    """A round's pictures are denoised once; each of its steps encodes some of them again."""
+    rounds = refine.rounds if refine.steps else 0  # a guide may leave a phase without steps
+    fitted = refine.steps * min(refine.batch, refine.views)
+    return Calls(rounds * refine.views * refine.denoise_steps, rounds * fitted)
 
 
 def cpu_notice(work: Work | None, config: Config, command: str) -> str:

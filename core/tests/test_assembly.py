@@ -333,6 +333,19 @@ def test_a_union_keeps_its_faces_small_and_its_volume_right():
     assert len(corners) > 768  # those of one plane are not merged
 
 
+def test_no_strut_leads_from_the_wall_of_a_void():
+    verts, faces = _cube()
+    pot = union([(0.9 * verts + 0.05, faces)], 0.0)
+    hollow = torch.cat([verts, pot[0]]), torch.cat([faces, pot[1].flip(1) + len(verts)])
+    knob = 0.2 * verts + torch.tensor([0.4, 0.4, 1.1]), faces
+    for meshes in ([hollow], [hollow, knob]):
+        made = union(meshes, 0.02)
+        found = health(*made)
+        assert found["components"] == 2  # the outside and the void's wall
+        assert made[0].amin(0).tolist() == [0, 0, 0]
+    assert found["volume"] > 1 - 0.9**3 + 0.2**3
+
+
 def test_an_open_mesh_is_no_solid():
     verts, faces = torus()
     assert is_solid(verts, faces)

@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import struct
+import zipfile
 from dataclasses import asdict
 from pathlib import Path
 
@@ -551,6 +552,20 @@ def test_an_open_mesh_is_not_printed(parts, tmp_path: Path) -> None:
     folder = write_asset(tmp_path / "open", opened, maps, INFO)
     with pytest.raises(UserError, match="not watertight: 3 open"):
         export(folder, "stl", tmp_path / "open.stl")
+
+
+def test_a_mesh_with_a_turned_face_is_not_printed_and_that_is_said(parts, tmp_path: Path) -> None:
+    mesh, _ = parts
+    turned = torch.cat([mesh.faces[:1].flip(1), mesh.faces[1:]])
+    write_plain_obj(tmp_path / "turned.obj", mesh.verts, turned)
+    with pytest.raises(UserError, match="0 non-manifold edges, and not all faces look outwards"):
+        export(tmp_path / "turned.obj", "stl", tmp_path / "turned.stl")
+
+
+def test_a_3mf_is_packed(folder, tmp_path: Path) -> None:
+    with zipfile.ZipFile(export(folder, "3mf", tmp_path / "a.3mf")) as file:
+        (model,) = [entry for entry in file.infolist() if entry.filename.endswith(".model")]
+    assert model.compress_size < model.file_size / 2
 
 
 def test_an_obj_has_its_roughness_and_metallic_as_maps(folder, tmp_path: Path) -> None:

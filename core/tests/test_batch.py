@@ -83,6 +83,27 @@ def test_a_row_with_a_mesh_is_textured(tmp_path):
     assert row.arguments([]) == ["texture", "--", "m.obj", "-rusty"]
 
 
+def test_a_comma_separates_nothing_in_a_table_of_tabs(tmp_path):
+    (tmp_path / "t.tsv").write_text("prompt\na red, wooden chair\n")
+    (row,) = read_table(tmp_path / "t.tsv")
+    assert row.prompt == "a red, wooden chair"
+
+
+def test_a_folder_beside_the_table_is_no_picture_and_no_light(tmp_path):
+    """``mesh`` is the mesh's own colours, also where the meshes lie in a folder of that name."""
+    for name in ("mesh", "studio", "model"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "mesh" / "m.obj").write_text("")
+    (tmp_path / "t.csv").write_text(
+        "mesh,prompt,base_color,light,guidance\nmesh/m.obj,a chair,mesh,studio,model\n"
+    )
+    (row,) = read_table(tmp_path / "t.csv")
+    assert row.options == {
+        "mesh": str(tmp_path / "mesh" / "m.obj"), "base_color": "mesh", "light": "studio",
+        "guidance": str(tmp_path / "model"),
+    }  # fmt: skip
+
+
 def test_a_text_file_has_a_prompt_on_each_line(tmp_path):
     (tmp_path / "t.txt").write_text("# mine\na chair, red\n\n a mug \n")
     assert [(r.line, r.prompt) for r in read_table(tmp_path / "t.txt")] == [
@@ -167,6 +188,13 @@ def test_a_file_counts_by_what_it_holds(tmp_path):
     assert missing != a == b != c
     files[0].write_text("v 2 0 0 # written anew while this process runs")
     assert digest(jobs[0]) not in (missing, a, c)
+
+
+def test_a_folder_with_the_name_of_a_light_counts_not(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    before = digest(Job(prompt="a chair"))
+    (tmp_path / "studio").mkdir()
+    assert digest(Job(prompt="a chair")) == before
 
 
 def test_new_weights_are_another_asset(monkeypatch):
@@ -265,6 +293,22 @@ def test_out_of_memory_is_tried_again_with_smaller_parts(table, tmp_path):
     assert report(tmp_path)[0]["attempts"] == "0"
 
 
+def test_a_later_call_says_with_how_much_memory_and_where(table, tmp_path):
+    """Which the names of the folders do not tell, as the result is the same."""
+    argv = table("a chair that dies\n", "t.txt")
+    assert main(["batch", *argv, "--retries", "0"]) == 6
+    (row,) = report(tmp_path)
+    smaller = ["--set", "geometry.views_at_once=1", "--device", "cpu"]
+    assert main(["batch", *argv, "--retries", "0", *smaller]) == 0
+    job = Job.from_json((tmp_path / "out" / row["folder"] / "job.json").read_text())
+    assert job.device == "cpu" and job.settings["geometry.views_at_once"] == 1
+    more = ["--set", "geometry.views_at_once=8"]  # as a call from before the parts were halved
+    (tmp_path / "out" / row["folder"] / "asset" / "asset.json").unlink()
+    assert main(["batch", *argv, *more]) == 0
+    job = Job.from_json((tmp_path / "out" / row["folder"] / "job.json").read_text())
+    assert job.device == "auto" and job.settings["geometry.views_at_once"] == 1
+
+
 MVDREAM = Path(__file__).parents[1] / "guidance/stable_diffusion/configurations/mvdream"
 
 
@@ -355,6 +399,24 @@ def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
     assert [s[0] for s in starts] == [0, 0, 0] and all(s[1] > 0 for s in starts[:2])
 
 
+def test_one_ctrl_c_waits_for_a_step_longer_than_a_second(table, tmp_path, monkeypatch, capsys):
+    """Other commands are interrupted again after a second; a user's own alone ends this at once."""
+    monkeypatch.setenv("FAKE_STEPS", "60")
+    monkeypatch.setenv("FAKE_PAUSE", "2")
+    argv = table("a chair\n", "t.txt")
+
+    def interrupt():
+        wait_for(lambda: list((tmp_path / "out").glob("*/events.jsonl")))
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    assert main(["batch", *argv]) == 130
+    assert "0 of 1 are done. The same command goes on" in capsys.readouterr().err
+    (row,) = report(tmp_path)
+    assert read_events(tmp_path / "out" / row["folder"])[-1]["type"] == "cancelled"
+    assert (tmp_path / "out" / "contact_sheet.html").exists()
+
+
 def test_a_process_ends_with_the_one_that_started_it(tmp_path):
     """A survivor of a killed batch, or of a cluster's dead node, would go on writing."""
     (tmp_path / "job.json").write_text(Job(prompt="an endless chair").to_json())
@@ -433,6 +495,36 @@ def test_the_sheet_shows_each_asset_and_its_viewer(table, tmp_path, monkeypatch)
 def test_a_broken_asset_does_not_hide_the_others(table, tmp_path):
     assert main(["batch", *table("a chair\n", "t.txt")]) == 0  # the fake's has no picture
     assert "is no picture" in (tmp_path / "out" / "contact_sheet.html").read_text()
+
+
+def test_an_asset_that_cannot_be_read_stops_no_other(table, tmp_path):
+    argv = table("a chair\n", "t.txt")
+    assert main(["batch", *argv]) == 0
+    (row,) = report(tmp_path)
+    (tmp_path / "out" / row["folder"] / "asset" / "asset.json").write_text("")
+    assert main(["batch", *table("a chair\na mug\n", "t.txt")]) == 6
+    broken, made_now = report(tmp_path)
+    assert (broken["state"], made_now["state"]) == ("failed", "done")
+    assert "asset.json is no JSON" in broken["text"] and "Remove its folder" in broken["text"]
+
+
+def test_a_job_that_cannot_be_read_stops_no_other(table, tmp_path):
+    argv = table("a chair that dies\n", "t.txt")
+    assert main(["batch", *argv, "--retries", "0"]) == 6
+    (row,) = report(tmp_path)
+    (tmp_path / "out" / row["folder"] / "job.json").write_text("")
+    more = table("a chair that dies\na mug\n", "t.txt")
+    assert main(["batch", *more, "--retries", "0"]) == 6
+    assert [row["state"] for row in report(tmp_path)] == ["failed", "done"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+def test_a_table_whose_name_is_no_text_has_a_sheet(table, tmp_path):
+    argv = table("a chair\n", "t.txt")
+    odd = tmp_path / os.fsdecode(b"caf\xe9.txt")
+    Path(argv[0]).rename(odd)
+    assert main(["batch", str(odd), *argv[1:]]) == 0
+    assert "caf?: 1 assets" in (tmp_path / "out" / "contact_sheet.html").read_text("utf-8")
 
 
 # The numbers

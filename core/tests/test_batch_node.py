@@ -214,6 +214,14 @@ def test_a_failure_comes_back_with_its_sentence(tmp_path):
     assert last["end"]["text"] == "There is no noun 'unknown'. Say chair."
 
 
+def test_a_failure_names_its_log_as_at_home(tmp_path):
+    """The node's folder is a temporary one, and gone when somebody reads the sentence."""
+    here = run_folder(tmp_path / "here")
+    silent = (sys.executable, "-c", "raise SystemExit(9)")
+    *_, last = make(order(command=silent), parcel.outward(here))
+    assert last["end"]["text"].endswith("reported nothing. Read a-run/log.txt.")
+
+
 def test_another_version_makes_nothing(tmp_path):
     here = run_folder(tmp_path / "here")
     (last,) = make(order(version="other"), parcel.outward(here))

@@ -57,6 +57,9 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
     bench_distillation(["ball"], small, 4, tmp_path / "runs", out)
     assert not asked
     assert json.loads(out.read_text())["runs"] == table["runs"]
+    for others in ((small, 8), (small[1:], 4)):  # these scores are none of theirs
+        with pytest.raises(UserError, match="holds scores of other settings"):
+            bench_distillation(["ball"], *others, tmp_path / "runs", out)
 
 
 def test_a_failed_training_counts_as_wrong_and_an_unknown_noun_is_refused():

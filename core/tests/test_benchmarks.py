@@ -17,6 +17,7 @@ from core.benchmarks import (
     row,
     table_line,
 )
+from core.benchmarks.bench_fit import bench_fit
 from core.errors import UserError
 from core.guidance.stable_diffusion import libraries
 
@@ -98,3 +99,9 @@ def test_the_guidance_is_timed_for_both_networks() -> None:
     rows = bench_guidance.rows()
     assert ["geometry" in rows[0]["name"], "appearance" in rows[1]["name"]] == [True, True]
     assert all(found["value"] > 0 for found in rows)
+
+
+def test_a_fit_of_other_settings_is_not_taken_for_this_one(tmp_path):
+    (tmp_path / "settings.json").write_text('{"geometry.polish": "1"}')
+    with pytest.raises(UserError, match="holds scores of other settings"):
+        bench_fit(["chair"], {}, tmp_path)

@@ -47,7 +47,9 @@ def test_a_missing_folder_is_missing(spec):
     assert error.value.status == 3
 
 
-@pytest.mark.parametrize("spec", ["builtn", "a b/c", "one/two/three", ""])
+@pytest.mark.parametrize(
+    "spec", ["builtn", "a b/c", "one/two/three", "", "modèles/rêve", "models/sd--v1", "my/-model"]
+)
 def test_what_names_nothing_is_refused(spec, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(UserError, match=r"is no guidance|no checkpoint"):
@@ -138,6 +140,19 @@ def test_an_index_without_its_classes_is_refused_and_listed_as_such(broken, entr
 def test_a_scheduler_s_class_that_is_no_name_is_none_of_the_distilled(broken):
     edit(broken / "scheduler" / "scheduler_config.json", _class_name=["LCMScheduler"])
     assert find_checkpoint(str(broken)).folder == broken
+
+
+def test_a_unet_of_no_size_is_refused(broken):
+    """diffusers' own default: nothing says how large a picture is."""
+    edit(broken / "unet" / "config.json", sample_size=None)
+    with pytest.raises(UserError, match="sample_size in unet/config.json is None"):
+        load(broken)
+
+
+def test_a_configuration_of_other_types_is_refused(broken):
+    edit(broken / "text_encoder" / "config.json", max_position_embeddings=None)
+    with pytest.raises(UserError, match="text_encoder.* cannot be loaded"):
+        load(broken)
 
 
 def test_a_missing_tokenizer_is_refused(broken):

@@ -94,6 +94,26 @@ def test_options_reach_the_job(tmp_path, monkeypatch):
     assert job.settings == {"geometry.views": "3", "texture.size": "64"}
 
 
+def test_the_home_that_a_shell_leaves_in_an_option_is_found(tmp_path, monkeypatch):
+    """``--out=~/run`` once made a folder of the name ~ in the current one."""
+    monkeypatch.setenv("HOME", str(tmp_path))
+    (tmp_path / "sky.hdr").write_bytes(b"")
+    args = parse(["generate", "a cube", "--out=~/run", "--light=~/sky.hdr"])
+    assert args.out == tmp_path / "run"
+    assert job_of(args).light == str(tmp_path / "sky.hdr")
+    assert str(parse(["render", "~/a", "--out=~no-one/a.png"]).out) == "~no-one/a.png"
+
+
+def test_a_folder_with_the_name_of_a_light_is_none(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("studio", "mesh", "model"):
+        (tmp_path / name).mkdir()
+    options = ["--light", "studio", "--base-color", "mesh", "--guidance", "model"]
+    job = job_of(parse(["texture", "m.obj", "a cube", *options]))
+    assert (job.light, job.base_color) == ("studio", "mesh")
+    assert job.guidance == str(tmp_path / "model")
+
+
 def test_a_hub_id_stays_an_id(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert job_of(parse(["generate", "a", "--guidance", "some/model"])).guidance == "some/model"

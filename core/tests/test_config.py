@@ -58,10 +58,13 @@ def test_a_setting_reaches_its_field_and_no_other():
         ("geometry.net.width", "0", "1 to"),
         ("appearance.kd_range", "0.9,0.1", "0 to 1, rising"),
         ("appearance.learning_rate", "0", "1e-09 to 1"),
+        ("appearance.learning_rate_end", "0", "1e-06 to 1"),  # or only the first step would move
+        ("appearance.metallic_start", "0", "0.001 to 0.999"),  # or it would never leave it
         ("texture.size", "0", "texture.size is 0. It takes 64 to 8192"),
         ("texture.size", "100000", "64 to 8192"),
         ("texture.max_faces", "-1", "100 to"),
         ("texture.samples", "0", "1 to 64"),
+        ("texture.samples", "5", "texture.samples is 5. It takes a square number from 1 to 64"),
         ("geometry.net.encoding", "spline", "hash or fourier"),
         ("appearance.rotate_light", "maybe", "true or false"),
         ("geometry.radii", "1,2", "3 numbers"),

@@ -52,6 +52,14 @@ def test_every_command_that_is_named_exists(path):
     assert named and set(named) <= {*run.parser().names, *run.PASS_ON}
 
 
+def test_the_clouds_commands_need_no_path():
+    """Ray's launcher runs them in a login shell, whose profile (Debian's) sets PATH anew."""
+    text = (DEPLOY / "cluster-cloud.yaml").read_text()
+    commands = re.findall(r"(\S*)\bray (?:stop|start)", text)
+    (env,) = re.findall(r"FANTASIA3D_ENV=(\S+)", (DEPLOY / "Dockerfile").read_text())
+    assert commands == [f"{env}/bin/"] * 4
+
+
 def test_the_image_installs_the_groups_that_setup_has():
     (groups,) = re.findall(r'^ARG SETUP="(.*)"', (DEPLOY / "Dockerfile").read_text(), re.M)
     assert run.parse(["setup", *groups.split()]).groups == ["ray"]

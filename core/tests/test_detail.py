@@ -192,6 +192,20 @@ def test_the_strength_0_leaves_what_was_learnt_and_so_does_a_guidance_without_su
     assert detail_of(mesh, material, (), strength=1.0, **options) is None
 
 
+@pytest.mark.parametrize("prompt", ["an ebony table", "a marble vase", "a chrome teapot"])
+def test_the_strength_0_takes_no_narrower_material_for_the_wider_one(prompt: str):
+    mesh, material, (surface, *_) = ring(), one_material(BROWN), surfaces_of(parse(prompt))
+    detail = detail_of(mesh, material, (surface,), strength=0.0, size=SIZE, seed=1)
+    assert detail is not None
+    maps = bake(mesh.mesh, material, SIZE, finish=Finish(mesh, None, detail))
+    learnt = bake(mesh.mesh, material, SIZE)
+    wanted = (torch.tensor(BROWN) * torch.tensor(surface.factor)).clamp(0.002, 0.98)
+    assert torch.allclose(maps.base_color, wanted.expand_as(maps.base_color), atol=1e-5)
+    rough = (learnt.orm[..., 1] + surface.roughness).clamp(0.04, 1)
+    assert torch.allclose(maps.orm[..., 1], rough, atol=1e-5)
+    assert torch.allclose(maps.normal, learnt.normal, atol=1e-5)
+
+
 def test_what_is_painted_shows_less_of_what_is_below():
     mesh, material = ring(), one_material(BROWN)
     color = tuple(torch.tensor(BROWN).pow(1 / 2.2).tolist())

@@ -31,7 +31,8 @@ from core.guidance.load import make_guidance
 from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
-from core.job_config import shortened
+from core.job_config import config_of, shortened
+from core.settings import check
 from core.texture.simplify import simplify
 
 BOUND = 0.003  # mean distance, of the longest side
@@ -284,3 +285,22 @@ def test_steps_go_to_none_as_the_strength_goes_to_1(name) -> None:
 def _steps(config) -> int:
     rounds = sum(phase.rounds * phase.steps for phase in (config.grow, config.refine))
     return config.coarse.steps + config.fine.steps + rounds
+
+
+def test_no_setting_draws_another_shape_than_a_guide_that_is_kept() -> None:
+    """The drawn one's parts would say that the guide lies in the training's cube already."""
+    settings = {"geometry.start": "learned"}
+    options = {"prompt": "a chair", "guide_mesh": "guide.obj", "settings": settings}
+    assert config_of(Job(**options, guide_strength=1)).geometry.start == "ellipsoid"
+    assert config_of(Job(**options, guide_strength=0.9)).geometry.start == "learned"
+
+
+@pytest.mark.parametrize("strength", [0.3, 0.9])
+def test_half_of_the_noise_is_no_empty_range(strength) -> None:
+    """The least of it comes down with the most, where that is half of what was set."""
+    options = {"prompt": "a chair", "guide_strength": strength}
+    coarse = {"geometry.coarse.t_low": 0.4, "geometry.coarse.t_high": "0.5,0.5"}
+    late = {"appearance.late.t_low": 0.5}
+    check(config_of(Job(**options, guide_mesh="guide.obj", settings=coarse)))
+    texture = {"command": "texture", "mesh": "mesh.obj", "base_color": "mesh"}
+    check(config_of(Job(**options, **texture, settings=late)))

@@ -1,5 +1,9 @@
 """The compiled loops against the torch formulas that they are twins of."""
 
+import errno
+import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -7,6 +11,7 @@ from pathlib import Path
 import numba
 import pytest
 import torch
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 from torch import Tensor
 
 from core import kernels
@@ -181,3 +186,56 @@ def test_of_processes_that_start_together_one_compiles(
         plain.compile(types)
         one._cache.save_overload(types, plain.overloads[types])
         assert waiting.result(30) is not None
+
+
+def _halved(x: float) -> float:
+    return x / 2
+
+
+def test_a_loop_is_compiled_again_after_a_change_of_what_it_calls_in_another_file(
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "core" / "kernels"
+    folder.mkdir(parents=True)
+    for empty in (folder, folder.parent):
+        (empty / "__init__.py").touch()
+    shutil.copy(kernels.compiled.__file__, folder)
+    loop = "from core.kernels.compiled import compiled\n{}@compiled\ndef {}():\n    return {}\n"
+    (folder / "outer.py").write_text(
+        loop.format("from core.kernels.inner import inner\n", "outer", "inner()")
+    )
+    # ``-B``: Python's own cache goes by whole seconds.
+    call = [sys.executable, "-B", "-c", "from core.kernels.outer import outer; print(outer())"]
+    for number in ("1", "2"):
+        (folder / "inner.py").write_text(loop.format("", "inner", number))
+        said = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=True)
+        assert said.stdout.strip() == number
+
+
+@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
+def test_a_compiled_loop_whose_file_is_damaged_is_compiled_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
+) -> None:
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    assert compiled(_halved)(3.0) == 1.5
+    (kept,) = tmp_path.rglob(f"*{suffix}")
+    whole = kept.read_bytes()
+    for damaged in (b"", whole[: len(whole) // 2]):
+        kept.write_bytes(damaged)
+        assert compiled(_halved)(3.0) == 1.5
+        assert len(kept.read_bytes()) == len(whole)
+
+
+def test_a_loop_runs_where_its_code_can_not_be_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    with monkeypatch.context() as patched:
+        patched.setattr(IndexDataCacheFile, "save", full)
+        assert compiled(_halved)(3.0) == 1.5
+    # Neither next to the sources nor in the user's folder.
+    monkeypatch.setattr(FunctionCache._impl_class, "_locator_classes", [])
+    assert compiled(_halved)(3.0) == 1.5

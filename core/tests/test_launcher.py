@@ -323,6 +323,18 @@ def test_the_builder_is_found_by_no_code_of_the_current_folder(trapped):
     assert not trapped.exists(), f"run: {trapped.read_text()}"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="a place where nobody may make a folder")
+def test_a_package_that_cannot_be_put_down_is_a_sentence(monkeypatch, capsys):
+    monkeypatch.setattr(run.environment, "ensure", lambda *_, **__: Path(sys.executable))
+    monkeypatch.setattr(run.environment, "find_builder", lambda _: ["builder"])
+    monkeypatch.setattr(run, "fill_package", lambda _: None)
+    monkeypatch.setattr(
+        run, "use_builder", lambda _, folder: (Path(folder) / "a.zip").write_bytes(b"")
+    )
+    assert run.main(["package", "--out", "/proc/nowhere"]) == 2
+    assert "/proc/nowhere cannot be written" in capsys.readouterr().err
+
+
 def test_a_package_goes_into_no_file(tmp_path, capsys):
     (tmp_path / "file").touch()
     assert run.main(["package", "--out", str(tmp_path / "file")]) == 2

@@ -2,14 +2,16 @@
 
 import json
 import shutil
+from pathlib import Path
 
 import pytest
 import torch
 from safetensors.torch import save_file
 
 from core.command_line import main
-from core.errors import UserError
-from core.guidance.stable_diffusion.models import models_in, table
+from core.errors import MissingError, UserError
+from core.guidance.stable_diffusion.checkpoint import find_checkpoint
+from core.guidance.stable_diffusion.models import models_folder, models_in, table
 from core.tests.one_file import write_one_file
 
 
@@ -78,3 +80,19 @@ def test_no_folder_is_the_hubs_cache_and_a_missing_one_is_a_sentence(
         models_in([tmp_path / "none"])
     monkeypatch.setenv("HF_HUB_CACHE", str(tmp_path / "empty"))
     assert table(models_in([])) == "No models found."
+
+
+def test_the_hubs_cache_is_where_the_hub_has_it(monkeypatch):
+    for name in ("HF_HUB_CACHE", "HF_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", "/caches")
+    assert models_folder() == Path("/caches/huggingface/hub")
+    monkeypatch.setenv("HF_HOME", "/home/of/hf")
+    assert models_folder() == Path("/home/of/hf/hub")
+
+
+def test_the_home_of_nobody_is_no_folder():
+    with pytest.raises(UserError, match="There is no folder"):
+        models_in([Path("~nobody-here/models")])
+    with pytest.raises(MissingError, match="There is no folder"):
+        find_checkpoint("~nobody-here/model")

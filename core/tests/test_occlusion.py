@@ -2,10 +2,12 @@
 
 import math
 
+import igl
 import pytest
 import torch
 from torch import Tensor
 
+from core.appearance import occlusion
 from core.appearance.environment import Environment
 from core.appearance.latlong import directions
 from core.appearance.occlusion import (
@@ -152,6 +154,24 @@ def test_rays_are_those_of_embree() -> None:
     assert 0.02 < hit.mean() < 0.9
     assert float((torch.from_numpy(hit) == free[at, k]).float().mean()) < 0.01
     assert bool(free[(normals @ ways.t()) <= 0].all())
+
+
+def test_a_large_mesh_casts_its_rays_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    cast = []
+
+    class Counted(igl.AABB):
+        def intersect_ray_first(self, *given):
+            cast.append(len(given[2]))
+            return super().intersect_ray_first(*given)
+
+    verts, faces = sphere(3, bump=0.3)
+    whole = clear_directions(verts, faces, normalize(verts), spread(64))
+    assert not whole.all()
+    monkeypatch.setattr(occlusion, "CHUNK", 50)
+    monkeypatch.setattr(igl, "AABB", Counted)
+    assert torch.equal(clear_directions(verts, faces, normalize(verts), spread(64)), whole)
+    assert max(cast) <= 50 * 64 / 2 * 1.2
+    assert sum(cast) == int((normalize(verts) @ spread(64).t() > 0).sum())
 
 
 def test_shading_with_shadows_has_exact_gradients(sky: Environment) -> None:

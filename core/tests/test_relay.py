@@ -16,8 +16,8 @@ from core.batch.jobs_api import Jobs, checked
 from core.batch.relay import RECORD
 from core.batch.relay import relay as carry_out
 from core.command_line import main
-from core.errors import Cancelled, UserError
-from core.io.job import Job, read_events
+from core.errors import Cancelled, Paused, UserError
+from core.io.job import EventWriter, Job, read_events
 from core.tests.ray_jobs_server import Cluster
 from core.tests.test_batch import FAKE
 
@@ -235,6 +235,21 @@ def test_a_cluster_writes_into_the_folders_of_the_run_alone(run, cluster, monkey
     with pytest.raises(UserError, match="does not belong there"):
         carry_out(run, cluster.url, "", time.time())
     assert json.loads((run / "job.json").read_text())["prompt"] == "a chair"
+
+
+def test_what_goes_to_the_cluster_is_packed():
+    made = relay.zipped({"parcel.tar": bytes(100_000)})
+    assert len(made) < 1000 and made == relay.zipped({"parcel.tar": bytes(100_000)})
+
+
+def test_a_pause_names_the_folder_that_is_here(run):
+    """The cluster's own is a temporary one, and gone."""
+    last = {"type": "paused", "text": "Look.", "fix": "Finish it: run.py resume /tmp/there"}
+    message = {"end": {"code": 0, "text": ""}, "event": last}
+    with pytest.raises(Paused):
+        relay._ended(run, EventWriter(run), message)
+    (event,) = read_events(run)
+    assert event["fix"] == f"Finish it: run.py resume {run}"
 
 
 def test_two_relays_do_not_work_on_one_run(run, cluster):

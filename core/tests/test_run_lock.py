@@ -71,6 +71,22 @@ def test_a_moment_of_the_add_ons_asking_refuses_no_run(tmp_path, monkeypatch):
         assert (tmp_path / "lock").read_text() == f" {os.getpid()}\n"
 
 
+@pytest.mark.skipif(os.name != "posix", reason="links")
+@pytest.mark.parametrize("name", ["lock", "events.jsonl", "log.txt"])
+def test_a_file_of_the_users_behind_a_link_keeps_what_it_holds(tmp_path, name):
+    """The folder of a run may come from anywhere."""
+    run, mine = RunFolder.create(tmp_path / "run", Job(prompt="a chair")), tmp_path / "mine.txt"
+    mine.write_text("my work\nwithout an end")
+    (run.path / name).symlink_to(mine)
+    with pytest.raises(UserError, match=f"{name} is a link to another folder"), run_lock(run.path):
+        pass
+    assert mine.read_text() == "my work\nwithout an end"
+    mine.unlink()  # and none is made there
+    with pytest.raises(UserError, match="is a link"), run_lock(run.path):
+        pass
+    assert not mine.exists()
+
+
 def test_a_run_that_may_not_be_written_is_a_sentence_at_resume(tmp_path, monkeypatch, capsys):
     run = RunFolder.create(tmp_path / "run", Job(prompt="a chair"))
 

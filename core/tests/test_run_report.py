@@ -112,6 +112,8 @@ def test_a_curve_falls_as_its_values_do():
     np.testing.assert_allclose(np.diff(x), np.diff(x)[0], atol=0.2)
     np.testing.assert_allclose(np.diff(y), np.diff(y)[0], atol=0.2)  # logarithmic: even steps
     assert y[0] < y[-1]  # downwards on the screen
+    long = curve({n: 9.0 if n == 801 else float(n % 2) for n in range(1000)}, "loss")
+    assert ">9<" in long and ">step 999<" in long  # of the points that are left out, not these
     assert "logarithmic" not in curve({1: 0.0, 2: 1.0}, "loss", logarithmic=True)
     assert "NaN" not in curve({5: 2.0}, "loss").replace("nan", "NaN")
 
@@ -201,10 +203,13 @@ def test_a_light_that_is_not_here_is_left_out():
 def test_a_film_thins_out_as_it_grows(tmp_path, monkeypatch):
     run, now = RunFolder.create(tmp_path / "run", Job(prompt="a mug")), [1000.0]
     monkeypatch.setattr(preview.time, "time", lambda: now[0])
+    film = run.path / "preview" / "film"
     for _ in range(1000):
         preview.keep_frame(run, "geometry", np.zeros((16, 16, 3), np.uint8))
         now[0] += 2.0
-    frames = sorted((run.path / "preview" / "film").iterdir())
+        (film / "geometry-1 copy.png").touch()  # somebody's
+    (film / "geometry-1 copy.png").unlink()
+    frames = sorted(film.iterdir())
     assert 40 < len(frames) < 100
     times = [int(path.stem.split("-")[1]) for path in frames]
     gaps = np.diff(times)

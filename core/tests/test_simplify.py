@@ -12,10 +12,11 @@ import trimesh
 import core.texture.simplify as module
 from core.errors import Cancelled, UserError
 from core.geometry.marching_tets import marching_tets
-from core.geometry.mesh import health
+from core.geometry.mesh import Mesh, health
 from core.geometry.tet_grid import tet_grid
 from core.tests.meshes import sphere
 from core.tests.texture_shapes import torus
+from core.texture.remesh import even
 from core.texture.simplify import simplify, unfolded
 
 
@@ -110,6 +111,27 @@ def test_three_faces_on_an_edge_are_refused() -> None:
     fin = torch.cat([faces, torch.tensor([[0, 12, 30]])])
     with pytest.raises(UserError, match="three faces share an edge"):
         simplify(verts, fin, 100)
+
+
+def test_holes_that_meet_in_a_vertex_are_no_hindrance() -> None:
+    verts, faces = sphere(4)
+    here = (faces == faces[0, 0]).any(1).nonzero()[:, 0]
+    # Of the faces about a corner of the first the one that has only that corner in common with it.
+    (across, *_) = (
+        k for k in here.tolist() if len({*faces[k].tolist()} - {*faces[0].tolist()}) == 2
+    )
+    kept = torch.ones(len(faces), dtype=torch.bool)
+    kept[[0, across]] = False
+    faces = faces[kept]
+    assert (
+        health(verts, faces)["nonmanifold_edges"],
+        health(verts, faces)["nonmanifold_verts"],
+    ) == (0, 1)
+    for made in (simplify(verts, faces, 200), even(Mesh(verts, faces), 200)):
+        assert 150 < len(made[1]) <= 200
+        assert health(*made)["manifold"]
+        assert health(*made)["components"] == 1
+        assert float((made[0].norm(dim=1) - 0.8).abs().max()) < 0.03
 
 
 @pytest.mark.parametrize("flips", ["one", "first", "half", "strip"])

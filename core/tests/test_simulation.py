@@ -21,6 +21,7 @@ from core.simulation.body import identifier
 from core.simulation.export import ENDINGS, export_body
 from core.simulation.hulls import MAX_HULLS, Hull, convex_hulls
 from core.simulation.mass import WALL, mass_of
+from core.simulation.usd_physics import _asset_path
 from core.tests.meshes import sphere, torus
 
 SIZE, DENSITY = 0.4, 650.0  # a wooden ring
@@ -220,6 +221,12 @@ def test_what_usd_names_is_there(exported) -> None:
     assert {Path(name).name for name in named} == {"base_color.png", "orm.png", "normal.png"}
     assert all((path.parent / name).is_file() for name in named)
     assert text.count('"PhysicsCollisionAPI"') > 1
+
+
+def test_usd_takes_a_name_with_its_own_mark_of_a_path() -> None:
+    """OpenUSD: an asset path that holds an @ stands between three of them."""
+    assert _asset_path("./a@2x_parts/orm.png") == "@@@./a@2x_parts/orm.png@@@"
+    assert _asset_path("./a_parts/orm.png") == "@./a_parts/orm.png@"
 
 
 def test_what_glows_and_what_is_clear_goes_along_where_the_format_knows_it(ring, tmp_path) -> None:

@@ -268,6 +268,12 @@ def test_broken_short_and_missing_files_are_refused(files, tmp_path):
         load(tmp_path / "notes.txt")
 
 
+def test_a_first_layer_without_channels_is_refused(tmp_path):
+    save_file({f"{UNET}input_blocks.0.0.weight": torch.zeros(4)}, tmp_path / "one.safetensors")
+    with pytest.raises(UserError, match="is a file of inpainting or editing model"):
+        find_checkpoint(str(tmp_path / "one.safetensors"))
+
+
 def test_a_missing_weight_and_one_of_another_shape_are_named(files, tmp_path):
     tensors, path = load_file(files["1.x"]), tmp_path / "x.safetensors"
     name = f"{UNET}time_embed.0.weight"

@@ -322,6 +322,13 @@ def test_a_long_prompt_is_cut_with_a_warning_and_keeps_its_view_words(one):
     assert difference(eps[0], eps[1]) > 1e-4
 
 
+def test_a_tokenizer_that_states_no_length_has_the_encoders(own):
+    """Saved without one, transformers states 10³⁰."""
+    tokens, _ = own.texts.tokens("a chair", "")
+    own.texts.tokenizer.model_max_length = int(1e30)
+    assert own.texts.tokens("a chair", "")[0] == tokens
+
+
 def test_a_long_negative_prompt_warns_for_itself(one):
     with pytest.warns(PromptCutWarning, match="The negative prompt is too long"):
         one.prompted("a chair", "very " * 90)

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 import torch
 from PIL import Image
@@ -60,6 +61,9 @@ def test_a_picture_is_read_as_srgb_and_the_meshs_own_is_taken_as_it_is(tmp_path)
     Image.new("RGBA", (2, 2), (255, 128, 0, 255)).save(tmp_path / "a.png")
     picture = start_picture(str(tmp_path / "a.png"), WALL)
     torch.testing.assert_close(picture[0, 0], srgb_to_linear(torch.tensor([1, 128 / 255, 0])))
+    Image.fromarray(np.full((2, 2), 128 * 257, np.uint16)).save(tmp_path / "grey.png")  # 16 bit
+    grey = start_picture(str(tmp_path / "grey.png"), WALL)
+    torch.testing.assert_close(grey[0, 0], srgb_to_linear(torch.full((3,), 128 / 255)))
     own = Mesh(CORNERS, FACES, WALL.uv, FACES, ramp())
     assert start_picture("mesh", own) is own.base_color
 

@@ -15,7 +15,7 @@ from core.command_line import main
 from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
-from core.terminal import exit_code, put, tell
+from core.terminal import exit_code, put, sentence_of, tell
 from core.tests.bad_files import meshes
 
 ROOT = Path(__file__).parents[2]
@@ -175,6 +175,22 @@ def test_ctrl_c_while_python_starts_is_one_line_and_130():
     assert (process.returncode, err) == (130, "Cancelled.\n")
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        "CUDA error: out of memory\nCUDA kernel errors might be asynchronously reported",
+        "MPS backend out of memory (MPS allocated: 6.00 GB, other allocations: 3.0 GB)",
+        "CUDA error: CUBLAS_STATUS_ALLOC_FAILED when calling `cublasCreate(handle)`",
+        "[enforce fail at alloc_cpu.cpp:117] DefaultCPUAllocator: can't allocate memory",
+    ],
+)
+def test_a_lack_of_memory_is_known_by_what_torch_says(said):
+    """These have no type of their own; a batch goes on with smaller parts by the exit code."""
+    known = sentence_of(RuntimeError(said))
+    assert known and known.status == 4
+    assert sentence_of(RuntimeError("CUDA error: an illegal memory access")) is None
+
+
 # Outputs
 
 
@@ -199,6 +215,15 @@ def test_a_reader_that_has_gone_is_no_error(line):
     os.close(write)
     _, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (0, "")
+
+
+def test_a_help_text_is_printed_in_any_code_page(monkeypatch):
+    """Windows' and older ones have no ellipsis."""
+    monkeypatch.setenv("PYTHONIOENCODING", "latin-1")
+    process = launched("render", "--help", stdout=subprocess.PIPE)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, "")
+    assert "roughness, \\u2026" in out
 
 
 @POSIX

@@ -13,6 +13,7 @@ from core.guidance.stable_diffusion.work import work_of
 from core.io.job import Job
 from core.stages import workload
 from core.stages.workload import calls_of, cpu_notice, operations_per_second, spoken
+from core.tests.test_stages import SHORT, guidance, learn, run_in, start_net
 
 
 def test_the_papers_schedule_by_hand():
@@ -22,6 +23,29 @@ def test_the_papers_schedule_by_hand():
     late = replace(Config().appearance.late, distillation="sdi", inversion_steps=7)
     config = replace(Config(), appearance=replace(Config().appearance, late=late))
     assert calls_of(config, "texture").predictions == 24 * (1000 + 8 * 1000)
+
+
+def test_the_calls_of_a_training_are_those_that_are_counted(tmp_path):
+    """Its rounds of fitting too, of which every step encodes pictures again."""
+    counted = guidance()
+    predict, encode = counted.predict, counted.encode_normals
+    predictions, encodings = [], []
+
+    def predicted(z_t, *given, **more):
+        predictions.append(len(z_t))
+        return predict(z_t, *given, **more)
+
+    def encoded(n, o):
+        if n.requires_grad:
+            encodings.append(len(n))
+        return encode(n, o)
+
+    counted.predict, counted.encode_normals = predicted, encoded
+    learn(start_net(), counted, SHORT, run_in(tmp_path / "run"))
+    whole = calls_of(replace(Config(), geometry=SHORT), "generate")
+    material = calls_of(Config(), "texture")
+    assert sum(predictions) == whole.predictions - material.predictions
+    assert sum(encodings) == whole.encodings - material.encodings
 
 
 def test_a_checkpoints_operations_are_those_known_of_stable_diffusion_1():

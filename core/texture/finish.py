@@ -11,7 +11,7 @@ from core.appearance.shaded import UvMesh
 from core.guidance.guidance import Areas, Surface
 from core.ops import dot, normalize
 from core.texture.bake import MaterialAt
-from core.texture.detail.detail import Coat, Detail, Spots, lit
+from core.texture.detail.detail import Coat, Detail, Spots, lit, renamed
 from core.texture.detail.grain import convexity, lengths
 from core.texture.detail.noise import Noise
 from core.texture.detail.parts import ByArea, ByColor
@@ -91,7 +91,7 @@ def detail_of(
     """The detail of the ``areas``, or where they are not known of ``surfaces``, on ``mesh``, whose
     learnt material is ``material``; None where there is none to make."""
     each = tuple(one.surface for one in areas.each) if areas else surfaces
-    if not surfaces or (strength == 0 and not lit(each)):
+    if not surfaces or (strength == 0 and not (lit(each) or renamed(each))):
         return None
     finish = Finish(mesh)
     face, bary = spread(mesh.verts, mesh.faces, SURVEYED)

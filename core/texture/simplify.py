@@ -17,7 +17,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.geometry.faces import agree, agreeing, areas_and_normals
-from core.geometry.mesh import mean_around
+from core.geometry.mesh import health, mean_around
 from core.geometry.signed_distance import facing_outward
 
 # A mesh of more faces than so many, and than so many times what is asked for, is halved first.
@@ -48,17 +48,15 @@ def simplify(
     used, compact = np.unique(faces.cpu().numpy(), return_inverse=True)
     points = verts.detach().cpu().double().numpy()[used]
     triangles = compact.reshape(-1, 3)
-    new_verts, new_faces = _halved(points, triangles, max(MANY, MANY_TIMES * max_faces), check)
-    fine = new_verts, new_faces
-    new_verts, new_faces = _collapsed(*fine, max_faces, apart=True)
-    check()
-    if len(new_faces) > max_faces:
-        # Parts that were united touch all along, and hardly a collapse there keeps them apart.
-        new_verts, new_faces = _collapsed(*fine, max_faces, apart=False)
-        check()
+    new_verts, new_faces = _within(points, triangles, max_faces, check)
+    if not len(new_faces) and not health(verts, faces)["nonmanifold_edges"]:
+        # Where two holes meet in a vertex libigl finds no collapse at all: each has its own then.
+        points, apart, _ = igl.split_nonmanifold(points, triangles)
+        points, triangles = np.asarray(points), np.asarray(apart).astype(np.int64)
+        new_verts, new_faces = _within(points, triangles, max_faces, check)
     if not len(new_faces):
         raise UserError(
-            f"The mesh has {len(faces):,} faces and cannot be brought to {max_faces:,}: "
+            f"The mesh has {len(faces):,} faces and cannot be given fewer: "
             "somewhere three faces share an edge.",
             "Repair it (Blender: Select > All by Trait > Non Manifold), or raise --max-faces.",
         )
@@ -87,6 +85,23 @@ def oriented(
     return torch.from_numpy(points).to(verts), torch.from_numpy(triangles).to(faces)
 
 
+def _within(
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    max_faces: int,
+    check: Callable[[], None],
+) -> tuple[Float[np.ndarray, "v2 3"], Int[np.ndarray, "f2 3"]]:
+    """The surface with ``max_faces`` faces, as far as it may be; no faces where it can't."""
+    fine = _halved(verts, faces, max(MANY, MANY_TIMES * max_faces), check)
+    found = _collapsed(*fine, max_faces, apart=True)
+    check()
+    if len(found[1]) > max_faces:
+        # Parts that were united touch all along, and hardly a collapse there keeps them apart.
+        found = _collapsed(*fine, max_faces, apart=False)
+        check()
+    return found
+
+
 def _halved(
     verts: Float[np.ndarray, "v 3"],
     faces: Int[np.ndarray, "f 3"],
@@ -112,7 +127,7 @@ def _collapsed(
 ) -> tuple[Float[np.ndarray, "v2 3"], Int[np.ndarray, "f2 3"]]:
     """libigl's collapses; ``apart``: none that would push the surface through itself.
 
-    No faces where it can't: three share an edge.
+    No faces where it can't: three share an edge, or two holes a vertex.
     """
     if not len(faces):
         return verts, faces

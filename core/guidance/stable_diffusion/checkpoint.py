@@ -16,6 +16,7 @@ from core.guidance.stable_diffusion.header import PICKLES
 from core.guidance.stable_diffusion.multi_view_names import CAMERA, CLASS
 from core.guidance.stable_diffusion.single_file import find_single_file
 from core.guidance.stable_diffusion.source import Checkpoint
+from core.io.input_file import expanded
 
 # What Stable Diffusion 1.x and 2.x are made of; SD 3 and Flux differ in one of them.
 PARTS: Final = {
@@ -50,7 +51,7 @@ def find_checkpoint(spec: str) -> Checkpoint:
         UserError: neither, or the file or folder holds something else.
         MissingError: no such file or folder, or a hub id that is not on this machine.
     """
-    path = Path(spec).expanduser()
+    path = expanded(spec)
     if path.is_dir():
         return _require_text_to_image(path)
     if path.is_file():
@@ -64,11 +65,7 @@ def find_checkpoint(spec: str) -> Checkpoint:
             f"Give the folder of {_EXPECTED}, or a .safetensors file of one.",
         )
     if not _HUB_ID.fullmatch(spec):
-        raise UserError(
-            f'"{spec}" is no guidance.',
-            'Give "builtin", a checkpoint\'s folder or .safetensors file, or its hub id such as '
-            '"owner/name".',
-        )
+        raise _no_guidance(spec)
     return _require_text_to_image(_from_hub(spec))
 
 
@@ -185,6 +182,12 @@ def _require_unet(folder: Path, is_xl: bool) -> None:
             "not 4.",
             f"Give {_EXPECTED}.",
         )
+    if not isinstance(unet.get("sample_size"), int):
+        raise UserError(
+            f'"{folder}" does not state how large its latents are: sample_size in '
+            f"unet/config.json is {unet.get('sample_size')!r}.",
+            "Write it there: 64 for pictures of 512 pixels a side, 96 for 768, 128 for 1024.",
+        )
     added = unet.get("addition_embed_type")
     if added != ("text_time" if is_xl else None):
         which = "SDXL's refiner" if added == "text_time" else f"a model of {added or 'two texts'}"
@@ -214,6 +217,14 @@ def _require_no_distilled(folder: Path) -> None:
         raise _distilled(folder, "turbo model", f'its {kind} has timestep_spacing "trailing"')
 
 
+def _no_guidance(spec: str) -> UserError:
+    return UserError(
+        f'"{spec}" is no guidance.',
+        'Give "builtin", a checkpoint\'s folder or .safetensors file, or its hub id such as '
+        '"owner/name".',
+    )
+
+
 def _other_family(folder: Path, family: str) -> UserError:
     return UserError(f'"{folder}" is {family}.', f"Give {_EXPECTED}.")
 
@@ -230,7 +241,11 @@ def _distilled(folder: Path, kind: str, sign: str) -> UserError:
 def _from_hub(hub_id: str) -> Path:
     # Imported here: a folder needs no hub.
     from huggingface_hub import snapshot_download
-    from huggingface_hub.errors import HfHubHTTPError, LocalEntryNotFoundError
+    from huggingface_hub.errors import (
+        HfHubHTTPError,
+        HFValidationError,
+        LocalEntryNotFoundError,
+    )
 
     online = os.environ.get("HF_HUB_OFFLINE", "").lower() in ("0", "false", "no", "off")
     # Only the parts that are used, without pickles and other frameworks' copies of the same
@@ -245,6 +260,8 @@ def _from_hub(hub_id: str) -> Path:
                 ignore_patterns=["*.bin", "*.ckpt", "*.msgpack", "*.onnx*", "*non_ema*"],
             )
         )
+    except HFValidationError as error:  # such as a folder that is not here, with an accent
+        raise _no_guidance(hub_id) from error
     except (LocalEntryNotFoundError, HfHubHTTPError, OSError) as error:
         reason = "could not be downloaded" if online else "is not on this machine"
         raise MissingError(

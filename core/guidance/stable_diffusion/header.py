@@ -95,8 +95,9 @@ def _is_embedding(header: Header) -> bool:
     return (len(shapes) == 1 and widths) or bool(named)
 
 
-def _channels(header: Header) -> int:
-    return header.shapes.get(f"{UNET}input_blocks.0.0.weight", (0, 4))[1]
+def _channels(header: Header) -> tuple[int, ...]:
+    """Of what the U-Net takes; of a broken file none."""
+    return header.shapes.get(f"{UNET}input_blocks.0.0.weight", (0, 4))[1:2]
 
 
 # The first that is true names the file. What is not a checkpoint comes before what may be one.
@@ -108,7 +109,7 @@ _KINDS: Final[tuple[tuple[str, Callable[[Header], bool]], ...]] = (
     ("Flux", lambda h: h.any("double_blocks.")),
     ("Stable Diffusion 3", lambda h: h.any("joint_blocks.")),
     ("SDXL refiner", lambda h: h.starts("conditioner.embedders.0.model.")),
-    ("inpainting or editing model", lambda h: _channels(h) != 4),
+    ("inpainting or editing model", lambda h: _channels(h) != (4,)),
     (
         "U-Net without text encoder",
         lambda h: h.starts(UNET) and not h.starts(*_TEXTS),

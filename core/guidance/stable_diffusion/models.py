@@ -13,6 +13,7 @@ from typing import Final
 from core.errors import UserError
 from core.guidance.stable_diffusion.checkpoint import find_checkpoint, read_json
 from core.guidance.stable_diffusion.header import PICKLES, kind_of, read_header
+from core.io.input_file import expanded
 
 ADDITIONS: Final = ("LoRA", "textual inversion")
 _DEEP: Final = 4  # folders below the one that is named
@@ -40,8 +41,9 @@ class Model:
 
 def models_folder() -> Path:
     """Where the hub keeps what was downloaded, by its own variables."""
-    home = os.environ.get("HF_HOME", "~/.cache/huggingface")
-    return Path(os.environ.get("HF_HUB_CACHE") or Path(home) / "hub").expanduser()
+    caches = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    home = os.environ.get("HF_HOME") or Path(caches, "huggingface")
+    return expanded(os.environ.get("HF_HUB_CACHE") or Path(home, "hub"))
 
 
 def models_in(folders: list[Path]) -> list[Model]:
@@ -51,9 +53,9 @@ def models_in(folders: list[Path]) -> list[Model]:
         UserError: a folder that is not there.
     """
     for folder in folders:
-        if not folder.expanduser().is_dir():
+        if not expanded(folder).is_dir():
             raise UserError(f'There is no folder "{folder}".', "Give a folder of models.")
-    named = [folder.expanduser() for folder in folders] or [models_folder()]
+    named = [expanded(folder) for folder in folders] or [models_folder()]
     found: dict[Path, Model] = {}
     for folder in named:
         usual = [folder / part for part in USUAL if (folder / part).is_dir()]

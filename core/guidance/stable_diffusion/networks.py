@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import torch
+from huggingface_hub.errors import StrictDataclassError
 from safetensors import SafetensorError, safe_open
 from torch import Tensor
 
@@ -292,6 +293,7 @@ def readable(path: Path) -> Iterator[None]:
         TypeError,
         RuntimeError,
         SafetensorError,
+        StrictDataclassError,
         json.JSONDecodeError,
     ) as error:
         if isinstance(error, torch.OutOfMemoryError):

@@ -60,12 +60,18 @@ class Texts:
         tokens, cut = fit_tokens(
             self._ids(text),
             self._ids(suffix),
-            tokenizer.model_max_length,
+            self._length,
             bos=tokenizer.bos_token_id,
             eos=tokenizer.eos_token_id,
             pad=tokenizer.pad_token_id,
         )
         return tokens, self._text(cut)
+
+    @property
+    def _length(self) -> int:
+        """Tokens of a text; a tokenizer that was saved without one states a huge number."""
+        places = self.encoders[0].model.config.max_position_embeddings
+        return min(self.tokenizer.model_max_length, places)
 
     def _ids(self, text: str) -> list[int]:
         """The tokens of ``text``; a textual inversion's word is its own."""

@@ -160,6 +160,14 @@ def lit(surfaces: tuple[Surface, ...]) -> bool:
     return any(surface.glow or surface.clear for surface in surfaces)
 
 
+def renamed(surfaces: tuple[Surface, ...]) -> bool:
+    """Whether any of them is of another colour or gloss than what the model was asked for."""
+    return any(
+        surface.factor != (1.0, 1.0, 1.0) or surface.roughness or surface.metallic
+        for surface in surfaces
+    )
+
+
 def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:
     """Two unit vectors across each normal and across each other.
 
