@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 import fantasia3d_addon  # noqa: E402
+from fantasia3d_addon.jobs import submit  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
 from fantasia3d_addon.ui.registration import CLASSES  # noqa: E402
 from fantasia3d_addon.ui.text import TAB  # noqa: E402
@@ -107,6 +108,9 @@ class Screen:
     def press_generate(self, below: int) -> Iterator[float]:
         """Click where the button is, ``below`` pixels from the sidebar's top; call the operator
         where none was hit."""
+        while submit.report_of(bpy.context.scene.fantasia3d) is None:  # which takes a row above
+            yield 0.1
+        yield 0.6
         yield from self.find(below, below + 40, lambda: bool(session.running))
         report["clicked"] = bool(session.running)
         if not session.running:

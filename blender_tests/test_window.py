@@ -115,7 +115,7 @@ def test_a_preview_is_looked_at_alone_until_its_end(default_report):
 
 def test_an_unknown_word_is_shown_before_the_job(default_report):
     assert default_report["unknown"] == "Replace or ignore the unknown words of the prompt."
-    assert default_report["replaced"] == ["a red cottage", ""]
+    assert default_report["replaced"] == ["a red teapot", ""]
 
 
 def test_a_prompt_is_typed_and_generate_is_clicked(report):

@@ -37,14 +37,14 @@ def steps(screen: Screen) -> Iterator[float]:
 
 def words(settings) -> Iterator[float]:
     """An unknown word, its nearest meaning, and what is understood."""
-    settings.prompt = "a red igloo"  # no thing of the prior, but near to one
+    settings.prompt = "a red samovar"  # no thing of the prior, but near to one
     while submit.report_of(settings) is None or not session.word_groups():
         yield 0.1
     report["unknown"] = submit.reason_against_generate(bpy.context)
     yield 0.6
     screenshot("unknown_word")
-    nearest = submit.unknown(submit.report_of(settings))["igloo"][0]
-    bpy.ops.fantasia3d.replace_word(old="igloo", new=nearest)
+    nearest = submit.unknown(submit.report_of(settings))["samovar"][0]
+    bpy.ops.fantasia3d.replace_word(old="samovar", new=nearest)
     while submit.report_of(settings) is None:
         yield 0.1
     report["replaced"] = [settings.prompt, submit.reason_against_generate(bpy.context)]

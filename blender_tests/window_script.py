@@ -34,7 +34,7 @@ def steps(screen: Screen) -> Iterator[float]:
     settings.ignore_unknown = True  # of the words that tell the fake core what to do
     yield 1.0
     screenshot("before")
-    yield from screen.press_generate(432)
+    yield from screen.press_generate(390)
     yield from watch()
     screenshot("running")
     yield from cancel()
