@@ -369,7 +369,7 @@ def test_a_wall_of_clear_glass_is_smoother_than_what_mirrors():
 
 
 def test_no_snow_lies_on_a_flame_nor_dust_on_an_eye():
-    for prompt, part in (("a snow covered candle", "flame"), ("a dusty dragon", "eyes")):
+    for prompt, part in (("a snow covered candle", "flame"), ("a dusty dinosaur", "eyes")):
         words = parse(prompt)
         weather = {one.name: surface_of(words, one).weather for one in painted(words.noun, words)}
         assert weather.pop(part) == ()

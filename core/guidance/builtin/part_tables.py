@@ -213,6 +213,7 @@ BORNE = {
     "wheels": "hubs",
     "roof": "chimney",
     "icing": "sprinkles, strands, drops",
+    "candles": "flames",
     "head": "eyes, bill, aerial",
 }
 # What most of a thing is, whatever it calls that; and what else it has.

@@ -216,7 +216,10 @@ def house(draw: Draw) -> Parts:
         "walls": box((0, 0, wall / 2), (x, y, wall / 2)),
         "roof": prism(roof, 0, x + eave),
         "door": box((0, -y, wall * 0.34), (0.2, frame, wall * 0.34), 0.02),
-        "windows": both(box((x * 0.6, -y, wall * 0.56), (x * 0.19, 0.08, wall * 0.18))),
+        "windows": join(
+            both(box((x * 0.61, -y, wall * 0.56), (x * 0.21, 0.1, wall * 0.2))),
+            both(box((x, 0, wall * 0.56), (0.1, y * 0.42, wall * 0.2))),
+        ),
     }
     chimney = {"chimney": box((cx, y * 0.35, ridge - 0.1), (0.13, 0.13, 0.35))}
     return parts | chimney if draw.has("chimney", 0.9) else parts

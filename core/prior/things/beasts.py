@@ -131,7 +131,7 @@ def dragon(draw: Draw) -> Parts:
         for t in (-long * 0.28, long * 0.18, long * 0.64)
     ]
     point = [(long + 0.9, tip - 0.24), (long + 1.1, tip + 0.34), (long + 0.54, tip + 0.26)]
-    horn = taper((h * 0.42, y, z + h * 0.6), (h * 0.85, y + 0.32, z + h + 0.22), 0.15, 0.1)
+    horn = taper((h * 0.42, y, z + h * 0.6), (h * 0.95, y + 0.4, z + h + 0.3), 0.17, 0.05)
     throat = taper((0, -long * 0.85, b.belly - 0.1), (0, y - 0.1, z - 0.24), 0.28, 0.17)
     return {
         "body": join(b.trunk(0.24), tail, b.muzzle(0.3, 0.22)),
@@ -139,6 +139,7 @@ def dragon(draw: Draw) -> Parts:
         "wings": both(moved(turned(prism(wing, 1, 0.13), 2, draw(24, 32)), (0.16, -0.1, back))),
         "horns": join(both(horn), *spikes, prism(point, 0, 0.13)),
         "eyes": both(ball((h * 0.55, y - h * 0.72, z + h * 0.36), 0.14)),
+        "pupils": both(ball((h * 0.6, y - h * 0.72 - 0.09, z + h * 0.38), 0.085)),
     }
 
 

@@ -131,27 +131,29 @@ def sandwich(draw: Draw) -> Parts:
 
 
 def cake(draw: Draw) -> Parts:
-    """One or two tiers, icing that runs down, cherries or candles on top."""
-    wide, high, two = draw(0.85, 1.0), draw(0.6, 0.8), draw.chance(0.5)
+    """One or two tiers, icing that runs down, cherries about the rim, candles that burn on top."""
+    wide, high, two = draw(0.85, 1.0), draw(0.6, 0.8), draw.chance(0.4)
     drip = capsule((wide + 0.01, 0, high * 0.55), (wide + 0.01, 0, high), 0.13)
     icing = [tube((0, 0, high - 0.1), (0, 0, high + 0.1), wide + 0.07, 0.08), around(10, drip)]
-    layers, z, top = [tube((0, 0, 0), (0, 0, high), wide, 0.03)], high, wide * 0.74
+    layers, z, top = [tube((0, 0, 0), (0, 0, high), wide, 0.03)], high + 0.1, wide
     if two:
-        small, z = wide * 0.62, high + 0.55
-        layers.append(tube((0, 0, high - 0.05), (0, 0, z), small, 0.03))
-        drop = capsule((small, 0, z - 0.18), (small, 0, z), 0.11)
-        icing += [tube((0, 0, z - 0.08), (0, 0, z + 0.1), small + 0.06, 0.07), around(7, drop)]
-        top = small * 0.68
-    if draw.chance(0.5):
-        stick = join(
-            tube((top * 0.8, 0, z), (top * 0.8, 0, z + 0.45), 0.09, 0.02),
-            ball((top * 0.8, 0, z + 0.5), 0.1),
-        )
-        topping = around(3 + 2 * (not two), stick, 20)
-    else:
-        topping = around(5 if two else 8, ball((top, 0, z + 0.2), 0.15))
+        top, z = wide * 0.64, high + 0.62
+        layers.append(tube((0, 0, high - 0.05), (0, 0, z - 0.08), top, 0.03))
+        drop = capsule((top, 0, z - 0.28), (top, 0, z - 0.1), 0.11)
+        icing += [tube((0, 0, z - 0.16), (0, 0, z), top + 0.06, 0.07), around(7, drop)]
+    count, at = (3, 0.5) if two else (5, 0.46)
+    stick = tube((top * at, 0, z - 0.1), (top * at, 0, z + 0.4), 0.1)
+    flame = egg((top * at, 0, z + 0.5), (0.1, 0.1, 0.17))
+    cherries = around(6 if two else 8, ball((wide * 0.84, 0, high + 0.2), 0.14))
     plate = tube((0, 0, -0.14), (0, 0, 0.02), wide + 0.25, 0.05)
-    return {"icing": join(*icing), "body": join(*layers), "topping": topping, "plate": plate}
+    return {
+        "icing": join(*icing),
+        "body": join(*layers),
+        "topping": cherries,
+        "plate": plate,
+        "candles": around(count, stick, 18),
+        "flames": around(count, flame, 18),
+    }
 
 
 def cookie(draw: Draw) -> Parts:

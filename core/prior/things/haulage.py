@@ -61,6 +61,17 @@ def cabin(
     return within(line, walls), panes
 
 
+def pane(low: Point, high: Point, out: int, half: float) -> Solid:
+    """A pane on a cabin's slanted end, of which the lower and the upper edge are given as (y, z);
+    ``out`` is the side of y that it looks to."""
+    (a, b), (c, d) = low, high
+    length = math.hypot(c - a, d - b)
+    across = (out * (d - b) / length * 0.06, abs(c - a) / length * 0.06)
+    ends = [(a + (c - a) * t, b + (d - b) * t) for t in (0.3, 0.84)]
+    corners = [(u + s * across[0], v + s * across[1]) for s in (1, -1) for u, v in ends[::s]]
+    return prism(corners, 0, half)
+
+
 def pickup_truck(draw: Draw) -> Parts:
     """A car's front and cabin with an open bed behind, on large wheels; or with a roll bar."""
     x, y, wheel, edge = draw(0.6, 0.68), draw(1.28, 1.4), draw(0.3, 0.36), 0.06

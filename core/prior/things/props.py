@@ -33,17 +33,17 @@ def chest(draw: Draw) -> Parts:
     x, y, low = draw(0.95, 1.2), draw(0.6, 0.75), draw(0.6, 0.8)
     lid = cut(tube((-x, 0, low), (x, 0, low), y, 0.02), box((0, 0, low - 1), (2, 2, 1.0)))
     band = join(
-        box((x * 0.6, 0, low / 2), (0.11, y + 0.05, low / 2)),
+        box((x * 0.6, 0, low / 2), (0.12, y + 0.09, low / 2)),
         cut(
-            tube((x * 0.6 - 0.11, 0, low), (x * 0.6 + 0.11, 0, low), y + 0.05),
+            tube((x * 0.6 - 0.12, 0, low), (x * 0.6 + 0.12, 0, low), y + 0.09),
             box((0, 0, -1), (2, 2, 1 + low / 2)),
         ),
     )
     return {
         "body": box((0, 0, low / 2), (x, y, low / 2), 0.02),
         "lid": lid,
-        "bands": join(both(band), box((0, 0, low), (x + 0.04, y + 0.04, 0.08))),
-        "lock": box((0, -y - 0.05, low - 0.03), (0.15, 0.12, 0.18), 0.04),
+        "bands": join(both(band), box((0, 0, low), (x + 0.09, y + 0.09, 0.09))),
+        "lock": box((0, -y - 0.1, low - 0.03), (0.17, 0.14, 0.2)),
     }
 
 

@@ -24,7 +24,7 @@ from core.prior.solids import (
     turned,
     within,
 )
-from core.prior.things.haulage import cabin, wheels
+from core.prior.things.haulage import pane, wheels
 
 Point = tuple[float, float]
 
@@ -61,36 +61,35 @@ def race_car(draw: Draw) -> Parts:
 
 
 def sports_car(draw: Draw) -> Parts:
-    """Low, broad and like a wedge, a flat cabin, a wing over the tail."""
-    x, y, wheel, edge = draw(0.64, 0.72), draw(1.3, 1.42), draw(0.29, 0.33), 0.05
-    belt, roof, axles = draw(0.62, 0.68), draw(0.94, 1.02), (-y * 0.6, y * 0.6)
-    front, tail, wing = -y * draw(0.3, 0.38), belt + draw(0.02, 0.08), draw(0.9, 1.02)
-    side = [(-y + 0.02, 0.2), (-y + 0.02, 0.3), (-y + 0.16, 0.4), (-y * 0.58, 2 * wheel - 0.04),
-            (front, belt - edge), (y * 0.5, tail), (y - 0.06, tail), (y - 0.02, tail - 0.1),
-            (y - 0.12, 0.22)]  # fmt: skip
-    plan = [(x * 0.86, y), (x, y * 0.8), (x, y * 0.4), (x * 0.94, 0), (x, -y * 0.4),
-            (x, -y * 0.72), (x * 0.6, -y)]  # fmt: skip
-    arches = (tube((x * 0.5, v, wheel), (2, v, wheel), wheel + 0.06) for v in axles)
-    ys = (front - 0.1, front + 0.5, front + 0.86, y * 0.72)
-    cab, panes = cabin(x, belt, roof, ys, front + 0.92)
-    hull = within(grown(prism(side, 0, x - edge), edge), prism(mirrored(plan), 2, 4))
-    tyres, hubs = wheels(x - 0.08, [(v, wheel) for v in axles], 0.14)
-    lamp = turned(box((0, 0, 0), (0.12, 0.16, 0.08), 0.03), 0, 22)
-    foot = box((x * 0.56, y - 0.2, (tail + wing) / 2), (0.09, 0.11, (wing - tail) / 2 + 0.04))
+    """Low, broad and like a wedge of plane faces, a flat cabin, a wing over the tail."""
+    x, y, wheel = draw(0.68, 0.74), draw(1.3, 1.42), draw(0.29, 0.33)
+    belt, roof, axles = draw(0.64, 0.7), draw(0.96, 1.04), (-y * 0.6, y * 0.6)
+    front, tail, wing = -y * draw(0.3, 0.38), belt + draw(0.02, 0.08), draw(0.96, 1.06)
+    side = x * 0.74  # the cabin's half width, and where arches end
+    hull = [(-y, 0.16), (-y, 0.34), (-y * 0.58, 2 * wheel), (front, belt), (y * 0.5, tail)]
+    hull += [(y, tail), (y, tail - 0.16), (y - 0.1, 0.16)]
+    back, first, last = y * 0.66, front + 0.5, front + 0.9
+    roofline = [(front, belt - 0.1), (first, roof), (last, roof), (back, belt - 0.1)]
+    arches = (tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles)
+    low, high = belt + 0.05, roof - 0.1
+    light = [(front + 0.3, low), (first + 0.02, high), (last, high), (back - 0.46, low)]
+    panes = (pane((a, belt - 0.1), (b, roof), s, side - 0.1)
+             for a, b, s in ((front, first, -1), (back, last, 1)))  # fmt: skip
+    tyres, hubs = wheels(x - 0.1, [(v, wheel) for v in axles], 0.13)
+    lamp = turned(box((0, 0, 0), (0.13, 0.16, 0.07)), 0, 27)
+    foot = box((x * 0.56, y - 0.18, (tail + wing) / 2), (0.09, 0.12, (wing - tail) / 2 + 0.04))
     return {
-        "body": join(cut(hull, both(join(*arches))), cab),
-        "windows": panes,
+        "body": join(cut(prism(hull, 0, x), both(join(*arches))), prism(roofline, 0, side)),
+        "windows": join(*panes, both(prism(light, 0, 0.06, side))),
         "wheels": tyres,
         "hubs": hubs,
-        "lamps": both(moved(lamp, (x * 0.62, -y + 0.22, 0.45))),
+        "lamps": both(moved(lamp, (x * 0.64, -y + 0.24, 0.45))),
         "spoiler": join(
-            box((0, y - 0.16, wing), (x * 0.94, 0.17, 0.085), 0.03),
+            box((0, y - 0.16, wing), (x * 0.94, 0.19, 0.07)),
             both(foot),
-            box((0, -y + 0.06, 0.2), (x * 0.66, 0.14, 0.085), 0.03),
-            both(box((x - 0.04, 0, 0.2), (0.09, y * 0.34, 0.085), 0.03)),
-            both(box((x - 0.06, y * 0.2, 0.44), (0.1, 0.14, 0.1), 0.03)),
+            box((0, -y, 0.2), (x * 0.8, 0.14, 0.08)),
         ),
-    }  # fmt: skip
+    }
 
 
 def fighter_jet(draw: Draw) -> Parts:

@@ -13,7 +13,6 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
-    grown,
     join,
     lathe,
     mirrored,
@@ -24,6 +23,7 @@ from core.prior.solids import (
     turned,
     within,
 )
+from core.prior.things.haulage import pane
 
 
 def _wheels(x: float, ys: tuple[float, ...], radius: float, thick: float = 0.12):
@@ -41,38 +41,30 @@ def _rimmed(x: float, y: float, radius: float, half: float = 0.11) -> tuple[Soli
 
 
 def car(draw: Draw) -> Parts:
-    """A car with a hood, a cabin and a short boot, its wheels in arches."""
-    x, y, wheel = draw(0.58, 0.64), draw(1.26, 1.38), draw(0.27, 0.3)
-    belt, roof, edge = draw(0.72, 0.77), draw(1.13, 1.2), 0.07
-    front, back = -y * draw(0.34, 0.4), y * draw(0.76, 0.84)
-    axles, nose = (-y * 0.6, y * 0.6), draw(0.58, 0.62)
-    # The outlines are grown by ``edge``, which rounds them.
-    side = [(-y + 0.1, 0.27), (-y + 0.07, nose - 0.1), (-y + 0.2, nose), (front, belt - edge)]
-    side += [(y - 0.14, belt - edge), (y - 0.07, belt - 0.24), (y - 0.1, 0.27)]
-    plan = [(0, -y), (x * 0.78, -y), (x, -y * 0.78), (x, y * 0.82), (x * 0.82, y), (0, y)]
-    hull = within(grown(prism(side, 0, x - edge), edge), prism(mirrored(plan), 2, 2))
-    bumpers = both(box((0, y - 0.04, 0.3), (x * 0.78, 0.1, 0.09), 0.04), 1)
-    arches = (tube((x * 0.5, v, wheel), (2, v, wheel), wheel + 0.06) for v in axles)
-    cabin = [(front - 0.05, belt - 0.1), (front + 0.42, roof - edge)]
-    cabin += [(back - 0.46, roof - edge), (back - 0.02, belt - 0.1)]
-    across = [(x * 0.9 - edge, belt - 0.1), (x * 0.7 - edge, roof - edge)]
-    roofline = grown(prism(cabin, 0, 1), edge)
-    walls = grown(prism(mirrored(across), 1, 2), edge)
-    low, high, post = belt + 0.04, roof - 0.1, (front + back) / 2 + 0.02
+    """A car with a hood, a cabin and a short boot, its wheels in arches, all of plane faces."""
+    x, y, wheel = draw(0.62, 0.68), draw(1.26, 1.38), draw(0.28, 0.31)
+    belt, roof, nose = draw(0.74, 0.8), draw(1.16, 1.24), draw(0.6, 0.66)
+    front, back = -y * draw(0.34, 0.4), y * draw(0.74, 0.82)
+    axles, side = (-y * 0.6, y * 0.6), x * 0.76  # the cabin's half width, and where arches end
+    eyes = nose - 0.16
+    hull = [(-y, 0.22), (-y, nose - 0.06), (-y + 0.08, nose), (front, belt), (y - 0.05, belt)]
+    hull += [(y, belt - 0.05), (y, 0.22)]
+    roofline = [(front - 0.02, belt - 0.1), (front + 0.42, roof), (back - 0.4, roof)]
+    roofline += [(back, belt - 0.1)]
+    arches = (tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles)
+    low, high, post = belt + 0.05, roof - 0.11, (front + back) / 2 + 0.02
     lights = (
-        [(front + 0.14, low), (front + 0.42, high), (post - 0.06, high), (post - 0.06, low)],
-        [(post + 0.06, low), (post + 0.06, high), (back - 0.45, high), (back - 0.16, low)],
+        [(front + 0.2, low), (front + 0.44, high), (post - 0.07, high), (post - 0.07, low)],
+        [(post + 0.07, low), (post + 0.07, high), (back - 0.44, high), (back - 0.2, low)],
     )
-    shields = prism(mirrored([(x * 0.78, low), (x * 0.6, high)]), 1, 2)
-    tyres, hubs = zip(*(_rimmed(x - 0.06, v, wheel) for v in axles), strict=True)
+    slants = ((front, front + 0.42, -1), (back, back - 0.4, 1))
+    panes = (pane((a, belt - 0.1), (b, roof), s, side - 0.1) for a, b, s in slants)
+    tyres, hubs = zip(*(_rimmed(x - 0.1, v, wheel) for v in axles), strict=True)
     return {
-        "body": join(cut(hull, both(join(*arches))), bumpers, within(roofline, walls)),
-        "windows": join(
-            within(shields, grown(roofline, 0.02)),
-            *(within(prism(light, 0, 1), grown(walls, 0.02)) for light in lights),
-        ),
+        "body": join(cut(prism(hull, 0, x), both(join(*arches))), prism(roofline, 0, side)),
+        "windows": join(*panes, *(both(prism(light, 0, 0.06, side)) for light in lights)),
         "wheels": both(join(*tyres)),
-        "lamps": both(box((x * 0.62, -y + 0.08, nose - 0.12), (0.14, 0.12, 0.085), 0.04)),
+        "lamps": both(tube((x * 0.66, -y - 0.06, eyes), (x * 0.66, -y + 0.1, eyes), 0.1)),
         "hubs": both(join(*hubs)),
     }
 
@@ -212,8 +204,8 @@ def cottage(draw: Draw) -> Parts:
         "roof": roof,
         "door": box((0, -y, 0.32), (0.2, 0.1, 0.32), 0.02),
         "windows": join(
-            both(box((x * 0.64, -y, wall * 0.62), (0.13, 0.06, 0.15))),
-            both(box((x, 0.0, wall * 0.52), (0.06, y * 0.3, 0.15))),
+            both(box((x * 0.63, -y, wall * 0.6), (0.17, 0.1, 0.19))),
+            both(box((x, 0.0, wall * 0.52), (0.1, y * 0.32, 0.17))),
         ),
     }
     if draw.has("chimney", 0.8):

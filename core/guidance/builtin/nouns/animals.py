@@ -180,6 +180,7 @@ ANIMALS = {
             "wings": "&2c6a34",
             "horns": "-e6dcc0",
             "eyes": "-f2c21c",
+            "pupils": "-15120f",
         },
         Usual(6.0, FLESH, 0.23),
     ),

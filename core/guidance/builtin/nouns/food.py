@@ -52,7 +52,14 @@ FOOD = {
     "cake": Noun(
         "birthday cake; torte, wedding cake, cheesecake, pudding, brownie, cheesecake slice, "
         "slice of cake, lasagna",
-        {"icing": "*f6b7c8", "body": "+8a5430", "topping": "-c2182b", "plate": "-ece9e2"},
+        {
+            "icing": "*f6b7c8",
+            "body": "+8a5430",
+            "topping": "-c2182b",
+            "plate": "-ece9e2",
+            "candles": "+fbf3e0",
+            "flames": "-ff9a1e",
+        },
         Usual(0.28, 450.0),
     ),
     "cookie": Noun(

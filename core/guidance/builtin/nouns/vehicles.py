@@ -15,7 +15,7 @@ VEHICLES = {
             "lamps": "+f7eec2",
             "hubs": "+d8dadd . metal",
         },
-        Usual(4.2, STEEL, 0.026),
+        Usual(4.2, STEEL, 0.0215),
     ),
     "bus": Noun(
         "coach; school bus",
@@ -141,7 +141,7 @@ VEHICLES = {
             "hubs": "+d8dadd . metal",
             "sign": "+f4f2ea",
         },
-        Usual(4.5, STEEL, 0.021),
+        Usual(4.5, STEEL, 0.017),
     ),
     "fire truck": Noun(
         "fire engine, firetruck; fire brigade truck",
