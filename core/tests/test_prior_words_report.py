@@ -380,6 +380,22 @@ def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
         assert "--" not in caught.value.window_fix
 
 
+def test_a_reading_is_the_same_in_every_process():
+    prompts = ["battle axe double bladed", "a teapot with a blu lidd", "an axe with a bladed head"]
+    code = "import sys; from core.guidance.builtin.vocabulary import words_report as f; "
+    code += "print([f(prompt) for prompt in sys.argv[1:]])"
+    told = {
+        subprocess.run(
+            [sys.executable, "-c", code, *prompts],
+            env=os.environ | {"PYTHONHASHSEED": str(seed)},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in range(4)
+    }
+    assert len(told) == 1
+
+
 def test_what_is_left_out_is_said_for_its_own_reason():
     notes = understood("a book with three brass gizmos", known=SLOTS)["notes"]
     assert notes == [

@@ -130,7 +130,8 @@ def corrected(token: str, also: Iterable[str] = (), no_thing: bool = False) -> s
     """
     if token in OFTEN:
         return OFTEN[token]
-    found = list(_one_slip_away(token, (*LEXICON, *NAMED, *WITHOUT, *also), 6))
+    # A set has another order in each process.
+    found = list(_one_slip_away(token, (*LEXICON, *sorted(NAMED), *WITHOUT, *also), 6))
     if no_thing:
         found.sort(key=lambda word: LEXICON.get(word, ("", ""))[0] == "noun")
     return found[0] if found else ""

@@ -14,24 +14,21 @@ from core.guidance.builtin.lexicon import Entry, forms_of, look_up
 from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_names import own_names
-from core.guidance.builtin.substances import natural_kind
+from core.guidance.builtin.substances import (
+    CLASS_OF,
+    CLOTH,
+    GLASS,
+    METAL,
+    PLASTIC,
+    RUBBER,
+    STONE,
+    WOOD,
+    natural_kind,
+)
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.words import ARTICLES, COLORED, LOOKS, PHRASE_ENDS, PLAIN
 
-METAL, WOOD, GLASS, CLOTH = "metal", "wood", "glass", "cloth"
-STONE, PLASTIC, RUBBER = "stone", "plastic", "rubber"
-# The materials' words and the kinds of substances.
-_CLASS_OF = {
-    METAL: "metal, golden, copper, rusty, cast iron, brushed metal, polished metal, gold leaf",
-    WOOD: "wooden",
-    GLASS: "glass",
-    CLOTH: "fabric, leather, felt, wicker, velvet, paper",
-    STONE: "stone, ceramic, masonry, brick, concrete, marble, granite, clay",
-    PLASTIC: "plastic",
-    RUBBER: "rubber",
-}
-CLASS_OF = {form: name for name, forms in _CLASS_OF.items() for form in forms_of(forms)}
 GEM_PARTS = ("gem", "gems", "stone")
 BY_NATURE, WELL = 2, 4  # how well a part suits the class that it is of by nature; and no doubt
 RUSTY = "rusty"

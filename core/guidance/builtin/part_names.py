@@ -1,6 +1,5 @@
 """What a thing calls its parts, and which it always has. Standard library only."""
 
-import re
 from collections.abc import Collection
 
 from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
@@ -19,6 +18,7 @@ from core.guidance.builtin.part_tables import (
     TRIM,
     WHOLE,
 )
+from core.guidance.builtin.substances import CLASS_OF, METAL, natural_kind
 
 FOUR_LEGS = frozenset(
     """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn
@@ -26,7 +26,6 @@ FOUR_LEGS = frozenset(
 )
 
 
-METAL = re.compile(" (?:metal|golden)$")  # at the end of a look
 LIQUID = "liquid"
 CONTAINED = ("liquid", "brew", "water")
 # Of what most of a thing is, and of its trim; the second only where there are none of the first.
@@ -60,7 +59,8 @@ def own_names(noun: str, part: str) -> list[str]:
     roles = WIDE.get(part, ())
     each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
     if part in HARDWARE and not named:
-        metal = [name for name, look in looks.items() if look[0] != "*" and METAL.search(look)]
+        others = (name for name, look in looks.items() if look[0] != "*")
+        metal = [name for name in others if CLASS_OF.get(natural_kind(noun, name)) == METAL]
         each = iter((metal, *each))
     found = named[:1] or next(filter(None, each), [])
     if part in TRIM and set(found) <= set(SEATS):  # "a chair with metal accents"

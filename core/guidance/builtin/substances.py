@@ -43,6 +43,20 @@ ROUGHNESS = {
     "thatch": 0.95,
 }
 
+METAL, WOOD, GLASS, CLOTH = "metal", "wood", "glass", "cloth"
+STONE, PLASTIC, RUBBER = "stone", "plastic", "rubber"
+# The classes of the materials' words and of the kinds of substances.
+_CLASS_OF = {
+    METAL: "metal, golden, copper, rusty, cast iron, brushed metal, polished metal, gold leaf",
+    WOOD: "wooden",
+    GLASS: "glass",
+    CLOTH: "fabric, leather, felt, wicker, velvet, paper",
+    STONE: "stone, ceramic, masonry, brick, concrete, marble, granite, clay",
+    PLASTIC: "plastic",
+    RUBBER: "rubber",
+}
+CLASS_OF = {form: name for name, forms in _CLASS_OF.items() for form in forms.split(", ")}
+
 # By the pattern of a part's look.
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
