@@ -69,6 +69,7 @@ def test_what_is_in_a_see_through_thing_is_its_colour(prompt, color):
             },
         ),
         ("cottage: thatched roof", [], {"part_materials": {"roof": "thatched"}}),  # no key
+        ("a chair, mood: red", ["red"], {}),  # nor is this
         (
             "a radio with a dial that glows amber",
             [],

@@ -54,6 +54,7 @@ WOOD, METAL, GLASS = material("wooden"), material("metal"), material("glass")
         ("sword, silver and gold", "silver", {"guard": "golden", "pommel": "golden"}),
         ("a brick and stone house", "brick", {"chimney": "stone"}),
         ("porcelain teapot with gold", "ceramic", {"handle": "golden", "lid": "golden"}),
+        ("a bronze shield and metal gold", "bronze", {"rim": "golden", "emblem": "golden"}),
         # three
         (
             "a steel sword with leather and gold",
@@ -74,6 +75,7 @@ def test_each_material_goes_to_the_parts_that_it_suits(prompt, main, of_parts):
     [
         ("a brass metal lamp", "brass"),
         ("a metal brass lamp", "brass"),
+        ("a lamp, brass metal", "brass"),
         ("a see-through plastic bottle", "see through"),
         ("an armchair upholstered in green velvet", "velvet"),
         ("a handbag in quilted burgundy leather", "leather"),
@@ -107,9 +109,13 @@ def test_a_second_material_without_a_part_is_left_out_with_its_colour():
     told = read("ceramic vase with white gold and black wood")
     assert (told["materials"], told["colours"], told["part_materials"]) == (["ceramic"], [], {})
     assert "black wood: left out, as one material is taken." in told["notes"]
-    told = read("a statue of a lion in bronze and marble")
-    assert (told["materials"], told["part_materials"]) == (["bronze"], {})
-    assert "marble: left out, as one material is taken." in told["notes"]
+    for prompt in (
+        "a statue of a lion in bronze and marble",
+        "statue of a chair, bronze and marble",
+    ):
+        told = read(prompt)
+        assert (told["materials"], told["part_materials"]) == (["bronze"], {})
+        assert "marble: left out, as one material is taken." in told["notes"]
 
 
 @pytest.mark.parametrize(
@@ -204,7 +210,7 @@ def test_a_thing_that_says_what_another_is_of_is_left_out(prompt):
 
 
 def test_what_an_and_joins_without_an_article_is_no_other_thing():
-    told = read("a vase, blue porcelain and gold cracks")
+    told = read("vase blue porcelain and gold cracks")
     assert (told["colours"], told["materials"]) == (["blue"], ["ceramic"])
     assert read("golem with moss and a crystal")["weather"] == ["mossy"]
     for prompt in ("a vase and a gold okapi", "a vase and okapi"):
