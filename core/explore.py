@@ -18,6 +18,7 @@ from core.generate import prepare
 from core.io.atomic import atomic_file
 from core.io.job import Job, read_events
 from core.io.run_folder import RunFolder
+from core.job_config import is_kept
 from core.terminal import tell
 
 SHEET = "candidates.png"
@@ -39,7 +40,7 @@ def explore(folder: Path, job: Job, count: int, make: Any) -> Path:
     ``make(run, inputs, until)`` carries a run out. Called again, it makes what is missing.
     """
     _check(folder, count)
-    if job.command != "generate" or (job.guide_mesh and job.guide_strength == 1):
+    if job.command != "generate" or is_kept(job):
         raise UserError("There is no shape to explore: the mesh is given.", "Use recolor.")
     inputs = prepare(job)  # once: no seed is in it
     jobs = [replace(job, seed=job.seed + n) for n in range(count)]

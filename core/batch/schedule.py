@@ -198,7 +198,9 @@ def use_smaller_parts(folder: Path) -> bool:
     config, group, less = config_of(job), group_of(job.guidance), {}
     for stage in STAGES:
         now = min(getattr(config, stage).views_at_once, getattr(config, stage).views)
-        half = now // 2 - now // 2 % (group or TOGETHER) or (0 if group else now // 2)
+        half = now // 2
+        if group or half >= TOGETHER:
+            half -= half % (group or TOGETHER)
         if half:
             less[f"{stage}.views_at_once"] = half
     if not less:

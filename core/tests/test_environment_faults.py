@@ -8,7 +8,15 @@ import threading
 
 import pytest
 
-from fantasia3d_addon.environment import blender_program, install, machine, paths, removal, report
+from fantasia3d_addon.environment import (
+    blender_program,
+    doctor,
+    install,
+    machine,
+    paths,
+    removal,
+    report,
+)
 from fantasia3d_addon.environment.machine import SetupError
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="flock, pipes")
@@ -130,3 +138,20 @@ def test_a_home_that_is_the_root_leaves_the_slashes_of_a_report(monkeypatch, tmp
     monkeypatch.setenv("USERPROFILE", "/")
     redaction = report.Redaction(tmp_path / "root", tmp_path / "env")
     assert redaction.text("step 3/4") == "step 3/4"
+
+
+def test_the_doctor_finds_the_hubs_models_where_the_hub_has_them(tmp_path, monkeypatch):
+    for name in ("HF_HUB_CACHE", "HF_HOME", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    model = "huggingface/hub/models--me--owl/snapshots/1/model_index.json"
+    for variable, value, base in (
+        ("XDG_CACHE_HOME", str(tmp_path / "caches"), tmp_path / "caches"),
+        ("HF_HOME", "~/mine/huggingface", tmp_path / "mine"),
+    ):
+        (base / model).parent.mkdir(parents=True)
+        (base / model).touch()
+        with monkeypatch.context() as patch:
+            patch.setenv(variable, value)
+            assert doctor._hub_models() == "me/owl"
+    assert not doctor._hub_models()

@@ -64,6 +64,9 @@ def test_a_picture_is_read_as_srgb_and_the_meshs_own_is_taken_as_it_is(tmp_path)
     Image.fromarray(np.full((2, 2), 128 * 257, np.uint16)).save(tmp_path / "grey.png")  # 16 bit
     grey = start_picture(str(tmp_path / "grey.png"), WALL)
     torch.testing.assert_close(grey[0, 0], srgb_to_linear(torch.full((3,), 128 / 255)))
+    Image.fromarray(np.ones((2, 2), np.float32)).save(tmp_path / "float.tif")
+    with pytest.raises(UserError, match="no known range"):
+        start_picture(str(tmp_path / "float.tif"), WALL)
     own = Mesh(CORNERS, FACES, WALL.uv, FACES, ramp())
     assert start_picture("mesh", own) is own.base_color
 

@@ -175,7 +175,8 @@ def _data(root: Path) -> list[Line]:
 
 def _hub_models() -> str:
     """The diffusers models in the hub's cache on this machine."""
-    home = os.environ.get("HF_HOME") or Path.home() / ".cache" / "huggingface"
-    hub = Path(os.environ.get("HF_HUB_CACHE") or Path(home, "hub"))
-    found = hub.glob("models--*/snapshots/*/model_index.json")
+    caches = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    home = os.environ.get("HF_HOME") or Path(caches, "huggingface")
+    hub = os.path.expanduser(os.environ.get("HF_HUB_CACHE") or Path(home, "hub"))  # noqa: PTH111 - Path's own raises for an unknown ~user
+    found = Path(hub).glob("models--*/snapshots/*/model_index.json")
     return ", ".join(sorted({p.parents[2].name[8:].replace("--", "/") for p in found}))

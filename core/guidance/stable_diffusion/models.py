@@ -52,10 +52,11 @@ def models_in(folders: list[Path]) -> list[Model]:
     Raises:
         UserError: a folder that is not there.
     """
-    for folder in folders:
-        if not expanded(folder).is_dir():
+    named = [expanded(folder) for folder in folders]
+    for folder in named:
+        if not folder.is_dir():
             raise UserError(f'There is no folder "{folder}".', "Give a folder of models.")
-    named = [expanded(folder) for folder in folders] or [models_folder()]
+    named = named or [models_folder()]
     found: dict[Path, Model] = {}
     for folder in named:
         usual = [folder / part for part in USUAL if (folder / part).is_dir()]
