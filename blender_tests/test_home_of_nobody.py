@@ -27,8 +27,8 @@ pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 NOWHERE = "~no-one/x"
 SAID = "There is no home folder '~no-one', as in '~no-one/x"
 ADDON = Path(environment.__file__).parents[1]
-# The function for all; the command line, which looks before Blender starts; what a variable names.
-MAY_EXPAND = {"environment/files.py", "cli/parser.py", "environment/given.py"}
+# The functions for all; the command line, which looks before Blender starts.
+MAY_EXPAND = {"environment/files.py", "cli/parser.py"}
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from . import machine, paths
 from .blender_program import find_blender, has_module
+from .files import of_variable
 from .given import named_python
 from .machine import SetupError
 
@@ -176,7 +177,7 @@ def _data(root: Path) -> list[Line]:
 def _hub_models() -> str:
     """The diffusers models in the hub's cache on this machine."""
     caches = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    home = os.environ.get("HF_HOME") or Path(caches, "huggingface")
-    hub = os.path.expanduser(os.environ.get("HF_HUB_CACHE") or Path(home, "hub"))  # noqa: PTH111 - Path's own raises for an unknown ~user
-    found = Path(hub).glob("models--*/snapshots/*/model_index.json")
+    home = os.environ.get("HF_HOME") or f"{caches}/huggingface"
+    hub = Path(of_variable(os.environ.get("HF_HUB_CACHE") or f"{home}/hub"))
+    found = hub.glob("models--*/snapshots/*/model_index.json")
     return ", ".join(sorted({p.parents[2].name[8:].replace("--", "/") for p in found}))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import secrets
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +19,14 @@ def expanded(path: str | Path, error: Callable[[str, str], Exception]) -> Path:
         return Path(path).expanduser()
     except RuntimeError:
         raise error(*no_home(path)) from None
+
+
+def of_variable(value: str) -> str:
+    """``value``, which a variable names, with its ~ expanded; as it is where there is no such home.
+
+    Who uses it says what is wrong with it.
+    """
+    return os.path.expanduser(value)  # noqa: PTH111 - Path's own raises for an unknown ~user
 
 
 def no_home(path: str | Path) -> tuple[str, str]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from . import machine
-from .files import expanded
+from .files import expanded, of_variable
 from .machine import SetupError
 
 MODULES = {
@@ -26,8 +26,7 @@ print("%d.%d" % sys.version_info[:2], lacking, sep="|")"""
 
 def named_python() -> str:
     """What FANTASIA3D_PYTHON names, with its ~ expanded where there is such a home; or ""."""
-    # Who starts it says what is wrong with it.
-    return os.path.expanduser(os.environ.get("FANTASIA3D_PYTHON", ""))  # noqa: PTH111
+    return of_variable(os.environ.get("FANTASIA3D_PYTHON", ""))
 
 
 def given_python(given: str, groups: Sequence[str]) -> Path:
