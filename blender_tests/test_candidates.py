@@ -1,11 +1,14 @@
 """Candidates in Blender, with a stand-in for the core: explored, shown, chosen, discarded."""
 
+import dataclasses
+
 import pytest
 
 bpy = pytest.importorskip("bpy")
 
 from mathutils import Vector  # noqa: E402
 
+from fantasia3d_addon.errors import AddonError  # noqa: E402
 from fantasia3d_addon.jobs import candidates, history, live_preview, submit  # noqa: E402
 from fantasia3d_addon.jobs.paths import Paths  # noqa: E402
 from fantasia3d_addon.jobs.session import session  # noqa: E402
@@ -130,7 +133,11 @@ def test_materials_are_explored_on_a_finished_shape(ready, wait):
     bpy.ops.fantasia3d.generate()
     wait()
     (entry,) = history.scan(Paths(bpy.context).runs)
-    assert submit.reason_against_recolor(entry) == "Its shape is not finished."
+    cancelled = dataclasses.replace(entry, state=history.CANCELLED)
+    assert submit.reason_against_recolor(cancelled) == "Its shape is not finished."
+    # As after a batch: to resume it would train it all again.
+    with pytest.raises(AddonError, match=r"Its shape was not kept\. Repeat it"):
+        submit.recolor(bpy.context, entry)
     (entry.folder / "checkpoint").mkdir()
     (entry.folder / "checkpoint" / "mesh.safetensors").write_bytes(b"the shape")
     ready.candidates = 2

@@ -113,6 +113,19 @@ def test_on_arrival_the_maps_alone_change_and_restore_brings_them_back(chair, wa
     assert chair.material_slots[0].material == old
 
 
+def test_an_object_that_shares_the_mesh_keeps_its_maps(chair, wait):
+    twin, old = chair.copy(), chair.active_material
+    bpy.context.scene.collection.objects.link(twin)
+    select(chair, range(10))
+    edit_region.edit_region(bpy.context, "red velvet")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    wait()
+    assert chair.active_material != old == twin.active_material
+    assert chair.data == twin.data  # whose shape can still be edited once for both
+    assert bpy.ops.fantasia3d.restore_material() == {"FINISHED"}
+    assert chair.active_material == twin.active_material == old
+
+
 @pytest.fixture
 def dented(chair, tmp_path, ready) -> bpy.types.Object:
     """The fake core hands out the asset with one vertex pushed in, and with other colours."""

@@ -25,7 +25,7 @@ def add_block(quads: bool = False) -> bpy.types.Object:
 
 def export(obj, path):
     bpy.context.view_layer.update()
-    export_shape(obj, path, bpy.context.evaluated_depsgraph_get())
+    export_shape(obj, path)
 
 
 def read_back(path):
@@ -72,6 +72,29 @@ def test_modifiers_are_applied_and_the_mesh_is_left_as_it_was(tmp_path):
     _, corners, _ = read_back(tmp_path / "shape.obj")
     assert corners.shape == (len(block(2)[1]) * 3 * 4 * 2, 3)  # three quads a triangle, then four
     assert len(obj.data.vertices) == before
+
+
+@pytest.mark.parametrize("hidden", ["object", "collection", "excluded"])
+def test_what_the_viewports_leave_out_is_exported_as_it_looks(tmp_path, hidden):
+    """A view layer evaluates neither its modifiers nor where its parent has it."""
+    obj, parent = add_block(), bpy.data.objects.new("parent", None)
+    collection = bpy.data.collections.new("guides")
+    bpy.context.scene.collection.children.link(collection)
+    bpy.context.scene.collection.objects.unlink(obj)
+    for each in (obj, parent):
+        collection.objects.link(each)
+    if hidden == "excluded":
+        bpy.context.view_layer.layer_collection.children["guides"].exclude = True
+    else:
+        (obj if hidden == "object" else collection).hide_viewport = True
+    obj.parent, parent.location = parent, (5, 0, 0)
+    obj.modifiers.new("finer", "SUBSURF").levels = 2
+    before = len(bpy.data.collections), obj.hide_viewport, list(obj.users_collection)
+    export(obj, tmp_path / "shape.obj")
+    assert (len(bpy.data.collections), obj.hide_viewport, list(obj.users_collection)) == before
+    co, corners, _ = read_back(tmp_path / "shape.obj")
+    assert len(corners) == len(block(2)[1]) * 3 * 4 * 2
+    assert co.mean(0)[0] == pytest.approx(5, abs=0.1)
 
 
 def test_a_mesh_without_uv(tmp_path):

@@ -18,7 +18,7 @@ from blender_tests.asset_fixture import bump_normals, write_asset  # noqa: E402
 from blender_tests.pictures import read, render, set_light  # noqa: E402
 from fantasia3d_addon.asset.import_asset import import_asset  # noqa: E402
 from fantasia3d_addon.background import blender_process  # noqa: E402
-from fantasia3d_addon.blender import compat, png  # noqa: E402
+from fantasia3d_addon.blender import compat, mesh_arrays, png  # noqa: E402
 from fantasia3d_addon.blender.mesh_arrays import (  # noqa: E402
     corner_uv,
     triangles,
@@ -128,6 +128,40 @@ def test_directx_flips_green_alone(obj, tmp_path):
     np.testing.assert_allclose(dx[..., ::2], gl[..., ::2], atol=1e-6)
     with pytest.raises(OutputError, match="allows OpenGL's normal maps alone"):
         export.export_object(obj, tmp_path / "x.glb", flip_normal_y=True)
+
+
+def test_an_object_disabled_in_viewports_is_exported_as_it_looks(obj, tmp_path):
+    obj.modifiers.new("finer", "SUBSURF")
+    obj.parent = parent = bpy.data.objects.new("parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    obj.hide_viewport, parent.location = True, (5, 0, 0)
+    still = mesh_arrays.shown_copy(obj, "still")
+    assert still.matrix_world.translation.x == 5
+    count = len(still.data.vertices)
+    assert count > 2 * len(obj.data.vertices)
+    path = export.export_object(obj, tmp_path / "x.obj")
+    assert obj.hide_viewport
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    made = bring_back(path)
+    assert len(made.data.vertices) == count
+    assert world_verts(made).mean(0)[0] == pytest.approx(5, abs=0.1)
+
+
+def test_a_still_copy_stays_where_animation_and_constraints_have_the_object(obj):
+    target = bpy.data.objects.new("target", None)
+    bpy.context.scene.collection.objects.link(target)
+    target.location = (0, 7, 0)
+    follow = obj.constraints.new("COPY_LOCATION")
+    follow.target, follow.use_x, follow.use_z = target, False, False
+    for frame, x in ((1, 0.0), (10, 9.0)):
+        obj.location.x = x
+        obj.keyframe_insert("location", frame=frame)
+    bpy.context.scene.frame_set(10)
+    still = mesh_arrays.shown_copy(obj, "still")
+    bpy.context.scene.collection.objects.link(still)
+    target.location.y = 0
+    bpy.context.scene.frame_set(1)
+    assert tuple(still.matrix_world.translation) == (9, 7, 0)
 
 
 def test_a_solid_wood_is_baked_for_the_export(obj, tmp_path):
@@ -270,7 +304,9 @@ def test_the_operator_writes_an_engines_folder(addon, obj, tmp_path):
     bpy.context.view_layer.objects.active = obj
     out = tmp_path / "chair"
     assert bpy.ops.fantasia3d.export(filepath=str(out), format="godot") == {"FINISHED"}
-    assert [path.suffix for path in out.iterdir()] == [".glb"]
+    (out / "note.txt").touch()  # again, into the folder that is there now
+    assert bpy.ops.fantasia3d.export(filepath=str(out), format="godot") == {"FINISHED"}
+    assert sorted(path.suffix for path in out.iterdir()) == [".glb", ".txt"]
 
 
 def test_quads_look_as_the_triangles_did(obj, tmp_path):

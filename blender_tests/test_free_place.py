@@ -69,6 +69,11 @@ def test_it_is_the_nearest_free_place(empty):
     assert np.linalg.norm(found[:2] - near[:2]) == pytest.approx(nearest, abs=0.03)
 
 
+def test_a_ground_of_no_height_is_not_in_the_way(empty):
+    block((-9, -9, -1), (9, 9, 0)).scale.z = 0
+    assert tuple(place()) == (0, 0, 0)
+
+
 def test_what_is_above_or_below_is_not_in_the_way(empty):
     block((-1, -1, -0.5), (1, 1, 0.0), "a floor")
     block((-1, -1, 1.01), (1, 1, 2), "a shelf")

@@ -1,5 +1,6 @@
 """Ctrl-C during a render, a process that ends at once, and what killed ones leave behind."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -150,6 +151,20 @@ def test_a_later_output_removes_what_a_killed_one_left_and_nothing_else(tmp_path
             temporary.write_text("whole")
     assert not stale.exists()
     assert set(tmp_path.iterdir()) == {*kept, busy, tmp_path / "a.txt"}
+
+
+def test_nothing_is_taken_for_stale_where_the_file_system_has_no_locks(tmp_path, monkeypatch):
+    """Another process may be at work in it."""
+
+    def flock(*_: object) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    fcntl = pytest.importorskip("fcntl")
+    busy = left_over(tmp_path, "busy")
+    monkeypatch.setattr(fcntl, "flock", flock)
+    with output.temporary_output(tmp_path / "a.txt") as temporary:
+        temporary.write_text("whole")
+    assert set(tmp_path.iterdir()) == {busy, tmp_path / "a.txt"}
 
 
 def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path):

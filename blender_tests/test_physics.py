@@ -91,6 +91,13 @@ def test_a_sheet_falls_over_it_and_it_stays(obj):
     assert [o.name for o in bpy.data.objects] == [obj.name]
 
 
+def test_a_sheet_falls_from_the_height_that_is_asked_for(obj):
+    simulation.simulate(obj, "DRAPE", simulation.Options(frames=2, height=2.0))
+    bpy.context.scene.frame_set(1)
+    low, top = (world_verts(each)[:, 2] for each in (simulation.owner_of(obj), obj))
+    assert low.min() - top.max() == pytest.approx(2.0, abs=1e-3)
+
+
 def test_it_falls_on_the_users_own_floor_and_the_floor_is_free_afterwards(obj):
     bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
     floor = bpy.context.object

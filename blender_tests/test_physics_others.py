@@ -87,6 +87,35 @@ def test_another_asset_keeps_its_fall_when_a_second_is_cancelled(obj, asset):
     np.testing.assert_allclose(path(obj), first, atol=0.01)
 
 
+def test_a_second_fall_bakes_what_falls_next_to_it_once(obj, asset):
+    other, left = (import_asset(bpy.context, asset, (x, 0, 0)) for x in (4, 8))
+    for each, height in ((obj, 0.3), (other, 3.0), (left, 0.3)):
+        fall(each, height)
+    delete(left)
+    before, frames = path(other), []
+    bpy.app.handlers.frame_change_pre.append(lambda scene, _: frames.append(scene.frame_current))
+    fall(obj, 1.0)
+    assert frames.count(FRAMES) == 1
+    np.testing.assert_allclose(path(other), before, atol=0.01)
+    frames.clear()
+    fall(obj, 1.0, 3)  # alone, the bake is as long as was asked for
+    assert frames.count(FRAMES) == 1
+    simulation.clear(other)
+    fall(obj, 1.0, 3)
+    assert bake.cache_of(simulation.owner_of(obj)).frame_end == 3
+    bpy.app.handlers.frame_change_pre.clear()
+
+
+def test_what_falls_next_to_it_keeps_its_fall_when_the_second_is_refused(obj, asset):
+    other = import_asset(bpy.context, asset, (4, 0, 0))
+    fall(obj, 0.3)
+    fall(other, 3.0)
+    before, obj[DENSITY] = path(other), "heavy"
+    with pytest.raises(AddonError, match="no number above 0"):
+        fall(obj, 0.3)
+    np.testing.assert_allclose(path(other), before, atol=0.01)
+
+
 def test_what_stands_beside_it_is_no_ground(obj):
     add_box((0.5, 0.5, 0.5), (1.2, 0, 0.25))
     fall(obj, 0.05)
@@ -191,13 +220,24 @@ def test_what_a_deleted_asset_left_is_in_nobodys_way(obj, asset):
     assert floor.rigid_body is None
 
 
+def test_a_hidden_cage_does_not_outlive_its_asset(obj, asset):
+    simulation.simulate(obj, "CLOTH", simulation.Options(frames=2))
+    delete(obj)
+    other = import_asset(bpy.context, asset)
+    bpy.context.view_layer.update()
+    fall(other, 0.1, 2)
+    simulation.clear(other)
+    assert names() == {other.name}
+
+
 def test_a_sheet_outlives_the_asset_that_it_was_draped_over(obj, asset):
     simulation.simulate(obj, "DRAPE", simulation.Options(frames=3))
     sheet = simulation.owner_of(obj)
     delete(obj)
     other = import_asset(bpy.context, asset)
     bpy.context.view_layer.update()
-    simulation.remove_left_behind()
+    fall(other, 0.1, 2)
+    simulation.clear(other)
     assert names() == {sheet.name, other.name}
     assert simulation.MARK not in sheet
 

@@ -97,6 +97,15 @@ def test_the_origin_goes_to_the_base_and_nothing_moves(asset):
     np.testing.assert_allclose(origin, [*(low + high)[:2] / 2, low[2]], atol=1e-5)
 
 
+def test_what_is_scaled_to_nothing_has_its_origin_moved_too(asset):
+    obj = import_asset(bpy.context, asset)
+    obj.location, obj.scale = (1, 2, 3), (1, 1, 0)
+    bpy.context.view_layer.update()
+    before = world_verts(obj)
+    placement.origin_to_base(obj)
+    np.testing.assert_allclose(world_verts(obj), before, atol=1e-5)
+
+
 def test_a_shared_mesh_is_left_alone(asset):
     obj = import_asset(bpy.context, asset)
     bpy.data.objects.new("twin", obj.data)

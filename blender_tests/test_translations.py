@@ -62,7 +62,7 @@ def of_panels() -> Iterator[str]:
                 if path.parent.name == "ui":
                     for keyword in node.keywords:
                         yield from constants(keyword.value) if keyword.arg in SHOWN else ()
-                if name == "poll_message_set" or name == "can_run":
+                if name in ("allowed", "can_run", "needs"):
                     yield from (text for arg in node.args for text in constants(arg))
                 if name == "wrapped_label" and len(node.args) > 2:
                     yield from constants(node.args[2])

@@ -49,6 +49,18 @@ def shown_uv(obj) -> np.ndarray:
     return values((layers[name] if name else layers[0]).uv, "vector", 2)
 
 
+def show_over_the_second(obj) -> np.ndarray:
+    """Swap the two UV maps and what the pictures are over; the UVs that they are over."""
+    layers = obj.data.uv_layers
+    own, mine = (values(layers[name].uv, "vector", 2) for name in ("UVMap", "mine"))
+    layers["UVMap"].uv.foreach_set("vector", mine.ravel())
+    layers["mine"].uv.foreach_set("vector", own.ravel())
+    for node in obj.active_material.node_tree.nodes:
+        if hasattr(node, "uv_map"):
+            node.uv_map = "mine"
+    return own
+
+
 @pytest.mark.parametrize("ending", ["glb", "fbx", "obj"])
 def test_an_export_shows_the_pictures_over_their_own_uv_map(obj, tmp_path, ending):
     own = values(obj.data.uv_layers["UVMap"].uv, "vector", 2)
@@ -61,19 +73,24 @@ def test_an_export_shows_the_pictures_over_their_own_uv_map(obj, tmp_path, endin
 
 
 def test_an_engine_gets_them_as_the_first_uv_map(obj, tmp_path):
-    layers = obj.data.uv_layers
-    own, mine = (values(layers[name].uv, "vector", 2) for name in ("UVMap", "mine"))
-    layers["UVMap"].uv.foreach_set("vector", mine.ravel())
-    layers["mine"].uv.foreach_set("vector", own.ravel())
-    for node in obj.active_material.node_tree.nodes:
-        if hasattr(node, "uv_map"):
-            node.uv_map = "mine"
+    own = show_over_the_second(obj)
     path = engines.export_for(obj, tmp_path / "out", "godot")
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=str(path))
     back = next(o for o in bpy.data.objects if o.type == "MESH" and "conv" not in o.name)
     first = values(back.data.uv_layers[0].uv, "vector", 2)
     np.testing.assert_allclose(first.max(0), own.max(0), atol=1e-4)
+
+
+@pytest.mark.parametrize("ending", ["glb", "fbx"])
+def test_an_export_keeps_the_uv_maps_before_that_of_the_pictures(obj, tmp_path, ending):
+    """Such as a light map's: it comes after, since programs show the pictures over the first."""
+    own = show_over_the_second(obj)
+    path = export.export_object(obj, tmp_path / f"x.{ending}")
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    first, second = (values(layer.uv, "vector", 2) for layer in bring_back(path).data.uv_layers)
+    np.testing.assert_allclose(first.max(0), own.max(0), atol=1e-4)
+    np.testing.assert_allclose(second, 0.05, atol=1e-4)
 
 
 def test_a_simulators_body_gets_them_too(obj, tmp_path):
@@ -121,6 +138,20 @@ def test_a_picture_over_something_else_is_baked(obj):
     tree.links.new(mapping.outputs["Vector"], picture.inputs["Vector"])
     color = maps.maps_of(obj, 32).base_color[20:28, 2:8]
     np.testing.assert_allclose(color, np.full((8, 6, 3), SIDES["left"][2]) / 255, atol=0.02)
+
+
+def test_a_picture_in_a_box_projection_and_an_alpha_are_baked(tmp_path):
+    """Not texel for texel over the UV map, and no colour."""
+    obj = import_asset(bpy.context, write_asset(tmp_path / "asset", roughness=0.5))
+    before, tree = maps.maps_of(obj, 32), obj.active_material.node_tree
+    bsdf = material_edit.principled(obj.active_material)
+    picture = material_edit.picture_of(bsdf.inputs["Base Color"])[0]
+    picture.projection = "BOX"
+    tree.links.new(picture.outputs["Alpha"], bsdf.inputs["Metallic"])
+    found = maps.maps_of(obj, 32)
+    assert np.abs(found.base_color - before.base_color).mean() > 0.05
+    picture.projection = "FLAT"
+    assert maps.maps_of(obj, 32).metallic[8:24].mean() == pytest.approx(1, abs=0.01)
 
 
 def test_what_a_modifier_bends_is_baked_where_it_is(tmp_path):

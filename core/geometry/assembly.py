@@ -53,6 +53,8 @@ LEAST_FLAT = 0.05  # of a part's surface, from which its pieces may have flat fa
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
 STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
+# Of a part's surface, what is flat of blocks and discs in the mean, at least; and of sharp ones.
+BLOCK, SHARP = 0.58, 0.78
 STRUT = 0.03  # radius, training units
 
 
@@ -72,18 +74,26 @@ class Forms(NamedTuple):
 class KnownParts:
     """The parts of one object, each a solid of its own, and the pieces that they are of."""
 
-    def __init__(self, distances: Distances, forms: Forms) -> None:
-        """``distances``: of each part, at points in training units; columns beyond are none."""
-        self.distances, self.forms = distances, forms
+    def __init__(
+        self, distances: Distances, forms: Forms, wider: tuple[float, float, float] = (1, 1, 1)
+    ) -> None:
+        """
+        Args:
+            distances: of each part, at points in training units; columns beyond are none.
+            wider: by how much wider the pieces are looked at than they are, along x, y and z: a
+                lattice would miss a slender thing's walls.
+        """
+        self.distances, self.forms, self.wider = distances, forms, wider
         self._surfaces: dict[int, Mesh] = {}
         self._solids: dict[int, SolidMesh] = {}
 
     @cached_property
     def pieces(self) -> list[Piece]:
-        """All that have a surface; those of a part that are alike are so exactly."""
-        found = places_of(self.distances, len(self.forms.flat))
-        drawn = [piece for piece in (drawn_at(self.distances, x) for x in found) if piece]
-        pairs = zip(drawn, matched(self.distances, drawn, self.forms), strict=True)
+        """All that have a surface, as wide as they are looked at; of a part those that are alike
+        are so exactly."""
+        found = places_of(self._wide, len(self.forms.flat))
+        drawn = [piece for piece in (drawn_at(self._wide, x) for x in found) if piece]
+        pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
         told = [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
@@ -92,7 +102,7 @@ class KnownParts:
         """The piece with the primitive that it is; what is none yet without what breaks its
         symmetry, and as layers where it is of such."""
         if one is None:
-            piece = repeated(self.distances, piece)
+            piece = repeated(self._wide, piece)
             one = self._layered(piece)
         return piece._replace(primitive=one)
 
@@ -101,7 +111,7 @@ class KnownParts:
         share = self.share(piece)
         axis = int(share.argmax())
         turned = turned_about(piece, axis) if share[axis] >= SHARE else None
-        return turned if turned and is_drawn(self.distances, turned, piece) else None
+        return turned if turned and is_drawn(self._wide, turned, piece) else None
 
     def _layered(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is flat outlines one upon another along an axis, or along
@@ -121,7 +131,7 @@ class KnownParts:
         fits = [one for one in flat if one.form == "wall" or ends_share(one) <= most]
         fits = [one for one in fits if one.fits(points, piece.error)]
         return min(
-            (one for one in fits if is_drawn(self.distances, one, piece)),
+            (one for one in fits if is_drawn(self._wide, one, piece)),
             # Of what fits about as well the one that takes less to say.
             key=lambda one: one.off(points, piece.error) + WORDY * len(one.lengths),
             default=None,
@@ -131,7 +141,7 @@ class KnownParts:
         """The fraction of the piece's surface that is the same all around along x, y, z."""
         # By the noun's objects, or by this piece itself: a table's top may be round, as most are
         # not.
-        own = [turned_share(self.distances, piece, axis) for axis in range(3)]
+        own = [turned_share(self._wide, piece, axis) for axis in range(3)]
         return np.maximum(own, [axis[piece.place.part] for axis in self.forms.round])
 
     def extents(self) -> list[Float[np.ndarray, " 3"]]:
@@ -139,29 +149,42 @@ class KnownParts:
         sizes = [np.zeros(3) for _ in self.forms.flat]
         for piece in self.pieces:
             part, verts = piece.place.part, piece.verts
-            size = (verts.amax(0) - verts.amin(0)).cpu().numpy()
+            size = (verts.amax(0) - verts.amin(0)).cpu().numpy() / self.wider
             sizes[part] = max(sizes[part], size, key=np.linalg.norm)
         return sizes
 
-    def surface_of(self, index: int) -> Mesh:
-        """A piece's exact surface, made once."""
-        if index not in self._surfaces:
-            self._surfaces[index] = exact_surface(self, self.pieces[index])
-        return self._surfaces[index]
+    def surface_of(self, index: int, exact: bool = True) -> Mesh:
+        """A piece's exact surface, or the one that is drawn."""
+        piece = self.pieces[index]
+        verts, faces = self._surface(index) if exact else (piece.verts, piece.faces)
+        return verts / verts.new_tensor(self.wider), faces
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances from their exact surfaces, of points that are near these; what is
         farther off than ``NEAR`` may come out as ``EXTENT``."""
         found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
+        wider = points.new_tensor(self.wider)
+        points, reach = points * wider, NEAR * wider
         for index, piece in enumerate(self.pieces):
-            verts, _ = self.surface_of(index)
-            low, high = verts.amin(0) - NEAR, verts.amax(0) + NEAR
-            here = ((points > low.to(points)) & (points < high.to(points))).all(1)
+            verts, _ = self._surface(index)
+            low, high = verts.amin(0).to(points) - reach, verts.amax(0).to(points) + reach
+            here = ((points > low) & (points < high)).all(1)
             if not here.any():
                 continue
             column = found[:, piece.place.part]
-            column[here] = torch.minimum(column[here], self._distance(index)(points[here]))
+            away = self._distance(index)(points[here]) / max(self.wider)
+            column[here] = torch.minimum(column[here], away)
         return found
+
+    def _wide(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances as wide as they are looked at."""
+        return self.distances(points / points.new_tensor(self.wider)) * max(self.wider)
+
+    def _surface(self, index: int) -> Mesh:
+        """A piece's exact surface as wide as it is looked at, made once."""
+        if index not in self._surfaces:
+            self._surfaces[index] = exact_surface(self, self.pieces[index])
+        return self._surfaces[index]
 
     def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
         """From a piece's exact surface, signed."""
@@ -169,7 +192,7 @@ class KnownParts:
         if primitive is not None:
             return primitive.distance
         if index not in self._solids:
-            self._solids[index] = SolidMesh(*self.surface_of(index))
+            self._solids[index] = SolidMesh(*self._surface(index))
         return self._solids[index].sdf
 
 
@@ -185,9 +208,9 @@ def assembled(
     """
     meshes = []
     progress(0.0)
-    for index, piece in enumerate(parts.pieces):
+    for index in range(len(parts.pieces)):
         progress((index + 1) / (len(parts.pieces) + 1))
-        meshes.append(parts.surface_of(index) if exact else (piece.verts, piece.faces))
+        meshes.append(parts.surface_of(index, exact))
     if not meshes:
         return None
     return drop_floaters(*union(meshes, STRUT), floaters)
@@ -198,17 +221,19 @@ def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Pri
     they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
 
     What a part's forms say it has no flat faces of is no box and no disc: a stripe around a tiger's
-    tail was a block, a panda's eyes were discs.
+    tail was a block, a panda's eyes were discs. What they say is mostly flat is one, if it
+    can be: a nightstand's drawer was a roll.
     """
     points = [points_of(piece) for piece in pieces]
     found: list[Primitive | None] = [None] * len(pieces)
     for group in alike(pieces):
-        flat = forms.may_be_flat(pieces[group[0]].place.part)
+        part = pieces[group[0]].place.part
+        how = forms.may_be_flat(part), forms.flat[part] >= BLOCK, forms.flat[part] >= SHARP
         some = [pieces[k] for k in group], [points[k] for k in group]
-        pairs = list(zip(group, fitted_together(*some, flat), strict=True))
+        pairs = list(zip(group, fitted_together(*some, *how), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, primitive_of(points[k], pieces[k].error, flat)) for k in group]
+            pairs = [(k, primitive_of(points[k], pieces[k].error, *how)) for k in group]
             pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
@@ -246,7 +271,11 @@ def slack_of(count: int) -> float:
 
 
 def fitted_together(
-    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], flat: bool = True
+    pieces: list[Piece],
+    points: list[Float[np.ndarray, "n 3"]],
+    flat: bool = True,
+    block: bool = False,
+    sharp: bool = False,
 ) -> Sequence[Primitive | None]:
     """One primitive for all, each at its place; Nones where it does not fit all."""
     if len(pieces) > 1:
@@ -255,7 +284,7 @@ def fitted_together(
         for placed in (unturned, mirrored, around):
             frames = [placed(middle) for middle in middles]
             local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
-            one = primitive_of(np.concatenate(local)[:: len(points)], error, flat)
+            one = primitive_of(np.concatenate(local)[:: len(points)], error, flat, block, sharp)
             if one is not None and all(one.fits(some, error) for some in local):
                 return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
     return [None] * len(points)

@@ -27,26 +27,43 @@ STOUT, LONG = 1.6, 1.15  # how unlike two widths may be; how much longer than wi
 # and of its height.
 TIP = 1.7, 2.5, 3.5
 ENDS = 0.3  # of a surface, the ends of what is still a rod
+BLOCK = 0.5  # of a surface, what is flat of a block or a disc, at the least
 TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
-def primitive_of(points: Points, error: float, flat: bool = True) -> Primitive | None:
+def primitive_of(
+    points: Points, error: float, flat: bool = True, block: bool = False, sharp: bool = False
+) -> Primitive | None:
     """The primitive whose surface the points are on, up to errors of about ``error``; or None.
 
-    ``flat``: whether it may have flat faces, more than the ends of a rod. Of what is hardly larger
-    than the errors points do not tell.
+    Of what is hardly larger than the errors points do not tell:
+
+    Args:
+        flat: whether it may have flat faces, more than the ends of a rod.
+        block: whether it is mostly flat, if it can be.
+        sharp: whether its edges are.
     """
+    found = _primitive_of(points, error, flat, not sharp, BLOCK) if block else None
+    return found or _primitive_of(points, error, flat)
+
+
+def _primitive_of(
+    points: Points, error: float, flat: bool, rims: bool = True, flattest: float = 0.0
+) -> Primitive | None:
+    """The same; ``flattest``: how much of it is flat at the least."""
 
     def off(one: Primitive) -> float:
         return one.off(points, error)
 
     def covered(one: Primitive) -> bool:
-        return _covered(one, points, error) and (flat or _flat_share(one) < ENDS)
+        share = _flat_share(one)
+        return (flat or share < ENDS) and share >= flattest and _covered(one, points, error)
 
     best, limit = None, np.inf
     gain = TURNED_GAIN  # of what lies along the coordinate axes
     for frame in frames_of(points):
         starts = (one for one in _starts(points, frame) if flat or one.form != "box")
+        starts = (one for one in starts if not flattest or one.form in ("box", "frustum"))
         fixed = [_fitted(one, points, error) for one in starts]
         likely = sorted(fixed, key=off)[:TURNED]
         freely = [_fitted(one, points, error, turns=True) for one in likely]
@@ -57,7 +74,7 @@ def primitive_of(points: Points, error: float, flat: bool = True) -> Primitive |
         limit, gain = limit * gain, 1.0  # the points' own are no better than any near them
     if best is None:
         return None
-    if FORMS[best.form].rims:
+    if FORMS[best.form].rims and rims:
         soft = _fitted(_with_rims(best), points, error, rims=True)
         best = soft if off(soft) < ROUNDED_GAIN * off(best) else best
     best = _evened(best, off)

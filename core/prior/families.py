@@ -7,7 +7,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.guidance.builtin.stretch import NOT_STRETCHED, STRETCH, frame_of
+from core.guidance.builtin.stretch import AS_IT_IS, NOT_STRETCHED, STRETCH, Vector, frame_of
 from core.prior.draw import Draw
 from core.prior.solids import Parts
 from core.prior.things.animals import ANIMALS
@@ -191,17 +191,21 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
 )
 
 
-def build(noun: str, adjective: str, draw: Draw, jitter: float = 0.06) -> Shape:
+def build(
+    noun: str, adjective: str, draw: Draw, jitter: float = 0.06, wider: Vector = AS_IT_IS
+) -> Shape:
     """A random object of the noun's family, normalised (see ``normalised``).
 
     ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
+    ``wider``: factors along x, y and z that the object is stretched by besides.
     """
     factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
     parts = FAMILIES[noun](draw.formed(adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
         factors = (x, y, z)
-    return normalised(parts, factors, swell, adjective == "round", draw(1 - jitter, 1 + jitter))
+    x, y, z = (factor * by for factor, by in zip(factors, wider, strict=True))
+    return normalised(parts, (x, y, z), swell, adjective == "round", draw(1 - jitter, 1 + jitter))
 
 
 def normalised(

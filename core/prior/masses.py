@@ -9,6 +9,7 @@ import torch
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.sizes import usual
+from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.prior.draw import Draw
 from core.prior.families import build
 
@@ -18,8 +19,10 @@ HEAD = """# Usual sizes and masses
 
 What `generate` makes is as large and as heavy as an ordinary specimen: the longest side, and the
 mass of the prior's own solid (one of each, seed 1) in the material that the thing is of where the
-prompt names none. A size in the prompt ("2 m tall") or `--size METRES` sets another. The data is in
-`core/guidance/builtin/nouns/`; `python -m core.prior.masses` writes this page, a test compares it.
+prompt names none. A size in the prompt ("2 m tall") or `--size METRES` sets another. What is made
+as one of these things and is not of its size has its own: a kennel, made as a house, has 1.1 m. The
+data is in `core/guidance/builtin/nouns/` and, of such kinds, in `kind_sizes.py` next to it;
+`python -m core.prior.masses` writes this page, a test compares it.
 """
 
 
@@ -27,12 +30,13 @@ def usual_mass(noun: str, side: int = 40) -> float:
     """Kilograms of the prior's own solid at the thing's usual size."""
     axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
     cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
-    shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0)
+    wider = DRAWN_WIDER.get(noun, AS_IT_IS)  # or its walls would lie between the cells
+    shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0, wider)
     inside = cells[shape.sdf(cells) < 0]
-    step = 2.1 / side
-    longest = float((inside.amax(0) - inside.amin(0)).max()) + step
+    step, by = 2.1 / side, torch.tensor(wider)
+    longest = float(((inside.amax(0) - inside.amin(0) + step) / by).max())
     size, density = usual(noun)
-    return len(inside) * (step * size / longest) ** 3 * density
+    return len(inside) * (step * size / longest) ** 3 * density / float(by.prod())
 
 
 def cell(noun: str) -> str:

@@ -10,7 +10,9 @@ from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.solid_net import KINDS, SCALE
-from core.prior.families import Shape
+from core.guidance.builtin.stretch import DRAWN_WIDER
+from core.prior.data import NOUNS
+from core.prior.families import Shape, normalised
 from core.prior.soften import HALF, LatticeShape
 from core.prior.solid_data import volume_of
 from core.prior.solid_kinds import kinds_of, nearest_kind
@@ -41,13 +43,18 @@ class Redrawing:
     def shape(self, shape: Shape, noun: int, cells: int) -> LatticeShape:
         """The solid as it comes back, on a lattice of ``cells`` along an edge; ``noun``: its place
         in ``core.prior.data.NOUNS``."""
-        volume = volume_of(shape)
+        name = NOUNS[noun]
+        # A slender thing is drawn wider than it is: then the network's own points are by others.
+        drawn = normalised(shape.parts, DRAWN_WIDER[name]) if name in DRAWN_WIDER else shape
+        by = torch.tensor(drawn.scale) / torch.tensor(shape.scale)
+        volume = volume_of(drawn)
         kind = 1 + KINDS * noun + nearest_kind(volume, self.kinds[noun])
         words = torch.tensor([[noun + 1, 0, 0, kind]])
         code, _ = self.net.encode(volume[None, None].float() / 127, words)
         triplane = self.net.decoder.triplane(words, code)
         side = torch.linspace(-HALF, HALF, cells + 1).clamp(-EXTENT, EXTENT) / EXTENT
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
-        chunks = nodes.view(-1, 3).split(CHUNK)
+        chunks = (nodes.view(-1, 3) * by).clamp(-1, 1).split(CHUNK)
         found = [self.net.decoder.at(triplane, chunk[None]).amin(-1) for chunk in chunks]
-        return LatticeShape(torch.cat(found, 1).view(1, 1, *nodes.shape[:3]) / SCALE)
+        distance = torch.cat(found, 1) / (SCALE * by.max())
+        return LatticeShape(distance.view(1, 1, *nodes.shape[:3]))

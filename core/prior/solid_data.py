@@ -4,6 +4,7 @@ The volume is what the encoder reads, the points what the decoder is asked for. 
 objects of each noun, and takes half a minute of one core.
 """
 
+import math
 import multiprocessing
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
@@ -19,6 +20,7 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.part_tables import OPTIONS
 from core.guidance.builtin.solid import FORMS
 from core.guidance.builtin.solid_net import PARTS
+from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.io.atomic import atomic_file
 from core.prior.data import ADJECTIVES, NO_PART_STATE, NOUNS, PART_STATES
 from core.prior.draw import Draw
@@ -33,6 +35,7 @@ BAND = (0.07, 0.12)  # distance of the cells that points about the surface are d
 FEW = 50  # cells
 FORMED = 0.3  # fraction of a noun's objects that have the form of an adjective, if it has one
 JITTER = 0.02  # of the size
+STEP = 2e-3  # of the slope's differences, training units
 OF_EACH = 2  # objects of a noun in one file
 FIRST_SEED = 7_000_000  # away from the shards' seeds and the evaluation's
 
@@ -77,9 +80,10 @@ def _object(noun: int, draw: Draw) -> Solids:
     unstated = draw.chance(NO_PART_STATE) or not options
     state = 0 if unstated else PART_STATES.index(options[int(draw(0, len(options)))])
     own = Draw(draw.generator, PART_STATES[state])
-    shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER)
+    wider = DRAWN_WIDER.get(NOUNS[noun], AS_IT_IS)
+    shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER, wider)
     points = _points(shape, draw.generator)
-    distances = shape.distances(points).clamp(-REACH, REACH)
+    distances = distances_of(shape, points).clamp(-REACH, REACH)
     none = torch.full((len(points), PARTS - distances.shape[1]), REACH)
     return Solids(
         grid=volume_of(shape),
@@ -92,8 +96,20 @@ def _object(noun: int, draw: Draw) -> Solids:
 
 def volume_of(shape: Shape) -> Int[Tensor, "32 32 32"]:
     """Distances at the middles of the volume's cells, as ``Solids.grid`` has them."""
-    distance = shape.sdf(_cells()).clamp(-REACH, REACH)
+    distance = distances_of(shape, _cells()).amin(1).clamp(-REACH, REACH)
     return (distance / REACH * 127).round().to(torch.int8).view((SIDE,) * 3)
+
+
+def distances_of(shape: Shape, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n k"]:
+    """Each part's signed distance, to first order also where the shape's scale is uneven: its own
+    is too short there, and a network's error in it would be so much larger a one of the surface."""
+    found, least = shape.distances(points), min(shape.scale) / max(shape.scale)
+    if math.isclose(least, 1):
+        return found
+    steps = STEP * torch.eye(3).to(points)
+    sides = [shape.distances(points + step) - shape.distances(points - step) for step in steps]
+    slope = torch.stack(sides).norm(dim=0) / (2 * STEP)
+    return found / slope.clamp(least, 1)
 
 
 def _cells() -> Float[Tensor, "n 3"]:
@@ -104,14 +120,18 @@ def _cells() -> Float[Tensor, "n 3"]:
 
 def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
     """At the surface, about it, anywhere."""
-    volume = shape.sdf(_cells())
+
+    def sdf(points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        return distances_of(shape, points).amin(1)
+
+    volume = sdf(_cells())
     near = volume.abs() < BAND[0]
     near = near if near.sum() >= FEW else volume.abs() < BAND[1]
     cells = torch.multinomial(near.float(), ON + NEAR, True, generator=generator)
     jitter = torch.rand(ON + NEAR, 3, generator=generator) - 0.5
     about = _cells()[cells] + jitter * (2 * EXTENT / SIDE)
     on = about[:ON]
-    on = on - shape.sdf(on)[:, None] * gradient(shape.sdf, on)
+    on = on - sdf(on)[:, None] * gradient(sdf, on)
     on = on + SPREAD * torch.randn(on.shape, generator=generator)
     anywhere = (2 * torch.rand(ANYWHERE, 3, generator=generator) - 1) * EXTENT
     return torch.cat([on, about[ON:], anywhere]).clamp(-EXTENT, EXTENT)

@@ -123,7 +123,8 @@ def leashed(parts: KnownParts, leash: Leash) -> KnownParts:
     """``parts`` within the leash, and the guide's inside, which is neither flat nor round."""
     flat, around = parts.forms
     distances = leash.parts(parts.distances, len(flat))
-    return KnownParts(distances, Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around)))
+    forms = Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around))
+    return KnownParts(distances, forms, parts.wider)
 
 
 def learns(config: GeometryConfig) -> bool:

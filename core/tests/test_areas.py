@@ -10,6 +10,9 @@ from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.patterns import (
     BAND,
+    KEY,
+    KEY_GAP,
+    KEY_SHIFT,
     MARGINS,
     PLATE,
     PLATE_LINE,
@@ -291,3 +294,15 @@ def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch)
     assert car["body"].ranges.metallic == (1.0, 1.0)
     assert car["windows"].ranges.metallic == (0.0, 0.0)
     assert car["windows"].ranges.roughness[1] < 0.15 < 0.7 < car["wheels"].ranges.roughness[0]
+
+
+def test_a_keyboards_keys_lie_in_rows_that_are_shifted():
+    """A gap at every border of a key and none in its middle, in each of three rows."""
+    for row in range(3):
+        start = -KEY_SHIFT * row * KEY
+        y = (row + 0.5) * KEY
+        middles = torch.tensor([[start + (k + 0.5) * KEY, y, 0.2] for k in range(4)])
+        borders = torch.tensor([[start + k * KEY, y, 0.2] for k in range(4)])
+        below = middles - torch.tensor([0.0, KEY / 2, 0.0])
+        assert torch.allclose(MARGINS["keys"](middles), torch.full((4,), KEY_GAP - KEY / 2))
+        assert (MARGINS["keys"](borders) > 0).all() and (MARGINS["keys"](below) > 0).all()

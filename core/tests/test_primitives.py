@@ -175,3 +175,15 @@ def test_a_placed_primitive_is_the_mirrored_or_turned_one(flip):
         placed = one.placed(frame, origin)
         points = points_on(one, noise=0.0)
         assert np.abs(placed.at(points @ frame.T + origin)).max() < 2e-3
+
+
+def test_what_is_mostly_flat_is_a_sharp_block_if_it_can_be():
+    """A nightstand's drawer, drawn rounded, was a roll; a screen had soft edges."""
+    drawer = points_on(solid("box", (0.42, 0.1, 0.115, 0.08)))
+    assert primitive_of(drawer, ERROR).form != "box"
+    assert primitive_of(drawer, ERROR, block=True).form == "box"
+    door = points_on(solid("box", (0.3, 0.4, 0.2, 0.09)))
+    assert primitive_of(door, ERROR, block=True).lengths[3] > 0.05
+    assert primitive_of(door, ERROR, block=True, sharp=True).lengths[3] == 0
+    ball = points_on(solid("ellipsoid", (0.2, 0.3, 0.1)))
+    assert primitive_of(ball, ERROR, block=True).form == "ellipsoid"  # it can not

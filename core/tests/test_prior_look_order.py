@@ -225,6 +225,6 @@ def test_a_tabby_has_darker_stripes(prompt, colors):
 
 
 def test_what_is_behind_a_longer_name_is_no_part_of_it():
-    assert read("street lamp victorian black iron")["notes"] == [
-        "The built-in model does not know 'victorian': left out."
+    assert read("street lamp medieval black iron")["notes"] == [
+        "The built-in model does not know 'medieval': left out."
     ]

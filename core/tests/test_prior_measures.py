@@ -16,7 +16,7 @@ from core.stages.preview import size_of
         ("a giraffe 5 m tall", Size(5, "height")),
         ("a traffic cone 75 cm", Size(0.75)),
         ("a shipping container 20ft, blue", Size(6.096)),
-        ("a round rug 1.5 m across", Size(1.5, "diameter")),
+        ("a rug 1.5 m across", Size(1.5, "diameter")),
         ("a lion 3 metres long", Size(3)),
         ("a 2-metre-tall robot", Size(2, "height")),
         ("a 6'2\" knight", Size(1.8796)),

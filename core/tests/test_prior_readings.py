@@ -354,3 +354,79 @@ def test_gold_that_is_a_colour_of_fur_weighs_nothing() -> None:
 def test_an_action_figure_is_small() -> None:
     words = parse("an action figure of a robot")
     assert (words.noun, words.is_toy, words.is_statue) == ("robot", True, False)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "colours", "materials"),
+    [
+        ("two scoops of ice cream in a waffle cone", "ice cream", [], []),
+        ("a scoop of vanilla ice cream in a cone", "ice cream", ["cream white"], []),
+        ("strawberry ice cream cone", "ice cream", ["strawberry pink"], []),
+        ("a chocolate ice cream", "ice cream", ["chocolate brown"], []),
+        ("a Lego-style red brick", "lego brick", ["red"], []),
+        ("a tin of sardines", "can", [], []),
+        ("an old tin of green paint", "can", [], []),
+        ("a cup made of tin", "mug", [], ["tin"]),
+        ("a glass of red wine", "goblet", ["red"], ["glass"]),
+        ("a salt shaker and a pepper mill", "salt shaker", [], []),
+        ("a peach armchair", "armchair", ["peach orange"], []),
+        ("a lemon cake", "cake", [], []),
+        ("an olive drab jeep", "jeep", ["olive drab"], []),
+        ("a blue-grey elephant", "elephant", ["blue grey"], []),
+        ("a robot that is neither blue nor red", "robot", [], []),
+        ("boxes made of cardboard", "cardboard box", [], []),
+        ("a lantern made of paper", "paper lantern", [], []),
+        ("a man made of snow", "snowman", [], []),
+        ("a chair made of wood", "chair", [], ["wooden"]),
+        ("a fence that has been painted green", "fence", ["green"], []),
+        ("an orange and black tiger stripe sofa", "sofa", ["orange", "black"], []),
+        ("a velvet-covered stool", "stool", [], ["velvet"]),
+        ("a basket woven from straw", "basket", [], ["straw"]),
+    ],
+)
+def test_a_thing_is_what_its_whole_name_says(
+    prompt: str, thing: str, colours: list[str], materials: list[str]
+) -> None:
+    found = read(prompt)
+    assert (found["thing"], found["colours"], found["materials"]) == (thing, colours, materials)
+
+
+def test_a_shade_before_a_part_is_the_parts() -> None:
+    assert read("a sofa with coral cushions")["part_colours"] == {"cushion": "coral orange"}
+    found = read("a whitewashed cottage with a brown door")
+    assert (found["colours"], found["part_colours"]) == (["whitewashed"], {"door": "brown"})
+    names = {part.name: part.color for part in painted("cottage", parse("a whitewashed cottage"))}
+    plain = {part.name: part.color for part in painted("cottage", parse("a cottage"))}
+    assert names["walls"] != plain["walls"]
+    assert {name: names[name] for name in ("roof", "door")} == {
+        name: plain[name] for name in ("roof", "door")
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "note"),
+    [
+        (
+            "a chair with three legs",
+            "three legs: left out, as the legs of a chair are not counted.",
+        ),
+        ("a sofa with four legs", "four legs: left out, as the legs of a sofa are not counted."),
+        ("a bookshelf with four shelves", "shelves: left out, as that is no part by itself here."),
+        ("a wizard with a big head", "head: left out, as that is no part by itself here."),
+        ("a car with a red roof", "red roof: left out, as that is no part by itself here."),
+        ("a vase with three legs", "three legs: left out, as a vase has none here."),
+    ],
+)
+def test_what_the_shape_has_but_no_part_is_said_to_be_none(prompt: str, note: str) -> None:
+    assert note in read(prompt)["notes"]
+
+
+def test_a_giants_club_is_no_giant_and_a_dolls_house_is_small() -> None:
+    assert read("a giant's club")["size_m"] == read("a club")["size_m"]
+    assert read("a doll's house")["size_m"] == read("a dollhouse")["size_m"] < 2
+
+
+@pytest.mark.parametrize("name", ["kitchen scale", "bathroom scale", "shower head"])
+def test_an_unknown_thing_is_named_whole(name: str) -> None:
+    with pytest.raises(UserError, match=f"does not know '{name}'"):
+        read(f"a {name}")

@@ -7,7 +7,6 @@ changes the selection, and links into the collection that is active when the job
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..blender.input_file import parse_json, require_file
+from ..environment.files import is_file
 from ..errors import AssetError
 
 VERSION = 1
@@ -128,8 +128,7 @@ def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, 
     for role in ("mesh", *ROLES, *(role for role in OPTIONAL if role in files)):
         if role not in files:
             raise AssetError(f"asset.json of {folder} names no {role.replace('_', ' ')}.", REMAKE)
-        # Not Path.is_file, which raises for a name that is too long.
-        if not os.path.isfile(files[role][0]):  # noqa: PTH113
+        if not is_file(files[role][0]):
             raise AssetError(f"{files[role][0]} is missing.", REMAKE)
         if files[role][0].resolve().parent != folder.resolve():
             raise AssetError(f"{files[role][0]} is a link to another folder.", REMAKE)
@@ -144,8 +143,7 @@ def _is_plain_name(name: str) -> bool:
 def asset_in(folder: Path) -> Path:
     """``folder``, or the asset in it where it is a run folder."""
     inside = folder / "asset"
-    # Not Path.is_file, which raises for a name that is too long.
-    here, below = (os.path.isfile(path / "asset.json") for path in (folder, inside))  # noqa: PTH113
+    here, below = (is_file(path / "asset.json") for path in (folder, inside))
     is_run = below and not here
     return inside if is_run else folder
 
@@ -164,7 +162,7 @@ def read_info(folder: Path) -> dict[str, Any]:
             raise AssetError(f"{path} is larger than {MAX_BYTES >> 20} MB.", REMAKE)
         info = parse_json(path.read_text(encoding="utf-8"))
     except (FileNotFoundError, NotADirectoryError):
-        if os.path.isfile(folder / "job.json"):  # noqa: PTH113
+        if is_file(folder / "job.json"):
             raise AssetError(
                 f"The run {folder} has not finished: it has no asset yet.",
                 "Resume it, under Jobs or by run.py resume.",

@@ -10,6 +10,7 @@ from pathlib import Path
 import bpy
 
 from ..blender import compat
+from ..blender.mesh_arrays import baked_mesh
 from ..errors import AddonError, OutputError
 
 GREY = (0.8, 0.8, 0.8, 1.0)  # of a face without a material
@@ -31,7 +32,7 @@ def bake(context: bpy.types.Context, obj: bpy.types.Object, uv_map: str, path: P
     try:
         image = bpy.data.images.new("Base colour", size, size, alpha=False)
         made.append(image)
-        scene, helper = _bake_scene(context, obj, uv_map, image, made)
+        scene, helper = _bake_scene(obj, uv_map, image, made)
         chosen = {
             "scene": scene,
             "view_layer": scene.view_layers[0],
@@ -55,17 +56,10 @@ def bake(context: bpy.types.Context, obj: bpy.types.Object, uv_map: str, path: P
 
 
 def _bake_scene(
-    context: bpy.types.Context,
-    obj: bpy.types.Object,
-    uv_map: str,
-    image: bpy.types.Image,
-    made: list[bpy.types.ID],
+    obj: bpy.types.Object, uv_map: str, image: bpy.types.Image, made: list[bpy.types.ID]
 ) -> tuple[bpy.types.Scene, bpy.types.Object]:
     """A scene with settings for a fast bake, and a copy of ``obj`` that emits its base colours."""
-    graph = context.evaluated_depsgraph_get()
-    mesh = bpy.data.meshes.new_from_object(
-        obj.evaluated_get(graph), preserve_all_data_layers=True, depsgraph=graph
-    )
+    mesh = baked_mesh(obj)
     made.append(mesh)
     mesh.uv_layers.active = mesh.uv_layers[uv_map]
     # The object's slots, which may override those of its mesh.

@@ -7,14 +7,19 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from ..blender.mesh_arrays import triangles, values, verts_of
+from ..blender.mesh_arrays import (
+    corner_uv,
+    evaluated_object,
+    triangles,
+    use_uv_map,
+    values,
+    verts_of,
+)
 from ..environment.files import write_text
 from ..errors import AddonError, OutputError
 
 
-def export_shape(
-    obj: bpy.types.Object, path: Path, depsgraph: bpy.types.Depsgraph, uv_map: str = ""
-) -> None:
+def export_shape(obj: bpy.types.Object, path: Path, uv_map: str = "") -> None:
     """Write ``obj`` with modifiers and transform applied as a triangle OBJ with its uv.
 
     The axes are the default of Blender's importer: forward -Z, up Y. Where ``uv_map`` is empty,
@@ -24,22 +29,8 @@ def export_shape(
         AddonError: the object has no surface, or not that UV map.
         OutputError: the file can't be written.
     """
-    evaluated = obj.evaluated_get(depsgraph)
-    try:
-        mesh = evaluated.to_mesh()
-    except RuntimeError:  # an empty, a camera, a light
-        mesh = None
-    if mesh is None or not len(mesh.polygons):
-        raise AddonError(f"“{obj.name}” has no faces.", "Choose an object with a surface.")
-    try:
-        if uv_map and uv_map not in mesh.uv_layers:
-            raise AddonError(
-                f"The modifiers of {obj.name} leave no UV map “{uv_map}”.",
-                "Apply the modifier that makes new faces, then start again.",
-            )
-        text = obj_text(mesh, np.array(obj.matrix_world), uv_map)
-    finally:
-        evaluated.to_mesh_clear()
+    with evaluated_object(obj) as evaluated:
+        text = _text(evaluated, uv_map)
     try:
         write_text(path, text)
     except OSError as error:
@@ -48,18 +39,33 @@ def export_shape(
         ) from None
 
 
-def obj_text(mesh: bpy.types.Mesh, matrix: np.ndarray, uv_map: str = "") -> str:
-    """``mesh``, moved by the 4x4 ``matrix``, as the text of an OBJ file."""
+def _text(evaluated: bpy.types.Object, uv_map: str) -> str:
+    try:
+        mesh = evaluated.to_mesh()
+    except RuntimeError:  # an empty, a camera, a light
+        mesh = None
+    if mesh is None or not len(mesh.polygons):
+        raise AddonError(f"“{evaluated.name}” has no faces.", "Choose an object with a surface.")
+    try:
+        if uv_map:
+            use_uv_map(mesh, uv_map)
+        return obj_text(mesh, np.array(evaluated.matrix_world))
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def obj_text(mesh: bpy.types.Mesh, matrix: np.ndarray) -> str:
+    """``mesh``, moved by the 4x4 ``matrix``, as the text of an OBJ file with its active UV map."""
     verts = verts_of(mesh) @ matrix[:3, :3].T + matrix[:3, 3]
     faces, corners = triangles(mesh)
     if np.linalg.det(matrix[:3, :3]) < 0:  # a mirrored object: keep the normals outward
         faces, corners = faces[:, ::-1], corners[:, ::-1]
     # 9 digits restore any single precision number exactly.
     text = _lines("v %.9g %.9g %.9g\n", y_up(verts))
-    uv = mesh.uv_layers[uv_map] if uv_map else mesh.uv_layers.active
+    uv = corner_uv(mesh)
     if uv is None:
         return text + _lines("f %d %d %d\n", faces + 1)
-    text += _lines("vt %.9g %.9g\n", values(uv.uv, "vector", 2))
+    text += _lines("vt %.9g %.9g\n", uv)
     return text + _lines("f %d/%d %d/%d %d/%d\n", np.stack([faces, corners], -1) + 1)
 
 

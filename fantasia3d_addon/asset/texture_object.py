@@ -47,7 +47,7 @@ def prepare_object(
     """
     layers = obj.data.uv_layers
     name = add_uv_map(context, obj) if new_uv or not layers else layers.active.name
-    export_shape(obj, path, context.evaluated_depsgraph_get(), name)
+    export_shape(obj, path, name)
     uv = np.empty(2 * len(obj.data.loops), np.float32)
     layers[name].uv.foreach_get("vector", uv)
     if uv.min() < -TOLERANCE or uv.max() > 1 + TOLERANCE:

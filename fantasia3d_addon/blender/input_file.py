@@ -9,6 +9,8 @@ import os
 from pathlib import Path
 from typing import Any, NoReturn
 
+from ..environment.files import is_file
+
 MAX_DIGITS = 300  # of a whole number: whatever is computed with it fits a float
 
 
@@ -17,7 +19,7 @@ def require_file(path: Path) -> None:
 
     What is not there at all, or not permitted, is for who opens it.
     """
-    is_other = os.path.exists(path) and not os.path.isfile(path)  # noqa: PTH110, PTH113
+    is_other = os.path.exists(path) and not is_file(path)  # noqa: PTH110
     if is_other:
         number = errno.EISDIR if os.path.isdir(path) else errno.EINVAL  # noqa: PTH112
         text = os.strerror(number) if number == errno.EISDIR else "it is a pipe or a device"

@@ -42,6 +42,21 @@ def corner_uv(mesh: bpy.types.Mesh) -> np.ndarray | None:
     return None if layer is None else values(layer.uv, "vector", 2)
 
 
+def use_uv_map(mesh: bpy.types.Mesh, name: str) -> None:
+    """Make the UV map ``name`` the active one, for bakes and exporters.
+
+    Raises:
+        AddonError: the modifiers have left none of that name.
+    """
+    layer = mesh.uv_layers.get(name)
+    if layer is None:
+        raise AddonError(
+            f"The modifiers leave no UV map “{name}”.",
+            "Apply the modifier that makes new faces, then start again.",
+        )
+    mesh.uv_layers.active, layer.active_render = layer, True
+
+
 def moved(points: np.ndarray, matrix: object) -> np.ndarray:
     """``points`` (N,3) through the 4x4 ``matrix``, float64."""
     m = np.array(matrix, dtype=np.float64)
@@ -66,13 +81,35 @@ def world_verts(obj: bpy.types.Object) -> np.ndarray:
         evaluated.to_mesh_clear()
 
 
+@contextlib.contextmanager
+def evaluated_object(obj: bpy.types.Object) -> Iterator[bpy.types.Object]:
+    """``obj`` as it looks: with its modifiers, and where its parent and its constraints have it.
+
+    Also where it or its collections are disabled in viewports: Blender evaluates none of those.
+    """
+    found = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    if found.is_evaluated:
+        yield found
+        return
+    hidden, shown = obj.hide_viewport, bpy.data.collections.new("shown")
+    bpy.context.scene.collection.children.link(shown)
+    shown.objects.link(obj)
+    obj.hide_viewport = False
+    try:
+        yield obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    finally:
+        obj.hide_viewport = hidden
+        bpy.data.collections.remove(shown)
+
+
 def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
     """A new mesh of ``obj`` with its modifiers applied, in its own space, with its materials."""
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    evaluated = obj.evaluated_get(depsgraph)
-    return bpy.data.meshes.new_from_object(
-        evaluated, preserve_all_data_layers=True, depsgraph=depsgraph
-    )
+    with evaluated_object(obj) as evaluated:
+        return bpy.data.meshes.new_from_object(
+            evaluated,
+            preserve_all_data_layers=True,
+            depsgraph=bpy.context.evaluated_depsgraph_get(),
+        )
 
 
 def shown_copy(obj: bpy.types.Object, name: str) -> bpy.types.Object:
@@ -80,7 +117,8 @@ def shown_copy(obj: bpy.types.Object, name: str) -> bpy.types.Object:
 
     ``obj`` itself is elsewhere, or empty, where what moves or hides it is not.
     """
-    place = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.copy()
+    with evaluated_object(obj) as evaluated:
+        place = evaluated.matrix_world.copy()
     mesh, copy = baked_mesh(obj), obj.copy()
     copy.name = name
     copy.animation_data_clear()
@@ -121,6 +159,11 @@ def reason_against_mesh(obj: bpy.types.Object | None) -> str:
     if obj is None or obj.type != "MESH":
         return "Select a mesh."
     return "" if len(obj.data.polygons) else f"“{obj.name}” has no faces."
+
+
+def is_shared(mesh: bpy.types.Mesh) -> bool:
+    """Whether several objects use ``mesh``."""
+    return mesh.users - mesh.use_fake_user > 1
 
 
 @contextlib.contextmanager

@@ -15,7 +15,7 @@ import bpy
 
 from ..asset.asset_folder import read_info
 from ..asset.import_asset import import_asset
-from ..environment import clean_environ
+from ..environment import piped_environ
 from ..environment.files import expanded
 from ..errors import AddonError, LightError
 from ..scene import light as lights
@@ -131,8 +131,7 @@ def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
     """
     with subprocess.Popen(
         [str(word) for word in command],
-        # The encoding that is read here, whatever the system's is.
-        env=clean_environ() | {"PYTHONUNBUFFERED": "1", "PYTHONIOENCODING": "utf-8"} | environ,
+        env=piped_environ() | {"PYTHONUNBUFFERED": "1"} | environ,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,  # Blender may have no terminal of its own to pass on
         encoding="utf-8",

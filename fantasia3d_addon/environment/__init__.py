@@ -25,6 +25,7 @@ from .machine import (
     clean_environ,
     find_python,
     has_nvidia,
+    piped_environ,
     try_lock,
 )
 from .paths import (
@@ -61,6 +62,7 @@ __all__ = [
     "locked",
     "log_file",
     "module_version",
+    "piped_environ",
     "project_root",
     "read_lock",
     "remove",

@@ -8,6 +8,8 @@ import shlex
 from pathlib import Path
 
 from . import machine, paths
+from .files import is_file
+from .given import named_python
 from .machine import SetupError
 
 OLDEST = (4, 2)  # as in manifest.toml
@@ -28,7 +30,7 @@ def module_version(root: Path) -> str:
 
     Empty where it can, and where an interpreter of the user's is used as it is.
     """
-    if os.environ.get("FANTASIA3D_PYTHON"):
+    if named_python():
         return ""
     version = paths.env_version(paths.env_folder(root))
     if not version or paths.lacking(paths.env_folder(root), root):
@@ -44,9 +46,9 @@ def find_blender(version: str) -> list[str]:
     """
     named = os.environ.get("FANTASIA3D_BLENDER") or "blender"
     # A program with spaces in its path, or a command with arguments of its own.
-    words = [named] if os.path.isfile(named) else _words(named)  # noqa: PTH113
+    words = [named] if is_file(named) else _words(named)
     text = NO_MODULE.format(version=version)
-    program = words[0] if os.path.isfile(words[0]) else machine.which(words[0])  # noqa: PTH113
+    program = words[0] if is_file(words[0]) else machine.which(words[0])
     if not program:
         raise SetupError(f"{text}, and no program {words[0]}.", FIX)
     command = [program, *words[1:]]

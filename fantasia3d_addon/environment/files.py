@@ -35,6 +35,11 @@ def no_home(path: str | Path) -> tuple[str, str]:
     return text, f"Name the whole path, or ./{path} for a name that starts so."
 
 
+def is_file(path: str | Path) -> bool:
+    """Whether ``path`` is a file; Path.is_file raises for a name that is too long."""
+    return os.path.isfile(path)  # noqa: PTH113
+
+
 def write_text(path: Path, text: str) -> None:
     """Write ``text`` to a temporary file next to ``path``, then rename: readers see old or new.
 

@@ -18,7 +18,7 @@ from typing import IO, Any, Protocol
 
 from . import machine, paths
 from .blender_program import FIX, NO_MODULE, has_module
-from .given import given_python
+from .given import given_python, named_python
 from .lock_file import digest, locked, package_of
 from .machine import SetupError
 from .pip_output import explain, offers_cuda, pip_sources, pip_version, step_of
@@ -68,7 +68,7 @@ def ensure(
         SetupError: something is missing that the user can fix; nothing incomplete is left.
     """
     # The panel passes a place: a choice in the preferences comes before the variable.
-    given = os.environ.get("FANTASIA3D_PYTHON")
+    given = named_python()
     if given and place is None:
         return given_python(given, ("core", *groups) if runs_core else groups)
     place = place or paths.Place()

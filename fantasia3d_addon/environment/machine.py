@@ -48,6 +48,13 @@ def clean_environ() -> dict[str, str]:
     return {"OMP_WAIT_POLICY": "PASSIVE"} | kept
 
 
+def piped_environ() -> dict[str, str]:
+    """:func:`clean_environ` for a Python whose output is read here: UTF-8 on any system."""
+    # What the user's terminal takes would come before UTF-8.
+    kept = {key: value for key, value in clean_environ().items() if key != "PYTHONIOENCODING"}
+    return kept | {"PYTHONUTF8": "1"}
+
+
 def output(command: Sequence[str], timeout: float = 20) -> str:
     """What ``command`` prints; empty if it fails, hangs or does not exist."""
     try:

@@ -9,6 +9,7 @@ import bpy
 from ..asset.asset_folder import AssetFolder, read_asset, read_obj
 from ..asset.import_asset import import_asset
 from ..asset.texture_object import assign_material
+from ..blender.mesh_arrays import evaluated_object
 from ..errors import AddonError
 from ..mesh import new_shape, region
 from .job_file import FILES, IMPORTED, KEPT
@@ -71,13 +72,11 @@ def is_as_sent(obj: bpy.types.Object, folder: Path, target: Target) -> bool:
         verts, faces = read_obj(folder / FILES["mesh"])[:2]
     except AddonError:
         return False
-    if target.assign in REGION:
-        mesh = obj.data
-    else:
-        mesh = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    # A polygon of n corners has n - 2 triangles.
-    triangles = len(mesh.loops) - 2 * len(mesh.polygons)
-    return (len(mesh.vertices), triangles) == (len(verts), len(faces))
+    with evaluated_object(obj) as evaluated:
+        mesh = obj.data if target.assign in REGION else evaluated.data
+        # A polygon of n corners has n - 2 triangles.
+        triangles = len(mesh.loops) - 2 * len(mesh.polygons)
+        return (len(mesh.vertices), triangles) == (len(verts), len(faces))
 
 
 def _show_region(obj: bpy.types.Object, folder: Path, what: str, asset: AssetFolder) -> None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import bpy
 
-from ..environment.files import expanded
+from ..environment.files import expanded, is_file
 from ..errors import AddonError
 from ..scene import light
 
@@ -127,10 +126,9 @@ def guidance_of(settings: Settings) -> str:
             raise AddonError("No model is chosen.", "Enter its hub id: owner/name.")
         return settings.hub_id.strip()
     path = expanded(bpy.path.abspath(settings.model_folder.strip()), AddonError)
-    # Not Path.is_file, which raises for a name that is too long.
-    is_file = path.suffix.lower() == ".safetensors" and os.path.isfile(path)  # noqa: PTH113
-    is_folder = os.path.isfile(path / "model_index.json")  # noqa: PTH113
-    if not settings.model_folder.strip() or not (is_file or is_folder):
+    is_one = path.suffix.lower() == ".safetensors" and is_file(path)
+    is_folder = is_file(path / "model_index.json")
+    if not settings.model_folder.strip() or not (is_one or is_folder):
         raise AddonError(
             "What is chosen is no Stable Diffusion model.",
             "Choose a .safetensors file, or the folder that contains model_index.json.",
@@ -157,7 +155,7 @@ def additions_of(settings: Settings) -> dict[str, Any]:
 
 def _safetensors(text: str, what: str) -> Path:
     path = expanded(bpy.path.abspath(text.strip()), AddonError)
-    if path.suffix.lower() != ".safetensors" or not os.path.isfile(path):  # noqa: PTH113
+    if path.suffix.lower() != ".safetensors" or not is_file(path):
         raise AddonError(f"There is no {what} “{path.name}”.", "Choose a .safetensors file.")
     return path.resolve()
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..background.thread import Task
-from ..environment import clean_environ
+from ..environment import piped_environ
 from .process import Core
 
 TIMEOUT = 120.0  # seconds: a folder may be on a slow disk
@@ -60,7 +60,7 @@ def ask(core: Core, folder: Path | None = None) -> Any:
         done = subprocess.run(
             [str(python), "-m", "core", "models", "--json", *([str(folder)] if folder else [])],
             cwd=core.root,
-            env=clean_environ() | dict(core.environ) | {"PYTHONUTF8": "1"},
+            env=piped_environ() | dict(core.environ),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=TIMEOUT,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 from pathlib import Path
@@ -11,6 +10,7 @@ import bpy
 
 from .. import PACKAGE, environment
 from ..environment.files import expanded
+from ..environment.given import named_python
 from ..errors import JobError
 from .process import Core
 
@@ -49,7 +49,7 @@ class Paths:
     @property
     def own_python(self) -> Path | None:
         """The interpreter that the user chose instead of the environment's."""
-        given = os.environ.get("FANTASIA3D_PYTHON")
+        given = named_python()
         named = self._path("python") or (given and expanded(given, environment.SetupError))
         return Path(shutil.which(str(named)) or named) if named else None
 

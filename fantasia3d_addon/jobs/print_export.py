@@ -14,8 +14,8 @@ import numpy as np
 from ..asset.asset_folder import VERSION
 from ..asset.export_shape import export_shape, obj_text
 from ..asset.origin import DENSITY, density_of, origin_of
-from ..blender.mesh_arrays import mesh_object
-from ..environment import clean_environ
+from ..blender.mesh_arrays import evaluated_object, mesh_object, use_uv_map
+from ..environment import piped_environ
 from ..environment.files import expanded, write_text
 from ..errors import OutputError
 from ..mesh import maps
@@ -35,7 +35,7 @@ def export_print(obj: bpy.types.Object, path: Path, core: Core) -> Path:
     path = _target(path, core)
     with tempfile.TemporaryDirectory() as folder:
         shape = Path(folder) / "shape.obj"
-        export_shape(obj, shape, bpy.context.evaluated_depsgraph_get())
+        export_shape(obj, shape)
         _export(core, shape, path, path.suffix.lower()[1:])
     return path
 
@@ -74,15 +74,15 @@ def kind_of(path: Path, chosen: str) -> str:
 def _write_asset(obj: bpy.types.Object, folder: Path) -> None:
     """An asset folder of the object as it looks now."""
     found = maps.maps_of(obj)
-    matrix = np.array(obj.matrix_world)
-    matrix[:3, 3] = 0
-    evaluated = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    try:
+    with evaluated_object(obj) as evaluated:
+        matrix = np.array(evaluated.matrix_world)
+        matrix[:3, 3] = 0
         mesh = evaluated.to_mesh()
-        maps.use_uv_map(mesh, maps.uv_map_of(obj))
-        text = obj_text(mesh, matrix)
-    finally:
-        evaluated.to_mesh_clear()
+        try:
+            use_uv_map(mesh, maps.uv_map_of(obj))
+            text = obj_text(mesh, matrix)
+        finally:
+            evaluated.to_mesh_clear()
     # An asset's corners name a normal each: that of their vertex.
     write_text(folder / "mesh.obj", re.sub(r"(\d+)/(\d+)", r"\1/\2/\1", text))
     for role, picture in maps.save_images(found, folder, "map").items():
@@ -106,7 +106,7 @@ def _export(core: Core, source: Path, path: Path, kind: str, *more: str) -> None
             [str(core.python), "-m", "core", "export", str(source), "--out", str(path),
              "--format", kind, *more],
             cwd=core.root,
-            env=clean_environ() | {"PYTHONUTF8": "1"} | dict(core.environ),
+            env=piped_environ() | dict(core.environ),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             encoding="utf-8",

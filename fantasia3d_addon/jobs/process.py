@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..blender.input_file import require_file
-from ..environment import clean_environ
+from ..environment import piped_environ
 from ..errors import JobError
 from . import candidates
 from .events import Event, parse_event
@@ -274,13 +274,13 @@ def _is_alive_on_windows(pid: int) -> bool:
 def _spawn(folder: Path, core: Core, log: Any) -> subprocess.Popen[bytes]:
     flags = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # Windows: no console window opens
     # UTF-8 for the log wherever it runs; unbuffered, so that the log is complete after a crash.
-    more = {"PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
+    environ = piped_environ() | {"PYTHONUNBUFFERED": "1"} | dict(core.environ)
     until = candidates.read(folder).until
     options = [*core.options, *(["--until", until] if until else [])]
     return subprocess.Popen(
         [str(core.python), "-m", "core", "resume", *options, str(folder.resolve())],
         cwd=core.root,
-        env=clean_environ() | more | dict(core.environ),
+        env=environ,
         stdin=subprocess.DEVNULL,
         stdout=log,
         stderr=subprocess.STDOUT,

@@ -63,7 +63,7 @@ def _guide(context: bpy.types.Context, job: dict[str, Any], folder: Path) -> dic
     if not guide:
         return {}
     path = folder / "guide.obj"
-    export_shape(guide, path, context.evaluated_depsgraph_get())
+    export_shape(guide, path)
     job["guide_mesh"] = path.name
     return {path.name: path}
 
@@ -94,7 +94,9 @@ def recolor(context: bpy.types.Context, entry: Entry) -> Path:
     """
     reason = reason_against_recolor(entry)
     if reason:
-        raise AddonError(reason, "Resume it, or choose another job.")
+        again = entry.state == history.DONE
+        fix = "Repeat it, or choose another job." if again else "Resume it, or choose another job."
+        raise AddonError(reason, fix)
     job, files = history.copy_of_job(entry)
     for name in SHAPE_PARTS:
         if (entry.folder / name).is_file():
@@ -109,7 +111,12 @@ def recolor(context: bpy.types.Context, entry: Entry) -> Path:
 
 def reason_against_recolor(entry: Entry) -> str:
     """Why no other materials can be made for the shape of ``entry``; empty if they can."""
-    return "" if (entry.folder / SHAPE_PARTS[-1]).is_file() else "Its shape is not finished."
+    if (entry.folder / SHAPE_PARTS[-1]).is_file():
+        return ""
+    # A batch removes the checkpoints of what is done.
+    return (
+        "Its shape was not kept." if entry.state == history.DONE else "Its shape is not finished."
+    )
 
 
 def _submit_candidates(

@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..background.thread import Task
-from ..environment import clean_environ
+from ..environment import piped_environ
 from .process import Core
 
 DEBOUNCE = 0.25  # seconds without a key until the core is asked
@@ -96,7 +96,7 @@ def ask(core: Core, question: Question) -> Any:
         done = subprocess.run(
             [str(python), "-m", "core", "words", *options, *words],
             cwd=core.root,
-            env=clean_environ() | {"PYTHONUTF8": "1"},
+            env=piped_environ(),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=TIMEOUT,

@@ -21,7 +21,14 @@ from ..asset.asset_folder import OPTIONAL, Light
 from ..asset.material_nodes import build_material, connect_light
 from ..asset.origin import copy_origin
 from ..blender import compat
-from ..blender.mesh_arrays import acting, baked_mesh, mesh_object
+from ..blender.mesh_arrays import (
+    acting,
+    baked_mesh,
+    evaluated_object,
+    mesh_object,
+    use_uv_map,
+    values,
+)
 from ..blender.output import temporary_output
 from ..environment.files import expanded
 from ..errors import OutputError
@@ -103,11 +110,10 @@ def plain_copy(
     mesh.materials.append(material)
     mesh.polygons.foreach_set("material_index", np.zeros(len(mesh.polygons), np.int32))
     bpy.context.scene.collection.objects.link(copy)
-    copy.matrix_world = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world
+    with evaluated_object(obj) as evaluated:
+        copy.matrix_world = evaluated.matrix_world
     try:
-        maps.use_uv_map(mesh, uv_map)
-        while mesh.uv_layers[0].name != uv_map:  # programs show the pictures over the first
-            mesh.uv_layers.remove(mesh.uv_layers[0])
+        _put_first(mesh, uv_map)
         # Exporters write the datablocks' names: the copy gets them for as long as it exists.
         for datablocks, titles in ((own, ["own"] * 3), ((copy, mesh, material), names)):
             for datablock, title in zip(datablocks, titles, strict=True):
@@ -117,6 +123,17 @@ def plain_copy(
         bpy.data.batch_remove([copy, mesh, material, *images.values()])
         for datablock, title in zip(own, names, strict=True):
             _rename(datablock, title)
+
+
+def _put_first(mesh: bpy.types.Mesh, uv_map: str) -> None:
+    """Move the UV maps before ``uv_map`` behind it: programs show the pictures over the first."""
+    use_uv_map(mesh, uv_map)
+    while mesh.uv_layers[0].name != uv_map:
+        first = mesh.uv_layers[0]
+        name, uv = first.name, values(first.uv, "vector", 2)
+        mesh.uv_layers.remove(first)
+        mesh.uv_layers.new(name=name, do_init=False).uv.foreach_set("vector", uv.ravel())
+    use_uv_map(mesh, uv_map)
 
 
 def _rename(datablock: bpy.types.ID, name: str) -> None:

@@ -15,6 +15,7 @@ from mathutils.bvhtree import BVHTree
 from ..blender.mesh_arrays import (
     acting,
     corner_uv,
+    is_shared,
     mesh_object,
     move_kept_shape,
     triangles,
@@ -163,8 +164,7 @@ def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     # BMesh operators would leave the keys with other counts of vertices.
     if mesh.shape_keys:
         raise AddonError(f"{obj.name} has shape keys.", "Apply or remove them first.")
-    is_shared = mesh.users - mesh.use_fake_user > 1
-    if what == "SCALE" and is_shared:
+    if what == "SCALE" and is_shared(mesh):
         raise AddonError(
             f"Other objects share the mesh of {obj.name}, and a scale would change them too.",
             "Make it single-user first: Object, Relations, Make Single User.",
@@ -172,7 +172,7 @@ def repair(obj: bpy.types.Object, what: str | None = None) -> tuple[str, ...]:
     done: list[str] = []
     # In this order: a weld makes edges that only then are seen as non-manifold.
     for name in (what,) if what else REPAIRS:
-        if name in examine(obj).faults and not (name == "SCALE" and is_shared):
+        if name in examine(obj).faults and not (name == "SCALE" and is_shared(mesh)):
             _apply_repair(obj, name)
             done.append(name)
     return tuple(done)

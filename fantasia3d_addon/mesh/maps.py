@@ -14,7 +14,7 @@ import numpy as np
 from ..asset.asset_folder import OPTIONAL, USUAL, Light
 from ..background.thread import ReportProgress, ignore_progress
 from ..blender import compat
-from ..blender.mesh_arrays import acting, baked_mesh
+from ..blender.mesh_arrays import acting, baked_mesh, use_uv_map
 from ..blender.png import to_bytes, write_png
 from ..errors import AddonError
 from ..material.edit import EDITS, edit_nodes, factor, picture_of, principled
@@ -94,21 +94,6 @@ def uv_map_of(obj: bpy.types.Object) -> str:
     used = [_uv_map_of(node, obj.data) for node in pictures]
     known = [name for name in used if name and name in obj.data.uv_layers]
     return active if active in known or not known else known[0]
-
-
-def use_uv_map(mesh: bpy.types.Mesh, name: str) -> None:
-    """Make the UV map ``name`` the active one, for bakes and exporters.
-
-    Raises:
-        AddonError: the modifiers have left none of that name.
-    """
-    layer = mesh.uv_layers.get(name)
-    if layer is None:
-        raise AddonError(
-            f"The modifiers leave no UV map “{name}”.",
-            "Apply the modifier that makes new faces, then start again.",
-        )
-    mesh.uv_layers.active, layer.active_render = layer, True
 
 
 def channels_of(bsdfs: list[bpy.types.Node]) -> list[str]:
@@ -275,7 +260,7 @@ def _read(
     if found and (_uv_map_of(found[0], obj.data) != uv_map or found[1] == "Alpha"):
         return None
     if name == "normal":
-        return _read_normal(bsdf.inputs["Normal"], size)
+        return _read_normal(bsdf.inputs["Normal"], found, size)
     socket, scale = bsdf.inputs[SOCKETS[name]], _scale(obj, name)
     if name == "emission" and bsdf.inputs["Emission Strength"].links:
         return None
@@ -290,10 +275,11 @@ def _read(
     return np.full((size, size), np.clip(constant * scale, 0, 1), np.float32)
 
 
-def _read_normal(socket: bpy.types.NodeSocket, size: int) -> np.ndarray | None:
+def _read_normal(
+    socket: bpy.types.NodeSocket, found: tuple[bpy.types.Node, str] | None, size: int
+) -> np.ndarray | None:
     if not socket.links:
         return np.full((size, size, 3), FLAT, np.float32)
-    found = picture_of(socket)
     if not found or not _plain_normal_map(socket.links[0].from_node):
         return None
     return _pixels(found[0].image)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..asset.asset_folder import AssetFolder, read_obj
 from ..blender.mesh_arrays import KEPT_SHAPE as OLD
-from ..blender.mesh_arrays import reason_against_mesh, triangles, values, verts_of
+from ..blender.mesh_arrays import is_shared, reason_against_mesh, triangles, values, verts_of
 from ..errors import AddonError
 
 
@@ -51,7 +51,7 @@ def _reason_against_change(mesh: bpy.types.Mesh, asset: AssetFolder, sent: Path)
 
 
 def _own_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:
-    if obj.data.users > 1:
+    if is_shared(obj.data):
         obj.data = obj.data.copy()
     return obj.data
 

@@ -15,7 +15,7 @@ from ..asset.export_shape import asset_obj_text
 from ..asset.import_asset import load_images
 from ..asset.material_nodes import add_pictures, connect_light
 from ..asset.origin import origin_of, set_origin
-from ..blender.mesh_arrays import reason_against_mesh, triangles, values
+from ..blender.mesh_arrays import is_shared, reason_against_mesh, triangles, values
 from ..environment.files import write_text
 from ..errors import AddonError
 from ..material.edit import image_of, keep_materials, principled
@@ -209,5 +209,8 @@ def show_maps(obj: bpy.types.Object, asset: AssetFolder, name: str) -> bpy.types
         nodes = add_pictures(material.node_tree, added, look.uv_map)
         connect_light(material, bsdf, nodes, asset.light)
     keep_materials(obj)
-    obj.material_slots[look.slot].material = material
+    slot = obj.material_slots[look.slot]
+    if is_shared(obj.data):  # the other objects keep what they show
+        slot.link = "OBJECT"
+    slot.material = material
     return material

@@ -67,19 +67,23 @@ def _bake(
     yield 1.0, ""
 
 
-def bake_others() -> None:
+def bake_others(later: bool = False) -> None:
     """Bake the scene's rigid bodies again after one was removed.
 
     Their common cache knows each by its number alone: one would move as the removed one did.
+    ``later``: leave it to the bake of the next body, which is one of all of them.
     """
     scene = bpy.context.scene
     world = scene.rigidbody_world
     cache = world.point_cache if world else None
     if cache is None or not cache.is_baked:
         return
-    _unbake(cache)
     bodies = world.collection.objects if world.collection else ()
-    if any(obj.rigid_body and obj.rigid_body.type == "ACTIVE" for obj in bodies):
+    has_others = any(obj.rigid_body and obj.rigid_body.type == "ACTIVE" for obj in bodies)
+    if has_others and later:
+        return
+    _unbake(cache)
+    if has_others:
         for frame in range(cache.frame_start, cache.frame_end + 1):
             scene.frame_set(frame)
         _keep(cache)

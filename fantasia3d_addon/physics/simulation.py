@@ -48,7 +48,6 @@ __all__ = [
     "clear",
     "is_simulated",
     "owner_of",
-    "remove_left_behind",
     "simulate",
     "steps",
 ]
@@ -87,8 +86,10 @@ def simulate(obj: bpy.types.Object, kind: str, settings: Options | None = None) 
 def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float]:
     """:func:`simulate`, a frame at a time: yields the fraction done."""
     _check(obj, kind, settings)
-    clear(obj)
-    remove_left_behind()
+    had_body = is_simulated(obj) and _clear(obj, is_copy=not made_for(obj))
+    had_body |= _remove_all(_left_behind())
+    if had_body:
+        bake_others(later=kind == "RIGID")
     scene = bpy.context.scene
     token = {"token": uuid4().hex, "name": obj.name}
     obj[MARK] = {"location": list(obj.location), "frame": scene.frame_current} | token
@@ -101,7 +102,8 @@ def steps(obj: bpy.types.Object, kind: str, settings: Options) -> Iterator[float
         owner = make(obj, settings)
         yield from bake_until_stable(owner, settings.frames)
     except BaseException:
-        _clear(obj, is_copy=False)
+        if _clear(obj, is_copy=False) or had_body:
+            bake_others()
         raise
 
 
@@ -110,27 +112,28 @@ def clear(obj: bpy.types.Object) -> None:
 
     A copy of a simulated object stays where it is, and so does the original's simulation.
     """
-    if is_simulated(obj):
-        _clear(obj, is_copy=not made_for(obj))
+    if is_simulated(obj) and _clear(obj, is_copy=not made_for(obj)):
+        bake_others()
 
 
-def remove_left_behind() -> None:
-    """Remove what was made for assets that were deleted: hardly seen, but others run into it.
+def _left_behind() -> list[bpy.types.Object]:
+    """What was made for assets that were deleted: hardly seen, but others run into it.
 
     A sheet that was draped over one is the user's own from then on.
     """
     alive = {token_of(o) for o in bpy.data.objects if is_simulated(o) and o.users_scene}
     if "" in alive:  # of an earlier version, whose helpers have a name, which may be another now
-        return
+        return []
     left = [o for o in _local() if is_helper(o) and o[MARK] not in alive]
     for made in list(left):
         if any(m.type == "CLOTH" for m in made.modifiers) and not made.hide_render:
             del made[MARK]
             left.remove(made)
-    _remove_all(left)
+    return left
 
 
-def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
+def _clear(obj: bpy.types.Object, is_copy: bool) -> bool:
+    """:func:`clear`, but for the bake; whether the other bodies must be baked again."""
     before, scene = obj[MARK], bpy.context.scene
     helpers = made_for(obj)
     if not is_copy:
@@ -149,17 +152,18 @@ def _clear(obj: bpy.types.Object, is_copy: bool) -> None:
     if not is_copy:
         obj.location = before["location"]
     del obj[MARK]
-    _remove_all(helpers)
+    had_body = _remove_all(helpers)
     bpy.context.view_layer.update()
+    return had_body
 
 
-def _remove_all(helpers: Sequence[bpy.types.Object]) -> None:
+def _remove_all(helpers: Sequence[bpy.types.Object]) -> bool:
+    """Remove them; whether one was a rigid body."""
     had_body = any(made.rigid_body for made in helpers)
     for made in helpers:
         remove(made)
     _release_colliders()
-    if had_body:
-        bake_others()
+    return had_body
 
 
 def _release_colliders() -> None:
@@ -314,7 +318,8 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     mesh.shade_smooth()
     sheet = add(obj, "sheet", mesh, hidden=False)
     middle = (low + high) / 2
-    rise = max(0.05 * float((high - low).max()), min(settings.height, 0.3))
+    # At least a little above it, so that it does not start in contact.
+    rise = max(0.05 * float((high - low).max()), settings.height)
     sheet.location = (middle[0], middle[1], high[2] + rise)
     cloth = sheet.modifiers.new(MARK, "CLOTH")
     _set_up_cloth(cloth, sheet, settings.self_collision)

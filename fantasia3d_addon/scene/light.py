@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import re
 import struct
 from collections.abc import Sequence
@@ -15,7 +14,7 @@ import numpy as np
 
 from ..blender import compat
 from ..blender.input_file import require_file
-from ..environment.files import expanded
+from ..environment.files import expanded, is_file
 from ..errors import LightError
 
 WORLD = "Fantasia3D light"
@@ -47,7 +46,7 @@ def light_file(name_or_path: str) -> Path:
         return STUDIO_FILE
     # A file comes before a name: "city" may be a file of the user's.
     path = expanded(bpy.path.abspath(name_or_path), LightError)
-    if os.path.isfile(path):  # noqa: PTH113 - Path.is_file raises for a name that is too long
+    if is_file(path):
         return path.resolve()
     named = blender_lights()
     name = name_or_path.removeprefix("blender:")

@@ -9,7 +9,14 @@ import numpy as np
 from mathutils import Matrix, Vector
 from mathutils.bvhtree import BVHTree
 
-from ..blender.mesh_arrays import mesh_object, move_kept_shape, moved, verts_of, world_verts
+from ..blender.mesh_arrays import (
+    is_shared,
+    mesh_object,
+    move_kept_shape,
+    moved,
+    verts_of,
+    world_verts,
+)
 from ..errors import AddonError
 
 DOWN = Vector((0, 0, -1))
@@ -113,7 +120,7 @@ def origin_to_base(obj: bpy.types.Object) -> None:
         AddonError: the object is no mesh, or shares its mesh with others, or has shape keys.
     """
     mesh = mesh_object(obj).data
-    if mesh.users - mesh.use_fake_user > 1:
+    if is_shared(mesh):
         raise AddonError(
             f"{obj.name} shares its mesh with other objects.",
             "Make it single-user first: Object, Relations, Make Single User.",

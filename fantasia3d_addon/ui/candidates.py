@@ -10,8 +10,7 @@ from ..jobs.history import Entry
 from ..jobs.session import session
 from . import icons
 from .job_operators import RunOperator
-from .operator_helpers import USER_ERRORS, queue_job, report_error
-from .text import in_language
+from .operator_helpers import USER_ERRORS, allowed, needs, queue_job, report_error
 
 PICTURE = 5.0  # height of a candidate's, in rows
 COLUMNS = 2
@@ -25,9 +24,7 @@ class FANTASIA3D_OT_explore(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = submit.reason_against_generate(context)
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, submit.reason_against_generate(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return queue_job(self, lambda: submit.explore(context))
@@ -73,8 +70,7 @@ class FANTASIA3D_OT_discard_candidates(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "There are no candidates.")
-        return bool(history.open_candidates(session.history))
+        return needs(cls, history.open_candidates(session.history), "There are no candidates.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:

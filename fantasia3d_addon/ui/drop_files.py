@@ -10,8 +10,7 @@ from bpy.props import StringProperty
 from ..blender import compat
 from ..blender.mesh_arrays import EDIT_MODE
 from ..errors import AddonError
-from .operator_helpers import UNDO, USER_ERRORS, import_and_select, report_error
-from .text import in_language
+from .operator_helpers import UNDO, USER_ERRORS, import_and_select, needs, report_error
 
 
 class FANTASIA3D_OT_import_file(bpy.types.Operator):
@@ -27,8 +26,7 @@ class FANTASIA3D_OT_import_file(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, EDIT_MODE)
-        return context.mode == "OBJECT"
+        return needs(cls, context.mode == "OBJECT", EDIT_MODE)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(bpy.path.abspath(self.filepath))

@@ -9,8 +9,8 @@ from ..jobs import edit_region
 from ..jobs.target import MAPS
 from ..material import edit as material_edit
 from ..mesh import new_shape
-from .operator_helpers import UNDO, can_run, queue_job, run_and_report
-from .text import in_language, wrapped_label
+from .operator_helpers import UNDO, allowed, can_run, queue_job, run_and_report
+from .text import wrapped_label
 from .tool_properties import CHANGE, CHANGES
 from .tools_panel import ToolPanel
 
@@ -32,9 +32,7 @@ class FANTASIA3D_OT_edit_region(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = edit_region.reason_against(context)
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, edit_region.reason_against(context))
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if self.properties.is_property_set("words") and self.words.strip():

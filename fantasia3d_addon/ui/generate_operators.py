@@ -13,8 +13,14 @@ from ..jobs import history, live_preview, submit
 from ..jobs.import_result import mark_imported
 from ..jobs.session import session
 from ..scene import view
-from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
-from .text import in_language
+from .operator_helpers import (
+    USER_ERRORS,
+    allowed,
+    import_and_select,
+    needs,
+    queue_job,
+    report_error,
+)
 
 
 class FANTASIA3D_OT_generate(bpy.types.Operator):
@@ -25,9 +31,7 @@ class FANTASIA3D_OT_generate(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = submit.reason_against_generate(context)
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, submit.reason_against_generate(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return queue_job(self, lambda: submit.generate(context))
@@ -43,9 +47,7 @@ class FANTASIA3D_OT_generate_prompt(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = submit.reason_against_jobs(context)
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, submit.reason_against_jobs(context))
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         self.prompt = context.scene.fantasia3d.prompt
@@ -65,9 +67,7 @@ class FANTASIA3D_OT_texture(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = submit.reason_against_texture(context)
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, submit.reason_against_texture(context))
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return queue_job(self, lambda: submit.texture(context))
@@ -83,8 +83,7 @@ class FANTASIA3D_OT_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "No job is running.")
-        return bool(session.running)
+        return needs(cls, session.running, "No job is running.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.cancel(self.run)
@@ -104,8 +103,7 @@ class FANTASIA3D_OT_local_view(bpy.types.Operator):
         reason = "" if live_preview.any_shown() else "There is no preview."
         if context.area is None or context.area.type != "VIEW_3D":
             reason = "Use it in a 3D view."
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, reason)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         obj = live_preview.find(self.run) or live_preview.any_shown()
@@ -132,8 +130,7 @@ class FANTASIA3D_OT_show_colors(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         is_view = context.area is not None and context.area.type == "VIEW_3D"
-        cls.poll_message_set(in_language, "Use it in a 3D view.")
-        return is_view
+        return needs(cls, is_view, "Use it in a 3D view.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         view.show_colors(context.space_data, in_solid=self.shading == "TEXTURE")
@@ -148,8 +145,8 @@ class FANTASIA3D_OT_stop_now(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "Press Cancel first.")
-        return any(followed.progress.cancelling for followed in session.running)
+        is_cancelled = any(followed.progress.cancelling for followed in session.running)
+        return needs(cls, is_cancelled, "Press Cancel first.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.kill()
@@ -185,8 +182,7 @@ class FANTASIA3D_OT_import_asset(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, EDIT_MODE)
-        return context.mode == "OBJECT"
+        return needs(cls, context.mode == "OBJECT", EDIT_MODE)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         context.window_manager.fileselect_add(self)
@@ -221,8 +217,8 @@ class FANTASIA3D_OT_guide_from_selection(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "Select a mesh.")
-        return context.active_object is not None and context.active_object.type == "MESH"
+        obj = context.active_object
+        return needs(cls, obj is not None and obj.type == "MESH", "Select a mesh.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         context.scene.fantasia3d.guide = context.active_object
@@ -237,8 +233,7 @@ class FANTASIA3D_OT_open_log(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "There is no log yet.")
-        return session.log is not None
+        return needs(cls, session.log is not None, "There is no log yet.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return bpy.ops.wm.path_open(filepath=str(session.log))

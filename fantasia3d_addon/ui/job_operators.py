@@ -15,7 +15,7 @@ from ..jobs.import_result import import_result, is_as_sent
 from ..jobs.job_settings import apply_job
 from ..jobs.session import session
 from ..jobs.target import Target
-from .operator_helpers import USER_ERRORS, import_and_select, queue_job, report_error
+from .operator_helpers import USER_ERRORS, import_and_select, needs, queue_job, report_error
 from .text import in_language
 
 RUN_FOLDER = "The folder of the run; empty: the one that is selected in the list"
@@ -201,8 +201,7 @@ class FANTASIA3D_OT_queue_drop(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "The queue is empty.")
-        return bool(session.waiting)
+        return needs(cls, session.waiting, "The queue is empty.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         folder = Path(self.folder) if self.folder else session.waiting[-1][0]
@@ -221,8 +220,7 @@ class FANTASIA3D_OT_queue_go_on(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "The queue is not paused.")
-        return session.paused and bool(session.waiting)
+        return needs(cls, session.paused and session.waiting, "The queue is not paused.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         session.paused = False

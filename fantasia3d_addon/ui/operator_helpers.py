@@ -43,10 +43,19 @@ def can_run(
     changes: bool = True,
 ) -> bool:
     """The poll of a tool, with its reason; ``more`` is a reason of the operator's own."""
-    reason = reason_against_tool(context, changes) or more
+    return allowed(cls, reason_against_tool(context, changes) or more)
+
+
+def allowed(cls: type[bpy.types.Operator], reason: str) -> bool:
+    """A poll that fails for ``reason``, unless that is empty."""
     # Blender translates no message of a poll; it calls this where the message is shown.
     cls.poll_message_set(in_language, reason)
     return not reason
+
+
+def needs(cls: type[bpy.types.Operator], condition: object, reason: str) -> bool:
+    """A poll that fails for ``reason``, unless ``condition`` is true."""
+    return allowed(cls, "" if condition else reason)
 
 
 def run_and_report(operator: bpy.types.Operator, act: Callable[[], object]) -> set[str]:

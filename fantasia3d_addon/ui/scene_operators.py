@@ -16,9 +16,8 @@ from ..errors import AddonError
 from ..jobs.panels import redraw
 from ..jobs.session import session
 from ..scene import cornell_box, placement, relight
-from .operator_helpers import UNDO, can_run, rendering, run_and_report
+from .operator_helpers import UNDO, can_run, needs, rendering, run_and_report
 from .option_properties import option_property
-from .text import in_language
 
 
 class FANTASIA3D_OT_relight(bpy.types.Operator):
@@ -106,8 +105,9 @@ class FANTASIA3D_OT_remove_cornell_box(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "This scene has no Cornell box.")
-        return cornell_box.box_of(context.scene) is not None
+        return needs(
+            cls, cornell_box.box_of(context.scene) is not None, "This scene has no Cornell box."
+        )
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return run_and_report(self, lambda: cornell_box.remove(context.scene))

@@ -12,8 +12,7 @@ from ..background.thread import Task
 from ..jobs import environment_setup
 from ..jobs.paths import Paths
 from ..jobs.session import session
-from .operator_helpers import USER_ERRORS, report_error
-from .text import in_language
+from .operator_helpers import USER_ERRORS, allowed, needs, report_error
 
 NO_ADDON = "The add-on is not installed in this Blender."
 
@@ -27,9 +26,7 @@ class _SetupOperator:
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        reason = cls.reason_against()
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, cls.reason_against())
 
     def start(
         self, function: Callable[..., Task], context: bpy.types.Context, **options: bool
@@ -98,8 +95,7 @@ class FANTASIA3D_OT_allow_online_access(bpy.types.Operator):
         reason = "Online access is allowed already." if bpy.app.online_access else ""
         if bpy.app.online_access_override:
             reason = "It was decided when Blender was started."
-        cls.poll_message_set(in_language, reason)
-        return not reason
+        return allowed(cls, reason)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         context.preferences.system.use_online_access = True
@@ -117,8 +113,7 @@ class FANTASIA3D_OT_choose_wheels(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, NO_ADDON)
-        return PACKAGE in context.preferences.addons
+        return needs(cls, PACKAGE in context.preferences.addons, NO_ADDON)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         context.window_manager.fileselect_add(self)
@@ -137,8 +132,8 @@ class FANTASIA3D_OT_cancel_set_up(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "No installation is running.")
-        return session.task is not None and session.task.running
+        is_running = session.task is not None and session.task.running
+        return needs(cls, is_running, "No installation is running.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if session.task:
@@ -154,11 +149,11 @@ class FANTASIA3D_OT_open_set_up_log(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, "There is no log yet.")
         try:
-            return environment.log_file(Paths(context).environment).exists()
+            exists = environment.log_file(Paths(context).environment).exists()
         except environment.SetupError:
-            return False
+            exists = False
+        return needs(cls, exists, "There is no log yet.")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = environment.log_file(Paths(context).environment)
@@ -173,8 +168,7 @@ class FANTASIA3D_OT_open_preferences(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        cls.poll_message_set(in_language, NO_ADDON)
-        return PACKAGE in context.preferences.addons
+        return needs(cls, PACKAGE in context.preferences.addons, NO_ADDON)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         return bpy.ops.preferences.addon_show(module=PACKAGE)

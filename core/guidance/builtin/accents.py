@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from core.guidance.builtin.lexicon import Entry
 from core.guidance.builtin.part_names import is_wide, own_names
+from core.guidance.builtin.part_tables import LEGS
 
 
 class StatedPart(NamedTuple):
@@ -55,7 +56,10 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
     for part in sorted(parts, key=lambda part: is_wide(noun, part.name)):
         if not (part.color or part.material or part.sheen or part.pattern):
             continue
-        for name in own_names(noun, part.name):
+        names = own_names(noun, part.name, accents)
+        if part.name in LEGS and not names:  # "three legs made of oak"
+            names = own_names(noun, "legs")
+        for name in names:
             if name not in accents or not is_wide(noun, part.name):
                 accents[name], more = _joined(accents.get(name, Accent(name)), part)
                 again += more

@@ -102,6 +102,14 @@ class Clauses:
             is_look and count == 2 and behind != words[at + 1] and bool(self._tokens.thing(behind))
         )
 
+    def _is_before_name(self, entry: Entry, at: int, count: int) -> bool:
+        """Whether the last word of what something is made of begins a thing's name: "two scoops of
+        ice cream"."""
+        begins = entry.slot == "material" and count > 1 and self._tokens.words[at] in MADE_OF
+        last = at + count - 1
+        name = " ".join(self._tokens.words[last : last + 2])
+        return begins and last + 1 not in self._tokens.breaks and bool(self._tokens.thing(name))
+
     def _is_thing_and_color(self, entry: Entry, at: int, count: int) -> bool:
         """Whether a shade that begins with a thing's name is that thing: "a pumpkin orange with a
         stem", or its last word begins another's: "a periwinkle blue jay"."""
@@ -138,10 +146,19 @@ class Clauses:
             if self._strange:
                 self.got.left_out += self._taken_back(self._begun)
         else:
-            self.got.refused += self._pending
+            self.got.refused += self._unknown_things()
         self.got.qualifiers += self._pending[:-1]
         self._pending, self._before, self._noun_end, self._looks = [], [], -1, []
         self._begun, self._strange, self._has_article = self.got.counts(), False, False
+
+    def _unknown_things(self) -> list[str]:
+        """What is unknown in a phrase, of which the last may be called as a part: of "a kitchen
+        scale" that is the scale."""
+        *others, last = self._pending or [""]
+        called = self._before[-1].form if self._before and not self._strange else ""
+        if not last or not called or called in SURFACE or self.got.found["noun"]:
+            return self._pending
+        return [*others, f"{last} {called}"]
 
     def _leave_what_it_is_not(self) -> None:
         """ "A chair, not wooden", "a not red apple"."""
@@ -297,6 +314,19 @@ class Clauses:
         """Whether a noun only says more of the thing: "a goblin archer", "a goblin, character"."""
         role = is_creature(self.got.thing) and self._noun_end == start and entry.word in ROLES
         return role or (self._late and self._accessory is None and entry.form in DEPICTIONS)
+
+    def _is_another_such(self, entry: Entry) -> bool:
+        """Whether another thing, which is made as the first is, is named beside it: "a salt shaker
+        and a pepper mill"."""
+        first = self.got.found["noun"][0]
+        listed = self._ended_by == "and" and self._has_article and self._noun_end < 0
+        return listed and entry.word == first.word and entry.form != first.form
+
+    def _is_its_name(self, entry: Entry) -> bool:
+        """Whether a material only ends the thing's own name: "a lego style red brick"."""
+        own = self.got.thing.split()[1:]
+        named = entry.slot == "material" and own[-1:] == [entry.form]
+        return named and self._ended_by not in MADE_OF
 
     def _is_head(self, part: str, start: int) -> bool:
         """Whether a part that the thing right before it has not is the thing that is meant: "a

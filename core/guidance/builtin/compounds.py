@@ -12,7 +12,16 @@ from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import LOOKS
 
 ENDING = "ed"
-OF_ALL = ("plated", "painted", "glazed", "coated", "varnished")  # "gold plated" has no plate
+OF_ALL = (
+    "plated",
+    "painted",
+    "glazed",
+    "coated",
+    "varnished",
+    "covered",
+)  # "gold plated" has no plate
+
+JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 
 def set_parts_apart(tokens: Tokens) -> None:
@@ -21,7 +30,9 @@ def set_parts_apart(tokens: Tokens) -> None:
     at, said = 0, []
     while at < len(tokens.words):
         part = _meant(tokens, at)
-        begin = tokens.qualities_begin(at, LOOKS) if part else at
+        # "A golden jewelled crown" has no golden gems.
+        slots = ("color",) if tokens.words[at] in JEWELLED else LOOKS
+        begin = tokens.qualities_begin(at, slots) if part else at
         if begin < at:
             said.append(["with", *tokens.words[begin:at], part])
             tokens.cut(begin, at + 1)
@@ -40,6 +51,8 @@ def _meant(tokens: Tokens, at: int) -> str:
     if any(entry.slot in ("noun", "part") for entry in around if entry):
         return ""
     entry = look_up(word, tokens.known)
+    if word in JEWELLED:
+        return "gem"
     if entry is None and word.endswith(ENDING) and word not in OF_ALL:
         forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
         return next((form for form in forms if form in PARTS), "")

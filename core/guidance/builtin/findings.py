@@ -1,10 +1,12 @@
 """What a prompt's words were found to say, and the notes on it. Standard library only."""
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
 from core.guidance.builtin.accents import StatedPart, accents_of
 from core.guidance.builtin.colors import shade
+from core.guidance.builtin.kind_sizes import KIND_SIZES
 from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
@@ -14,6 +16,7 @@ from core.guidance.builtin.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MANY_LEGS = "four legs"  # where several are meant and none is counted
+NOT_APART = "that is no part by itself here"
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
 
 
@@ -32,6 +35,7 @@ class Findings:
     is_statue: bool = False
     is_toy: bool = False
     size_words: list[str] = field(default_factory=list)  # "small" and the like, of the whole
+    young: list[str] = field(default_factory=list)  # "cub" and the like, behind the noun
     scale: float = 1.0  # how many times its usual size the thing is
     figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)
@@ -73,10 +77,30 @@ class Findings:
             self.leave_aside([f"{more.metres:g} m"], "one size is taken")
         return self.sizes[0] if self.sizes else None
 
+    def kind_size(self) -> float:
+        """How long the kind of thing is that was written, in metres; 0: as the thing itself. The
+        smallest of some: "a labrador puppy"."""
+        own = []
+        for entry in self.found["noun"]:
+            size = KIND_SIZES.get(entry.word, {}).get(entry.form)
+            if size is None and not entry.is_narrower:  # "a house and a shed" is a house
+                break
+            own += [size] if size else []
+        return min(own, default=0.0)
+
     def leave_aside(self, forms: list[str], why: str) -> None:
         """Leave what belongs together out, for a reason of its own."""
         self.aside += forms
         self.notes.append(f"{' '.join(forms)}: left out, as {why}.")
+
+    def take_as_sort(self, said: Collection[str]) -> None:
+        """What names a sort of the thing is not left out, and is no shape of its own."""
+        forms = [one for form in said for one in (form, f"{form}s")]
+        words = {word for form in forms for word in (form, *form.split())}
+        self.left_out = [one for one in self.left_out if one not in words]
+        self.aside = [one for one in self.aside if one not in words]
+        self.notes = [note for note in self.notes if note.partition(": left out")[0] not in words]
+        self.found["shape"] = [one for one in self.found["shape"] if one.form not in words]
 
     def strange_parts(self) -> list[StatedPart]:
         """Take out the parts that the thing never has: icing on a torus. What may be stated of it
@@ -198,7 +222,7 @@ class Findings:
                     raise part_error(noun, form, there, self.options(noun))
             elif f"no {part}" not in self.options(noun):
                 self.aside.append(f"without {form}")
-                self.notes.append(f"without {form}: left out, as that is no part by itself here.")
+                self.notes.append(f"without {form}: left out, as {NOT_APART}.")
         return tuple(dict.fromkeys(names))
 
 

@@ -41,6 +41,7 @@ from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
+from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.guidance.builtin.surfaces import surface_of, surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
@@ -161,8 +162,10 @@ class PromptedBuiltin(PromptedGuidance):
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
         absent = tuple(list(looks(words.noun)).index(part) for part in words.absent)
-        solid = Solid.drawn(net, rows, torch.Generator().manual_seed(seed), absent)
-        solid = solid.placed("" if formed else words.shape)
+        generator = torch.Generator().manual_seed(seed)
+        solid = Solid.drawn(net, rows, generator, absent, words.kinds)
+        wider = DRAWN_WIDER.get(words.noun, AS_IT_IS)
+        solid = solid.placed("" if formed else words.shape, wider)
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
@@ -209,7 +212,8 @@ class PromptedBuiltin(PromptedGuidance):
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        return KnownParts(self.solid.distances, Forms(flat, kept))
+        wider = DRAWN_WIDER.get(self.words.noun, AS_IT_IS)
+        return KnownParts(self.solid.distances, Forms(flat, kept), wider)
 
     @cached_property
     def _axes(self) -> tuple[int, ...]:

@@ -11,6 +11,7 @@ from core.guidance.builtin.colors import SHADES
 from core.guidance.builtin.nearest import MISSPELLED, NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
 from core.guidance.builtin.part_tables import (
+    CALLED,
     PART_ALSO,
     PART_SYNONYMS,
     PART_WORDS,
@@ -96,7 +97,9 @@ COMPOUNDS = tuple(form for form in LEXICON if " " in form)
 OFTEN = {form.replace(" ", ""): form for form in COMPOUNDS}
 OFTEN |= {form: word for word, text in MISSPELLED.items() for form in text.split()}
 SAID = LEXICON.keys() | IGNORED_ADJECTIVES | FILLER  # words that are no slips of others
-NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM  # parts, whether a thing calls them so or not
+OWN_NAMES = {form for forms in CALLED.values() for form in forms}
+# Parts, whether a thing calls them so or not.
+NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM | OWN_NAMES
 PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.looks}
 
 

@@ -6,14 +6,15 @@ black bird.
 
 from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.clauses import NOT_SAID, Clauses
-from core.guidance.builtin.colors import shade
+from core.guidance.builtin.colors import CALLED_SHADES, TASTES, shade
 from core.guidance.builtin.findings import with_article
 from core.guidance.builtin.kinds import TABBY, TABBY_STRIPES, look_of_kind
 from core.guidance.builtin.lexicon import Entry, look_up
 from core.guidance.builtin.living import is_animal, is_creature, is_somebody
-from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.part_names import looks_of, own_name
-from core.guidance.builtin.sizes import TOY_SIZE
+from core.guidance.builtin.sizes import TOY_SIZE, usual
+from core.guidance.builtin.substances import natural_kind
 from core.guidance.builtin.words import (
     AGES,
     ALSO_OF_FUR,
@@ -37,6 +38,10 @@ from core.guidance.builtin.words import (
     SMALL_FIGURES,
     STATUES,
 )
+
+WOVEN = "wicker"
+TASTED = "ice cream"
+GROWN = ("Food", "Fruit and Vegetables", "Plants")  # which have more of a fruit than its colour
 
 
 class Likeness(Clauses):
@@ -122,7 +127,8 @@ class Likeness(Clauses):
             self.got.leave_aside(["not", form], NOT_SAID)
             return
         self.got.is_toy = True
-        if self.got.thing and NOUNS[self.got.thing].usual.size_m <= TOY_SIZE:
+        size, _ = usual(self.got.thing, kind_size=self.got.kind_size())
+        if self.got.thing and size <= TOY_SIZE:
             return
         self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
 
@@ -137,6 +143,30 @@ class Likeness(Clauses):
                 self._made_as.append(form)
                 if form not in ROBOTS:
                     self._block = of
+
+    def _shade_as_qualified(self) -> None:
+        """ "A peach armchair" is peach orange, "a strawberry ice cream" strawberry pink; a lemon
+        cake is no yellow one."""
+        found, thing = self.got.found, self.got.thing
+        tasted = thing == TASTED
+        if tasted:
+            for one in [one for one in found["material"] if one.form in TASTES]:
+                found["material"].remove(one)
+                self.got.qualifiers.append(one.form)
+        shades = TASTES if tasted else CALLED_SHADES
+        grown = any(thing in GROUPS[group] for group in GROWN)
+        said = [form for form in self.got.qualifiers if form in shades]
+        if not said or found["color"] or (grown and not tasted):
+            return
+        self.got.left_out = [form for form in self.got.left_out if form != said[0]]
+        found["color"] += filter(None, [look_up(shades[said[0]], self.known)])
+
+    def _leave_as_woven(self) -> None:
+        """ "A woven basket" is of what baskets are woven from."""
+        found, looks = self.got.found, looks_of(self.got.thing)
+        mains = [part for part, look in looks.items() if look[0] == "*"]
+        if all(natural_kind(self.got.thing, part) == WOVEN for part in mains):
+            found["material"] = [one for one in found["material"] if one.form != "woven"]
 
     def _may_be_of(self, form: str) -> bool:
         """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""

@@ -8,9 +8,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from core.guidance.builtin.colors import TOWARDS
+from core.guidance.builtin.joined_parts import first_begins, may_both_be, set_look_on_both
 from core.guidance.builtin.lexicon import NAMED, look_up
 from core.guidance.builtin.part_names import LIQUID, is_own, own_name, owns, shows_liquid
 from core.guidance.builtin.part_tables import CONTENTS, SAID_OF_PARTS, SURFACE
+from core.guidance.builtin.substances import CLASS_OF, GLASS, natural_kind
 from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
 from core.guidance.builtin.words import (
     ARTICLES,
@@ -28,19 +30,23 @@ from core.guidance.builtin.words import (
 
 OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what has it
 LINK = re.compile(
-    r"(?P<said>(?:(?:that|which|who) )?(?:is|are|should be) )?"
+    r"(?P<said>(?:(?:that|which|who) )?(?:is|are|was|were|should be|(?:has|have) been) )?"
     r"(?P<glow>(?:(?:that|which) )?(?:glows?|glowing|shines?|shining) )?"
     rf"(?P<way>(?:{'|'.join(MADE)}) (?:out of |of |in |from |with |by )"
     r"|(?:painted|dyed) |(?:in|of|from|with) )?"
     r"(?P<article>(?:an?|the) )?"
 )
 OVER = ("on", "around", "over", "along", "across")  # before a part that something covers
+# What was done to a thing, by the part that it is done to.
+EDGED = {"framed": "frame", "trimmed": "trim", "edged": "trim", "rimmed": "rim", "topped": "top"}
+EDGED |= {"banded": "bands", "tipped": "tip head", "capped": "cap", "cushioned": "cushion"}
 LONGEST_LINK = 7  # words: "which are made out of the"
 # The link begins before what is right behind these.
 BEFORE = {
     *MADE,
     *OF_LOOKS,
-    *"out by with that which who is are should be glow glows shine shines".split(),
+    *"out by with that which who is are was were been has have should be".split(),
+    *"glow glows shine shines".split(),
 }
 STRANGE = 2  # words before a look, or a plant, that are not known: "in signal orange"
 INSIDES = ("inside", "interior", "lining")
@@ -55,10 +61,15 @@ def set_looks_in_order(tokens: Tokens) -> None:
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
         _set_figure_on_part(tokens, at)
-    changes = (_name_part, _set_cover_on_part, _drop_place, _set_contents, _drop_pieces)
+    changes = (_name_part, _set_edge, _set_cover_on_part, _drop_place, _set_contents, _drop_pieces)
     for change in (*changes, _set_looks_before):
         for at in _backwards(tokens):
             change(tokens, at)
+    for at in _backwards(tokens):
+        _set_glow_on_part(tokens, at)
+    for at in range(1, len(tokens.words) - 1):
+        if at < len(tokens.words) - 1:
+            set_look_on_both(tokens, at, _thing_before(tokens, at))
 
 
 def _backwards(tokens: Tokens) -> Iterator[int]:
@@ -109,6 +120,24 @@ def _set_figure_on_part(tokens: Tokens, at: int) -> None:
         tokens.put(at, at + 5, [words[0], "and", words[3], figure.word, words[1]])
 
 
+def _set_glow_on_part(tokens: Tokens, at: int) -> None:
+    """ "A staff, purple crystal on top, glowing": what glows is the crystal."""
+    alone = at in tokens.breaks and at + 1 in (*tokens.breaks, len(tokens.words))
+    entry = tokens.entry(tokens.words[at])
+    if not alone or entry is None or entry.word != "glowing":
+        return
+    thing = _thing_before(tokens, at)
+    begin = max((k for k in tokens.breaks if k < at), default=0)
+    if not begin:  # behind the thing's own name
+        begin = 1 + next((k for k in range(at) if tokens.has_thing(k)), at)
+    for part in range(begin, at):
+        name = own_name(thing, tokens.words[part])
+        if name and CLASS_OF.get(natural_kind(thing, name)) == GLASS:
+            tokens.cut(at, at + 1)
+            tokens.put(part, part + 1, ["glowing", tokens.words[part]])
+            return
+
+
 def _set_cover_on_part(tokens: Tokens, at: int) -> None:
     """ "Black leather on the grip" is a black leather grip, as "blue paint on" it is a blue one."""
     if tokens.words[at] not in OVER or at in tokens.breaks or at + 1 in tokens.breaks:
@@ -137,6 +166,20 @@ def _name_part(tokens: Tokens, at: int) -> None:
     named = not is_look or _introduced_by(tokens, at) == "with"
     if part and ended and named and own_name(_thing_before(tokens, at), part):
         tokens.put(at, at + 1, [*looks, part])
+
+
+def _set_edge(tokens: Tokens, at: int) -> None:
+    """ "A mirror framed in gold" has a gold frame."""
+    thing, begin = _thing_before(tokens, at), at + 2
+    parts = EDGED.get(tokens.words[at], "").split()
+    part = next((name for name in parts if own_name(thing, name)), "")
+    end = tokens.qualities_end(begin, ("color", "material")) if part else begin
+    linked = tokens.words[at + 1 : begin] in (["in"], ["with"])
+    if not linked or end == begin or not tokens.breaks.isdisjoint(range(at, end)):
+        return
+    ended = tokens.ends_phrase(end) or tokens.words[end] == "and"
+    if ended:
+        tokens.put(at, end, ["with", *tokens.words[begin:end], part])
 
 
 def _introduced_by(tokens: Tokens, at: int) -> str:
@@ -206,7 +249,13 @@ def _set_looks_before(tokens: Tokens, at: int) -> None:
     is_its = link.is_said or _goes_with(tokens, head)
     if is_its and not _looks_so(tokens, head, link.end, end):
         looks = ["glowing"] * link.glowing + tokens.words[link.end : end]
-        tokens.put(head, end, [*looks, *tokens.words[head:at]])
+        thing, name = _thing_before(tokens, head), tokens.words[head:at]
+        first = first_begins(tokens, head, thing, "are" in tokens.words[at : link.end])
+        tokens.put(head, end, [*looks, *name])
+        other = tokens.words[first : first + 1] if first < head else []
+        names = (" ".join(tokens.words[first:head]).split(" and")[0], " ".join(name))
+        if other and may_both_be(tokens, thing, names, looks):
+            tokens.put(first, first + 1, [*looks, *other])
 
 
 def _is_look(tokens: Tokens, begin: int, end: int) -> bool:
@@ -219,12 +268,15 @@ def _link(tokens: Tokens, at: int) -> Link | None:
     """The link that begins at the index, if there is one."""
     words = tokens.words
     whole = look_up(" ".join(words[at : at + 2]), tokens.known)
-    if words[at] in OF_LOOKS and whole is not None and whole.slot in LOOKS:  # "of ice"
+    of_look = words[at] in OF_LOOKS and whole is not None and whole.slot in LOOKS  # "of ice"
+    if of_look and words[at - 1] not in BEFORE:
         return Link(at, is_said=False, is_bare=False)
     found = LINK.match(" ".join([*words[at : at + LONGEST_LINK], ""]))
     assert found  # of nothing, if of no more
     said, glow, way, article = found.group("said", "glow", "way", "article")
     end = at + len(found[0].split())
+    if end > at and _is_look(tokens, end - 1, end + 1):  # "carved from bone"
+        end -= 1
     if words[at - 1] in BEFORE or (article and not (said or way)):
         return None
     return Link(end, bool(said or glow), end == at or way == "with ", bool(glow))

@@ -36,6 +36,7 @@ _PLAIN = frozenset(PLAIN) - {"stone", "plastic"}  # "brick and stone" are two
 _LISTING = PHRASE_ENDS - {*ARTICLES}
 QUALITIES = ("rusty", "rusted", "rust", "corroded", "metallic", "mirrored", "robotic")
 QUALITIES += ("enamel", "enameled", "enamelled")
+MADE_OF = ("of", "from", "in", "out")
 HOW = ("quilted", "woven", "knitted", "padded")  # which say how a cloth or a leather is made
 # The colours of metals, where one is the second colour of a thing.
 TONES = {"golden": "golden yellow", "metal": "silver grey", "copper": "sienna"}
@@ -173,6 +174,8 @@ def _clearest(named: list[Named]) -> list[Named]:
 def _is_same(before: Named, one: Named) -> bool:
     """Whether two materials in a row are of one and the same part."""
     both = {class_of(before.entry), class_of(one.entry)}
+    if one.joined_by in MADE_OF and before.entry.form in HOW:  # "woven from straw"
+        return len(both) == 1
     if one.joined_by:
         words = {before.entry.word, one.entry.word}
         plain = len(words) == 1 and {before.entry.form, one.entry.form} & _PLAIN

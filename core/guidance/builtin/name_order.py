@@ -22,13 +22,14 @@ from core.guidance.builtin.words import (
     WITHOUT,
 )
 
-HEAPS = COUNTS | {"slice", "piece", "bunch"}  # of what is then the thing
+HEAPS = COUNTS | {"slice", "piece", "bunch", "glass"}  # of what is then the thing
 POT = "flower pot"
 # Things whose names also say what another is of: "a strawberry and chocolate cake".
 SAYS_OF_WHAT = frozenset(
     "crystal bone feather shell strawberry lemon cherry banana pumpkin carrot apple coconut".split()
 )
 HOLDING = frozenset(("with", "containing", "holding"))
+MADE_OF = [way.split() for way in ("made of", "made from", "made out of")]
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
@@ -38,8 +39,10 @@ def set_names_in_order(tokens: Tokens) -> None:
     _take_the_thing_first(tokens)
     _take_plants_first(tokens)
     _leave_listed_out(tokens)
+    _name_tins(tokens)
     _join_names_of(tokens)
     _join_names_for(tokens)
+    _join_names_made_of(tokens)
     _join_split_names(tokens)
     _set_qualifiers_first(tokens)
     _take_what_has_the_part(tokens)
@@ -149,6 +152,15 @@ def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
     return begin if slots <= set(LOOKS) - {"shape"} else None
 
 
+def _name_tins(tokens: Tokens) -> None:
+    """ "A tin of sardines" is a tin can, full of what is left out."""
+    for at in range(len(tokens.words) - 2):
+        follows = tokens.words[at : at + 2] in (["tin", "of"], ["tins", "of"])
+        if follows and tokens.breaks.isdisjoint((at + 1, at + 2)) and not tokens.has_thing(at):
+            tokens.put(at, at + 2, ["tin", "can", "full", "of"])
+            return
+
+
 def _join_names_of(tokens: Tokens) -> None:
     """ "A stack of old books" is an old stack of books, which is a thing's name."""
     for at in reversed(range(len(tokens.words) - 3)):
@@ -187,6 +199,20 @@ def _join_names_for(tokens: Tokens) -> None:
             tokens.put(at - 1, end, name.split())
         elif looks > begin:
             tokens.put(at, looks, [*tokens.words[begin:looks], *tokens.words[at:end]])
+
+
+def _join_names_made_of(tokens: Tokens) -> None:
+    """ "A box made of cardboard" is a cardboard box, which is another thing than a box."""
+    for at in reversed(range(1, len(tokens.words) - 2)):
+        way = next((w for w in MADE_OF if tokens.words[at : at + len(w)] == w), [])
+        end = at + len(way)
+        if not way or end >= len(tokens.words) or not tokens.breaks.isdisjoint(range(at, end + 1)):
+            continue
+        head, of = tokens.words[at - 1], tokens.words[end]
+        name = next(filter(tokens.thing, (f"{of} {head}", f"{of}{head}")), "")
+        other = bool(name) and tokens.thing(name) != tokens.thing(head)
+        if other and tokens.ends_phrase(end + 1):
+            tokens.put(at - 1, end + 1, name.split())
 
 
 def _join_split_names(tokens: Tokens) -> None:

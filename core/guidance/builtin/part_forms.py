@@ -5,6 +5,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
 
 
@@ -14,6 +15,12 @@ class PartForms(NamedTuple):
     flat: tuple[float, ...]
     # The same all around an axis of its piece (of a car's wheels each is one): along x, y, z.
     round: tuple[tuple[float, ...], ...]
+
+
+def is_round(noun: str) -> bool:
+    """Whether the first of its parts is round anyway, about the vertical or as a clock is."""
+    _, *around = part_forms_table()[noun].round
+    return max(axis[0] for axis in around) >= ROUND
 
 
 @cache

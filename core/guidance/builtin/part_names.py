@@ -7,9 +7,12 @@ from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import (
     BORNE,
+    CALLED,
     FEET,
     HARDWARE,
     LEGS,
+    NO_PARTS,
+    OF_BODIES,
     OPTIONS,
     PART_ALSO,
     PART_SYNONYMS,
@@ -52,14 +55,17 @@ def own_name(noun: str, part: str) -> str:
     return next(iter(own_names(noun, part)), "")
 
 
-def own_names(noun: str, part: str) -> list[str]:
-    """All that the noun has of the part: of a chest's body the lid too."""
+def own_names(noun: str, part: str, taken: Collection[str] = ()) -> list[str]:
+    """All that the noun has of the part: of a chest's body the lid too; of a word for most of it
+    what is not ``taken``."""
     looks = looks_of(noun)
+    part = CALLED.get(noun, {}).get(part, part)
     named = [name for name in _names(part) if name in looks]
     roles = WIDE.get(part, ())
-    each = ([name for name, look in looks.items() if look[0] in some] for some in roles)
+    free = {name: look[0] for name, look in looks.items() if name not in taken}
+    each = ([name for name, role in free.items() if role in some] for some in roles)
     if part in HARDWARE and not named:
-        others = (name for name, look in looks.items() if look[0] != "*")
+        others = (name for name, role in free.items() if role != "*")
         metal = [name for name in others if CLASS_OF.get(natural_kind(noun, name)) == METAL]
         each = iter((metal, *each))
     found = named[:1] or next(filter(None, each), [])
@@ -80,7 +86,18 @@ def owns(noun: str, word: str) -> bool:
 
 def is_wide(noun: str, part: str) -> bool:
     """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
-    return part in WIDE and part not in looks_of(noun)
+    return part in WIDE and part not in looks_of(noun) and part not in CALLED.get(noun, {})
+
+
+def is_within(noun: str, form: str) -> bool:
+    """Whether the noun's shape has what is called so, but as no part by itself."""
+    body = is_creature(noun) and form in OF_BODIES
+    return body or form in NO_PARTS.get(noun, "").split()
+
+
+def has_legs(noun: str) -> bool:
+    """Whether it stands on legs, which are not counted where a caption may not state them."""
+    return noun in FOUR_LEGS or is_creature(noun) or bool(lacked(noun, "legs", "legs"))
 
 
 def always_has(noun: str, part: str) -> bool:

@@ -23,6 +23,7 @@ PART_SYNONYMS = {
     "cushion": "seat, cushions",
     "top": "countertop, tabletop, table top, worktop",
     "scoop": "scoops",
+    "cone": "waffle cone, sugar cone, wafer cone",
     "shade": "lampshade, lamp shade, drum shade, drum lampshade",
     "leaves": "leaf, foliage",
     "sails": "sail",
@@ -133,6 +134,14 @@ PART_ALSO = {
     "pillar": "piers, posts, columns",
     "spikes": "tips",
     "knobs": "handles, knob, buttons",
+    "keyboard": "keys",
+    "switch": "button, buttons, knob",
+    "panes": "glass, windows, window",
+    "orb": "crystal, gem, globe",
+    "gem": "crystal, stone",
+    "crystal": "gem, gems, orb",
+    "supports": "legs, posts, frame, base, stand",
+    "ends": "sides, caps, tips",
     "pegs": "knobs",
     "knob": "knobs, handle, handles",
     "pulls": "handles, knobs, handle, knob",
@@ -177,6 +186,29 @@ PART_ALSO = {
     "costume": "suit, coat, robe, tunic, dress, shirt, armour",
     "uniform": "suit, coat, tunic, shirt",
 }
+# What some things alone call a part.
+CALLED = {
+    "bench": dict.fromkeys("ends sides frame supports base".split(), "legs"),
+    "castle": {"gate": "door", "gates": "door"},
+    "drum kit": dict.fromkeys(
+        ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"
+    ),
+}
+# What the shapes of some things have that is no part by itself; and those of what is alive.
+NO_PARTS = {
+    "bookshelf": "shelf shelves",
+    "desk": "leg legs feet",
+    "castle": "tower towers turret turrets battlements",
+    **dict.fromkeys(
+        "car taxi van bus jeep truck ambulance limousine".split(),
+        "roof hood bonnet trunk boot door doors",
+    ),
+    **dict.fromkeys(("sports car", "race car", "pickup truck"), "roof hood bonnet door doors"),
+}
+OF_BODIES = frozenset(
+    """head face neck chest torso belly shoulders shoulder arms arm legs leg hands hand feet foot
+    nose mouth ears ear tail paws claws""".split()
+)
 # What is said of a part, where the thing has it: a colour, a material or a thing elsewhere.
 SAID_OF_PARTS = {
     "cream": "icing",

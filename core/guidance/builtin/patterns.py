@@ -31,6 +31,7 @@ Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
 Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of the colours
 STRIPE, CELL, SPOT, CHECK, HOOP = 0.21, 0.42, 0.14, 0.21, 0.62
 PLATE, PLATE_LINE = 0.4, 0.022  # across a plate; half the line between two
+KEY, KEY_GAP, KEY_SHIFT = 0.105, 0.009, 0.3  # of a keyboard; half a gap; of a key, row by row
 FAINT = 0.15  # of sRGB, between two colours of which one is hardly seen on the other
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
@@ -132,6 +133,14 @@ def plates(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     return PLATE_LINE - side
 
 
+def keys(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """The gaps between the keys of a keyboard that lies: rows along x, each shifted a little."""
+    across, row = points[:, 0] / KEY, points[:, 1] / KEY
+    across = across + KEY_SHIFT * row.floor()
+    side = torch.stack([across - across.round(), row - row.round()]).abs().amin(0) * KEY
+    return KEY_GAP - side
+
+
 MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
@@ -156,10 +165,11 @@ NATURAL: dict[str, Natural] = {
     "waffle": Natural(partial(crossing, rise=14, lines=0.75), 0.65),
     "plates": Natural(plates, 0.5),  # a turtle's
     "seams": Natural(seams, (0.13, 0.10, 0.09)),  # a basketball's
+    "keys": Natural(keys, (0.52, 0.54, 0.57)),  # the gaps between a keyboard's
 }
 # Of these what is of the thing's form, and stays whatever its colour and material are, where no
 # other pattern is stated.
-LINES = ("scales", "waffle", "plates", "seams")
+LINES = ("scales", "waffle", "plates", "seams", "keys")
 MARGINS |= {name: natural.margin for name, natural in NATURAL.items()}
 
 

@@ -10,11 +10,13 @@ from core.guidance.builtin.vocabulary import Words, parse
 def usual_of(prompt: str) -> tuple[float, float]:
     """The usual size in metres and density in kg/m³ of what ``prompt`` names; of an unknown thing
     1 m and that of light wood. For any guidance: its prompt may be beyond the built-in words."""
-    try:
-        words = parse(prompt, noun_needed=False, ignore_unknown=True)
-    except UserError:  # such as two nouns
-        words = Words()
-    return words.usual()
+    # With a noun first: "a grey rock" is a boulder only where it has to be a thing.
+    for noun_needed in (True, False):
+        try:
+            return parse(prompt, noun_needed=noun_needed, ignore_unknown=True).usual()
+        except UserError:  # such as two nouns
+            continue
+    return Words().usual()
 
 
 def longest_side(prompt: str, extents: Iterable[float]) -> float:

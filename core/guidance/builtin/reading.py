@@ -4,9 +4,10 @@ import re
 
 from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.clauses import EITHER, NOT_SAID
-from core.guidance.builtin.colors import shade
+from core.guidance.builtin.colors import CALLED_SHADES, shade
 from core.guidance.builtin.compounds import set_parts_apart
-from core.guidance.builtin.findings import with_article
+from core.guidance.builtin.findings import NOT_APART, with_article
+from core.guidance.builtin.kind_sizes import YOUNG, YOUNG_KINDS, YOUNG_SCALE
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
@@ -18,12 +19,23 @@ from core.guidance.builtin.lexicon import (
     singulars,
 )
 from core.guidance.builtin.likeness import Likeness
-from core.guidance.builtin.living import is_creature
+from core.guidance.builtin.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.look_order import set_looks_in_order
 from core.guidance.builtin.mixture import share_out
 from core.guidance.builtin.name_order import set_names_in_order
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import as_part, is_own, looks_of, may_state
+from core.guidance.builtin.part_forms import is_round
+from core.guidance.builtin.part_names import (
+    as_part,
+    has_legs,
+    is_own,
+    is_within,
+    looks_of,
+    may_state,
+    owns,
+)
+from core.guidance.builtin.part_tables import LEGS
+from core.guidance.builtin.sorts import may_be_round
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
@@ -41,6 +53,7 @@ from core.guidance.builtin.words import (
     OF_ANOTHER,
     PHRASE_ENDS,
     PLAIN,
+    PLUMP,
     PLUSHIES,
     SIZE_WORDS,
     SURROUNDINGS,
@@ -48,6 +61,8 @@ from core.guidance.builtin.words import (
     WITHOUT,
 )
 
+# Things that before a part are how it looks.
+AS_LOOKS = CALLED_SHADES | {name: AS_MATERIAL[name] for name in ("bone", "crystal")}
 AHEAD = 6  # words in which a thing may still come
 
 
@@ -74,12 +89,16 @@ class Reading(Likeness):
         self._leave_strange_parts_aside()
         self._set_its_gem()
         self._make_as_qualified()
+        self._shade_as_qualified()
+        self._leave_as_woven()
         self._spare_the_living()
         share_out(self.got, self._tokens)
         self._say_what_it_depicts()
         self._darken_its_stripes()
         self._look_like_its_kind()
         self._say_how_large()
+        self._say_how_round()
+        self._say_how_young()
 
     def _take(self, at: int) -> int:
         """Read from the token ``at`` on; how many tokens that were."""
@@ -87,6 +106,7 @@ class Reading(Likeness):
         token = tokens[0]
         if self._is_wider(token, at):  # "a corgi puppy", "a fox animal"
             self._noun_end = at + 1
+            self.got.young += [form for form in singulars(token) if form in YOUNG]
             return 1
         if toned := self._tokens.toned(at):
             self._put(toned[0], at, at + toned[1])
@@ -98,6 +118,8 @@ class Reading(Likeness):
             if entry is not None and self._is_thing_and_color(entry, at, count):
                 continue
             if entry is not None and self._is_look_of_thing(entry, at, count):
+                continue
+            if entry is not None and self._is_before_name(entry, at, count):
                 continue
             if (entry is None or entry.slot not in ("noun", "part")) and self._is_own(phrase):
                 entry = Entry("part", phrase, phrase)
@@ -128,6 +150,8 @@ class Reading(Likeness):
         if token in WITHOUT:
             self._end_phrase()
             self._without = True
+        elif token in SIZE_WORDS and at in self._tokens.owners:  # "a giant's club"
+            self.got.left_out.append(token)
         elif token in SIZE_WORDS and self._without:
             self.got.leave_aside(["not", token], NOT_SAID)
             self._without = bool(self.got.found["noun"])  # "a not too big red car"
@@ -152,7 +176,7 @@ class Reading(Likeness):
                 self._leave_what_it_is_not()
                 self._without = False
             self._without |= self._lacks_more(tokens)
-            if token in EITHER and not self._without:  # "red or blue": it is both
+            if token in EITHER and not (self._without or negated):  # "red or blue": it is both
                 self.got.left_out.append(token)
             # "a statue of a lion": the article says nothing new.
             word = self._ended_by if token in ARTICLES else token
@@ -192,6 +216,30 @@ class Reading(Likeness):
                 self.got.scale = SIZE_WORDS[word]
                 self.got.notes.append(f"{word}: made {self.got.scale:g} times its usual size.")
 
+    def _say_how_round(self) -> None:
+        """A round table is another table, not a swollen one; a round cat is a plump one."""
+        thing, shapes = self.got.thing, self.got.found["shape"]
+        stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
+        if not thing or not stated or may_be_round(thing) or is_creature(thing):
+            return
+        for one in stated:
+            shapes.remove(one)
+            if not is_round(thing):
+                why = f"{with_article('noun', thing)} is not round here"
+                self.got.leave_aside([one.form], why)
+
+    def _say_how_young(self) -> None:
+        """A cub is smaller than what it grows to be."""
+        thing, young = self.got.thing, [one for one in self.got.qualifiers if one in YOUNG]
+        alive = is_animal(thing) or is_somebody(thing)
+        forms = {word for one in self.got.found["noun"] for word in one.form.split()}
+        if not alive or self.got.sizes or self.got.is_toy or forms & YOUNG_KINDS:
+            return
+        for word in [*young, *self.got.young][:1]:
+            self.got.left_out = [one for one in self.got.left_out if one not in young]
+            self.got.scale = round(YOUNG_SCALE * self.got.scale, 4)
+            self.got.notes.append(f"{word}: made {YOUNG_SCALE:g} times the size of a grown one.")
+
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""
         # Only where it is surely one known word; anything less is a hint in the error.
@@ -216,6 +264,10 @@ class Reading(Likeness):
             entry = Entry("part", "gem", entry.form)
         behind = next(iter(self._tokens.words[end : end + 1]), "")
         goes_on = self.got.thing and end not in self._tokens.breaks
+        is_look = entry.slot == "noun" and goes_on and owns(self.got.thing, behind)
+        called = AS_LOOKS.get(entry.form, "") if is_look else ""
+        if called:  # "with coral cushions", "with a bone handle"
+            entry = look_up(called, self.known) or entry
         if entry.form in GEMS and goes_on and is_own(self.got.thing, behind):  # "ruby eyes"
             entry = Entry("color", GEMS[entry.form], GEMS[entry.form])
         owner = entry.slot == "noun" and self._is_owner(entry, end)
@@ -224,6 +276,8 @@ class Reading(Likeness):
             return
         if self._is_beside(entry, start, end):  # "a mermaid on a rock"
             self._leave_aside(entry.form)
+            return
+        if self._is_its_name(entry):
             return
         if self._names_a_part(entry, start, end):  # "with a dolphin base"
             self.got.left_out.append(entry.form)
@@ -264,8 +318,9 @@ class Reading(Likeness):
                 self._accessory = self._begun  # ", green silk curtains"
             if slot == "noun" and self._without:  # "a cake without candles"
                 slot = "part"
-            if slot == "noun" and self._accessory is not None:
-                self._leave_aside(entry.form)
+            if slot == "noun" and (self._accessory is not None or self._is_another_such(entry)):
+                within = is_within(noun, entry.form)
+                self._leave_aside(entry.form, *([NOT_APART] if within else []))
                 self._aside_end = end
                 return
         if slot == "part" and not self.got.found["noun"] and entry.form not in LEXICON:
@@ -345,11 +400,19 @@ class Reading(Likeness):
                 self.got.notes.append(f"{noun.form} {form}: made as {whole}, whole.")
 
     def _leave_strange_parts_aside(self) -> None:
-        why = f"{with_article('noun', self.got.thing)} has none here" if self.got.thing else ""
         for part in self.got.strange_parts():
+            why = self._why_strange(part)
             of = part.material.form if part.material else ""
             words = (part.color_form or part.color, of, part.pattern, part.form)
             self.got.leave_aside([" ".join(filter(None, words))], why)
+
+    def _why_strange(self, part: StatedPart) -> str:
+        """Why a part that the thing has not as a part by itself is left out."""
+        whole = with_article("noun", self.got.thing)
+        if part.name in LEGS and has_legs(self.got.thing):
+            return f"the legs of {whole} are not counted"
+        within = is_within(self.got.thing, part.form) or is_within(self.got.thing, part.name)
+        return NOT_APART if within else f"{whole} has none here"
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
         """``noun`` ends a compound: what is unknown before it qualifies it, and so does another

@@ -1,6 +1,7 @@
 """A solid drawn for words: what the geometry starts from, known everywhere at once."""
 
 import json
+from collections.abc import Collection
 from dataclasses import asdict, dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -15,7 +16,15 @@ from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, TetGrid, tet_grid
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import BASE, KINDS, SCALE, SolidNet, SolidNetConfig, Triplane
-from core.guidance.builtin.stretch import IN_PLACE, NOT_STRETCHED, STRETCH, Frame, frame_of
+from core.guidance.builtin.stretch import (
+    AS_IT_IS,
+    IN_PLACE,
+    NOT_STRETCHED,
+    STRETCH,
+    Frame,
+    Vector,
+    frame_of,
+)
 from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_tensors
 
 CHUNK = 1 << 16  # points at a time
@@ -51,13 +60,15 @@ class Solid:
         words: Int[Tensor, "1 3"],
         generator: torch.Generator,
         absent: tuple[int, ...] = (),
+        kinds: Collection[int] = (),
     ) -> "Solid":
         """A random one: of one of the noun's kinds, and of a code, which are normal.
 
         A thin wall may come out torn, which shows as handles and pieces; of a shape with many of
-        them others of its kind are drawn, and the simplest is taken.
+        them others of its kind are drawn, and the simplest is taken. ``kinds``: of the noun's,
+        if not any.
         """
-        kind = torch.tensor([[drawn_kind(net, words, generator)]], device=words.device)
+        kind = torch.tensor([[drawn_kind(net, words, generator, kinds)]], device=words.device)
         row, found = torch.cat([words, kind], 1), []
         for _ in range(DRAWINGS):
             code = torch.randn(1, net.config.latent, generator=generator).to(words.device)
@@ -67,15 +78,18 @@ class Solid:
                 break
         return min(found, key=lambda solid: solid.complexity)
 
-    def placed(self, adjective: str = "") -> "Solid":
+    def placed(self, adjective: str = "", wider: Vector = AS_IT_IS) -> "Solid":
         """The solid as the adjective has it, about the origin and of the training's size.
+
+        ``wider``: by how much it is drawn wider than it is to be.
 
         It is moved outwards by less where that would bring up pieces: far from the surface the
         network's distance may dip.
         """
-        factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
+        stretch, swell = STRETCH.get(adjective, NOT_STRETCHED)
+        x, y, z = (factor / by for factor, by in zip(stretch, wider, strict=True))
         while True:
-            frame = frame_of(self.mesh[0], factors, swell, adjective == "round")
+            frame = frame_of(self.mesh[0], (x, y, z), swell, adjective == "round")
             solid = replace(self, frame=frame, swell=swell)
             if not swell or solid.pieces <= self.pieces:
                 return solid
@@ -92,10 +106,15 @@ class Solid:
 
     @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-        """The solid's surface on a lattice."""
-        grid = _grid()
-        verts, faces, *_ = surface(self.sdf(grid.tet_verts), grid.tet_verts, grid)
-        return verts, faces
+        """The solid's surface on a lattice, which is the network's: it may be slender."""
+        grid, nodes = _grid(), self._placed(_grid().tet_verts)
+        verts, faces, *_ = surface(self.sdf(nodes), grid.tet_verts, grid)
+        return self._placed(verts), faces
+
+    def _placed(self, local: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Where the network's own points come to lie."""
+        scale, center = (local.new_tensor(of) for of in (self.frame.scale, self.frame.center))
+        return (local - center) * scale
 
     @cached_property
     def pieces(self) -> int:
@@ -129,13 +148,20 @@ class Solid:
         return distances.to(points.device)
 
 
-def drawn_kind(net: SolidNet, words: Int[Tensor, "1 3"], generator: torch.Generator) -> int:
-    """One of the noun's kinds, as often as the training had it with the words."""
+def drawn_kind(
+    net: SolidNet,
+    words: Int[Tensor, "1 3"],
+    generator: torch.Generator,
+    kinds: Collection[int] = (),
+) -> int:
+    """One of the noun's kinds, or of these of them, as often as the training had it with the
+    words."""
     noun, shape, part = words[0].tolist()
     rows = slice(KINDS * (noun - 1) + 1, KINDS * noun + 1)
-    counts = net.counts[shape, part, rows].cpu()
+    among = torch.tensor([not kinds or kind in kinds for kind in range(KINDS)])
+    counts = net.counts[shape, part, rows].cpu() * among
     if not counts.any():  # never seen together
-        counts = net.counts[..., rows].sum((0, 1)).cpu()
+        counts = net.counts[..., rows].sum((0, 1)).cpu() * among
     likely = counts * (counts >= RARE * counts.sum())
     return rows.start + int(torch.multinomial(likely, 1, generator=generator))
 

@@ -21,6 +21,23 @@ NOT_STRETCHED = ((1.0, 1.0, 1.0), 0.0)
 
 Vector = tuple[float, float, float]
 
+AS_IT_IS = (1.0, 1.0, 1.0)
+# By how much the solids' network knows a slender thing wider than it is, along x, y and z: a blade
+# in its own proportions is thinner than what a cell of the planes tells apart.
+DRAWN_WIDER: dict[str, Vector] = {
+    "sword": (2.4, 2.4, 1.0),
+    "dagger": (1.7, 1.7, 1.0),
+    "knife": (1.8, 1.8, 1.0),
+    "spear": (2.2, 2.2, 1.0),
+    "staff": (1.8, 1.8, 1.0),
+    "arrow": (2.0, 2.0, 1.0),
+    "fork": (1.7, 1.7, 1.0),
+    "spoon": (1.6, 1.6, 1.0),
+    "pencil": (2.2, 2.2, 1.0),
+    "screwdriver": (1.7, 1.7, 1.0),
+    "paintbrush": (1.7, 1.7, 1.0),
+}
+
 
 class Frame(NamedTuple):
     """Where an object's own points come to lie: (point - center) * scale, training units."""

@@ -21,7 +21,10 @@ ASKED = re.compile(
     re.IGNORECASE,
 )
 # What was done to it, before how it looks since.
-MADE = "made painted done finished covered coated upholstered dyed wrapped carved built".split()
+MADE = (
+    "made painted done finished covered coated upholstered dyed wrapped carved built woven knitted "
+    "cut cast forged crafted constructed fashioned sewn hewn"
+).split()
 PERSON = "person"  # "my kids want a robot"
 # "Isn't", "does not": a doe is a deer.
 NOT = re.compile(

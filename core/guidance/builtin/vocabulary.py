@@ -28,6 +28,7 @@ from core.guidance.builtin.prompt_errors import (
 )
 from core.guidance.builtin.reading import Reading
 from core.guidance.builtin.sizes import usual
+from core.guidance.builtin.sorts import sort_of
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
 from core.io.job import SIZES
@@ -49,7 +50,9 @@ class Words:
     weather: tuple[str, ...] = ()  # what time has done to it
     sheen: tuple[str, ...] = ()  # how it shines
     is_statue: bool = False  # of one material all over, eyes and all
+    kinds: tuple[int, ...] = field(default=(), compare=False)  # of the drawn noun, if not any
     is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
+    kind_size: float = field(default=0.0, compare=False)  # metres; 0: the thing's own
     scale: float = field(default=1.0, compare=False)  # of its usual size
     color_form: str = ""  # the first colour's shade, where that has a name of its own
     second_form: str = ""
@@ -79,7 +82,8 @@ class Words:
         kg/m³."""
         # Of an animal these are colours of its fur.
         furry = self.material_form in ALSO_OF_FUR and not self.is_statue and is_animal(self.noun)
-        size, density = usual(self.noun, "" if furry else self.material, self.is_toy)
+        material = "" if furry else self.material
+        size, density = usual(self.noun, material, self.is_toy, self.kind_size)
         return min(max(round(size * self.scale, 4), SIZES[0]), SIZES[1]), density
 
     def named_material(self) -> str:
@@ -187,6 +191,8 @@ def parse(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in model knows.",
             f"{known_things(known)} {ELSEWHERE}",
         )
+    sort = sort_of(got.thing, prompt)
+    got.take_as_sort(sort.said)
     # The part last: what may be stated of it depends on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
@@ -194,8 +200,8 @@ def parse(
     # In the table's order: snow lies on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
-    words |= {"is_statue": got.is_statue, "is_toy": got.is_toy}
-    words |= {"scale": got.scale, "size": got.size()}
+    words |= {"is_statue": got.is_statue, "is_toy": got.is_toy, "kinds": sort.kinds}
+    words |= {"kind_size": got.kind_size(), "scale": got.scale, "size": got.size()}
     # "Upholstered in velvet": what only says that it is of fabric says less.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(

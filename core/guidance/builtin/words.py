@@ -15,6 +15,7 @@ SHAPES = {
     "thin": "slim, narrow, slender; shallow",
     "round": "rounded, circular; chubby, plump",
 }
+PLUMP = ("chubby", "plump")  # round, whatever the thing
 # The rows of colours: ``colors.SHADES`` has the shades that have names of their own.
 COLORS = {
     "red": "",
@@ -105,8 +106,9 @@ SHEENS = {
     "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
 PATTERNS = {
-    "striped": "stripe, stripy, stripey, banded, tabby, brindle",
-    "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted",
+    "striped": "stripe, stripy, stripey, banded, tabby, brindle, tiger stripe, tiger striped, "
+    "zebra stripe, zebra striped, candy striped, pinstripe, pinstriped",
+    "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted, leopard spotted",
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
@@ -154,8 +156,9 @@ PLACES = frozenset(
 )
 # What people write around the subject and what describes nothing of it.
 FILLER = PLACES | frozenset(
-    """a an the of in on with and is are it its one single some made from out color colour colored
-    coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg model
+    """a an the of in on with and is are been was were it its one single some made from out color
+    colour colored coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg
+    model
     object highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute
     shaped asset game ready material s has have that which for texture textured pattern patterned
@@ -171,6 +174,7 @@ SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "
 # Slips that are words of their own, or too short to tell.
 SHORT |= {"amor": "armor", "comin": "coming", "acustic": "acoustic"}
 SHORT |= dict.fromkeys(("isnt", "arent", "doesnt", "dont", "non"), "not")
+SHORT |= {"neither": "not", "withe": "white", "litle": "little", "smal": "small"}
 SHORT |= {"whit": "with", "wiht": "with", "wih": "with", "wth": "with", "witht": "with"}
 # What surrounds the picture: a colour before it is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
@@ -296,7 +300,8 @@ COLORED = ("colored", "coloured", "color", "colour")
 # How a thing came by its material or its looks, which are said by themselves.
 HOW_MADE = frozenset(
     """carved cast hewn sculpted chiseled chiselled forged moulded molded welded wrapped covered
-    bound bare hammered crafted painted handcrafted embroidered frosted""".split()
+    bound bare plated coated clad hammered crafted painted handcrafted embroidered
+    frosted""".split()
 ) | {
     *("hand carved", "hand crafted", "hand painted", "hand forged", "hand blown"),
 }

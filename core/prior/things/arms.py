@@ -30,24 +30,25 @@ def _point(at: Vector, axis: int, degrees: float, radius: float, long: float) ->
 
 def _leaf(low: float, high: float, wide: float, thick: float) -> Solid:
     """A spear's blade: a kite with a ridge, across y."""
-    waist = low + (high - low) * 0.3
-    kite = [(0.1, low), (wide, waist), (0, high), (-wide, waist), (-0.1, low)]
-    ridge = [(0.08, low), (0.08, waist), (0, high - 0.15), (-0.08, waist), (-0.08, low)]
+    waist, neck = low + (high - low) * 0.3, wide * 0.4
+    kite = [(neck, low), (wide, waist), (0, high), (-wide, waist), (-neck, low)]
+    rib = wide * 0.3
+    ridge = [(rib, low), (rib, waist), (0, high - 0.15), (-rib, waist), (-rib, low)]
     return join(prism(kite, 1, thick), prism(ridge, 1, thick * 1.6))
 
 
 def spear(draw: Draw) -> Parts:
     """Point up: a leaf-shaped head with a socket, bound with red, a butt of metal."""
-    high, long, grip = draw(1.9, 2.1), draw(0.75, 0.9), draw(0.095, 0.11)
+    high, long, grip = draw(2.1, 2.4), draw(0.6, 0.75), draw(0.05, 0.056)
     bound = draw(0.26, 0.36)
     return {
         "head": join(
-            _leaf(high + 0.05, high + 0.05 + long, draw(0.24, 0.3), 0.085),
-            lathe([(grip + 0.07, high - 0.16), (0.1, high + 0.25)], 0.01),
+            _leaf(high + 0.05, high + 0.05 + long, draw(0.13, 0.17), 0.042),
+            lathe([(grip + 0.035, high - 0.16), (0.05, high + 0.25)], 0.01),
         ),
         "shaft": tube((0, 0, 0.1), (0, 0, high), grip),
-        "binding": tube((0, 0, high - 0.14 - bound), (0, 0, high - 0.12), grip + 0.06, 0.03),
-        "butt": lathe([(0.05, 0), (grip + 0.05, 0.2), (grip + 0.05, 0.36)]),
+        "binding": tube((0, 0, high - 0.14 - bound), (0, 0, high - 0.12), grip + 0.03, 0.02),
+        "butt": lathe([(0.025, 0), (grip + 0.025, 0.2), (grip + 0.025, 0.36)]),
     }
 
 

@@ -28,16 +28,12 @@ def laptop(draw: Draw) -> Parts:
     x, y, high, lean = draw(0.95, 1.1), draw(0.62, 0.74), draw(0.6, 0.72), draw(8, 25)
     hinge = (0, y - 0.06, 0.14)
     lid = tilted(box((0, 0, high), (x, 0.09, high), 0.05), -lean, hinge)
-    keys = (
-        box((x * u, y * v, 0.2), (x * 0.085, y * 0.11, 0.05), 0.02)
-        for u in (-0.8, -0.57, -0.34, -0.11, 0.11, 0.34, 0.57, 0.8)
-        for v in (-0.02, 0.28, 0.58)
-    )
     return {
         "body": join(box((0, 0, 0.1), (x, y, 0.1), 0.06), lid),
-        "screen": tilted(box((0, -0.08, high), (x - 0.1, 0.03, high - 0.11)), -lean, hinge),
-        "keys": join(*keys),
-        "touchpad": box((0, -y * 0.58, 0.19), (x * 0.3, y * 0.24, 0.03), 0.01),
+        # Blocks that reach into what they lie on: of a thin board little comes out.
+        "screen": tilted(box((0, -0.04, high), (x - 0.1, 0.1, high - 0.11)), -lean, hinge),
+        "keys": box((0, y * 0.24, 0.12), (x * 0.84, y * 0.42, 0.13)),
+        "touchpad": box((0, -y * 0.58, 0.11), (x * 0.3, y * 0.24, 0.13)),
     }
 
 

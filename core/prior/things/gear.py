@@ -25,14 +25,11 @@ from core.prior.things.toys import TOYS
 
 def screwdriver(draw: Draw) -> Parts:
     """A ribbed handle below, the tip up."""
-    grip, high, top, shaft = draw(0.27, 0.34), draw(0.85, 1.05), draw(1.9, 2.3), draw(0.11, 0.13)
+    grip, high, top, shaft = draw(0.17, 0.21), draw(0.85, 1.05), draw(2.0, 2.4), draw(0.065, 0.075)
     shape = [(grip * 0.7, 0.0), (grip, 0.15), (grip * 0.95, high * 0.65), (grip * 0.6, high)]
-    grooves = around(6, capsule((grip * 1.12, 0, 0.2), (grip * 1.12, 0, high * 0.66), 0.1))
-    flat = prism(
-        [(-shaft, top - 0.1), (shaft, top - 0.1), (0.17, top + 0.1), (0.13, top + 0.3)], 1, 0.1
-    )
-    blade = join(flat, both(flat))
-    cross = lathe([(shaft, top), (0.05, top + 0.25)], 0.03)
+    grooves = around(6, capsule((grip * 1.12, 0, 0.2), (grip * 1.12, 0, high * 0.66), 0.06))
+    blade = prism(mirrored([(shaft, top - 0.1), (0.1, top + 0.1), (0.08, top + 0.3)]), 1, 0.055)
+    cross = lathe([(shaft, top), (0.03, top + 0.25)], 0.02)
     return {
         "handle": cut(lathe(smooth_curve(shape, 3), 0.02), grooves),
         "shaft": join(
@@ -115,25 +112,25 @@ def saw(draw: Draw) -> Parts:
 
 def paintbrush(draw: Draw) -> Parts:
     """Bristles up: a round brush, or a flat one for walls."""
-    flat, high = draw.chance(0.5), draw(1.1, 1.5)
-    wide = draw(0.36, 0.5) if flat else draw(0.18, 0.23)
-    deep = 0.16 if flat else wide
+    flat, high = draw.chance(0.5), draw(1.3, 1.7)
+    wide = draw(0.24, 0.32) if flat else draw(0.11, 0.14)
+    deep = 0.1 if flat else wide
     neck, hair = high + draw(0.3, 0.4), draw(0.5, 0.7)
     if flat:
         bristles = box(
-            (0, 0, neck + hair / 2 - 0.05), (wide * 0.94, deep * 0.88, hair / 2 + 0.05), 0.05
+            (0, 0, neck + hair / 2 - 0.05), (wide * 0.94, deep * 0.88, hair / 2 + 0.05), 0.03
         )
         ferrule = box((0, 0, (high + neck) / 2), (wide, deep, (neck - high) / 2 + 0.02), 0.03)
         grip = prism(
-            [(-0.15, 0), (0.15, 0), (0.13, high * 0.6), (wide * 0.9, high), (0, high)], 1, 0.12
+            [(-0.09, 0), (0.09, 0), (0.08, high * 0.6), (wide * 0.9, high), (0, high)], 1, 0.07
         )
         grip = join(grip, both(grip))
     else:
         point = [(wide, neck - 0.1), (wide * 1.25, neck + hair * 0.4), (0.04, neck + hair * 1.2)]
         bristles = lathe(smooth_curve(point, 4), 0.02)
-        ferrule = lathe([(0.16, high), (wide, neck)], 0.03)
-        curve = smooth_curve([(0.1, 0), (0.17, high * 0.7), (0.15, high + 0.05)], 3)
-        grip = lathe(curve, 0.02)
+        ferrule = lathe([(0.095, high), (wide, neck)], 0.02)
+        curve = smooth_curve([(0.06, 0), (0.1, high * 0.7), (0.09, high + 0.05)], 3)
+        grip = lathe(curve, 0.01)
     return {
         "bristles": bristles,
         "ferrule": ferrule,
@@ -150,7 +147,7 @@ def paintbrush(draw: Draw) -> Parts:
 
 def pencil(draw: Draw) -> Parts:
     """Six-sided, its point up, an eraser below."""
-    r, high, cone = draw(0.2, 0.26), draw(1.7, 2.2), draw(0.5, 0.65)
+    r, high, cone = draw(0.1, 0.12), draw(2.0, 2.4), draw(0.4, 0.5)
     body = around(
         6,
         prism(
@@ -163,10 +160,10 @@ def pencil(draw: Draw) -> Parts:
     tip = high + 0.4
     return {
         "body": body,
-        "wood": lathe([(r * 1.02, tip - 0.08), (0.08, tip + cone)], 0.01),
-        "lead": lathe([(r * 0.5, tip + cone * 0.62), (0.02, tip + cone * 1.12)], 0.03),
-        "eraser": tube((0, 0, 0), (0, 0, 0.3), r * 1.02, 0.07),
-        "ferrule": tube((0, 0, 0.22), (0, 0, 0.48), r * 1.15, 0.03),
+        "wood": lathe([(r * 1.02, tip - 0.08), (0.035, tip + cone)], 0.01),
+        "lead": lathe([(r * 0.5, tip + cone * 0.62), (0.01, tip + cone * 1.12)], 0.015),
+        "eraser": tube((0, 0, 0), (0, 0, 0.3), r * 1.02, 0.04),
+        "ferrule": tube((0, 0, 0.22), (0, 0, 0.48), r * 1.15, 0.02),
     }
 
 
@@ -254,25 +251,25 @@ def fire_extinguisher(draw: Draw) -> Parts:
 
 def knife(draw: Draw) -> Parts:
     """A kitchen knife, its point up and its edge to the left."""
-    grip, long, wide, y = draw(0.8, 1.0), draw(1.2, 1.6), draw(0.34, 0.5), draw(0.12, 0.15)
+    grip, long, wide, y = draw(0.85, 1.0), draw(1.4, 1.8), draw(0.2, 0.3), draw(0.07, 0.085)
     top = grip + long
     curve = smooth_curve(
-        [(-wide + 0.14, grip + 0.02), (-wide + 0.15, grip + long * 0.5), (0.06, top)], 4
+        [(-wide + 0.08, grip + 0.02), (-wide + 0.085, grip + long * 0.5), (0.035, top)], 4
     )
-    blade = [(0.16, grip), *curve, (0.16, top - 0.1 if draw.chance(0.5) else top - long * 0.4)]
+    blade = [(0.09, grip), *curve, (0.09, top - 0.1 if draw.chance(0.5) else top - long * 0.4)]
     handle = [
-        (-0.16, 0.0),
-        (0.2, 0.0),
-        (0.16, grip * 0.5),
-        (0.18, grip + 0.05),
-        (-0.14, grip + 0.05),
+        (-0.09, 0.0),
+        (0.115, 0.0),
+        (0.09, grip * 0.5),
+        (0.1, grip + 0.05),
+        (-0.08, grip + 0.05),
     ]
     return {
-        "blade": prism(blade, 1, 0.09),
-        "handle": prism([*handle, (-0.1, grip * 0.5)], 1, y),
+        "blade": prism(blade, 1, 0.05),
+        "handle": prism([*handle, (-0.06, grip * 0.5)], 1, y),
         "rivets": join(
             *(
-                tube((0.03, -y - 0.03, grip * v), (0.03, y + 0.03, grip * v), 0.07)
+                tube((0.015, -y - 0.02, grip * v), (0.015, y + 0.02, grip * v), 0.07)
                 for v in (0.2, 0.5, 0.8)
             )
         ),
@@ -281,29 +278,31 @@ def knife(draw: Draw) -> Parts:
 
 def fork(draw: Draw) -> Parts:
     """A table fork, its three tines up."""
-    high, tine, w = draw(1.2, 1.4), draw(0.66, 0.78), 0.1
-    pitch = 2 * w + draw(0.13, 0.15)
-    wide, palm, foot = pitch, high + 0.42, draw(0.19, 0.25)
+    high, tine, w = draw(1.4, 1.6), draw(0.66, 0.78), 0.06
+    pitch = 2 * w + draw(0.08, 0.095)
+    wide, palm, foot = pitch, high + 0.34, draw(0.11, 0.14)
     tip = palm + tine
-    side = [(0.12, high - 0.06), (wide + w, palm - 0.16), (wide + w, palm + 0.04)]
-    half = [(w, palm), (w, tip - 0.16), (0.06, tip)]
-    tines = (prism([(u + k * pitch, v) for u, v in mirrored(half)], 1, 0.1) for k in (-1, 0, 1))
-    grip = [(foot - 0.06, 0), (foot, 0.1), (foot, 0.2), (0.12, high - 0.2), (0.12, high + 0.06)]
+    side = [(0.07, high - 0.06), (wide + w, palm - 0.16), (wide + w, palm + 0.04)]
+    half = [(w, palm), (w, tip - 0.16), (0.035, tip)]
+    tines = (prism([(u + k * pitch, v) for u, v in mirrored(half)], 1, 0.055) for k in (-1, 0, 1))
+    grip = [(foot - 0.03, 0), (foot, 0.1), (foot, 0.2), (0.07, high - 0.2), (0.07, high + 0.06)]
     return {
-        "head": join(prism(mirrored(side), 1, 0.1), *tines),
-        "handle": prism(mirrored(grip), 1, 0.12),
+        "head": join(prism(mirrored(side), 1, 0.055), *tines),
+        "handle": prism(mirrored(grip), 1, 0.065),
     }
 
 
 def spoon(draw: Draw) -> Parts:
     """A spoon, its bowl up and open to the front; some are of wood with a round handle."""
-    high, wide, deep = draw(1.4, 1.8), draw(0.36, 0.46), draw(0.5, 0.6)
-    z, foot = high + deep * 0.85, draw(0.15, 0.22)
-    bowl = cut(egg((0, 0, z), (wide, 0.3, deep)), box((0, -1, z), (2, 1, 2)))
-    dent = egg((0, 0.0, z), (wide - 0.1, 0.15, deep - 0.1))
-    grip = smooth_curve([(foot * 0.8, 0), (foot, 0.15), (0.11, high * 0.7), (0.12, high + 0.12)], 3)
-    flat = prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.1, 0.1)
-    rod = taper((0, 0.12, 0.12), (0, 0.12, high), 0.16, 0.12)
+    high, wide, deep = draw(1.6, 1.9), draw(0.25, 0.31), draw(0.42, 0.5)
+    z, foot = high + deep * 0.85, draw(0.1, 0.14)
+    bowl = cut(egg((0, 0, z), (wide, 0.19, deep)), box((0, -1, z), (2, 1, 2)))
+    dent = egg((0, 0.0, z), (wide - 0.06, 0.1, deep - 0.09))
+    grip = smooth_curve(
+        [(foot * 0.8, 0), (foot, 0.15), (0.07, high * 0.7), (0.075, high + 0.12)], 3
+    )
+    flat = prism([*grip, *((-u, v) for u, v in reversed(grip))], 1, 0.06, 0.06)
+    rod = taper((0, 0.08, 0.12), (0, 0.08, high), 0.1, 0.075)
     return {"bowl": cut(bowl, dent), "handle": flat if draw.chance(0.6) else rod}
 
 

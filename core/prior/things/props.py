@@ -47,41 +47,34 @@ def chest(draw: Draw) -> Parts:
     }
 
 
-def _hilt(draw: Draw, low: float, half: float) -> tuple[Solid, Solid, Solid]:
-    """The guard at height 0, the grip below it, the pommel."""
-    return (
-        box((0, 0, 0), (half, 0.17, 0.11)),
-        tube((0, 0, -low), (0, 0, 0), 0.12),
-        ball((0, 0, -low - 0.06), draw(0.17, 0.21)),
-    )
+def _blade(high: float, wide: float, thick: float) -> Solid:
+    """Flat, with a ridge along its middle; both come to a point."""
 
+    def flat(w: float, top: float, half: float) -> Solid:
+        return prism(mirrored([(w, 0), (w, top - wide * 2.6), (0.01, top)]), 1, half)
 
-def _blade(high: float, wide: float) -> Solid:
-    def flat(w: float, top: float, thick: float) -> Solid:
-        return prism(mirrored([(w, 0), (w, top - wide * 1.6), (0.01, top)]), 1, thick)
-
-    return join(flat(wide, high, 0.09), flat(wide * 0.36, high - wide * 1.1, 0.15))
+    return join(flat(wide, high, thick), flat(wide * 0.4, high - wide * 1.1, thick * 1.55))
 
 
 def sword(draw: Draw) -> Parts:
-    """Point up: a flat blade with a ridge, a guard, a grip, a pommel."""
-    guard, grip, pommel = _hilt(draw, draw(0.6, 0.72), draw(0.46, 0.6))
+    """Point up: a slender blade with a ridge, a guard, a grip, a pommel."""
+    low = draw(0.6, 0.7)
     return {
-        "blade": _blade(draw(1.9, 2.3), draw(0.22, 0.27)),
-        "guard": guard,
-        "grip": grip,
-        "pommel": pommel,
+        "blade": _blade(draw(2.2, 2.6), draw(0.105, 0.13), 0.04),
+        "guard": box((0, 0, 0), (draw(0.38, 0.48), 0.085, 0.09)),
+        "grip": tube((0, 0, -low), (0, 0, 0), 0.062),
+        "pommel": ball((0, 0, -low - 0.05), draw(0.11, 0.13)),
     }
 
 
 def dagger(draw: Draw) -> Parts:
     """A short broad blade."""
-    guard, grip, pommel = _hilt(draw, draw(0.52, 0.6), draw(0.36, 0.44))
+    low = draw(0.46, 0.54)
     return {
-        "blade": _blade(draw(0.95, 1.2), draw(0.2, 0.25)),
-        "guard": guard,
-        "grip": grip,
-        "pommel": pommel,
+        "blade": _blade(draw(1.1, 1.35), draw(0.12, 0.15), 0.055),
+        "guard": box((0, 0, 0), (draw(0.32, 0.38), 0.1, 0.085)),
+        "grip": tube((0, 0, -low), (0, 0, 0), 0.08),
+        "pommel": ball((0, 0, -low - 0.05), draw(0.12, 0.14)),
     }
 
 
@@ -152,16 +145,15 @@ def key(draw: Draw) -> Parts:
     """Upright, its bow above."""
     r, high, thick = draw(0.4, 0.5), draw(1.5, 1.8), draw(0.12, 0.14)
     bow = ring((0, 0, high + r), r, thick, 1)
-    if draw.chance(0.4):
-        bow = join(bow, ring((0, 0, high + 0.1), 0.2, thick, 1))
+    # Each as long as from the shaft's other side: what is short comes off it.
     teeth = [
-        box((0.26, 0, 0.12 + 0.36 * k), (0.26, thick * 0.8, 0.11))
-        for k in range(2 + draw.chance(0.4))
+        box((0.2, 0, 0.13 + 0.36 * k), (0.32, thick, 0.12)) for k in range(2 + draw.chance(0.4))
     ]
     return {
         "bow": bow,
         "shaft": join(
-            tube((0, 0, 0), (0, 0, high + 0.1), thick, 0.02), ring((0, 0, high - 0.1), 0.14, 0.07)
+            tube((0, 0, 0), (0, 0, high + 0.1), thick, 0.02),
+            tube((0, 0, high - 0.28), (0, 0, high - 0.08), thick + 0.08, 0.03),
         ),
         "teeth": join(*teeth),
     }
@@ -235,11 +227,11 @@ def gem(draw: Draw) -> Parts:
 
 def staff(draw: Draw) -> Parts:
     """A wizard's staff with a crystal in a fork."""
-    high = draw(2.3, 2.6)
-    orb = ball((0, 0, high + 0.12), draw(0.24, 0.3))
-    prong = capsule((0.14, 0, high - 0.35), (0.36, 0, high + 0.2), 0.09)
+    high = draw(2.5, 2.8)
+    orb = ball((0, 0, high + 0.12), draw(0.19, 0.23))
+    prong = capsule((0.08, 0, high - 0.35), (0.26, 0, high + 0.2), 0.065)
     return {
-        "shaft": capsule((0, 0, 0.1), (0, 0, high - 0.1), 0.12),
+        "shaft": capsule((0, 0, 0.1), (0, 0, high - 0.1), 0.07),
         "crystal": orb,
         "fork": around(int(draw(3, 5)), prong),
     }

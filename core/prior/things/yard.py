@@ -233,12 +233,12 @@ def umbrella(draw: Draw) -> Parts:
 
 def arrow(draw: Draw) -> Parts:
     """Point up, feathers below."""
-    high = draw(2.1, 2.4)
-    head = prism([(-0.26, high), (0.26, high), (0, high + 0.6)], 1, 0.1)
-    feather = prism([(0.0, 0.1), (0.32, 0.0), (0.32, 0.45), (0.0, 0.7)], 1, 0.07)
+    high = draw(2.2, 2.5)
+    head = prism([(-0.14, high), (0.14, high), (0, high + 0.5)], 1, 0.05)
+    feather = prism([(0.0, 0.1), (0.18, 0.0), (0.18, 0.5), (0.0, 0.72)], 1, 0.04)
     return {
         "head": head,
-        "shaft": capsule((0, 0, 0.1), (0, 0, high + 0.1), 0.1),
+        "shaft": capsule((0, 0, 0.1), (0, 0, high + 0.1), 0.052),
         "feathers": around(3 + draw.chance(0.5), feather, 0),
     }
 

@@ -19,7 +19,7 @@ ARMS = {
     "spear": Noun(
         "spears; pike, lance, javelin, harpoon, assegai",
         {"head": _STEEL, "shaft": _WOOD, "binding": "+a8241f", "butt": "&8a8f96 . metal"},
-        Usual(2.0, WOOD, 0.026),
+        Usual(2.0, WOOD, 0.21),
     ),
     "halberd": Noun(
         "halberds; poleaxe, pole axe, polearm, pole arm, glaive, partisan, voulge, bardiche",

@@ -4,9 +4,10 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 
 BUILDINGS = {
     "house": Noun(
-        "home; shed, mansion, farmhouse, garage, school, dollhouse, townhouse, doghouse, "
-        "hospital, police station, fire station, kennel, outhouse, building, garden shed, "
-        "bungalow, tiny house, cabin house, chicken coop, coop, hen house, henhouse, hutch",
+        "home; shed, mansion, farmhouse, garage, school, dollhouse, doll house, townhouse, "
+        "doghouse, hospital, police station, fire station, kennel, outhouse, building, "
+        "garden shed, bungalow, tiny house, cabin house, chicken coop, coop, hen house, henhouse, "
+        "hutch",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",

@@ -5,7 +5,12 @@ from core.guidance.builtin.nouns.noun import GLASS, PLASTIC, STEEL, WOOD, Noun, 
 DEVICES = {
     "laptop": Noun(
         "notebook computer, laptop computer; macbook, chromebook, notebook pc",
-        {"body": "*a3a8ae . metal", "screen": "-2b5f9e", "keys": "+26282c", "touchpad": "-7f858c"},
+        {
+            "body": "*a3a8ae . metal",
+            "screen": "-2b5f9e",
+            "keys": "+26282c keys",
+            "touchpad": "-7f858c",
+        },
         Usual(0.35, PLASTIC, 0.25),
     ),
     "phone": Noun(
@@ -160,7 +165,7 @@ DEVICES = {
         {
             "body": "*ddd3b8",
             "screen": "-2f6f8f . glass",
-            "keyboard": "&cfc4a6",
+            "keyboard": "&cfc4a6 keys",
             "keys": "+6d665a",
             "slot": "-2c2b29",
             "button": "-58b368",
@@ -194,7 +199,7 @@ DEVICES = {
         Usual(1.1, PLASTIC, 0.077),
     ),
     "lawn mower": Noun(
-        "lawnmower, mower, grass mower, grass cutter; lawn tractor",
+        "lawnmower, mower, grass mower, grass cutter",
         {
             "deck": "*c8281f . paint",
             "engine": "+2d2f33",

@@ -69,8 +69,8 @@ EQUIPMENT_DEVICES = {
         Usual(1.8, STEEL, 0.07),
     ),
     "satellite dish": Noun(
-        "radar dish, dish antenna, radar, parabolic antenna, radio telescope, satellite "
-        "antenna, sat dish, tv dish; antenna, aerial, radar station, radar antenna, tv antenna",
+        "radar dish, dish antenna, radar, parabolic antenna, satellite antenna, sat dish, "
+        "tv dish; antenna, aerial, radar station, radar antenna, tv antenna, radio telescope",
         {
             "dish": "*d3d9de . paint",
             "rim": "&f1f3f4 . paint",

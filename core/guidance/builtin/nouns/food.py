@@ -9,7 +9,8 @@ FOOD = {
         Usual(0.12, 500.0),
     ),
     "ice cream": Noun(
-        "icecream, ice cream cone; gelato, gelato cone, soft serve, snow cone",
+        "icecream, ice cream cone; gelato, gelato cone, soft serve, snow cone, sorbet, "
+        "waffle cone, sugar cone",
         {"scoop": "*f6c6cc", "cone": "+c98a45 waffle", "cherry": "-b8121f"},
         Usual(0.18, 600.0, 0.63),
     ),

@@ -197,7 +197,7 @@ HAULAGE = {
 ROADSIDE_MARKS = {
     "gas pump": Noun(
         "petrol pump, fuel pump, gasoline pump, gas pumps, vintage gas pump, retro gas pump, "
-        "fuel dispenser; petrol bowser, diesel pump",
+        "fuel dispenser; petrol bowser, diesel pump, charging station",
         {
             "body": "*cf2a22 . paint",
             "globe": "+f7f3e6 . glass",

@@ -130,7 +130,7 @@ HOUSEHOLD = {
         Usual(1.8, STEEL, 0.0043),
     ),
     "stove": Noun(
-        "oven, cooker, kitchen stove; range, toaster oven, hot plate",
+        "oven, cooker, kitchen stove; range, hot plate",
         {
             "body": "*e4e4e2 . paint",
             "window": "-1e2226 . glass",
@@ -246,7 +246,7 @@ HOUSEHOLD = {
         Usual(0.25, STEEL, 0.04),
     ),
     "microwave": Noun(
-        "microwave oven",
+        "microwave oven; toaster oven",
         {
             "body": "*d4d7d9 . paint",
             "window": "-1c2024 . glass",

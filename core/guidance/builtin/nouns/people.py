@@ -67,7 +67,7 @@ PEOPLE = {
         Usual(1.8, FLESH, 0.3),
     ),
     "fairy": Noun(
-        "pixie, tooth fairy, fairy godmother; sprite, nymph, tinkerbell, tinker bell",
+        "pixie, tooth fairy; fairy godmother, sprite, nymph, tinkerbell, tinker bell",
         {
             "dress": "*e58fb8 . fabric",
             "skin": _SKIN,

@@ -38,7 +38,7 @@ PROPS = {
             "grip": _GRIP,
             "pommel": "+c79a3e . golden",
         },
-        Usual(1.1, STEEL, 0.014),
+        Usual(1.1, STEEL, 0.045),
     ),
     "dagger": Noun(
         "; dirk, throwing knife, kunai, bayonet, kris, letter opener",
@@ -48,7 +48,7 @@ PROPS = {
             "grip": _GRIP,
             "pommel": "+8a7a4a . metal",
         },
-        Usual(0.35, STEEL, 0.042),
+        Usual(0.35, STEEL, 0.097),
     ),
     "shield": Noun(
         "; buckler",
@@ -110,7 +110,7 @@ PROPS = {
         "wizard staff, magic staff; wand, magic wand, sceptre, scepter, magic stick, walking "
         "stick, cane, walking cane, shepherd's crook, crook, crutch",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
-        Usual(1.8, WOOD, 0.043),
+        Usual(1.8, WOOD, 0.096),
     ),
     "torch": Noun(
         "burning torch, flaming torch",
@@ -232,7 +232,7 @@ PROPS = {
     "arrow": Noun(
         "; crossbow bolt, dart, arrowhead",
         {"head": "*8f979e . metal", "shaft": "&b98a52 grain", "feathers": "+e8e4da"},
-        Usual(0.75, WOOD, 0.02),
+        Usual(0.75, WOOD, 0.058),
     ),
     "flag": Noun(
         "banner, flagpole, flag pole; pennant, jolly roger",

@@ -85,7 +85,7 @@ ROADSIDE = {
     ),
     "gas station": Noun(
         "petrol station, filling station, fuel station, service station, gasoline station; "
-        "charging station, truck stop",
+        "truck stop",
         {
             "roof": "-f4f5f3 . paint",
             "band": "*d42823 . paint",
@@ -118,7 +118,7 @@ HARDWARE = {
 }
 PARTS_OF_CARS = {
     "wheel": Noun(
-        "car wheel, wheel with tire, truck wheel, cart wheel, wagon wheel; tire, "
+        "car wheel, wheel with tire; truck wheel, cart wheel, wagon wheel, tire, "
         "tyre, car tire, car tyre, wheel rim, alloy wheel, spare tire, spare wheel, "
         "bicycle wheel, monster truck wheel",
         {

@@ -49,8 +49,8 @@ STUDY_SMALL = {
         Usual(0.3, PLASTIC, 0.08),
     ),
     "ruler": Noun(
-        "rulers, wooden ruler, school ruler, straightedge, straight edge, yardstick, "
-        "measuring stick; meter stick, metre stick",
+        "rulers, wooden ruler, school ruler, straightedge, straight edge, "
+        "measuring stick; yardstick, meter stick, metre stick",
         {"body": "*e0b56a grain", "marks": "-2a2622"},
         Usual(0.3, WOOD, 0.5),
     ),

@@ -48,7 +48,7 @@ TOOLS_AND_TOYS = {
     "screwdriver": Noun(
         "screw driver",
         {"handle": "*d8322a", "shaft": "+b4b9bf . metal", "collar": "-2a2a2c"},
-        Usual(0.22, 2500.0, 0.18),
+        Usual(0.22, 2500.0, 0.53),
     ),
     "wrench": Noun(
         "spanner; adjustable wrench, monkey wrench",
@@ -78,7 +78,7 @@ TOOLS_AND_TOYS = {
             "handle": "*b5672e grain",
             "paint": "+2f6fc4 . paint",
         },
-        Usual(0.25, WOOD, 0.27),
+        Usual(0.25, WOOD, 0.8),
     ),
     "pencil": Noun(
         "; crayon, colored pencil, coloured pencil, pen, marker, highlighter, chalk, felt tip",
@@ -89,7 +89,7 @@ TOOLS_AND_TOYS = {
             "eraser": "+e88a92",
             "ferrule": "-b9bec4 . metal",
         },
-        Usual(0.19, WOOD, 0.062),
+        Usual(0.19, WOOD, 0.3),
     ),
     "scissors": Noun(
         "pair of scissors; shears, secateurs",
@@ -128,17 +128,17 @@ TOOLS_AND_TOYS = {
         "kitchen knife, chef's knife; cleaver, butter knife, scalpel, razor blade, pocketknife, "
         "pocket knife, pen knife, penknife, box cutter",
         {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
-        Usual(0.32, 3500.0, 0.15),
+        Usual(0.32, 3500.0, 0.53),
     ),
     "fork": Noun(
         "table fork",
         {"head": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
-        Usual(0.2, STEEL, 0.071),
+        Usual(0.2, STEEL, 0.23),
     ),
     "spoon": Noun(
         "teaspoon, tablespoon; ladle, chopsticks",
         {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
-        Usual(0.18, STEEL, 0.11),
+        Usual(0.18, STEEL, 0.26),
     ),
     "watering can": Noun(
         "garden can",
@@ -279,7 +279,7 @@ TOOLS_AND_TOYS = {
         Usual(0.25, 2500.0, 0.3),
     ),
     "telescope": Noun(
-        "refractor telescope, spyglass; spy glass",
+        "refractor telescope; spyglass, spy glass",
         {
             "tube": "*e6e8ea . paint",
             "bands": "+2d3136 . metal",

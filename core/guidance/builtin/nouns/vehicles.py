@@ -56,7 +56,7 @@ VEHICLES = {
         Usual(9.0, WOOD, 0.1),
     ),
     "train": Noun(
-        "locomotive, steam engine, steam train; railway engine, train engine, subway",
+        "locomotive, steam engine, steam train; railway engine, train engine",
         {
             "boiler": "*1f5d3a . paint",
             "cab": "&b3271f",
@@ -169,7 +169,7 @@ VEHICLES = {
         Usual(3.6, STEEL, 0.025),
     ),
     "tractor": Noun(
-        "farm tractor; agricultural tractor",
+        "farm tractor; agricultural tractor, lawn tractor",
         {
             "body": "*2f8f3a . paint",
             "cab": "&2f8f3a . paint",
@@ -248,12 +248,12 @@ VEHICLES = {
         Usual(0.8, WOOD, 0.29),
     ),
     "sled": Noun(
-        "sledge, toboggan, sleigh; luge, bobsled",
+        "sledge, toboggan; sleigh, luge, bobsled",
         {"seat": "*a8713a grain", "runners": "+8c5628 grain"},
         Usual(1.1, WOOD, 0.19),
     ),
     "tram": Noun(
-        "tramcar, streetcar, trolley; railcar, subway car, metro train",
+        "tramcar, streetcar, trolley; railcar, subway, subway car, metro train",
         {
             "body": "*c9261f . paint",
             "windows": GLASS_LOOK,

@@ -1,0 +1,104 @@
+"""Sorts of a thing that words name, and which of the solids' network's kinds they are.
+
+A sort was seen in what the weights draw, so it goes with them: ``core/tests/test_prior_sorts.py``
+draws them. Standard library only.
+"""
+
+import re
+from typing import NamedTuple
+
+
+class Sort(NamedTuple):
+    """What a prompt says of which sort of the thing is meant."""
+
+    said: tuple[str, ...] = ()  # the words that name it
+    kinds: tuple[int, ...] = ()  # of the noun's in the network; none: any
+
+
+def sort_of(noun: str, prompt: str) -> Sort:
+    """The first of the noun's sorts that a word of the prompt names, if it is not denied."""
+    text = re.sub(r"[\W_]+", " ", prompt.lower())
+    for words, kinds in SORTS.get(noun, {}).items():
+        named = [word for word in words.split(", ") if _says(text, word)]
+        if named:
+            return Sort(tuple(named), kinds)
+    return Sort()
+
+
+def may_be_round(noun: str) -> bool:
+    """Whether some of the noun are round and some are not; of a table the network knows it."""
+    return noun == "table" or bool(sort_of(noun, "round").said)
+
+
+def _says(text: str, word: str) -> bool:
+    denied = r"\b(?:without|no|not)(?: an?| any)? $"
+    found = re.finditer(rf"\b{word}s?\b", text)
+    return any(not re.search(denied, text[: one.start()]) for one in found)
+
+
+# By thing: words that name a sort, and its kinds. The first sort that a word of the prompt names is
+# drawn, so that what says more stands first.
+SORTS: dict[str, dict[str, tuple[int, ...]]] = {
+    "hat": {
+        "top hat, stovepipe, magician": (0, 1),
+        "bowler, derby, round": (2, 3),
+    },
+    "television": {
+        "flat screen, flatscreen, flat, smart, modern, led, lcd, oled, widescreen, plasma": (1,),
+        "retro, vintage, crt, tube, antenna, rabbit ears, old, old fashioned, 1950s, 1960s, 1970s, "
+        "1980s, 50s, 60s, 70s, 80s, knob, dial": (0, 3),
+    },
+    "shield": {
+        "round, viking, circular": (1,),
+        "heater, knight, crusader, heraldic, kite, coat of arms, medieval": (0,),
+    },
+    "mirror": {
+        "oval, round, cheval": (2, 3),
+        "rectangular, square": (0, 1),
+    },
+    "refrigerator": {
+        "french door, side by side, double door, american": (2, 3),
+        "retro, vintage, freezer": (0, 1),
+    },
+    "cake": {"wedding, tiered, tier, two tier, three tier, layered": (0, 1)},
+    "pizza": {
+        "slice, piece, wedge": (0,),
+        "whole, round": (2,),
+    },
+    "window": {"shutter": (0, 2)},
+    "floor lamp": {"tripod, three legged": (1, 3)},
+    "coffee table": {
+        "round, circular": (0, 3),
+        "rectangular, square, oblong": (1,),
+    },
+    "stool": {
+        "round, circular": (1, 3),
+        "square": (0, 2),
+    },
+    "ottoman": {
+        "round, circular": (1, 3),
+        "rectangular, square": (0, 2),
+    },
+    "sunglasses": {
+        "round, circular, john lennon, hippie": (2,),
+        "square, rectangular": (0, 1, 3),
+    },
+    "clock": {
+        "bell, twin bell": (1, 3),
+        "wall, kitchen, station, school": (0, 2),
+    },
+    "street lamp": {
+        "double, twin, two": (2,),
+        "victorian, gas, vintage, antique, old, lantern": (1,),
+        "modern": (0,),
+    },
+    "pillow": {"tassel": (1, 2)},
+    "screwdriver": {
+        "flathead, flat head, slotted, flat": (0, 1),
+        "phillips, crosshead, cross head, cross": (2, 3),
+    },
+    "paintbrush": {
+        "artist, artists, round, watercolor, watercolour, fine": (2, 3),
+        "flat, wide, wall, house, decorator, decorators": (0, 1),
+    },
+}

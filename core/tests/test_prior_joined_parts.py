@@ -1,0 +1,117 @@
+"""What is said once of two parts, and what is done to a part: "framed in gold"."""
+
+import pytest
+
+from core.guidance.builtin.vocabulary import parse, understood
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colors", "materials"),
+    [
+        ("a wizard with purple hat and robe", {"hat": "purple", "robe": "purple"}, {}),
+        ("a house with a red roof and door", {"roof": "red", "door": "red"}, {}),
+        ("a horse with a black mane and hooves", {"mane": "black", "hooves": "black"}, {}),
+        ("a teapot with golden handle and spout", {}, {"handle": "golden", "spout": "golden"}),
+        ("a teapot with handle and spout in gold", {}, {"handle": "golden", "spout": "golden"}),
+        ("a chair whose legs and back are chrome", {}, {"legs": "chrome", "back": "chrome"}),
+        ("a chair, the legs and the back are black", {"legs": "black", "back": "black"}, {}),
+        ("a bench with cast iron armrests and legs", {}, {"legs": "cast iron"}),
+        ("a robot with silver head and arms", {}, {"head": "silver", "limbs": "silver"}),
+        ("a knight with silver armor and shield", {}, {"armour": "silver", "shield": "silver"}),
+    ],
+)
+def test_what_is_said_of_two_joined_parts_is_of_both(prompt, colors, materials):
+    words = parse(prompt)
+    assert (words.part_shades(), words.part_materials()) == (colors, materials)
+    assert (words.color, words.material) == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "colors", "materials"),
+    [
+        ("a house with red roof and green door", {"roof": "red", "door": "green"}, {}),
+        ("a teapot with a golden handle and a spout", {}, {"handle": "golden"}),
+        ("a teapot with a lid and a handle of wood", {}, {"handle": "wooden"}),
+        ("a chair with leather seat and legs", {}, {"seat": "leather"}),
+        ("a table with a glass top and legs", {}, {"top": "glass"}),
+        ("a house with red roof and windows", {"roof": "red"}, {}),
+        ("a crab with red claws and eyes", {"claws": "red"}, {}),
+        ("a king with red robe and crown", {"robe": "red"}, {}),
+        ("a cat with green eyes and muzzle", {"eyes": "green"}, {}),
+        ("a bench with a red cushion and legs", {"seat": "red", "legs": "red"}, {}),
+        ("a car without black wheels and windows", {}, {}),
+        ("a desk with legs and drawers made of walnut", {}, {"drawers": "walnut"}),
+    ],
+)
+def test_a_part_that_has_its_own_or_cannot_be_so_takes_nothing(prompt, colors, materials):
+    words = parse(prompt)
+    assert (words.part_shades(), words.part_materials()) == (colors, materials)
+
+
+def test_a_pattern_of_two_colours_is_on_both_parts():
+    words = parse("a pirate ship with red and white striped sails and flag")
+    assert words.part_patterns() == dict.fromkeys(("sails", "flag"), "striped with white")
+    assert words.part_shades() == {"sails": "red", "flag": "red"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "materials"),
+    [
+        ("a mirror framed in gold", {"frame": "golden"}),
+        ("a table topped with green marble", {"top": "green marble"}),
+        ("a barrel banded in iron", {"hoops": "iron"}),
+        ("a spear tipped with bronze", {"head": "bronze"}),
+        ("a rocking chair whose seat is woven from straw", {"seat": "straw"}),
+        ("a knife with a handle carved from bone", {"handle": "from bone"}),
+        ("a knife with a bone handle", {"handle": "of bone"}),
+        ("a lamp whose shade is knitted from wool", {"shade": "wool"}),
+        ("a lamp with legs cast in bronze", {"foot": "bronze"}),
+        ("a stool with three legs made of oak", {"legs": "oak"}),
+    ],
+)
+def test_how_a_part_was_made_is_of_the_part(prompt, materials):
+    words = parse(prompt)
+    assert (words.part_materials(), words.material) == (materials, "")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "materials", "parts"),
+    [
+        ("a basket woven from straw", ["straw"], {}),
+        ("a woven basket", [], {}),
+        ("a door carved from oak", ["oak"], {}),
+        ("a gold jewelled crown", ["golden"], {}),
+        ("a sword with a golden jewelled handle", [], {"grip": "golden"}),
+        ("a park bench with cast iron ends", [], {"legs": "cast iron"}),
+        ("a wooden bench with a black metal frame", ["wooden"], {"legs": "black metal"}),
+        ("a lantern with frosted glass panes", [], {"glass": "frosted glass"}),
+    ],
+)
+def test_a_material_is_of_what_it_is_said_of(prompt, materials, parts):
+    found = understood(prompt)
+    assert (found["materials"], found["part_materials"]) == (materials, parts)
+
+
+def test_a_thing_calls_its_own_parts_as_it_likes():
+    assert parse("a drum kit with a red bass drum").part_shades() == {"shells": "red"}
+    assert parse("a castle with a red gate").part_shades() == {"door": "red"}
+    assert parse("a flashlight with a black switch").part_shades() == {"button": "black"}
+    assert parse("a staff topped with a green orb").part_shades() == {"crystal": "green"}
+    assert parse("a laptop with a black keyboard").part_shades() == {"keys": "black"}
+    assert parse("a helmet with gold trim and a red plume").part_materials() == {"rim": "golden"}
+    assert parse("a red jewelled crown").part_shades() == {"gems": "red"}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "glowing"),
+    [
+        ("a wooden staff, purple crystal on top, glowing", {"crystal": "glowing"}),
+        ("a lantern with green glass, glowing", {"glass": "glowing"}),
+        ("a sword, red blade, glowing", {}),
+        ("a glass vase, glowing", {}),
+    ],
+)
+def test_what_glows_is_what_light_comes_through(prompt, glowing):
+    words = parse(prompt)
+    assert words.of_parts("sheen") == glowing
+    assert words.sheen == (() if glowing else ("glowing",))

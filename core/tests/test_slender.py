@@ -1,0 +1,98 @@
+"""Slender things: known wider than they are, looked at so, and drawn in their own proportions."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import pytest
+import torch
+
+from core.geometry.assembly import Forms, KnownParts, assembled
+from core.geometry.mesh import NORMAL_RADIUS
+from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
+from core.prior.draw import Draw
+from core.prior.families import Shape, build, normalised
+from core.prior.solid_data import distances_of
+from core.prior.solids import ball, box
+
+WIDER = (3.0, 3.0, 1.0)
+HALF = torch.tensor([0.1, 0.012, 0.8])  # a blade, thinner than a cell of the lattice
+
+
+def blade(points):
+    """Its distances as a network that knows it wider has them: too short by that."""
+    q = (points.abs() - HALF) * torch.tensor(WIDER)
+    return ((q.clamp_min(0).norm(dim=1) + q.amax(1).clamp_max(0)) / max(WIDER))[:, None]
+
+
+@pytest.fixture(scope="module")
+def parts() -> KnownParts:
+    return KnownParts(blade, Forms((1.0,), ((0.0,),) * 3), WIDER)
+
+
+def test_a_blade_is_found_and_as_thin_as_it_is(parts):
+    made = assembled(parts, True, 0.05, lambda _: None)
+    assert made is not None
+    high = made[0].amax(0)
+    assert torch.allclose(high, HALF, rtol=0.02), high  # 0.05 as it is
+    (extent,) = parts.extents()
+    assert np.allclose(extent, 2 * HALF.numpy(), rtol=0.1)
+    (drawn,) = (parts.surface_of(k, exact=False)[0] for k in range(len(parts.pieces)))
+    assert torch.allclose(drawn.amax(0), HALF, rtol=0.1)
+
+
+def test_its_distance_is_told_across_it_and_what_is_far_is_far(parts):
+    x, y = 0.05, 0.03
+    points = torch.tensor([[x, HALF[1] + y, 0.2], [0.0, 0.0, 0.0], [0.9, 0.9, 0.0]])
+    found = parts.near(points)[:, 0]
+    assert found[0].item() == pytest.approx(y, abs=0.003)
+    assert found[1] < 0 and found[2] > 0.09
+
+
+def stretched_shape() -> Shape:
+    plate = {"plate": box((0, 0, 0), (0.3, 0.05, 1.0)), "knob": ball((0, 0, 1.0), 0.2)}
+    return normalised(plate, WIDER)
+
+
+def test_a_stretched_shape_s_distances_are_true_to_first_order():
+    shape = stretched_shape()
+    away = torch.linspace(-0.03, 0.05, 9)
+    wall = 0.05 * shape.scale[1]
+    points = torch.stack([0 * away, wall + away, 0 * away], 1)
+    assert torch.allclose(distances_of(shape, points)[:, 0], away, atol=1e-3)
+    # Its own are too short by the stretch: a network's error would be three times as large a one.
+    assert torch.allclose(shape.distances(points)[:, 0], away / 3, atol=1e-3)
+
+
+def test_of_an_even_shape_they_are_the_shapes_own():
+    shape, points = build("mug", "", Draw(torch.Generator().manual_seed(0))), torch.rand(50, 3)
+    assert torch.equal(distances_of(shape, points), shape.distances(points))
+
+
+@pytest.mark.parametrize("noun", DRAWN_WIDER)
+def test_what_is_slender_is_a_known_thing_and_is_told_wider_by_the_data(noun):
+    assert noun in NOUNS and max(DRAWN_WIDER[noun]) > 1 == min(DRAWN_WIDER[noun])
+    own, wide = (
+        build(noun, "", Draw(torch.Generator().manual_seed(0)), 0.0, by)
+        for by in (AS_IT_IS, DRAWN_WIDER[noun])
+    )
+    ratio = np.array(wide.scale) / own.scale
+    assert np.allclose(ratio / ratio.min(), DRAWN_WIDER[noun])
+
+
+@pytest.fixture(scope="module")
+def sword() -> Callable[[int], PromptedBuiltin]:
+    return cache(load_builtin("cpu").prompted("a sword", "").of_object)
+
+
+def test_a_sword_is_slender(sword):
+    one = sword(0)
+    verts, _ = one.solid.mesh
+    assert one.solid.frame.scale[2] == pytest.approx(2.4 * one.solid.frame.scale[0])
+    radius = (verts - (verts.amin(0) + verts.amax(0)) / 2).norm(dim=1).max().item()
+    assert radius == pytest.approx(NORMAL_RADIUS, abs=0.03)
+    made = assembled(one.parts(), True, 0.05, lambda _: None)
+    width, depth, height = (made[0].amax(0) - made[0].amin(0)).tolist()
+    assert height > 2.5 * width > 5 * depth
