@@ -124,6 +124,7 @@ def test_an_object_that_shares_the_mesh_keeps_its_maps(chair, wait):
     assert chair.data == twin.data  # whose shape can still be edited once for both
     assert bpy.ops.fantasia3d.restore_material() == {"FINISHED"}
     assert chair.active_material == twin.active_material == old
+    assert chair.material_slots[0].link == "DATA"
 
 
 @pytest.fixture

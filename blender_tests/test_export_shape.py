@@ -74,8 +74,9 @@ def test_modifiers_are_applied_and_the_mesh_is_left_as_it_was(tmp_path):
     assert len(obj.data.vertices) == before
 
 
-@pytest.mark.parametrize("hidden", ["object", "collection", "excluded"])
-def test_what_the_viewports_leave_out_is_exported_as_it_looks(tmp_path, hidden):
+@pytest.mark.parametrize("has_child", [False, True])
+@pytest.mark.parametrize("hidden", ["object", "key", "collection", "excluded"])
+def test_what_the_viewports_leave_out_is_exported_as_it_looks(tmp_path, hidden, has_child):
     """A view layer evaluates neither its modifiers nor where its parent has it."""
     obj, parent = add_block(), bpy.data.objects.new("parent", None)
     collection = bpy.data.collections.new("guides")
@@ -86,12 +87,20 @@ def test_what_the_viewports_leave_out_is_exported_as_it_looks(tmp_path, hidden):
     if hidden == "excluded":
         bpy.context.view_layer.layer_collection.children["guides"].exclude = True
     else:
-        (obj if hidden == "object" else collection).hide_viewport = True
+        (collection if hidden == "collection" else obj).hide_viewport = True
     obj.parent, parent.location = parent, (5, 0, 0)
     obj.modifiers.new("finer", "SUBSURF").levels = 2
-    before = len(bpy.data.collections), obj.hide_viewport, list(obj.users_collection)
+    if hidden == "key":
+        obj.keyframe_insert("hide_viewport")
+        obj.hide_viewport = False  # at this frame the key says otherwise
+    if has_child:  # that is shown, and needs it
+        child = bpy.data.objects.new("child", None)
+        bpy.context.scene.collection.objects.link(child)
+        child.parent = obj
+    bpy.context.view_layer.update()
+    before = len(bpy.data.objects), obj.hide_viewport, list(obj.users_collection)
     export(obj, tmp_path / "shape.obj")
-    assert (len(bpy.data.collections), obj.hide_viewport, list(obj.users_collection)) == before
+    assert (len(bpy.data.objects), obj.hide_viewport, list(obj.users_collection)) == before
     co, corners, _ = read_back(tmp_path / "shape.obj")
     assert len(corners) == len(block(2)[1]) * 3 * 4 * 2
     assert co.mean(0)[0] == pytest.approx(5, abs=0.1)

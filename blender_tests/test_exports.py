@@ -173,6 +173,28 @@ def test_a_solid_wood_is_baked_for_the_export(obj, tmp_path):
     assert inside.std() > 0.01  # it has rings
 
 
+@pytest.mark.parametrize("hidden", ["object", "excluded"])
+def test_a_solid_wood_is_baked_where_the_object_is_disabled(obj, tmp_path, hidden):
+    material_edit.replace_material(obj, "wood")
+    if hidden == "excluded":
+        collection = bpy.data.collections.new("parts")
+        bpy.context.scene.collection.children.link(collection)
+        collection.objects.link(obj)
+        bpy.context.scene.collection.objects.unlink(obj)
+        bpy.context.view_layer.layer_collection.children["parts"].exclude = True
+    else:
+        obj.hide_viewport = True
+    obj.parent = parent = bpy.data.objects.new("parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    parent.location = (5, 0, 0)
+    before = set(bpy.data.objects), set(bpy.data.materials)
+    export.export_object(obj, tmp_path / "x.obj", size=64)
+    assert (set(bpy.data.objects), set(bpy.data.materials)) == before
+    color = read(tmp_path / "x_textures" / "x_base_color.png")
+    inside = color[8:24, 4:16].reshape(-1, 3)
+    assert (inside[:, 0] > inside[:, 1]).all() and (inside[:, 1] > inside[:, 2]).all()
+
+
 @pytest.mark.parametrize(
     ("name", "message"),
     [("x.stl", "has no known format"), ("file/x.glb", "can't be written")],

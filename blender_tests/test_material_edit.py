@@ -97,6 +97,22 @@ def test_an_object_of_many_slots_gets_each_back(asset):
     assert [slot.material for slot in obj.material_slots] == before
 
 
+def test_an_object_that_shares_the_mesh_keeps_its_material(asset):
+    obj = import_asset(bpy.context, asset)
+    twin, old = obj.copy(), obj.active_material
+    bpy.context.scene.collection.objects.link(twin)
+    gold = material_edit.replace_material(obj, "gold")
+    assert (obj.active_material, twin.active_material) == (gold, old)
+    wood = material_edit.replace_material(twin, "wood")
+    assert (obj.active_material, twin.active_material) == (gold, wood)
+    for each in (obj, twin):
+        material_edit.restore_material(each)
+        assert each.active_material == old
+        assert each.material_slots[0].link == "DATA"
+    assert material_edit.KEPT not in obj
+    assert material_edit.LINKS not in obj
+
+
 def test_the_tint_multiplies_the_colour_and_the_reset_is_exact(asset, tmp_path):
     obj = import_asset(bpy.context, asset)
     set_light(tmp_path, (0, -1, 0.2), strength=0.3)

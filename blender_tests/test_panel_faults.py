@@ -3,6 +3,7 @@
 import ast
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -343,6 +344,22 @@ def test_every_reason_of_a_poll_is_translated():
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "cls.poll_message_set"
     ]
     assert [ast.unparse(call.args[0]) for call in calls] == ["in_language"]  # in one place
+    helpers = {"allowed", "needs", "can_run", "super().poll"}
+    polls = {
+        f"{path.stem}.{cls.name}": {
+            ast.unparse(found.value.func) if isinstance(found.value, ast.Call) else "none"
+            for found in ast.walk(poll)
+            if isinstance(found, ast.Return)
+        }
+        for path in UI.glob("*.py")
+        for cls in ast.walk(ast.parse(path.read_text("utf-8")))
+        # A panel is hidden, and says no reason.
+        if isinstance(cls, ast.ClassDef) and not re.search("_PT_|Panel", cls.name)
+        for poll in cls.body
+        if isinstance(poll, ast.FunctionDef) and poll.name == "poll"
+    }
+    assert len(polls) > 30
+    assert {name: found for name, found in polls.items() if not found or found - helpers} == {}
 
 
 def test_what_a_bug_stops_is_said_in_german():

@@ -98,6 +98,33 @@ def test_a_sheet_falls_from_the_height_that_is_asked_for(obj):
     assert low.min() - top.max() == pytest.approx(2.0, abs=1e-3)
 
 
+def test_a_sheet_does_not_fall_through_a_small_asset(asset):
+    scene, obj = bpy.context.scene, import_asset(bpy.context, asset)
+    obj.scale *= 0.2 / max(obj.dimensions)
+    bpy.context.view_layer.update()
+    middle = np.mean(world_verts(obj)[:, 2])
+    scene.render.fps, scene.render.fps_base = 48, 2.0  # also where that is no whole number
+    settings = simulation.Options(frames=15)
+    assert not simulation.note_of(obj, "DRAPE", settings)
+    simulation.simulate(obj, "DRAPE", settings)
+    scene.frame_set(15)
+    assert world_verts(simulation.owner_of(obj))[:, 2].max() > middle
+    assert world_verts(simulation.owner_of(obj))[:, 2].min() < middle  # it has fallen
+
+
+def test_a_sheet_starts_no_higher_than_it_can_be_stopped(obj):
+    obj.scale *= 0.02 / max(obj.dimensions)
+    bpy.context.view_layer.update()
+    settings = simulation.Options(frames=2)
+    note = simulation.note_of(obj, "DRAPE", settings)
+    assert note.startswith("The sheet starts 0.030 m above it")
+    assert not simulation.note_of(obj, "SOFT", settings)
+    simulation.simulate(obj, "DRAPE", settings)
+    bpy.context.scene.frame_set(1)
+    low, top = (world_verts(each)[:, 2] for each in (simulation.owner_of(obj), obj))
+    assert low.min() - top.max() == pytest.approx(0.03, abs=1e-3)
+
+
 def test_it_falls_on_the_users_own_floor_and_the_floor_is_free_afterwards(obj):
     bpy.ops.mesh.primitive_plane_add(size=6, location=(0, 0, -0.2))
     floor = bpy.context.object

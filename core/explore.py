@@ -52,6 +52,12 @@ def recolor(folder: Path, shape: Path, count: int, make: Any) -> Path:
     _check(folder, count)
     source = RunFolder.open(shape)
     if not source.has("mesh"):
+        if source.asset.exists():  # resume would train it all again
+            raise UserError(
+                f"{shape} is done, and its shape was not kept, as a batch keeps none.",
+                "Name a run of `generate`, or texture the asset's own mesh: run.py texture "
+                f"{source.asset / 'mesh.obj'}",
+            )
         raise UserError(
             f"The shape of {shape} is not finished.",
             f"Finish it first: run.py resume {shape} --until color",

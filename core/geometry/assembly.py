@@ -38,7 +38,7 @@ from core.geometry.pieces import (
     repeated,
     turned_share,
 )
-from core.geometry.primitives import FORMS, FRAMES, Primitive
+from core.geometry.primitives import FORMS, FRAMES, Points, Primitive
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
@@ -233,11 +233,21 @@ def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Pri
         pairs = list(zip(group, fitted_together(*some, *how), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, primitive_of(points[k], pieces[k].error, *how)) for k in group]
-            pairs = [(k, one) for k, one in pairs if one and is_drawn(distances, one, pieces[k])]
+            pairs = [(k, one_drawn(distances, pieces[k], points[k], *how)) for k in group]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
     return found
+
+
+def one_drawn(
+    distances: Distances, piece: Piece, points: Points, flat: bool, block: bool, sharp: bool
+) -> Primitive | None:
+    """The primitive that a piece is by itself, where it was drawn; no block, if that was not."""
+    for asked in ((block, sharp), (False, False))[: 1 + block]:
+        one = primitive_of(points, piece.error, flat, *asked)
+        if one is not None and is_drawn(distances, one, piece):
+            return one
+    return None
 
 
 def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 1.0) -> bool:

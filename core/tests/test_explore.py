@@ -132,3 +132,16 @@ def test_a_first_look_takes_less_than_the_whole():
         assert 0 < appearance.early_steps(a) <= steps
     g = DRAFT.geometry
     assert geometry.early_steps(g) < g.coarse.steps + g.grow.rounds * g.grow.steps
+
+
+def test_a_done_run_whose_shape_was_not_kept_is_not_to_be_resumed(shapes, tmp_path, capsys):
+    """As a batch leaves it: `resume` would train it all again."""
+    done = tmp_path / "done"
+    done.mkdir()
+    for name in ("job.json", "events.jsonl"):
+        (done / name).write_bytes((shapes / "candidate-1" / name).read_bytes())
+    (done / "asset").mkdir()
+    assert main(["recolor", str(done), "--out", str(tmp_path / "new")]) == 2
+    said = capsys.readouterr().err
+    assert "was not kept" in said and "resume" not in said
+    assert not (tmp_path / "new").exists()

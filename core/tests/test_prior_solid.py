@@ -32,6 +32,7 @@ from core.guidance.builtin.solid_net import (
     folded,
     with_others,
 )
+from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.guidance.builtin.weights import packed, unpacked
 from core.io.job import Job
 from core.job_config import config_of
@@ -463,7 +464,8 @@ def test_the_shipped_network_draws_the_thing(shipped, noun):
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1).view(-1, 3)
     inside = _drawn(shipped, noun).sdf(points) < 0
     draw = Draw(_generator(5))
-    family = (build(noun, "", draw, jitter=0.0).sdf(points) < 0 for _ in range(24))
+    wider = DRAWN_WIDER.get(noun, AS_IT_IS)  # as the network knows it
+    family = (build(noun, "", draw, 0.0, wider).sdf(points) < 0 for _ in range(24))
     likeness = (float((inside & o).sum() / (inside | o).sum()) for o in family)
     assert any(found > 0.55 for found in likeness)  # of the volume, with one of them
 

@@ -30,7 +30,7 @@ def export_shape(obj: bpy.types.Object, path: Path, uv_map: str = "") -> None:
         OutputError: the file can't be written.
     """
     with evaluated_object(obj) as evaluated:
-        text = _text(evaluated, uv_map)
+        text = _text(evaluated, uv_map, obj.name)
     try:
         write_text(path, text)
     except OSError as error:
@@ -39,13 +39,13 @@ def export_shape(obj: bpy.types.Object, path: Path, uv_map: str = "") -> None:
         ) from None
 
 
-def _text(evaluated: bpy.types.Object, uv_map: str) -> str:
+def _text(evaluated: bpy.types.Object, uv_map: str, name: str) -> str:
     try:
         mesh = evaluated.to_mesh()
     except RuntimeError:  # an empty, a camera, a light
         mesh = None
     if mesh is None or not len(mesh.polygons):
-        raise AddonError(f"“{evaluated.name}” has no faces.", "Choose an object with a surface.")
+        raise AddonError(f"“{name}” has no faces.", "Choose an object with a surface.")
     try:
         if uv_map:
             use_uv_map(mesh, uv_map)

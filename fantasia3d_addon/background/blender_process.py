@@ -17,7 +17,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from ..environment import clean_environ
+from ..environment import piped_environ
 from ..errors import AddonError
 from .thread import ReportProgress, Task
 
@@ -86,7 +86,7 @@ def _run(folder: Path, progress: ReportProgress, is_cancelled: Callable[[], bool
     with (folder / "log.txt").open("wb") as log:
         child = subprocess.Popen(
             command(folder), stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
-            env=clean_environ(), creationflags=flags,
+            env=piped_environ(), creationflags=flags,
         )  # fmt: skip
         code = None
         while code is None:

@@ -85,21 +85,43 @@ def world_verts(obj: bpy.types.Object) -> np.ndarray:
 def evaluated_object(obj: bpy.types.Object) -> Iterator[bpy.types.Object]:
     """``obj`` as it looks: with its modifiers, and where its parent and its constraints have it.
 
-    Also where it or its collections are disabled in viewports: Blender evaluates none of those.
+    Also where it is not :func:`enabled`.
+    """
+    with enabled(obj) as shown:
+        yield shown.evaluated_get(bpy.context.evaluated_depsgraph_get())
+
+
+@contextlib.contextmanager
+def enabled(obj: bpy.types.Object) -> Iterator[bpy.types.Object]:
+    """``obj``; a copy in the view layer where ``obj`` or its collections are disabled in viewports.
+
+    Blender evaluates none of those, or, where something that is shown depends on one, without its
+    modifiers.
     """
     found = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    if found.is_evaluated:
-        yield found
+    # The evaluated one's: it may be animated.
+    if not found.hide_viewport and _is_in(bpy.context.view_layer.layer_collection, obj):
+        yield obj
         return
-    hidden, shown = obj.hide_viewport, bpy.data.collections.new("shown")
-    bpy.context.scene.collection.children.link(shown)
-    shown.objects.link(obj)
-    obj.hide_viewport = False
+    copy = obj.copy()
     try:
-        yield obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        copy.hide_viewport = False
+        if copy.animation_data:  # a driver comes after all other animation, which moves it still
+            copy.driver_remove("hide_viewport")
+            copy.driver_add("hide_viewport").driver.expression = "0"
+        bpy.context.scene.collection.objects.link(copy)
+        bpy.context.view_layer.update()
+        yield copy
     finally:
-        obj.hide_viewport = hidden
-        bpy.data.collections.remove(shown)
+        bpy.data.objects.remove(copy)
+
+
+def _is_in(layer: bpy.types.LayerCollection, obj: bpy.types.Object) -> bool:
+    """Whether ``layer`` has ``obj`` in a collection that is not disabled."""
+    if layer.collection.hide_viewport:
+        return False
+    own = not layer.exclude and any(obj == each for each in layer.collection.objects)
+    return own or any(_is_in(child, obj) for child in layer.children)
 
 
 def baked_mesh(obj: bpy.types.Object) -> bpy.types.Mesh:

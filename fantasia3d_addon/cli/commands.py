@@ -143,7 +143,11 @@ def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
     at = last if args.at is None else args.at
     if not first <= at <= last:
         raise AddonError(f"--at is {at}.", f"It takes a frame from {first} to {last}.")
-    simulation.simulate(obj, args.kind.upper(), simulation.Options(**settings))
+    kind, chosen = args.kind.upper(), simulation.Options(**settings)
+    simulation.simulate(obj, kind, chosen)
+    note = simulation.note_of(obj, kind, chosen)
+    if note:
+        print(f"note: {note}", file=sys.stderr)
     scene.frame_end = last
     if is_empty or not scene.camera:
         # The camera sees the whole fall, not only the place where it starts.

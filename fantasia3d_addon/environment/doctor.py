@@ -125,7 +125,7 @@ def _packages(python: str, pins: Sequence[str], given: bool = False) -> list[Lin
         done = subprocess.run(
             [python, "-c", machine.NOT_FROM_HERE + PROBE, *pins],
             stdin=subprocess.DEVNULL,
-            env=machine.clean_environ(),
+            env=machine.piped_environ(),
             capture_output=True,
             timeout=ANSWER_SECONDS,
         )

@@ -60,7 +60,7 @@ def output(command: Sequence[str], timeout: float = 20) -> str:
     try:
         done = subprocess.run(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-            env=clean_environ(), timeout=timeout, check=True,
+            env=piped_environ(), timeout=timeout, check=True,
         )  # fmt: skip
     except (OSError, subprocess.SubprocessError):
         return ""

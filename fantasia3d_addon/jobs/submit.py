@@ -94,9 +94,7 @@ def recolor(context: bpy.types.Context, entry: Entry) -> Path:
     """
     reason = reason_against_recolor(entry)
     if reason:
-        again = entry.state == history.DONE
-        fix = "Repeat it, or choose another job." if again else "Resume it, or choose another job."
-        raise AddonError(reason, fix)
+        raise AddonError(reason)
     job, files = history.copy_of_job(entry)
     for name in SHAPE_PARTS:
         if (entry.folder / name).is_file():
@@ -113,10 +111,9 @@ def reason_against_recolor(entry: Entry) -> str:
     """Why no other materials can be made for the shape of ``entry``; empty if they can."""
     if (entry.folder / SHAPE_PARTS[-1]).is_file():
         return ""
-    # A batch removes the checkpoints of what is done.
-    return (
-        "Its shape was not kept." if entry.state == history.DONE else "Its shape is not finished."
-    )
+    if entry.state == history.DONE:  # a batch removes the checkpoints of what is done
+        return "Its shape was not kept. Repeat it, or choose another job."
+    return "Its shape is not finished. Resume it, or choose another job."
 
 
 def _submit_candidates(

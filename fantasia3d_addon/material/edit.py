@@ -7,12 +7,13 @@ from collections.abc import Sequence
 import bpy
 
 from ..blender import compat
-from ..blender.mesh_arrays import mesh_object
+from ..blender.mesh_arrays import is_shared, mesh_object
 from ..blender.names import data_name
 from ..errors import AddonError
 from . import library as material_library
 
 KEPT = "fantasia3d_materials"  # custom property: an object's own materials by slot
+LINKS = "fantasia3d_links"  # custom property: what each slot was linked to, for the same objects
 EDITS = {  # the name of an adjustment node, and the Principled input that it feeds
     "Fantasia3D tint": "Base Color",
     "Fantasia3D roughness": "Roughness",
@@ -40,15 +41,25 @@ def replace_material(
     replaced = [slot.material for slot in obj.material_slots]
     # Every slot, so that no face shows the old one.
     for slot in obj.material_slots:
-        slot.material = material
+        show_in_slot(obj, slot, material)
     _remove_unused(replaced)
     return material
+
+
+def show_in_slot(
+    obj: bpy.types.Object, slot: bpy.types.MaterialSlot, material: bpy.types.Material
+) -> None:
+    """Show ``material`` in the slot; other objects that share the mesh keep what they show."""
+    if is_shared(obj.data):
+        slot.link = "OBJECT"
+    slot.material = material
 
 
 def keep_materials(obj: bpy.types.Object) -> None:
     """Remember the materials of ``obj`` for :func:`restore_material`."""
     if KEPT not in obj:  # a second replacement must not overwrite the originals
         obj[KEPT] = {str(i): slot.material for i, slot in enumerate(obj.material_slots)}
+        obj[LINKS] = {str(i): slot.link for i, slot in enumerate(obj.material_slots)}
 
 
 def restore_material(obj: bpy.types.Object) -> None:
@@ -60,11 +71,16 @@ def restore_material(obj: bpy.types.Object) -> None:
     if obj.get(KEPT) is None:
         raise AddonError(f"{obj.name} shows its own material.", "There is nothing to restore.")
     others = [slot.material for slot in obj.material_slots]
-    kept = obj[KEPT].to_dict()
+    kept, links = obj[KEPT].to_dict(), obj.get(LINKS, {})  # none of an earlier version
     for number, slot in enumerate(obj.material_slots):
-        if str(number) in kept:  # a slot that was added since has its own
-            slot.material = kept[str(number)]
+        if str(number) not in kept:  # a slot that was added since has its own
+            continue
+        if links.get(str(number), slot.link) != slot.link:
+            slot.material, slot.link = None, "DATA"  # what the mesh has is shown again
+        if slot.material != kept[str(number)]:
+            show_in_slot(obj, slot, kept[str(number)])
     del obj[KEPT]
+    obj.pop(LINKS, None)
     _remove_unused(others)
 
 

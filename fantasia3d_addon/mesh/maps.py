@@ -14,7 +14,7 @@ import numpy as np
 from ..asset.asset_folder import OPTIONAL, USUAL, Light
 from ..background.thread import ReportProgress, ignore_progress
 from ..blender import compat
-from ..blender.mesh_arrays import acting, baked_mesh, use_uv_map
+from ..blender.mesh_arrays import acting, baked_mesh, enabled, evaluated_object, use_uv_map
 from ..blender.png import to_bytes, write_png
 from ..errors import AddonError
 from ..material.edit import EDITS, edit_nodes, factor, picture_of, principled
@@ -155,7 +155,11 @@ def bake_channels(
 
     Values are baked as emission: a bake of diffuse colour is black where the material is metal.
     """
-    with _receiver(target, size, uv_map) as (receiver, image), _bake_settings():
+    with (
+        enabled(source) as source,  # Blender bakes from what the view layer has alone
+        _receiver(target, size, uv_map) as (receiver, image),
+        _bake_settings(),
+    ):
         reach = extrusion * max(source.dimensions)
         found = {}
         for channel in channels:
@@ -371,9 +375,10 @@ def _receiver(
     # All faces use the one material that has the bake's picture.
     mesh.polygons.foreach_set("material_index", np.zeros(len(mesh.polygons), np.int32))
     receiver = bpy.data.objects.new("Fantasia3D bake", mesh)
-    receiver.matrix_world = target.matrix_world
-    bpy.context.scene.collection.objects.link(receiver)
     try:
+        with evaluated_object(target) as evaluated:
+            receiver.matrix_world = evaluated.matrix_world
+        bpy.context.scene.collection.objects.link(receiver)
         use_uv_map(mesh, uv_map or target.data.uv_layers.active.name)
         bpy.context.view_layer.update()
         yield receiver, image

@@ -15,10 +15,10 @@ from ..asset.export_shape import asset_obj_text
 from ..asset.import_asset import load_images
 from ..asset.material_nodes import add_pictures, connect_light
 from ..asset.origin import origin_of, set_origin
-from ..blender.mesh_arrays import is_shared, reason_against_mesh, triangles, values
+from ..blender.mesh_arrays import reason_against_mesh, triangles, values
 from ..environment.files import write_text
 from ..errors import AddonError
-from ..material.edit import image_of, keep_materials, principled
+from ..material.edit import image_of, keep_materials, principled, show_in_slot
 
 IN_GROUP = 0.5  # a vertex of this weight or more belongs to the part
 INPUTS = {  # of the Principled, by role
@@ -209,8 +209,5 @@ def show_maps(obj: bpy.types.Object, asset: AssetFolder, name: str) -> bpy.types
         nodes = add_pictures(material.node_tree, added, look.uv_map)
         connect_light(material, bsdf, nodes, asset.light)
     keep_materials(obj)
-    slot = obj.material_slots[look.slot]
-    if is_shared(obj.data):  # the other objects keep what they show
-        slot.link = "OBJECT"
-    slot.material = material
+    show_in_slot(obj, obj.material_slots[look.slot], material)
     return material

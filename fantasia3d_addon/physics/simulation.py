@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import ceil
 from uuid import uuid4
 
 import bmesh
@@ -47,6 +48,7 @@ __all__ = [
     "Options",
     "clear",
     "is_simulated",
+    "note_of",
     "owner_of",
     "simulate",
     "steps",
@@ -55,6 +57,9 @@ __all__ = [
 KINDS = options.KIND.names
 MIN_MASS = 0.001  # kg: Blender's own limit
 CAGE_FACES = {"SOFT": 1200, "CLOTH": 3000, "DRAPE": 3000, "RIGID": 400}
+# A sheet that moves farther in a substep than it keeps off falls through: of the asset's size.
+SUBSTEP = 0.04
+FINEST = 80  # substeps a frame: Blender's own limit
 _NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a range
 
 
@@ -318,13 +323,12 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     mesh.shade_smooth()
     sheet = add(obj, "sheet", mesh, hidden=False)
     middle = (low + high) / 2
-    # At least a little above it, so that it does not start in contact.
-    rise = max(0.05 * float((high - low).max()), settings.height)
+    rise, substeps = _fall(float((high - low).max()), settings.height)
     sheet.location = (middle[0], middle[1], high[2] + rise)
     cloth = sheet.modifiers.new(MARK, "CLOTH")
     _set_up_cloth(cloth, sheet, settings.self_collision)
     cloth.settings.bending_stiffness = 0.1
-    cloth.settings.mass, cloth.settings.quality = 0.1, 6
+    cloth.settings.mass, cloth.settings.quality = 0.1, substeps
     cloth.collision_settings.collision_quality = 2
     smooth = sheet.modifiers.new("smooth", "SUBSURF")
     smooth.levels, smooth.render_levels = 1, 2
@@ -333,6 +337,26 @@ def _drape(obj: bpy.types.Object, settings: Options) -> bpy.types.Object:
     hard.parent = obj
     collide_with([hard, *supports(obj)], float(max(obj.dimensions)))
     return sheet
+
+
+def _fall(size: float, height: float) -> tuple[float, int]:
+    """How far above an asset a sheet starts, ``height`` if it can, and the substeps of a frame."""
+    scene = bpy.context.scene
+    slowest = SUBSTEP * size * scene.render.fps / scene.render.fps_base  # of one substep
+    pull = 2 * max(scene.gravity.length, 1e-6)
+    # At least a little above it, so that it does not start in contact.
+    rise = max(0.05 * size, min(height, (FINEST * slowest) ** 2 / pull))
+    return rise, min(max(6, ceil((pull * rise) ** 0.5 / slowest)), FINEST)
+
+
+def note_of(obj: bpy.types.Object, kind: str, settings: Options) -> str:
+    """What will be otherwise than ``settings`` ask for; empty if nothing."""
+    if kind != "DRAPE":
+        return ""
+    rise = _fall(float(np.ptp(shown_verts(obj), axis=0).max()), settings.height)[0]
+    if rise >= settings.height:
+        return ""
+    return f"The sheet starts {rise:.3f} m above it: from higher, it would fall through."
 
 
 def _set_up_cloth(

@@ -12,6 +12,7 @@ from ..physics import simulation
 from .modal_operator import ModalTask, reason_to_wait
 from .operator_helpers import UNDO, can_run, run_and_report
 from .option_properties import option_property
+from .text import in_language
 
 
 class FANTASIA3D_OT_simulate(ModalTask, bpy.types.Operator):
@@ -41,13 +42,24 @@ class FANTASIA3D_OT_simulate(ModalTask, bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         obj = context.active_object
-        return run_and_report(self, lambda: simulation.simulate(obj, self.kind, self.settings()))
+
+        def simulate() -> None:
+            simulation.simulate(obj, self.kind, self.settings())
+            self.report_note(obj)
+
+        return run_and_report(self, simulate)
 
     def steps(self, context: bpy.types.Context) -> Iterator[tuple[str, float]]:
         steps = simulation.steps(context.active_object, self.kind, self.settings())
         with contextlib.closing(steps):  # cancelled, it removes what it has made
             for fraction in steps:
                 yield self.kind.capitalize(), fraction
+        self.report_note(context.active_object)
+
+    def report_note(self, obj: bpy.types.Object) -> None:
+        note = simulation.note_of(obj, self.kind, self.settings())
+        if note:
+            self.report({"INFO"}, in_language(note))
 
 
 class FANTASIA3D_OT_clear_simulation(bpy.types.Operator):

@@ -12,6 +12,7 @@ from core.guidance.builtin.measures import Size
 from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
 from core.guidance.builtin.part_tables import OPTIONS, WHOLE
 from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
+from core.guidance.builtin.sorts import Sort
 from core.guidance.builtin.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
@@ -39,6 +40,7 @@ class Findings:
     scale: float = 1.0  # how many times its usual size the thing is
     figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)
+    sort: Sort = field(default_factory=Sort)  # by a shape that is a sort of the thing
 
     @property
     def thing(self) -> str:
@@ -97,7 +99,9 @@ class Findings:
         """What names a sort of the thing is not left out, and is no shape of its own."""
         forms = [one for form in said for one in (form, f"{form}s")]
         words = {word for form in forms for word in (form, *form.split())}
-        self.left_out = [one for one in self.left_out if one not in words]
+        self.left_out = [
+            one for one in self.left_out if one not in words and not words.issuperset(one.split())
+        ]
         self.aside = [one for one in self.aside if one not in words]
         self.notes = [note for note in self.notes if note.partition(": left out")[0] not in words]
         self.found["shape"] = [one for one in self.found["shape"] if one.form not in words]

@@ -19,7 +19,7 @@ from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.guidance.builtin.areas import SolidAreas, depths, patterned
-from core.guidance.builtin.bent import bent
+from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
@@ -212,7 +212,8 @@ class PromptedBuiltin(PromptedGuidance):
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        wider = DRAWN_WIDER.get(self.words.noun, AS_IT_IS)
+        slender = not isinstance(self.solid, BentSolid)  # a guide may be as wide as the cube
+        wider = DRAWN_WIDER.get(self.words.noun, AS_IT_IS) if slender else AS_IT_IS
         return KnownParts(self.solid.distances, Forms(flat, kept), wider)
 
     @cached_property

@@ -6,24 +6,15 @@ Standard library only.
 from core.guidance.builtin.lexicon import NAMED, Entry
 from core.guidance.builtin.mixture import class_of, suits
 from core.guidance.builtin.part_names import is_wide, own_name
-from core.guidance.builtin.substances import CLASS_OF, CLOTH, GLASS, RUBBER, natural_kind
+from core.guidance.builtin.substances import CLASS_OF, CLOTH, GLASS, METAL, RUBBER, natural_kind
 from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.words import ARTICLES, LOOKS, WITHOUT
 
 # What is of one colour alone, whatever the part before it is of: "red petals and leaves".
 FIXED_KINDS = ("flesh", "leaf", "foliage", "flame", "embers", "eye", "liquid")
-FIXED = (
-    "teeth",
-    "tooth",
-    "tusks",
-    "whiskers",
-    "eyes",
-    "eye",
-    "cherry",
-    "cherries",
-    "crown",
-    "gold",
-)
+FIXED = frozenset(
+    "teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair moustache".split()
+) | frozenset("blade head trunk dial face candles candle".split())
 EYES = ("eyes", "eye")
 WITH_EYES = ("nose", "mouth", "lips", "buttons", "lights")  # which may look as the eyes do
 SOFT = (GLASS, CLOTH, RUBBER)  # what is so is seldom of anything else, and nothing else of it
@@ -145,6 +136,8 @@ def _may_share(
     if not own_first and len(classes) < len(looks):  # "a red cushion and legs"
         return False
     own = CLASS_OF.get(kind)
+    if own == METAL and any(of != METAL for of in classes):  # a wooden handle, and a steel head
+        return False
     return all(
         of == own or (own not in SOFT and of not in SOFT) or suits(thing, name, of) > 0
         for of in classes

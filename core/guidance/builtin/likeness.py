@@ -155,7 +155,8 @@ class Likeness(Clauses):
                 self.got.qualifiers.append(one.form)
         shades = TASTES if tasted else CALLED_SHADES
         grown = any(thing in GROUPS[group] for group in GROWN)
-        said = [form for form in self.got.qualifiers if form in shades]
+        said = [form for form in self._tokens.words if form in self.got.qualifiers]
+        said = [form for form in said if form in shades]
         if not said or found["color"] or (grown and not tasted):
             return
         self.got.left_out = [form for form in self.got.left_out if form != said[0]]

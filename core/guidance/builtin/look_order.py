@@ -10,7 +10,7 @@ from typing import NamedTuple
 from core.guidance.builtin.colors import TOWARDS
 from core.guidance.builtin.joined_parts import first_begins, may_both_be, set_look_on_both
 from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.part_names import LIQUID, is_own, own_name, owns, shows_liquid
+from core.guidance.builtin.part_names import LIQUID, is_own, is_wide, own_name, owns, shows_liquid
 from core.guidance.builtin.part_tables import CONTENTS, SAID_OF_PARTS, SURFACE
 from core.guidance.builtin.substances import CLASS_OF, GLASS, natural_kind
 from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
@@ -67,9 +67,10 @@ def set_looks_in_order(tokens: Tokens) -> None:
             change(tokens, at)
     for at in _backwards(tokens):
         _set_glow_on_part(tokens, at)
-    for at in range(1, len(tokens.words) - 1):
-        if at < len(tokens.words) - 1:
-            set_look_on_both(tokens, at, _thing_before(tokens, at))
+    at = 1
+    while at < len(tokens.words) - 1:  # it grows
+        set_look_on_both(tokens, at, _thing_before(tokens, at))
+        at += 1
 
 
 def _backwards(tokens: Tokens) -> Iterator[int]:
@@ -172,7 +173,8 @@ def _set_edge(tokens: Tokens, at: int) -> None:
     """ "A mirror framed in gold" has a gold frame."""
     thing, begin = _thing_before(tokens, at), at + 2
     parts = EDGED.get(tokens.words[at], "").split()
-    part = next((name for name in parts if own_name(thing, name)), "")
+    named = (name for name in parts if own_name(thing, name) and not is_wide(thing, name))
+    part = next(named, "")
     end = tokens.qualities_end(begin, ("color", "material")) if part else begin
     linked = tokens.words[at + 1 : begin] in (["in"], ["with"])
     if not linked or end == begin or not tokens.breaks.isdisjoint(range(at, end)):

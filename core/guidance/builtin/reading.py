@@ -35,7 +35,7 @@ from core.guidance.builtin.part_names import (
     owns,
 )
 from core.guidance.builtin.part_tables import LEGS
-from core.guidance.builtin.sorts import may_be_round
+from core.guidance.builtin.sorts import sort_of
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
@@ -220,12 +220,14 @@ class Reading(Likeness):
         """A round table is another table, not a swollen one; a round cat is a plump one."""
         thing, shapes = self.got.thing, self.got.found["shape"]
         stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
-        if not thing or not stated or may_be_round(thing) or is_creature(thing):
+        if not thing or thing == "table" or is_creature(thing):  # the network knows a round table
             return
         for one in stated:
             shapes.remove(one)
-            if not is_round(thing):
-                why = f"{with_article('noun', thing)} is not round here"
+            if sort := sort_of(thing, one.word):
+                self.got.sort = sort
+            elif not is_round(thing):
+                why = f"{with_article('noun', thing)} keeps its own form here"
                 self.got.leave_aside([one.form], why)
 
     def _say_how_young(self) -> None:

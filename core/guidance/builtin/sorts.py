@@ -7,6 +7,10 @@ draws them. Standard library only.
 import re
 from typing import NamedTuple
 
+# What names where a thing is, or what is beside it.
+ELSEWHERE = r"\b(?:next to|beside|near|on|by|under|behind|in front of|against|for)\b"
+OF_WHOLE = "round circular square rectangular oblong oval flat artist".split()
+
 
 class Sort(NamedTuple):
     """What a prompt says of which sort of the thing is meant."""
@@ -14,24 +18,25 @@ class Sort(NamedTuple):
     said: tuple[str, ...] = ()  # the words that name it
     kinds: tuple[int, ...] = ()  # of the noun's in the network; none: any
 
+    def __bool__(self) -> bool:
+        return bool(self.kinds)
+
 
 def sort_of(noun: str, prompt: str) -> Sort:
-    """The first of the noun's sorts that a word of the prompt names, if it is not denied."""
+    """The first of the noun's sorts that a word of the prompt names, if it is not denied, and not
+    said of another thing or, of a form, of a part."""
     text = re.sub(r"[\W_]+", " ", prompt.lower())
+    own = re.split(ELSEWHERE, text)[0]
+    whole = re.split(r"\b(?:with|whose|that has)\b", own)[0]
     for words, kinds in SORTS.get(noun, {}).items():
-        named = [word for word in words.split(", ") if _says(text, word)]
+        named = [one for one in words.split(", ") if _says(whole if one in OF_WHOLE else own, one)]
         if named:
             return Sort(tuple(named), kinds)
     return Sort()
 
 
-def may_be_round(noun: str) -> bool:
-    """Whether some of the noun are round and some are not; of a table the network knows it."""
-    return noun == "table" or bool(sort_of(noun, "round").said)
-
-
 def _says(text: str, word: str) -> bool:
-    denied = r"\b(?:without|no|not)(?: an?| any)? $"
+    denied = r"\b(?:without|no|not|non|neither|nor|t)(?: an?| any| very)?(?: \w+)? $"
     found = re.finditer(rf"\b{word}s?\b", text)
     return any(not re.search(denied, text[: one.start()]) for one in found)
 
@@ -45,8 +50,8 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
     },
     "television": {
         "flat screen, flatscreen, flat, smart, modern, led, lcd, oled, widescreen, plasma": (1,),
-        "retro, vintage, crt, tube, antenna, rabbit ears, old, old fashioned, 1950s, 1960s, 1970s, "
-        "1980s, 50s, 60s, 70s, 80s, knob, dial": (0, 3),
+        "retro, vintage, crt, tube, antenna, old fashioned, 1950s, 1960s, 1970s, 1980s, 50s, 60s, "
+        "70s, 80s": (0, 3),
     },
     "shield": {
         "round, viking, circular": (1,),
@@ -57,12 +62,12 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "rectangular, square": (0, 1),
     },
     "refrigerator": {
-        "french door, side by side, double door, american": (2, 3),
+        "french door, side by side, double door": (2, 3),
         "retro, vintage, freezer": (0, 1),
     },
     "cake": {"wedding, tiered, tier, two tier, three tier, layered": (0, 1)},
     "pizza": {
-        "slice, piece, wedge": (0,),
+        "slice of, pizza slice, piece of, wedge": (0,),
         "whole, round": (2,),
     },
     "window": {"shutter": (0, 2)},
@@ -85,20 +90,20 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
     },
     "clock": {
         "bell, twin bell": (1, 3),
-        "wall, kitchen, station, school": (0, 2),
+        "wall, kitchen, station": (0, 2),
     },
     "street lamp": {
-        "double, twin, two": (2,),
-        "victorian, gas, vintage, antique, old, lantern": (1,),
+        "double, twin": (2,),
+        "victorian, gas, vintage, antique, old fashioned, lantern": (1,),
         "modern": (0,),
     },
     "pillow": {"tassel": (1, 2)},
     "screwdriver": {
-        "flathead, flat head, slotted, flat": (0, 1),
+        "flathead, flat head, slotted": (0, 1),
         "phillips, crosshead, cross head, cross": (2, 3),
     },
     "paintbrush": {
-        "artist, artists, round, watercolor, watercolour, fine": (2, 3),
-        "flat, wide, wall, house, decorator, decorators": (0, 1),
+        "artist, round, watercolor, watercolour": (2, 3),
+        "flat, wide, decorator": (0, 1),
     },
 }

@@ -191,7 +191,7 @@ def parse(
             f"The prompt {prompt.strip()!r} does not name a thing the built-in model knows.",
             f"{known_things(known)} {ELSEWHERE}",
         )
-    sort = sort_of(got.thing, prompt)
+    sort = sort_of(got.thing, prompt) or got.sort
     got.take_as_sort(sort.said)
     # The part last: what may be stated of it depends on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
