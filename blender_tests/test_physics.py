@@ -117,7 +117,7 @@ def test_a_sheet_starts_no_higher_than_it_can_be_stopped(obj):
     bpy.context.view_layer.update()
     settings = simulation.Options(frames=2)
     note = simulation.note_of(obj, "DRAPE", settings)
-    assert note.startswith("The sheet starts 0.030 m above it")
+    assert note.startswith("The sheet starts 0.120 m above it")
     assert not simulation.note_of(obj, "SOFT", settings)
     simulation.simulate(obj, "DRAPE", settings)
     bpy.context.scene.frame_set(1)
