@@ -22,7 +22,7 @@ from core.geometry.bilateral import flattened
 from core.geometry.crisp import RIPPLES, crisp
 from core.geometry.crossed import crossed
 from core.geometry.faces import bending, unit
-from core.geometry.fitting import frames_of, primitive_of
+from core.geometry.fitting import ANY, Faces, frames_of, primitive_of
 from core.geometry.flush import flush
 from core.geometry.init_shape import sample_surface
 from core.geometry.layered import ends_share, layered, wall
@@ -69,6 +69,11 @@ class Forms(NamedTuple):
         table knows nothing."""
         known = self.flat[part] or any(axis[part] for axis in self.round)
         return not known or self.flat[part] >= LEAST_FLAT
+
+    def faces(self, part: int) -> Faces:
+        """What is known of the faces of the part's pieces."""
+        flat = self.flat[part]
+        return Faces(self.may_be_flat(part), flat >= BLOCK, flat >= SHARP)
 
 
 class KnownParts:
@@ -228,23 +233,21 @@ def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Pri
     found: list[Primitive | None] = [None] * len(pieces)
     for group in alike(pieces):
         part = pieces[group[0]].place.part
-        how = forms.may_be_flat(part), forms.flat[part] >= BLOCK, forms.flat[part] >= SHARP
+        faces = forms.faces(part)
         some = [pieces[k] for k in group], [points[k] for k in group]
-        pairs = list(zip(group, fitted_together(*some, *how), strict=True))
+        pairs = list(zip(group, fitted_together(*some, faces), strict=True))
         slack = slack_of(len(group))
         if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, one_drawn(distances, pieces[k], points[k], *how)) for k in group]
+            pairs = [(k, one_drawn(distances, pieces[k], points[k], faces)) for k in group]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
     return found
 
 
-def one_drawn(
-    distances: Distances, piece: Piece, points: Points, flat: bool, block: bool, sharp: bool
-) -> Primitive | None:
+def one_drawn(distances: Distances, piece: Piece, points: Points, faces: Faces) -> Primitive | None:
     """The primitive that a piece is by itself, where it was drawn; no block, if that was not."""
-    for asked in ((block, sharp), (False, False))[: 1 + block]:
-        one = primitive_of(points, piece.error, flat, *asked)
+    for known in (faces, Faces(faces.flat))[: 1 + faces.block]:
+        one = primitive_of(points, piece.error, known)
         if one is not None and is_drawn(distances, one, piece):
             return one
     return None
@@ -281,11 +284,7 @@ def slack_of(count: int) -> float:
 
 
 def fitted_together(
-    pieces: list[Piece],
-    points: list[Float[np.ndarray, "n 3"]],
-    flat: bool = True,
-    block: bool = False,
-    sharp: bool = False,
+    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], faces: Faces = ANY
 ) -> Sequence[Primitive | None]:
     """One primitive for all, each at its place; Nones where it does not fit all."""
     if len(pieces) > 1:
@@ -294,7 +293,7 @@ def fitted_together(
         for placed in (unturned, mirrored, around):
             frames = [placed(middle) for middle in middles]
             local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
-            one = primitive_of(np.concatenate(local)[:: len(points)], error, flat, block, sharp)
+            one = primitive_of(np.concatenate(local)[:: len(points)], error, faces)
             if one is not None and all(one.fits(some, error) for some in local):
                 return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
     return [None] * len(points)

@@ -4,6 +4,7 @@ By least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft
 """
 
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -31,20 +32,22 @@ BLOCK = 0.5  # of a surface, what is flat of a block or a disc, at the least
 TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
-def primitive_of(
-    points: Points, error: float, flat: bool = True, block: bool = False, sharp: bool = False
-) -> Primitive | None:
-    """The primitive whose surface the points are on, up to errors of about ``error``; or None.
+class Faces(NamedTuple):
+    """What is known of a piece beforehand. Points do not tell it of what is hardly larger than the
+    errors."""
 
-    Of what is hardly larger than the errors points do not tell:
+    flat: bool = True  # whether it may have flat faces, more than the ends of a rod
+    block: bool = False  # whether it is mostly flat, if it can be
+    sharp: bool = False  # whether the edges of such a block are
 
-    Args:
-        flat: whether it may have flat faces, more than the ends of a rod.
-        block: whether it is mostly flat, if it can be.
-        sharp: whether its edges are.
-    """
-    found = _primitive_of(points, error, flat, not sharp, BLOCK) if block else None
-    return found or _primitive_of(points, error, flat)
+
+ANY = Faces()
+
+
+def primitive_of(points: Points, error: float, faces: Faces = ANY) -> Primitive | None:
+    """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
+    found = _primitive_of(points, error, True, not faces.sharp, BLOCK) if faces.block else None
+    return found or _primitive_of(points, error, faces.flat)
 
 
 def _primitive_of(

@@ -9,7 +9,7 @@ import torch
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.sizes import usual
-from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
+from core.guidance.builtin.stretch import known_wider
 from core.prior.draw import Draw
 from core.prior.families import build
 
@@ -30,7 +30,7 @@ def usual_mass(noun: str, side: int = 40) -> float:
     """Kilograms of the prior's own solid at the thing's usual size."""
     axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
     cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
-    wider = DRAWN_WIDER.get(noun, AS_IT_IS)  # or its walls would lie between the cells
+    wider = known_wider(noun)  # or its walls would lie between the cells
     shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0, wider)
     inside = cells[shape.sdf(cells) < 0]
     step, by = 2.1 / side, torch.tensor(wider)

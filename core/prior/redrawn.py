@@ -10,7 +10,7 @@ from torch import Tensor
 
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.solid_net import KINDS, SCALE
-from core.guidance.builtin.stretch import DRAWN_WIDER
+from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.prior.data import NOUNS
 from core.prior.families import Shape, normalised
 from core.prior.soften import HALF, LatticeShape
@@ -43,9 +43,9 @@ class Redrawing:
     def shape(self, shape: Shape, noun: int, cells: int) -> LatticeShape:
         """The solid as it comes back, on a lattice of ``cells`` along an edge; ``noun``: its place
         in ``core.prior.data.NOUNS``."""
-        name = NOUNS[noun]
-        # A slender thing is drawn wider than it is: then the network's own points are by others.
-        drawn = normalised(shape.parts, DRAWN_WIDER[name]) if name in DRAWN_WIDER else shape
+        # A slender thing is known wider than it is, so that the network's own points are others.
+        wider = known_wider(NOUNS[noun])
+        drawn = shape if wider == AS_IT_IS else normalised(shape.parts, wider)
         by = torch.tensor(drawn.scale) / torch.tensor(shape.scale)
         volume = volume_of(drawn)
         kind = 1 + KINDS * noun + nearest_kind(volume, self.kinds[noun])

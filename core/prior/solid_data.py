@@ -20,7 +20,7 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.part_tables import OPTIONS
 from core.guidance.builtin.solid import FORMS
 from core.guidance.builtin.solid_net import PARTS
-from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
+from core.guidance.builtin.stretch import known_wider
 from core.io.atomic import atomic_file
 from core.prior.data import ADJECTIVES, NO_PART_STATE, NOUNS, PART_STATES
 from core.prior.draw import Draw
@@ -80,7 +80,7 @@ def _object(noun: int, draw: Draw) -> Solids:
     unstated = draw.chance(NO_PART_STATE) or not options
     state = 0 if unstated else PART_STATES.index(options[int(draw(0, len(options)))])
     own = Draw(draw.generator, PART_STATES[state])
-    wider = DRAWN_WIDER.get(NOUNS[noun], AS_IT_IS)
+    wider = known_wider(NOUNS[noun])
     shape = build(NOUNS[noun], ADJECTIVES[adjective], own, JITTER, wider)
     points = _points(shape, draw.generator)
     distances = distances_of(shape, points).clamp(-REACH, REACH)

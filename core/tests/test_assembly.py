@@ -18,6 +18,7 @@ from core.geometry.assembly import (
     slack_of,
 )
 from core.geometry.faces import bending
+from core.geometry.fitting import Faces
 from core.geometry.lattice import Lattice
 from core.geometry.mesh import health
 from core.geometry.pieces import (
@@ -256,6 +257,18 @@ def test_layers_are_sought_along_a_piece_s_own_axes_and_around_it(monkeypatch):
     assert len(frames) == 9
     along = [abs(frame[:, 2] @ tilted.frame[:, 2]) for frame in frames[6:]]
     assert max(along) > 0.99
+
+
+@pytest.mark.parametrize(("refused", "told"), [("box", "capsule"), ("", "box")])
+def test_a_block_that_was_not_drawn_so_is_told_anew(monkeypatch, refused, told):
+    def fitted(points, error, faces):
+        return upright(0.1, 0.1, 0.1)._replace(form="box" if faces.block else "capsule")
+
+    monkeypatch.setattr(assembly, "primitive_of", fitted)
+    monkeypatch.setattr(assembly, "is_drawn", lambda _, one, piece: one.form != refused)
+    piece = piece_of(upright(0.1, 0.1, 0.1))
+    one = assembly.one_drawn(table, piece, assembly_pieces.points_of(piece), Faces(block=True))
+    assert one is not None and one.form == told
 
 
 def test_pieces_of_one_part_and_size_are_alike():

@@ -5,12 +5,13 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.fitting import _covered, _evened, _fitted, pointed, primitive_of
+from core.geometry.fitting import Faces, _covered, _evened, _fitted, pointed, primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
 from core.geometry.primitives import Primitive
 
 ERROR = 0.04
+BLOCK = Faces(block=True)
 CENTER = np.array([0.1, 0.2, 0.3])
 TILTED, LYING = np.array([0.0, 0.4, 0.0]), np.array([0.0, np.pi / 2, 0.0])
 
@@ -181,9 +182,9 @@ def test_what_is_mostly_flat_is_a_sharp_block_if_it_can_be():
     """A nightstand's drawer, drawn rounded, was a roll; a screen had soft edges."""
     drawer = points_on(solid("box", (0.42, 0.1, 0.115, 0.08)))
     assert primitive_of(drawer, ERROR).form != "box"
-    assert primitive_of(drawer, ERROR, block=True).form == "box"
+    assert primitive_of(drawer, ERROR, BLOCK).form == "box"
     door = points_on(solid("box", (0.3, 0.4, 0.2, 0.09)))
-    assert primitive_of(door, ERROR, block=True).lengths[3] > 0.05
-    assert primitive_of(door, ERROR, block=True, sharp=True).lengths[3] == 0
+    assert primitive_of(door, ERROR, BLOCK).lengths[3] > 0.05
+    assert primitive_of(door, ERROR, BLOCK._replace(sharp=True)).lengths[3] == 0
     ball = points_on(solid("ellipsoid", (0.2, 0.3, 0.1)))
-    assert primitive_of(ball, ERROR, block=True).form == "ellipsoid"  # it can not
+    assert primitive_of(ball, ERROR, BLOCK).form == "ellipsoid"  # it can not

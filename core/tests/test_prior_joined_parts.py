@@ -4,6 +4,8 @@ import pytest
 
 from core.guidance.builtin.vocabulary import parse, understood
 
+LEGS_SEAT_BACK = ("legs", "seat", "back")
+
 
 @pytest.mark.parametrize(
     ("prompt", "colors", "materials"),
@@ -18,6 +20,12 @@ from core.guidance.builtin.vocabulary import parse, understood
         ("a bench with cast iron armrests and legs", {}, {"legs": "cast iron"}),
         ("a robot with silver head and arms", {}, {"head": "silver", "limbs": "silver"}),
         ("a knight with silver armor and shield", {}, {"armour": "silver", "shield": "silver"}),
+        ("a bench with a red cushion and legs", {"seat": "red", "legs": "red"}, {}),
+        (
+            "a chair with red legs and seat and back",
+            dict.fromkeys(("legs", "seat", "back"), "red"),
+            {},
+        ),
     ],
 )
 def test_what_is_said_of_two_joined_parts_is_of_both(prompt, colors, materials):
@@ -38,7 +46,10 @@ def test_what_is_said_of_two_joined_parts_is_of_both(prompt, colors, materials):
         ("a crab with red claws and eyes", {"claws": "red"}, {}),
         ("a king with red robe and crown", {"robe": "red"}, {}),
         ("a cat with green eyes and muzzle", {"eyes": "green"}, {}),
-        ("a bench with a red cushion and legs", {"seat": "red", "legs": "red"}, {}),
+        ("an axe with a wooden handle and head", {}, {"handle": "wooden"}),
+        ("a knife with a wooden handle and blade", {}, {"handle": "wooden"}),
+        ("a gnome with a red hat and beard", {"hat": "red"}, {}),
+        ("a watch with a leather strap and dial", {}, {"strap": "leather"}),
         ("a car without black wheels and windows", {}, {}),
         ("a desk with legs and drawers made of walnut", {}, {"drawers": "walnut"}),
     ],
@@ -115,3 +126,13 @@ def test_what_glows_is_what_light_comes_through(prompt, glowing):
     words = parse(prompt)
     assert words.of_parts("sheen") == glowing
     assert words.sheen == (() if glowing else ("glowing",))
+
+
+@pytest.mark.parametrize("prompt", ["a table edged in brass", "a mirror edged with gold"])
+def test_what_has_no_edge_by_itself_is_no_other_part(prompt):
+    assert not parse(prompt).part_materials()
+
+
+def test_of_two_tastes_the_first_is_taken_and_the_other_told():
+    words = parse("a chocolate and vanilla ice cream")
+    assert (words.color_form, words.left_out) == ("chocolate brown", ("vanilla",))

@@ -32,14 +32,14 @@ from core.guidance.builtin.solid_net import (
     folded,
     with_others,
 )
-from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
+from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.weights import packed, unpacked
 from core.io.job import Job
 from core.job_config import config_of
 from core.prior import solid_kinds, solid_training
 from core.prior.data import NOUNS
 from core.prior.draw import Draw
-from core.prior.families import build
+from core.prior.families import build, normalised
 from core.prior.redrawn import Redrawing
 from core.prior.soft_pairs import make_pairs
 from core.prior.soften import HALF, SAFETY
@@ -464,7 +464,7 @@ def test_the_shipped_network_draws_the_thing(shipped, noun):
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1).view(-1, 3)
     inside = _drawn(shipped, noun).sdf(points) < 0
     draw = Draw(_generator(5))
-    wider = DRAWN_WIDER.get(noun, AS_IT_IS)  # as the network knows it
+    wider = known_wider(noun)  # as the network knows it
     family = (build(noun, "", draw, 0.0, wider).sdf(points) < 0 for _ in range(24))
     likeness = (float((inside & o).sum() / (inside | o).sum()) for o in family)
     assert any(found > 0.55 for found in likeness)  # of the volume, with one of them
@@ -527,11 +527,16 @@ def _redrawing() -> Redrawing:
     return Redrawing(net, kinds)
 
 
-def test_a_redrawn_solid_is_what_the_network_answers_at_the_lattice_nodes():
+@pytest.mark.parametrize("wider", [(1.0, 1.0, 1.0), (2.0, 2.0, 1.0)])
+def test_a_redrawn_solid_is_what_the_network_answers_at_the_lattice_nodes(monkeypatch, wider):
+    """Of what is known wider than it is, at the nodes as wide as that."""
+    monkeypatch.setattr("core.prior.redrawn.known_wider", lambda _: wider)
     noun, cells = NOUNS.index("mug"), 16
     redrawing, shape = _redrawing(), build("mug", "", Draw(_generator()))
     lattice = redrawing.shape(shape, noun, cells)
-    volume = volume_of(shape)
+    known = normalised(shape.parts, wider) if max(wider) > 1 else shape
+    by = torch.tensor(known.scale) / torch.tensor(shape.scale)
+    volume = volume_of(known)
     kind = nearest_kind(volume, redrawing.kinds[noun])
     words = torch.tensor([[noun + 1, 0, 0, 1 + KINDS * noun + kind]])
     code, _ = redrawing.net.encode(volume[None, None].float() / 127, words)
@@ -539,7 +544,8 @@ def test_a_redrawn_solid_is_what_the_network_answers_at_the_lattice_nodes():
     # Nodes by their places along x, y and z: all different, so that swapped axes would show.
     nodes = torch.tensor([[3, 7, 12], [8, 8, 8], [14, 2, 5]])
     points = nodes * (2 * HALF / cells) - HALF
-    true = redrawing.net.decoder.at(triplane, points[None] / EXTENT)[0].amin(1) / SCALE
+    local = points * by / EXTENT
+    true = redrawing.net.decoder.at(triplane, local[None])[0].amin(1) / (SCALE * by.max())
     torch.testing.assert_close(lattice.sdf(points), SAFETY * true, atol=1e-5, rtol=1e-4)
 
 

@@ -9,6 +9,8 @@ import torch
 
 from core.geometry.assembly import Forms, KnownParts, assembled
 from core.geometry.mesh import NORMAL_RADIUS
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.bent import BentSolid, in_box
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
@@ -96,3 +98,13 @@ def test_a_sword_is_slender(sword):
     made = assembled(one.parts(), True, 0.05, lambda _: None)
     width, depth, height = (made[0].amax(0) - made[0].amin(0)).tolist()
     assert height > 2.5 * width > 5 * depth
+
+
+def test_by_a_guide_that_is_wide_it_is_not_cut_off(sword):
+    """A guide that lies along x: looked at 2.4 times as wide, its ends would be out of the cube."""
+    one, half = sword(0), torch.tensor([0.85, 0.1, 0.3])
+    frame = in_box(one.solid, torch.stack([-half, half]), 0.01).frame
+    lying = BentSolid(one.solid.net, one.solid.triplane, frame)
+    parts = PromptedBuiltin(one.builtin, one.words, one.negative, lying).parts()
+    made = assembled(parts, False, 0.05, lambda _: None)
+    assert made[0][:, 0].amax() > 0.8 > EXTENT / 2.4

@@ -41,7 +41,7 @@ from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
-from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
+from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import surface_of, surfaces_of
 from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
@@ -164,8 +164,7 @@ class PromptedBuiltin(PromptedGuidance):
         absent = tuple(list(looks(words.noun)).index(part) for part in words.absent)
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, absent, words.kinds)
-        wider = DRAWN_WIDER.get(words.noun, AS_IT_IS)
-        solid = solid.placed("" if formed else words.shape, wider)
+        solid = solid.placed("" if formed else words.shape, known_wider(words.noun))
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
@@ -212,8 +211,9 @@ class PromptedBuiltin(PromptedGuidance):
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        slender = not isinstance(self.solid, BentSolid)  # a guide may be as wide as the cube
-        wider = DRAWN_WIDER.get(self.words.noun, AS_IT_IS) if slender else AS_IT_IS
+        # A guide may be as wide as the cube, beyond which nothing is looked at.
+        is_guided = isinstance(self.solid, BentSolid)
+        wider = AS_IT_IS if is_guided else known_wider(self.words.noun)
         return KnownParts(self.solid.distances, Forms(flat, kept), wider)
 
     @cached_property

@@ -13,8 +13,9 @@ from core.guidance.builtin.words import ARTICLES, LOOKS, WITHOUT
 # What is of one colour alone, whatever the part before it is of: "red petals and leaves".
 FIXED_KINDS = ("flesh", "leaf", "foliage", "flame", "embers", "eye", "liquid")
 FIXED = frozenset(
-    "teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair moustache".split()
-) | frozenset("blade head trunk dial face candles candle".split())
+    """teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair moustache blade
+    head trunk dial face candles candle""".split()
+)
 EYES = ("eyes", "eye")
 WITH_EYES = ("nose", "mouth", "lips", "buttons", "lights")  # which may look as the eyes do
 SOFT = (GLASS, CLOTH, RUBBER)  # what is so is seldom of anything else, and nothing else of it

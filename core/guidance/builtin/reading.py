@@ -7,7 +7,7 @@ from core.guidance.builtin.clauses import EITHER, NOT_SAID
 from core.guidance.builtin.colors import CALLED_SHADES, shade
 from core.guidance.builtin.compounds import set_parts_apart
 from core.guidance.builtin.findings import NOT_APART, with_article
-from core.guidance.builtin.kind_sizes import YOUNG, YOUNG_KINDS, YOUNG_SCALE
+from core.guidance.builtin.kind_sizes import YOUNG
 from core.guidance.builtin.lexicon import (
     LEXICON,
     MEANT,
@@ -18,13 +18,11 @@ from core.guidance.builtin.lexicon import (
     look_up,
     singulars,
 )
-from core.guidance.builtin.likeness import Likeness
-from core.guidance.builtin.living import is_animal, is_creature, is_somebody
+from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.look_order import set_looks_in_order
 from core.guidance.builtin.mixture import share_out
 from core.guidance.builtin.name_order import set_names_in_order
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_forms import is_round
 from core.guidance.builtin.part_names import (
     as_part,
     has_legs,
@@ -35,7 +33,7 @@ from core.guidance.builtin.part_names import (
     owns,
 )
 from core.guidance.builtin.part_tables import LEGS
-from core.guidance.builtin.sorts import sort_of
+from core.guidance.builtin.stature import Stature
 from core.guidance.builtin.tokens import DOING, describes
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import (
@@ -53,7 +51,6 @@ from core.guidance.builtin.words import (
     OF_ANOTHER,
     PHRASE_ENDS,
     PLAIN,
-    PLUMP,
     PLUSHIES,
     SIZE_WORDS,
     SURROUNDINGS,
@@ -66,7 +63,7 @@ AS_LOOKS = CALLED_SHADES | {name: AS_MATERIAL[name] for name in ("bone", "crysta
 AHEAD = 6  # words in which a thing may still come
 
 
-class Reading(Likeness):
+class Reading(Stature):
     """A prompt's words, sorted into slots.
 
     ``alone``: what ends a phrase is a thing if it can be one: "a grey rock" is a boulder.
@@ -204,43 +201,6 @@ class Reading(Likeness):
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
-
-    def _say_how_large(self) -> None:
-        """What "small" and the like change, if anything."""
-        for more in self.got.size_words[1:]:
-            self.got.leave_aside([more], "one size is taken")
-        for word in self.got.size_words[:1]:
-            if self.got.sizes or self.got.is_toy:
-                self.got.leave_aside([word], "another size is stated")
-            else:
-                self.got.scale = SIZE_WORDS[word]
-                self.got.notes.append(f"{word}: made {self.got.scale:g} times its usual size.")
-
-    def _say_how_round(self) -> None:
-        """A round table is another table, not a swollen one; a round cat is a plump one."""
-        thing, shapes = self.got.thing, self.got.found["shape"]
-        stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
-        if not thing or thing == "table" or is_creature(thing):  # the network knows a round table
-            return
-        for one in stated:
-            shapes.remove(one)
-            if sort := sort_of(thing, one.word):
-                self.got.sort = sort
-            elif not is_round(thing):
-                why = f"{with_article('noun', thing)} keeps its own form here"
-                self.got.leave_aside([one.form], why)
-
-    def _say_how_young(self) -> None:
-        """A cub is smaller than what it grows to be."""
-        thing, young = self.got.thing, [one for one in self.got.qualifiers if one in YOUNG]
-        alive = is_animal(thing) or is_somebody(thing)
-        forms = {word for one in self.got.found["noun"] for word in one.form.split()}
-        if not alive or self.got.sizes or self.got.is_toy or forms & YOUNG_KINDS:
-            return
-        for word in [*young, *self.got.young][:1]:
-            self.got.left_out = [one for one in self.got.left_out if one not in young]
-            self.got.scale = round(YOUNG_SCALE * self.got.scale, 4)
-            self.got.notes.append(f"{word}: made {YOUNG_SCALE:g} times the size of a grown one.")
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""

@@ -22,8 +22,8 @@ NOT_STRETCHED = ((1.0, 1.0, 1.0), 0.0)
 Vector = tuple[float, float, float]
 
 AS_IT_IS = (1.0, 1.0, 1.0)
-# By how much the solids' network knows a slender thing wider than it is, along x, y and z: a blade
-# in its own proportions is thinner than what a cell of the planes tells apart.
+# Of slender things: a blade in its own proportions is thinner than what a cell of the network's
+# planes tells apart.
 DRAWN_WIDER: dict[str, Vector] = {
     "sword": (2.4, 2.4, 1.0),
     "dagger": (1.7, 1.7, 1.0),
@@ -37,6 +37,11 @@ DRAWN_WIDER: dict[str, Vector] = {
     "screwdriver": (1.7, 1.7, 1.0),
     "paintbrush": (1.7, 1.7, 1.0),
 }
+
+
+def known_wider(noun: str) -> Vector:
+    """By how much the solids' network knows a thing wider than it is, along x, y and z."""
+    return DRAWN_WIDER.get(noun, AS_IT_IS)
 
 
 class Frame(NamedTuple):
