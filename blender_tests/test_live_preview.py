@@ -151,18 +151,20 @@ def test_a_picture_is_read_anew_when_it_changes(addon, tmp_path):
     import os
 
     path, pictures = tmp_path / "a.png", icons._collections[0]
-    assert icons.icon(None) == icons.icon(path) == 0
-    assert not pictures
+
+    def looked() -> list[str]:
+        icons.icon((path,))
+        icons.look()
+        return list(pictures)
+
+    assert looked() == []
     write_png(path, np.zeros((8, 8, 3), np.uint8))
     os.utime(path, (1, 1))
-    icons.icon(path)
-    (first,) = pictures
-    icons.icon(path)
-    assert list(pictures) == [first]
+    (first,) = looked()
+    assert looked() == [first]
     os.utime(path, (2, 2))
-    icons.icon(path)
-    assert len(pictures) == 1
-    assert first not in pictures
+    (second,) = looked()
+    assert first != second
 
 
 def test_every_light_has_its_picture(addon):

@@ -17,6 +17,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 
 from .machine import SetupError
@@ -53,6 +54,26 @@ def locked(root: Path, *names: str) -> list[str]:
     """The requirements of these sections, each once; a section that is not there is empty."""
     sections = read_lock(root)
     return list(dict.fromkeys(line for name in names for line in sections.get(name, [])))
+
+
+def locked_digest(root: Path, *names: str) -> str:
+    """The :func:`digest` of these sections, read again only where the file was written again.
+
+    A panel asks for it at each drawing.
+
+    Raises:
+        SetupError: there is no lock file.
+    """
+    try:
+        written = (root / NAME).stat()
+    except OSError:
+        return digest(locked(root, *names))  # which says so
+    return _digest_at(root, names, (written.st_mtime_ns, written.st_size))
+
+
+@lru_cache(maxsize=16)
+def _digest_at(root: Path, names: tuple[str, ...], _written: tuple[int, int]) -> str:
+    return digest(locked(root, *names))
 
 
 def package_of(requirement: str) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .files import expanded, write_text
-from .lock_file import applies, digest, locked
+from .lock_file import applies, locked_digest
 from .machine import SetupError
 
 MARKER = "fantasia3d.json"  # in a complete environment, written last
@@ -72,7 +72,7 @@ def env_folder(root: Path) -> Path:
     given = os.environ.get("FANTASIA3D_ENV")
     if given:
         return expanded(given, SetupError).absolute()
-    return data_folder() / f"env-{digest(locked(root, 'core'))}"
+    return data_folder() / f"env-{locked_digest(root, 'core')}"
 
 
 def env_python(folder: Path) -> Path:
@@ -115,7 +115,7 @@ def lacking(folder: Path, root: Path, groups: Sequence[str] = ()) -> list[str]:
     Without the core's packages as locked, nothing in ``folder`` counts.
     """
     done = read_marker(folder).get("groups", {})
-    wanted = {group: digest(locked(root, group)) for group in ("core", *groups)}
+    wanted = {group: locked_digest(root, group) for group in ("core", *groups)}
     # Groups are installed on top of the core: with another core they are not valid.
     if done.get("core") != wanted["core"]:
         return list(wanted)

@@ -8,6 +8,7 @@ import shutil
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -57,11 +58,11 @@ class Entry:
         """The text of the job."""
         return str(self.job.get("prompt", ""))
 
-    @property
-    def picture(self) -> Path | None:
-        """The best picture of it that exists."""
+    @cached_property
+    def pictures(self) -> tuple[Path, ...]:
+        """Where a picture of it may be, the best first."""
         names = ("asset/preview.png", "preview/color.png", "preview/normals.png")
-        return next((path for name in names if (path := self.folder / name).is_file()), None)
+        return tuple(self.folder / name for name in names)
 
     @property
     def resumable(self) -> bool:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import bpy
@@ -28,7 +29,8 @@ EXR_WINDOW = b"dataWindow\0box2i\0"  # then the length of the four numbers, and 
 STUDIO_FILE = Path(__file__).with_name("studio.exr")
 
 
-def blender_lights() -> dict[str, Path]:
+@cache  # a panel asks for them at each drawing
+def blender_lights() -> Mapping[str, Path]:
     """The world lights that come with this Blender, by name."""
     folder = Path(bpy.utils.system_resource("DATAFILES")) / "studiolights" / "world"
     return {path.stem: path for path in sorted(folder.glob("*.exr"))}

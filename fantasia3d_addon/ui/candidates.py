@@ -100,7 +100,7 @@ def draw_candidates(layout: bpy.types.UILayout) -> None:
 
 def _draw_candidate(column: bpy.types.UILayout, entry: Entry) -> None:
     running = entry.folder.name in session.names
-    picture = icons.icon(entry.picture, at_once=True)
+    picture = icons.icon(entry.pictures)
     if picture:
         column.template_icon(picture, scale=PICTURE)
     else:

@@ -175,7 +175,7 @@ def _draw_run(
 ) -> None:
     """The picture, the progress bar, the time left, and Cancel."""
     box, progress = layout.box().column(), followed.progress
-    picture = icons.icon(followed.picture, at_once=True)
+    picture = icons.icon((followed.picture,)) if followed.picture else 0
     if picture:
         box.template_icon(picture, scale=PICTURE)
     wrapped_label(box, context, followed.prompt, "OUTLINER_OB_MESH", as_it_is=True)

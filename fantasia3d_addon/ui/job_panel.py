@@ -10,7 +10,6 @@ from bpy.app.translations import pgettext_iface as translated
 from ..jobs import history
 from ..jobs.events import STAGES
 from ..jobs.history import Entry
-from ..jobs.job_file import read_job
 from ..jobs.session import session
 from . import icons
 from .job_operators import entry_of, selected
@@ -37,8 +36,7 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
         if entry is None:  # removed since the list was made
             layout.label(text="…")
             return
-        # A running job replaces its picture every second: read later, it would blink.
-        picture = icons.icon(entry.picture, at_once=entry.state == history.RUNNING)
+        picture = icons.icon(entry.pictures)
         row = layout.row(align=True)
         if picture:
             row.label(text=entry.prompt, icon_value=picture, translate=False)
@@ -55,8 +53,8 @@ class FANTASIA3D_UL_runs(bpy.types.UIList):
         words = self.filter_name.lower()
         if not words:
             return [], []  # all, in the given order
-        shown = [bool((e := entry_of(item.name)) and words in e.prompt.lower()) for item in items]
-        return [self.bitflag_filter_item if yes else 0 for yes in shown], []
+        shown = {str(entry.folder) for entry in session.history if words in entry.prompt.lower()}
+        return [self.bitflag_filter_item if item.name in shown else 0 for item in items], []
 
 
 class FANTASIA3D_PT_jobs(bpy.types.Panel):
@@ -93,7 +91,8 @@ def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     box = layout.box().column(align=True)
     for number, (folder, _) in enumerate(session.waiting, 1):
         row = box.row(align=True)
-        text = f"{number}. {read_job(folder).get('prompt', folder.name)}"
+        entry = entry_of(str(folder))
+        text = f"{number}. {entry.prompt if entry else folder.name}"
         row.label(text=text, icon="TIME", translate=False)
         row.operator("fantasia3d.queue_drop", text="", icon="X", emboss=False).folder = str(folder)
     if session.paused:
@@ -105,7 +104,7 @@ def _draw_queue(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
 def _draw_entry(layout: bpy.types.UILayout, context: bpy.types.Context, entry: Entry) -> None:
     """The selected run: its picture, its exact settings, its buttons."""
     box = layout.box().column()
-    picture = icons.icon(entry.picture, at_once=True)
+    picture = icons.icon(entry.pictures)
     if picture:
         box.template_icon(picture, scale=PICTURE)
     wrapped_label(box, context, entry.prompt, as_it_is=True)
