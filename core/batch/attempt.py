@@ -51,7 +51,8 @@ class Attempt:
         self._stop_at: float | None = None  # when it ends by force
         self._is_late = False
         (folder / "cancel").unlink(missing_ok=True)  # meant for an earlier session
-        more = {"PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
+        # The log is UTF-8, whatever the terminal takes.
+        more = {"PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1", "PYTHONIOENCODING": "utf-8"}
         with (folder / "log.txt").open("ab") as log:
             self._process = subprocess.Popen(
                 [*command, str(folder.resolve())],

@@ -8,7 +8,7 @@ and where a piece meets others the union has an edge. One lattice over all of th
 smaller than a cell, and there each border between two parts is ragged.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.bilateral import flattened
+from core.geometry.blade import blade
 from core.geometry.crisp import RIPPLES, crisp
 from core.geometry.crossed import crossed
 from core.geometry.faces import bending, unit
@@ -32,7 +33,7 @@ from core.geometry.pieces import (
     Distances,
     Mesh,
     Piece,
-    drawn_at,
+    drawn_in,
     places_of,
     points_of,
     repeated,
@@ -55,6 +56,9 @@ STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain
 NEAR = 0.1  # training units
 # Of a part's surface, what is flat of blocks and discs in the mean, at least; and of sharp ones.
 BLOCK, SHARP = 0.58, 0.78
+# Errors in the mean, below which a piece is surely what it seems; what a blade has of that at most.
+CLEAR, BLADED = 0.06, 0.7
+ENDLESS = "wall", "blade"  # without ends across an axis
 STRUT = 0.03  # radius, training units
 
 
@@ -63,6 +67,7 @@ class Forms(NamedTuple):
 
     flat: Sequence[float]  # of each, the fraction of its surface that is flat
     round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
+    cornered: Collection[int] = ()  # parts of corners that are too many to be told from round
 
     def may_be_flat(self, part: int) -> bool:
         """Whether pieces of the part may have flat faces; of what is small or was never seen the
@@ -73,7 +78,7 @@ class Forms(NamedTuple):
     def faces(self, part: int) -> Faces:
         """What is known of the faces of the part's pieces."""
         flat = self.flat[part]
-        return Faces(self.may_be_flat(part), flat >= BLOCK, flat >= SHARP)
+        return Faces(self.may_be_flat(part), flat >= BLOCK, flat >= SHARP, part in self.cornered)
 
 
 class KnownParts:
@@ -97,9 +102,10 @@ class KnownParts:
         """All that have a surface, as wide as they are looked at; of a part those that are alike
         are so exactly."""
         found = places_of(self._wide, len(self.forms.flat))
-        drawn = [piece for piece in (drawn_at(self._wide, x) for x in found) if piece]
+        drawn = [piece for place in found for piece in drawn_in(self._wide, place)]
         pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
-        told = [self._told(piece, one or self._turned(piece)) for piece, one in pairs]
+        pairs = [(piece, self._bladed(piece, one or self._turned(piece))) for piece, one in pairs]
+        told = [self._told(piece, one) for piece, one in pairs]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
 
@@ -111,8 +117,20 @@ class KnownParts:
             one = self._layered(piece)
         return piece._replace(primitive=one)
 
+    def _bladed(self, piece: Piece, one: Primitive | None) -> Primitive | None:
+        """The blade that a mostly flat piece is, where that is nearer: a small one is nearly a ball
+        too."""
+        points = points_of(piece)
+        if one is None or not self.forms.faces(piece.place.part).block:
+            return one
+        off = one.off(points, piece.error)
+        found = self._best(piece, [x for x in (blade(piece),) if x]) if off > CLEAR else None
+        return found if found and found.off(points, piece.error) < BLADED * off else one
+
     def _turned(self, piece: Piece) -> Primitive | None:
         """What the piece is, where it is the same all around an axis."""
+        if piece.place.part in self.forms.cornered:
+            return None
         share = self.share(piece)
         axis = int(share.argmax())
         turned = turned_about(piece, axis) if share[axis] >= SHARE else None
@@ -122,7 +140,10 @@ class KnownParts:
         """What the piece is, where it is flat outlines one upon another along an axis, or along
         several, or one around a line."""
         frames = [frame @ turned for frame in frames_of(points_of(piece)) for turned in FRAMES]
-        flat = [one for one in (*(layered(piece, frame) for frame in frames), wall(piece)) if one]
+        each = [*(layered(piece, frame) for frame in frames), wall(piece)]
+        if self.forms.faces(piece.place.part).block:
+            each.append(blade(piece))
+        flat = [one for one in each if one]
         found = self._best(piece, flat)
         if found is None and (one := crossed(piece)):
             found = self._best(piece, [one])
@@ -133,7 +154,7 @@ class KnownParts:
         points = points_of(piece)
         # A round tube is not told from a flat one: the noun's objects say whether there are ends.
         most = self.forms.flat[piece.place.part] / FLAT_ENDS
-        fits = [one for one in flat if one.form == "wall" or ends_share(one) <= most]
+        fits = [one for one in flat if one.form in ENDLESS or ends_share(one) <= most]
         fits = [one for one in fits if one.fits(points, piece.error)]
         return min(
             (one for one in fits if is_drawn(self._wide, one, piece)),
@@ -246,7 +267,7 @@ def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Pri
 
 def one_drawn(distances: Distances, piece: Piece, points: Points, faces: Faces) -> Primitive | None:
     """The primitive that a piece is by itself, where it was drawn; no block, if that was not."""
-    for known in (faces, Faces(faces.flat))[: 1 + faces.block]:
+    for known in (faces, faces._replace(block=False, sharp=False))[: 1 + faces.block]:
         one = primitive_of(points, piece.error, known)
         if one is not None and is_drawn(distances, one, piece):
             return one

@@ -39,6 +39,7 @@ class Faces(NamedTuple):
     flat: bool = True  # whether it may have flat faces, more than the ends of a rod
     block: bool = False  # whether it is mostly flat, if it can be
     sharp: bool = False  # whether the edges of such a block are
+    cornered: bool = False  # whether it has so many corners that it seems round
 
 
 ANY = Faces()
@@ -46,6 +47,8 @@ ANY = Faces()
 
 def primitive_of(points: Points, error: float, faces: Faces = ANY) -> Primitive | None:
     """The primitive whose surface the points are on, up to errors of about ``error``; or None."""
+    if faces.cornered:
+        return None
     found = _primitive_of(points, error, True, not faces.sharp, BLOCK) if faces.block else None
     return found or _primitive_of(points, error, faces.flat)
 

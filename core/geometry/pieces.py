@@ -1,6 +1,7 @@
 """The pieces of parts: where each is, its surface as it is drawn, and how it repeats itself."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,10 @@ from core.geometry.tet_grid import EXTENT, tet_grid
 SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
 BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
 LEAST_NODES = 4  # of a piece
+# Nodes between which the tetrahedral lattice has an edge.
+JOINED = np.zeros((3, 3, 3), bool)
+JOINED[:2, :2, :2] = JOINED[1:, 1:, 1:] = True
+ALSO = 0.25  # of the largest one's nodes, a piece's that is joined to it on the first lattice alone
 MARGIN = 1.6  # of its cell, around a piece
 # What the network leaves to be made exact is of about this size, and less on small pieces; in
 # twelfths of the piece's longest side.
@@ -34,6 +39,7 @@ FITTED = 400  # points of a piece's surface, which tell its primitive
 
 Mesh = tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]
 Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
+Elsewhere = Callable[[Float[Tensor, "n 3"]], Tensor]
 
 
 class Place(NamedTuple):
@@ -42,7 +48,7 @@ class Place(NamedTuple):
     part: int
     low: Float[np.ndarray, " 3"]  # of the box around it, with a margin
     high: Float[np.ndarray, " 3"]
-    others: Callable[[Float[Tensor, "n 3"]], Tensor]  # whether a place is of another of the part's
+    others: Elsewhere  # whether a place is of another of the part's
 
 
 class Piece(NamedTuple):
@@ -81,25 +87,59 @@ def places_of(distances: Distances, parts: int) -> Iterator[Place]:
             if mine.sum() < LEAST_NODES or found[(*where, part)][mine].min() >= 0:
                 continue
             ends = np.array([(side.start, side.stop - 1) for side in where]).T * cell - EXTENT
-            others = _elsewhere(labels, index + 1, cell)
+            others = _elsewhere(labels, index + 1, cell, np.full(3, -EXTENT))
             yield Place(part, ends[0] - MARGIN * cell, ends[1] + MARGIN * cell, others)
 
 
 def _elsewhere(
-    labels: Int[np.ndarray, "n n n"], mine: int, cell: float
-) -> Callable[[Float[Tensor, "n 3"]], Tensor]:
-    """Whether places are in another labelled piece than ``mine``, by the nearest node."""
+    labels: Int[np.ndarray, "n m k"], mine: int, cell: float, low: Float[np.ndarray, " 3"]
+) -> Elsewhere:
+    """Whether places are in another labelled piece than ``mine``, by the nearest node of a lattice
+    from ``low`` on."""
     table = torch.from_numpy((labels != 0) & (labels != mine))
+    last = torch.tensor(table.shape) - 1
 
     def at(points: Float[Tensor, "n 3"]) -> Tensor:
-        node = ((points + EXTENT) / cell).round().long().clamp(0, len(table) - 1)
-        return table[tuple(node.T)]
+        node = ((points - torch.from_numpy(low).to(points)) / cell).round().long()
+        return table[tuple(node.clamp(min=0).minimum(last).T)]
 
     return at
 
 
+def drawn_in(distances: Distances, place: Place) -> Iterator[Piece]:
+    """The pieces at a place: mostly one, or those that only the lattice of all pieces joins."""
+    whole = drawn_at(distances, place)
+    if whole is None:
+        return
+    places = list(_places_within(whole))
+    if len(places) < 2:
+        yield whole
+        return
+    for one in places:
+        yield from drawn_in(distances, one)  # on a finer lattice more come apart
+
+
+def _places_within(piece: Piece) -> Iterator[Place]:
+    """Where the lattice of the piece's surface has pieces of about its size, each apart."""
+    part, lattice = piece.place.part, piece.lattice
+    labels = np.zeros(lattice.values.shape, np.int32)
+    ndimage.label(lattice.values < 0, JOINED, output=labels)
+    nodes = np.bincount(labels.ravel())[1:]
+    for index, where in enumerate(ndimage.find_objects(labels)):
+        if nodes[index] < ALSO * nodes.max():
+            continue
+        ends = np.array([(side.start, side.stop - 1) for side in where]).T * lattice.cell
+        low, high = ends + lattice.low + MARGIN * lattice.cell * np.array([[-1], [1]])
+        away = _elsewhere(labels, index + 1, lattice.cell, lattice.low)
+        yield Place(part, low, high, partial(_any_of, (piece.place.others, away)))
+
+
+def _any_of(each: Sequence[Elsewhere], points: Float[Tensor, "n 3"]) -> Tensor:
+    return torch.stack([one(points) for one in each]).any(0)
+
+
 def drawn_at(distances: Distances, place: Place) -> Piece | None:
-    """The piece's closed surface on a lattice of its own."""
+    """The largest piece's closed surface on a lattice of its own."""
     longest = float((place.high - place.low).max())
     error = min(max(longest * ERROR_SHARE, ERROR[0]), ERROR[1])
     grid = tet_grid(min(int(np.ceil(longest * CELLS / error)), MOST_CELLS))

@@ -16,7 +16,7 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry.union import ball, lathe, prisms, rolled, rounded_box, union
+from core.geometry.union import ball, hull, lathe, prisms, rolled, rounded_box, union
 
 Lengths = Float[np.ndarray, " k"]
 Points = Float[np.ndarray, "n 3"]
@@ -111,6 +111,19 @@ def wall(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     return layers(unrolled(p, lengths[0]), lengths[1:])
 
 
+def blade(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
+    """A lozenge across that goes up from z = 0 to a point: its half widths along x and y there, how
+    high the shoulder is, how long the point, and how many times as wide it is at the shoulder;
+    outside, at least the distance from the farthest side's plane."""
+    wide, thick, shoulder, tip, slim = lengths
+    slope, steep = (slim - 1) / shoulder, slim / tip
+    across, z = np.abs(p[:, 0]) / wide + np.abs(p[:, 1]) / thick, p[:, 2]
+    norm = np.hypot(1 / wide, 1 / thick)
+    side = (across - 1 - slope * z) / np.hypot(norm, slope)
+    point = (across - steep * (shoulder + tip - z)) / np.hypot(norm, steep)
+    return np.max([side, point, -z], axis=0)
+
+
 def unrolled(p: Points, radius: float) -> Points:
     """The way around the axis at a radius, 0 where y is least; the height; the distance from it."""
     angle = np.arctan2(p[:, 0], -p[:, 1])
@@ -201,6 +214,7 @@ FORMS = {
     "layers": Form(layers, **OUTLINED),
     "crossed": Form(crossed, **OUTLINED),
     "wall": Form(wall, **OUTLINED),
+    "blade": Form(blade, fits=(0.25, 0.85), drawn=((0.6, 0.75), (1.5, 0.95))),
 }
 
 
@@ -277,9 +291,19 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
     if form == "wall":
         chord = 2 * np.sqrt(2 * CHORD * lengths[0])
         return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))
+    if form == "blade":
+        return hull(_corners(lengths), edge)
     widest = {"ring": lengths.sum(), "turned": lengths[::2].max()}
     count = _segments(widest.get(form, lengths[1:3].max()))
     return lathe(_profile(form, lengths), edge, count)
+
+
+def _corners(blade: Lengths) -> Points:
+    """Where it begins, its shoulder's, its point."""
+    wide, thick, shoulder, tip, slim = blade
+    across = np.array([(wide, 0), (0, thick), (-wide, 0), (0, -thick)])
+    rings = [np.c_[k * across, np.full(4, z)] for k, z in ((1, 0.0), (slim, shoulder))]
+    return np.concatenate([*rings, [(0, 0, shoulder + tip)]])
 
 
 def _profile(form: str, lengths: Lengths) -> Float[np.ndarray, "c 2"]:

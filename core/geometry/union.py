@@ -73,6 +73,13 @@ def lathe(
     return _refined(outline.revolve(segments), edge)
 
 
+def hull(
+    corners: Float[np.ndarray, "k 3"], edge: float
+) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+    """The convex solid that has these corners."""
+    return _refined(manifold3d.Manifold.hull_points(corners.tolist()), edge)
+
+
 Layers = Sequence[tuple[float, float, Sequence[Float[np.ndarray, "k 2"]]]]
 
 

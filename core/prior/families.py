@@ -63,6 +63,7 @@ from core.prior.things.residence import RESIDENCE
 from core.prior.things.rides import RIDES
 from core.prior.things.roadside import ROADSIDE
 from core.prior.things.roles import ROLES
+from core.prior.things.showpieces import SHOWPIECES
 from core.prior.things.sites import SITES
 from core.prior.things.sky import SKY
 from core.prior.things.small_things import SMALL_THINGS
@@ -188,6 +189,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | CURIOS
     | RESIDENCE
     | STUDY
+    | SHOWPIECES
 )
 
 

@@ -167,6 +167,22 @@ def outlined(side: list[tuple[float, float]], half: list[tuple[float, float]]) -
     return within(prism(side, 0, 2), prism(mirrored(half), 2, 4))
 
 
+def lozenge_blade(
+    low: float, high: float, wide: float, thick: float, tip: float, slim: float
+) -> Solid:
+    """A lozenge across, of half ``wide`` along x and half ``thick`` along y where it begins, and
+    ``slim`` times that where its point of length ``tip`` does; a lower bound of the distance."""
+    slope, steep = (slim - 1) / (high - tip - low), slim / tip
+
+    def distance(p: Tensor) -> Tensor:
+        across, z = p[:, 0].abs() / wide + p[:, 1].abs() / thick, p[:, 2]
+        side = (across - 1 - slope * (z - low)) / math.hypot(1 / wide, 1 / thick, slope)
+        point = (across - steep * (high - z)) / math.hypot(1 / wide, 1 / thick, steep)
+        return torch.maximum(torch.maximum(side, point), low - z)
+
+    return distance
+
+
 def cut(solid: Solid, *holes: Solid) -> Solid:
     """``solid`` without the holes; a lower bound of the distance."""
 

@@ -10,6 +10,9 @@ from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.patterns import (
     BAND,
+    COIN,
+    COIN_RIM,
+    COIN_ROW,
     KEY,
     KEY_GAP,
     KEY_SHIFT,
@@ -306,3 +309,14 @@ def test_a_keyboards_keys_lie_in_rows_that_are_shifted():
         below = middles - torch.tensor([0.0, KEY / 2, 0.0])
         assert torch.allclose(MARGINS["keys"](middles), torch.full((4,), KEY_GAP - KEY / 2))
         assert (MARGINS["keys"](borders) > 0).all() and (MARGINS["keys"](below) > 0).all()
+
+
+def test_coins_lie_in_rows_each_over_the_one_behind():
+    """Dark at the rim of the coin on top, and nowhere within it; none is seen through."""
+    row = COIN * COIN_ROW
+    middles = torch.tensor([[2 * row * k, 0.0, 0.03] for k in range(-2, 3)])
+    assert (MARGINS["coins"](middles) < -COIN_RIM).all()
+    turn = torch.linspace(0, torch.pi, 9)[1:-1]  # the back half of a rim, which lies on others
+    half = torch.stack([turn.cos(), 0 * turn, turn.sin()], 1)
+    assert (MARGINS["coins"](half * (COIN - 0.3 * COIN_RIM)) > 0).all()
+    assert (MARGINS["coins"](half * (COIN - 1.7 * COIN_RIM)) < 0).all()

@@ -25,12 +25,13 @@ from core.geometry.pieces import (
     Piece,
     Place,
     drawn_at,
+    drawn_in,
     places_of,
     points_of,
     repeats,
     turned_share,
 )
-from core.geometry.primitives import Primitive, packed
+from core.geometry.primitives import Primitive, packed, unpacked
 from core.geometry.tet_grid import EXTENT
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals
@@ -155,6 +156,17 @@ def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
     # A row of zeros says nothing: of a part that is small, or was never seen.
     assert Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(0)
     assert not Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(1)
+
+
+@pytest.mark.parametrize(("flat", "form"), [(0.5, "capsule"), (0.57, "capsule"), (0.66, "box")])
+def test_of_a_part_that_is_mostly_flat_a_piece_is_a_block(flat, form):
+    """A nightstand's drawer, drawn rounded, was a roll."""
+
+    def drawer(points):
+        return (box(points, (0.0, 0.0, 0.0), (0.34, 0.02, 0.035)) - 0.08)[:, None]
+
+    (piece,) = KnownParts(drawer, Forms((flat,), ((0.0,),) * 3)).pieces
+    assert piece.primitive.form == form
 
 
 def test_what_is_round_is_told_by_the_piece_itself():
@@ -313,6 +325,63 @@ def test_a_board_between_the_nodes_is_one_piece_and_what_is_only_near_is_none(mo
     assert not list(places_of(lambda points: board(0.0)(points) + 0.1 * cell, 1))
     speck = lambda points: points.norm(dim=1, keepdim=True) - 0.5 * cell  # noqa: E731
     assert not list(places_of(speck, 1))
+
+
+def test_a_part_of_many_corners_is_not_taken_for_round():
+    """A stop sign was a disc: its corners are hardly more than the errors off one."""
+    turns = [k * math.pi / 8 for k in range(1, 16, 2)]
+    sides = torch.tensor(
+        [[math.cos(turn + math.pi / 8), math.sin(turn + math.pi / 8)] for turn in turns]
+    )
+
+    def octagon(points):
+        across = (points[:, ::2] @ sides.T).amax(1) - 0.6
+        return torch.maximum(across, points[:, 1].abs() - 0.08)[:, None]
+
+    forms = Forms((0.9,), ((0.0,), (0.87,), (0.0,)))
+    assert KnownParts(octagon, forms).pieces[0].primitive.form in ("frustum", "turned")
+    (one,) = KnownParts(octagon, forms._replace(cornered=(0,))).pieces
+    assert one.primitive.form == "layers"
+    (_, _, (loop,)) = unpacked(one.primitive.lengths)[0]
+    assert len(loop) == 8
+
+
+def boards(gap, *halves):
+    """Boards one beside the other along x, so far apart."""
+
+    def at(points):
+        left, each = -sum(halves) - gap * (len(halves) - 1) / 2, []
+        for half in halves:
+            middle = points.new_tensor([left + half, 0.0, 0.0])
+            away = (points - middle).abs() - points.new_tensor([half, 0.3, 0.1])
+            each.append(away.clamp(min=0).norm(dim=1) + away.amax(1).clamp(max=0))
+            left += 2 * half + gap
+        return torch.stack(each).amin(0)[:, None]
+
+    return at
+
+
+def test_pieces_that_only_the_lattice_of_all_joins_are_each_drawn():
+    # A goat had one horn, a windmill one of four sails: the others were dropped.
+    three = boards(0.02, 0.2, 0.2, 0.2)
+    (place,) = places_of(three, 1)
+    pieces = list(drawn_in(three, place))
+    assert [round(float(piece.middle[0]), 2) for piece in pieces] == [-0.42, 0.0, 0.42]
+    assert [piece.place.others(pieces[1].middle[None]).item() for piece in pieces] == [
+        True,
+        False,
+        True,
+    ]
+    found = KnownParts(three, Forms((1.0,), ((0,), (0,), (0,)))).pieces
+    assert [piece.primitive.form for piece in found] == ["box"] * 3
+    for piece in found:
+        np.testing.assert_allclose(piece.primitive.lengths[:3], (0.2, 0.3, 0.1), atol=0.01)
+
+
+def test_a_crumb_beside_two_pieces_is_none():
+    some = boards(0.016, 0.2, 0.2, 0.03)
+    (place,) = places_of(some, 1)
+    assert len(list(drawn_in(some, place))) == 2
 
 
 def test_there_is_none_where_nothing_is_inside():

@@ -101,3 +101,11 @@ def test_who_is_young_by_name_or_of_a_stated_size_is_not_made_smaller_again():
     assert read("a baby lamb")["size_m"] == read("a lamb")["size_m"]
     assert read("a baby turtle, 3 cm long")["size_m"] == 0.03
     assert read("a baby turtle plushie")["size_m"] == TOY_SIZE
+
+
+@pytest.mark.parametrize(
+    ("sort", "kind"),
+    [("a retro television", "a retro tv"), ("a slice of pizza", "a pizza slice")],
+)
+def test_a_sort_is_as_large_as_the_kind_that_is_called_so(sort, kind):
+    assert read(sort)["size_m"] == read(kind)["size_m"] < NOUNS[read(sort)["thing"]].usual.size_m

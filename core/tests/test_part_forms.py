@@ -107,7 +107,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
-    assert parts is not None and tuple(parts.forms) == part_forms_table()["mug"]
+    assert parts is not None and parts.forms[:2] == part_forms_table()["mug"]
     assert drawn.solid is not None
     found = parts.distances(drawn.solid.mesh[0]).argmin(1)
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle

@@ -5,7 +5,7 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.fitting import Faces, _covered, _evened, _fitted, pointed, primitive_of
+from core.geometry.fitting import ANY, Faces, _covered, _evened, _fitted, pointed, primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
 from core.geometry.primitives import Primitive
@@ -188,3 +188,13 @@ def test_what_is_mostly_flat_is_a_sharp_block_if_it_can_be():
     assert primitive_of(door, ERROR, BLOCK._replace(sharp=True)).lengths[3] == 0
     ball = points_on(solid("ellipsoid", (0.2, 0.3, 0.1)))
     assert primitive_of(ball, ERROR, BLOCK).form == "ellipsoid"  # it can not
+
+
+@pytest.mark.parametrize("half", [(0.42, 0.1, 0.1), (0.15, 0.12, 0.12)])
+def test_a_block_is_no_rod_though_a_rod_fits_better(half):
+    """Of a rod hardly anything is flat: a square bar with round edges lay there as one."""
+    bar = points_on(solid("box", (*half, 0.08)))
+    plain, block = (primitive_of(bar, ERROR, faces) for faces in (ANY, BLOCK))
+    assert block.form == "box"
+    np.testing.assert_allclose(block.lengths[:3], half, atol=5e-3)
+    assert plain.form != "box"

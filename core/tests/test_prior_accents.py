@@ -22,6 +22,16 @@ def test_a_colour_before_a_part_is_of_that_part_alone():
     assert (words.part_materials(), words.color) == ({"pot": "terracotta"}, "")
 
 
+def test_what_is_of_the_bodys_colour_by_nature_has_its_new_one():
+    of = parse("a teapot with a navy lid and cream body").part_shades()
+    assert of == {"lid": "navy", "body": "cream", "spout": "cream", "handle": "cream"}
+    assert parse("a mug with a white body and a blue handle").part_shades() == {
+        "body": "white",
+        "handle": "blue",
+    }
+    assert parse("a robot with a red body").part_shades() == {"body": "red"}
+
+
 @pytest.mark.parametrize(
     ("prompt", "patterns", "colors"),
     [

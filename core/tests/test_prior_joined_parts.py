@@ -48,7 +48,10 @@ def test_what_is_said_of_two_joined_parts_is_of_both(prompt, colors, materials):
         ("a cat with green eyes and muzzle", {"eyes": "green"}, {}),
         ("an axe with a wooden handle and head", {}, {"handle": "wooden"}),
         ("a knife with a wooden handle and blade", {}, {"handle": "wooden"}),
+        ("a spoon with a wooden handle and bowl", {}, {"handle": "wooden"}),
+        ("a sword with a stone grip and guard", {}, {"grip": "stone"}),
         ("a gnome with a red hat and beard", {"hat": "red"}, {}),
+        ("a mermaid with a red tail and hair", {"tail": "red"}, {}),
         ("a watch with a leather strap and dial", {}, {"strap": "leather"}),
         ("a car without black wheels and windows", {}, {}),
         ("a desk with legs and drawers made of walnut", {}, {"drawers": "walnut"}),
@@ -133,6 +136,22 @@ def test_what_has_no_edge_by_itself_is_no_other_part(prompt):
     assert not parse(prompt).part_materials()
 
 
-def test_of_two_tastes_the_first_is_taken_and_the_other_told():
-    words = parse("a chocolate and vanilla ice cream")
-    assert (words.color_form, words.left_out) == ("chocolate brown", ("vanilla",))
+@pytest.mark.parametrize(
+    ("prompt", "color", "others"),
+    [
+        ("a chocolate and vanilla ice cream", "chocolate brown", ["vanilla"]),
+        ("a vanilla and chocolate ice cream", "cream white", ["chocolate"]),
+        ("vanilla, chocolate and mint ice cream", "cream white", ["chocolate", "mint"]),
+        ("strawberry and lemon and vanilla ice cream", "strawberry pink", ["lemon", "vanilla"]),
+    ],
+)
+def test_of_two_tastes_the_first_is_taken_and_the_other_told(prompt, color, others):
+    words = parse(prompt)
+    assert (words.noun, words.color_form, words.material) == ("ice cream", color, "")
+    assert list(words.notes) == [f"{one}: left out, as one taste is taken." for one in others]
+
+
+@pytest.mark.parametrize("prompt", ["a table edged in brass", "a table trimmed with brass"])
+def test_what_edges_a_thing_without_edges_is_not_all_of_it(prompt):
+    words = parse(prompt)
+    assert (words.material, words.left_out) == ("", ("brass edges",))

@@ -318,6 +318,19 @@ def test_a_material_that_a_thing_is_of_by_nature_says_nothing_of_what_else_it_ha
         assert of[part] == own and words.material in of.values()
 
 
+def test_of_a_coloured_metal_the_metal_parts_are_too():
+    def of(prompt: str) -> dict[str, str]:
+        words = parse(prompt)
+        return {part.name: part.material for part in painted(words.noun, words)}
+
+    assert of("a brass floor lamp")["pole"] == "golden"
+    assert of("a rusty train")["wheels"] == "rusty"
+    assert of("a metal floor lamp")["pole"] == ""  # stays of the dark one that it is
+    assert of("a wooden lamp")["pole"] == ""
+    assert of("a golden backpack")["buckles"] == "golden"
+    assert of("a golden safe with a metal dial")["dial"] == "metal"
+
+
 def test_a_golden_medal_has_a_ribbon_of_cloth():
     medal = {part.name: part.finish for part in painted("medal", parse("a golden medal"))}
     assert medal["ribbon"].metallic == 0 and 1 in {finish.metallic for finish in medal.values()}

@@ -1,10 +1,10 @@
 """What a prompt says of parts alone. Standard library only."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 from typing import NamedTuple
 
 from core.guidance.builtin.lexicon import Entry
-from core.guidance.builtin.part_names import is_wide, own_names
+from core.guidance.builtin.part_names import is_wide, looks_of, own_names
 from core.guidance.builtin.part_tables import LEGS
 
 
@@ -38,6 +38,7 @@ class Accent(NamedTuple):
     second_form: str = ""
 
 
+OF_BODY = ("spout", "handle", "dome", "rim", "neck")
 # What is said of a part together.
 TOGETHER = (
     ("color", "color_form"),
@@ -63,7 +64,17 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
             if name not in accents or not is_wide(noun, part.name):
                 accents[name], more = _joined(accents.get(name, Accent(name)), part)
                 again += more
+    if "body" in accents:
+        accents |= {name: accents["body"]._replace(part=name) for name in _like_body(noun, accents)}
     return list(accents.values()), list(dict.fromkeys(again))
+
+
+def _like_body(noun: str, accents: Collection[str]) -> Iterator[str]:
+    """What is by nature as the body is, and nothing is said of: a cream teapot's spout."""
+    looks = looks_of(noun)
+    for name in OF_BODY:
+        if name in looks and name not in accents and looks[name][1:] == looks["body"][1:]:
+            yield name
 
 
 def _joined(before: Accent, part: StatedPart) -> tuple[Accent, list[str]]:

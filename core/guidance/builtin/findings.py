@@ -99,9 +99,7 @@ class Findings:
         """What names a sort of the thing is not left out, and is no shape of its own."""
         forms = [one for form in said for one in (form, f"{form}s")]
         words = {word for form in forms for word in (form, *form.split())}
-        self.left_out = [
-            one for one in self.left_out if one not in words and not words.issuperset(one.split())
-        ]
+        self.left_out = [one for one in self.left_out if not words.issuperset(one.split())]
         self.aside = [one for one in self.aside if one not in words]
         self.notes = [note for note in self.notes if note.partition(": left out")[0] not in words]
         self.found["shape"] = [one for one in self.found["shape"] if one.form not in words]

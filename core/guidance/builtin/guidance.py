@@ -34,7 +34,7 @@ from core.guidance.builtin.offered import (
     weights_error,
 )
 from core.guidance.builtin.palette import FINISHES, Color, Finish, looks, painted
-from core.guidance.builtin.part_forms import part_forms_table
+from core.guidance.builtin.part_forms import CORNERED, part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import has_parts, part_map, solid_part_map
 from core.guidance.builtin.patterns import ALONG, Laid, axis_of
@@ -214,7 +214,9 @@ class PromptedBuiltin(PromptedGuidance):
         # A guide may be as wide as the cube, beyond which nothing is looked at.
         is_guided = isinstance(self.solid, BentSolid)
         wider = AS_IT_IS if is_guided else known_wider(self.words.noun)
-        return KnownParts(self.solid.distances, Forms(flat, kept), wider)
+        corners = CORNERED.get(self.words.noun, ())
+        cornered = [part for part, name in enumerate(looks(self.words.noun)) if name in corners]
+        return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
 
     @cached_property
     def _axes(self) -> tuple[int, ...]:

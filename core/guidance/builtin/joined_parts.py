@@ -13,7 +13,7 @@ from core.guidance.builtin.words import ARTICLES, LOOKS, WITHOUT
 # What is of one colour alone, whatever the part before it is of: "red petals and leaves".
 FIXED_KINDS = ("flesh", "leaf", "foliage", "flame", "embers", "eye", "liquid")
 FIXED = frozenset(
-    """teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair moustache blade
+    """teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair blade
     head trunk dial face candles candle""".split()
 )
 EYES = ("eyes", "eye")

@@ -21,7 +21,8 @@ _ROWS = {
     "coffee table": "0.55: side table",
     "cabinet": "0.8: kitchen cabinet, shoe rack; 1.8: locker, school locker, display case, "
     "display cabinet, vitrine",
-    "piano": "1: synthesizer; 1.9: grand piano; 2.2: harpsichord",
+    "piano": "1: synthesizer",
+    "grand piano": "1.5: baby grand piano, baby grand; 2.7: concert grand",
     "crib": "0.8: bassinet; 0.9: cradle",
     "grandfather clock": "0.4: cuckoo clock",
     "shelf": "0.4: spice rack; 1.8: shelving unit, shelving",
@@ -389,7 +390,7 @@ _ROWS = {
     "satellite dish": "4: radar antenna; 8: radar station; 25: radio telescope",
     # what is worn
     "glove": "0.33: oven mitt; 0.36: gauntlet",
-    "handbag": "0.11: wallet; 0.25: clutch; 0.42: briefcase, tote bag",
+    "handbag": "0.11: wallet; 0.25: clutch; 0.42: briefcase, tote bag, satchel, messenger bag",
     "suitcase": "0.55: carry on, travel bag; 0.9: travel trunk",
     "shirt": "1.4: kimono",
     "trousers": "0.5: shorts; 1.4: overalls, dungarees",

@@ -175,13 +175,14 @@ def _set_edge(tokens: Tokens, at: int) -> None:
     parts = EDGED.get(tokens.words[at], "").split()
     named = (name for name in parts if own_name(thing, name) and not is_wide(thing, name))
     part = next(named, "")
-    end = tokens.qualities_end(begin, ("color", "material")) if part else begin
+    end = tokens.qualities_end(begin, ("color", "material")) if parts else begin
     linked = tokens.words[at + 1 : begin] in (["in"], ["with"])
     if not linked or end == begin or not tokens.breaks.isdisjoint(range(at, end)):
         return
     ended = tokens.ends_phrase(end) or tokens.words[end] == "and"
     if ended:
-        tokens.put(at, end, ["with", *tokens.words[begin:end], part])
+        # Of what has no such part it is not all of that: "a table edged in brass".
+        tokens.put(at, end, ["with", *tokens.words[begin:end], part or "edges"])
 
 
 def _introduced_by(tokens: Tokens, at: int) -> str:

@@ -24,7 +24,7 @@ from core.guidance.builtin.colors import (
     toned,
 )
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.living import is_animal
+from core.guidance.builtin.living import is_animal, is_creature
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
@@ -34,6 +34,7 @@ from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
+COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
@@ -313,8 +314,10 @@ def is_of(noun: str, look: Look, material: str) -> bool:
     glass bottle's cap."""
     if material == "glass" and noun in GLAZED:
         return look.material == "glass"
+    if look.role == "-":  # "a brass floor lamp": its pole too
+        return material in COLORED_METALS and look.finish.metallic > 0.5 and not is_creature(noun)
     if look.role != "+" or not material:
-        return look.role != "-"
+        return True
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):
         return look.material == material
     if look.finish.metallic < 0.5:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
+# Parts of corners that are too many for the network's errors to tell them from round.
+CORNERED = {"stop sign": ("plate", "rim")}
 
 
 class PartForms(NamedTuple):

@@ -32,6 +32,7 @@ Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of t
 STRIPE, CELL, SPOT, CHECK, HOOP = 0.21, 0.42, 0.14, 0.21, 0.62
 PLATE, PLATE_LINE = 0.4, 0.022  # across a plate; half the line between two
 KEY, KEY_GAP, KEY_SHIFT = 0.105, 0.009, 0.3  # of a keyboard; half a gap; of a key, row by row
+COIN, COIN_ROW, COIN_RIM = 0.1, 0.85, 0.014  # radius; of it between rows; of the dark rim
 FAINT = 0.15  # of sRGB, between two colours of which one is hardly seen on the other
 FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
 LONG = 1.5  # times its height, what lies is at least
@@ -141,6 +142,23 @@ def keys(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     return KEY_GAP - side
 
 
+def coins(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    """The rims of coins in a heap: in rows across it, from the front over its top to the back, each
+    row on the one behind."""
+    across, along = points[:, 0] / COIN, (points[:, 1] + points[:, 2]) / COIN
+    within = torch.full_like(across, -1.0)  # how far inside the coin on top
+    outside = torch.full_like(across, 1.0)  # and from the nearest of those that lie on it
+    front = ((along - 1) / COIN_ROW).ceil() - 1
+    for row in (front, front + 1, front + 2, front + 3):
+        aside = (across - COIN_ROW * row.remainder(2)) / (2 * COIN_ROW)
+        aside = (aside - aside.round()) * 2 * COIN_ROW
+        inside = 1 - torch.hypot(aside, along - COIN_ROW * row)
+        outside = torch.where(within < 0, outside.minimum(inside.abs()), outside)
+        within = torch.where(within < 0, inside, within)
+    rim = COIN_RIM - within * COIN
+    return torch.where(rim > 0, rim.minimum(within * COIN), rim.maximum(-outside * COIN))
+
+
 MARGINS: dict[str, Margin] = {
     "striped": striped,
     "spotted": spotted,
@@ -166,10 +184,11 @@ NATURAL: dict[str, Natural] = {
     "plates": Natural(plates, 0.5),  # a turtle's
     "seams": Natural(seams, (0.13, 0.10, 0.09)),  # a basketball's
     "keys": Natural(keys, (0.52, 0.54, 0.57)),  # the gaps between a keyboard's
+    "coins": Natural(coins, 0.4),
 }
 # Of these what is of the thing's form, and stays whatever its colour and material are, where no
 # other pattern is stated.
-LINES = ("scales", "waffle", "plates", "seams", "keys")
+LINES = ("scales", "waffle", "plates", "seams", "keys", "coins")
 MARGINS |= {name: natural.margin for name, natural in NATURAL.items()}
 
 

@@ -6,6 +6,7 @@ from core.guidance.builtin.accents import StatedPart
 from core.guidance.builtin.clauses import EITHER, NOT_SAID
 from core.guidance.builtin.colors import CALLED_SHADES, shade
 from core.guidance.builtin.compounds import set_parts_apart
+from core.guidance.builtin.contents import set_contents_first
 from core.guidance.builtin.findings import NOT_APART, with_article
 from core.guidance.builtin.kind_sizes import YOUNG
 from core.guidance.builtin.lexicon import (
@@ -73,6 +74,7 @@ class Reading(Stature):
         super().__init__(prompt, known, alone)
         self.got.sizes = self._tokens.sizes
         self.got.left_out += self._tokens.measures
+        set_contents_first(self._tokens)
         set_names_in_order(self._tokens)
         set_looks_in_order(self._tokens)
         self.got.notes += self._tokens.notes

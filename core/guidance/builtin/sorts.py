@@ -17,6 +17,7 @@ class Sort(NamedTuple):
 
     said: tuple[str, ...] = ()  # the words that name it
     kinds: tuple[int, ...] = ()  # of the noun's in the network; none: any
+    size_m: float = 0.0  # its usual size; 0: the thing's
 
     def __bool__(self) -> bool:
         return bool(self.kinds)
@@ -31,7 +32,7 @@ def sort_of(noun: str, prompt: str) -> Sort:
     for words, kinds in SORTS.get(noun, {}).items():
         named = [one for one in words.split(", ") if _says(whole if one in OF_WHOLE else own, one)]
         if named:
-            return Sort(tuple(named), kinds)
+            return Sort(tuple(named), kinds, SIZES_M.get((noun, kinds), 0.0))
     return Sort()
 
 
@@ -103,3 +104,5 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "flat, wide, decorator": (0, 1),
     },
 }
+# Usual sizes of what is larger or smaller than the thing's other sorts, metres.
+SIZES_M = {("television", (0, 2, 3)): 0.6, ("pizza", (0,)): 0.2}

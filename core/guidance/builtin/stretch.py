@@ -36,6 +36,16 @@ DRAWN_WIDER: dict[str, Vector] = {
     "pencil": (2.2, 2.2, 1.0),
     "screwdriver": (1.7, 1.7, 1.0),
     "paintbrush": (1.7, 1.7, 1.0),
+    "halberd": (2.2, 2.2, 1.0),
+    "trident": (2.0, 2.0, 1.0),
+    "flute": (1.0, 2.2, 2.2),
+    "broom": (2.0, 2.0, 1.0),
+    "shovel": (1.8, 1.8, 1.0),
+    "wrench": (1.4, 2.2, 1.0),
+    "oar": (2.1, 2.1, 1.0),
+    "golf club": (2.3, 2.3, 1.0),
+    "hockey stick": (1.8, 2.5, 1.0),
+    "toothbrush": (2.0, 2.0, 1.0),
 }
 
 

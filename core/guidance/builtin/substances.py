@@ -308,7 +308,8 @@ CLEAR = {
 GLOW = {
     1.0: "lightsaber blade, sun disc, sun glints",
     0.6: (
-        "brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth"
+        "brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern "
+        "mouth, computer tower lights"
     ),
     0.4: (
         "light bulb bulb, lantern glass, street lamp lamp, flashlight lens, lighthouse lantern, "

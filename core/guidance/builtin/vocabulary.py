@@ -201,7 +201,7 @@ def parse(
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
     words |= {"is_statue": got.is_statue, "is_toy": got.is_toy, "kinds": sort.kinds}
-    words |= {"kind_size": got.kind_size(), "scale": got.scale, "size": got.size()}
+    words |= {"kind_size": got.kind_size() or sort.size_m, "scale": got.scale, "size": got.size()}
     # "Upholstered in velvet": what only says that it is of fabric says less.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(

@@ -14,6 +14,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    lozenge_blade,
     moved,
     prism,
     smooth_curve,
@@ -30,22 +31,15 @@ def _point(at: Vector, axis: int, degrees: float, radius: float, long: float) ->
 
 def _leaf(low: float, high: float, wide: float, thick: float) -> Solid:
     """A spear's blade: a kite with a ridge, across y."""
-    waist, neck = low + (high - low) * 0.3, wide * 0.4
-    kite = [(neck, low), (wide, waist), (0, high), (-wide, waist), (-neck, low)]
-    rib = wide * 0.3
-    ridge = [(rib, low), (rib, waist), (0, high - 0.15), (-rib, waist), (-rib, low)]
-    return join(prism(kite, 1, thick), prism(ridge, 1, thick * 1.6))
+    return lozenge_blade(low, high, wide * 0.4, thick * 0.7, (high - low) * 0.7, 2.5)
 
 
 def spear(draw: Draw) -> Parts:
-    """Point up: a leaf-shaped head with a socket, bound with red, a butt of metal."""
-    high, long, grip = draw(2.1, 2.4), draw(0.6, 0.75), draw(0.05, 0.056)
+    """Point up: a leaf-shaped head, bound with red, a butt of metal."""
+    high, long, grip = draw(2.1, 2.4), draw(0.65, 0.8), draw(0.05, 0.056)
     bound = draw(0.26, 0.36)
     return {
-        "head": join(
-            _leaf(high + 0.05, high + 0.05 + long, draw(0.13, 0.17), 0.042),
-            lathe([(grip + 0.035, high - 0.16), (0.05, high + 0.25)], 0.01),
-        ),
+        "head": _leaf(high - 0.1, high + long, draw(0.17, 0.21), 0.085),
         "shaft": tube((0, 0, 0.1), (0, 0, high), grip),
         "binding": tube((0, 0, high - 0.14 - bound), (0, 0, high - 0.12), grip + 0.03, 0.02),
         "butt": lathe([(0.025, 0), (grip + 0.025, 0.2), (grip + 0.025, 0.36)]),
@@ -53,24 +47,23 @@ def spear(draw: Draw) -> Parts:
 
 
 def halberd(draw: Draw) -> Parts:
-    """Upright: an axe's edge to the left, a beak to the right, a point on top."""
-    high, grip, reach, edge = draw(2.0, 2.15), 0.105, draw(0.72, 0.82), draw(0.38, 0.46)
-    z = high - 0.16
-    blade = [(0.1, z + 0.17), (-reach * 0.5, z + 0.2), (-reach + 0.06, z + edge)]
-    blade += [(-reach - 0.06, z + edge * 0.45), (-reach - 0.08, z), (-reach - 0.06, z - edge * 0.5)]
-    blade += [(-reach + 0.06, z - edge * 1.1), (-reach * 0.5, z - 0.2), (0.1, z - 0.17)]
-    beak = draw(0.52, 0.62)
-    hook = [(0, z + 0.17), (0.3, z + 0.16), (beak, z - 0.2), (beak - 0.06, z - 0.3)]
-    hook += [(0.28, z - 0.15), (0, z - 0.17)]
+    """Upright: an axe's edge to the left, a beak to the right, a long point on top."""
+    high, grip, reach, edge = draw(2.25, 2.4), 0.05, draw(0.37, 0.43), draw(0.3, 0.37)
+    z, beak = high - 0.2, draw(0.3, 0.36)
+    blade = [(0.05, z + 0.13), (-reach * 0.45, z + 0.15), (-reach + 0.04, z + edge)]
+    blade += [(-reach - 0.02, z + edge * 0.5), (-reach - 0.04, z), (-reach - 0.03, z - edge * 0.5)]
+    blade += [(-reach + 0.03, z - edge * 1.1), (-reach * 0.45, z - 0.15), (0.05, z - 0.13)]
+    hook = [(0, z + 0.15), (0.13, z + 0.15), (beak, z - 0.17), (beak - 0.03, z - 0.25)]
+    hook += [(0.13, z - 0.11), (0, z - 0.15)]
     return {
-        "head": join(prism(blade, 1, 0.085), prism(hook, 1, 0.085)),
-        "point": _leaf(high - 0.02, high + draw(0.72, 0.85), 0.17, 0.085),
+        "head": join(prism(blade, 1, 0.042), prism(hook, 1, 0.042)),
+        "point": _leaf(high - 0.06, high + draw(0.7, 0.85), 0.1, 0.052),
         "socket": join(
-            box((0, 0, z), (0.17, 0.16, 0.24), 0.02),
-            tube((0, 0, z - 0.5), (0, 0, z), grip + 0.05, 0.02),
+            box((0, 0, z), (0.08, 0.075, 0.24), 0.02),
+            tube((0, 0, z - 0.5), (0, 0, z), grip + 0.022, 0.01),
         ),
         "shaft": tube((0, 0, 0.1), (0, 0, z), grip),
-        "butt": lathe([(0.05, 0), (grip + 0.05, 0.18), (grip + 0.05, 0.36)]),
+        "butt": lathe([(0.025, 0), (grip + 0.022, 0.18), (grip + 0.022, 0.36)]),
     }
 
 

@@ -80,32 +80,31 @@ def drum_kit(draw: Draw) -> Parts:
 
 
 def flute(draw: Draw) -> Parts:
-    """It lies across, its mouth plate to the left, round keys along its top, joints of rings."""
-    half, r = draw(1.2, 1.32), draw(0.125, 0.145)
-    z, count = r + 0.06, 6
+    """It lies across, its mouth plate to the left, oval keys along its top, joints of rings."""
+    half, r = draw(1.25, 1.35), draw(0.046, 0.052)
+    z, count = r + 0.03, 7
     mouth = -half * draw(0.66, 0.72)
     lean = draw(18, 30)
-    first, last = -half * 0.26, half * 0.82
-    keys, cups = [], []
-    for k in range(count):
-        x = first + (last - first) * k / (count - 1)
-        keys.append(tube((x, 0, 0), (x, 0, r + 0.1), 0.115, 0.03))
-        cups.append(capsule((x, 0.03, r), (x, 0.13, r - 0.02), 0.07))
-    rod = capsule((first - 0.05, 0.14, r * 0.85), (last + 0.05, 0.14, r * 0.85), 0.08)
-    joints = [-half * 0.42, -half + 0.06, half - 0.06]
+    first, last = -half * 0.28, half * 0.84
+    oval = mirrored([(0.001, -0.054), (0.052, -0.042), (0.08, 0), (0.052, 0.042), (0.001, 0.054)])
+    places = [first + (last - first) * k / (count - 1) for k in range(count)]
+    keys = [moved(prism(oval, 2, 0.035), (x, 0, r + 0.012)) for x in places]
+    cups = [box((x, 0.04, r - 0.012), (0.05, 0.045, 0.032), 0.02) for x in places]
+    rod = capsule((first - 0.08, 0.07, r * 0.75), (last + 0.08, 0.07, r * 0.75), 0.034)
+    joints = [-half * 0.42, -half + 0.07, half - 0.07]
 
     def lying(solid: Solid) -> Solid:
         return tilted(solid, lean, (0, 0, z))
 
     return {
-        "body": lying(tube((-half, 0, 0), (half, 0, 0), r, 0.02)),
+        "body": lying(tube((-half, 0, 0), (half, 0, 0), r, 0.01)),
         "keys": lying(join(*keys)),
         "rods": lying(join(rod, *cups)),
-        "rings": lying(join(*(tube((x - 0.075, 0, 0), (x + 0.075, 0, 0), r + 0.06, 0.02)
+        "rings": lying(join(*(tube((x - 0.08, 0, 0), (x + 0.08, 0, 0), r + 0.018, 0.01)
                               for x in joints))),
-        "mouthpiece": lying(within(egg((mouth, 0, r * 0.6), (0.3, 0.2, 0.17)),
-                                   box((mouth, 0, 1.05), (1, 1, 1)))),
-        "hole": lying(egg((mouth, 0, r + 0.06), (0.115, 0.085, 0.1))),
+        "mouthpiece": lying(within(egg((mouth, 0, r * 0.6), (0.2, 0.074, 0.06)),
+                                   box((mouth, 0, 1.01), (1, 1, 1)))),
+        "hole": lying(egg((mouth, 0, r + 0.03), (0.085, 0.04, 0.045))),
     }  # fmt: skip
 
 
@@ -285,31 +284,30 @@ def grenade(draw: Draw) -> Parts:
 
 def trident(draw: Draw) -> Parts:
     """Upright: three barbed prongs on a long shaft, its grip wound, a knob at its foot."""
-    high, thick, wide = draw(2.7, 2.95), draw(0.095, 0.11), draw(0.46, 0.56)
-    fork, tall = draw(1.75, 1.9), draw(0.1, 0.2)
-    flat, low = 0.11, fork + 0.32
-    tip = high - tall
+    high, thick, wide = draw(2.85, 3.05), draw(0.05, 0.056), draw(0.26, 0.3)
+    fork, tall, flat = draw(2.0, 2.12), draw(0.08, 0.16), 0.052
+    low, tip = fork + 0.36, high - tall
 
     def point(x: float, top: float, barb: float) -> Solid:
-        edge = [(x - barb, top - 0.42), (x, top), (x + barb, top - 0.42), (x + 0.08, top - 0.4)]
-        return prism([*edge, (x - 0.08, top - 0.4)], 1, flat)
+        edge = [(x - barb, top - 0.42), (x, top), (x + barb, top - 0.42), (x + 0.045, top - 0.34)]
+        return prism([*edge, (x - 0.045, top - 0.34)], 1, flat)
 
-    bend = smooth_curve([(0.0, fork), (wide * 0.66, fork + 0.06), (wide, low), (wide, tip - 0.3)])
-    outer = join(limb([(u, 0.0, v) for u, v in bend], 0.125, 0.1), point(wide, tip, 0.2))
-    inner = join(capsule((0, 0, fork), (0, 0, high - 0.3), 0.11), point(0, high + 0.04, 0.22))
-    grip = draw(0.62, 0.8)
-    winds = [tube((0, 0, grip + 0.16 * k), (0, 0, grip + 0.16 * k + 0.1), thick + 0.055, 0.03)
+    bend = smooth_curve([(0.0, fork), (wide * 0.7, fork + 0.12), (wide, low), (wide, tip - 0.3)])
+    outer = join(limb([(u, 0.0, v) for u, v in bend], 0.085, 0.044), point(wide, tip, 0.1))
+    inner = join(taper((0, 0, fork), (0, 0, high - 0.3), 0.06, 0.048), point(0, high + 0.04, 0.11))
+    grip = draw(0.8, 1.0)
+    winds = [tube((0, 0, grip + 0.17 * k), (0, 0, grip + 0.17 * k + 0.1), thick + 0.026, 0.02)
              for k in range(4)]  # fmt: skip
     return {
         "head": join(both(outer), inner),
         "shaft": tube((0, 0, 0.1), (0, 0, fork), thick),
-        "grip": join(tube((0, 0, grip - 0.05), (0, 0, grip + 0.62), thick + 0.025), *winds),
+        "grip": join(tube((0, 0, grip - 0.05), (0, 0, grip + 0.66), thick + 0.012), *winds),
         "collar": join(
-            lathe([(thick, fork - 0.34), (0.19, fork - 0.24), (0.15, fork - 0.12),
-                   (0.22, fork - 0.02), (0.16, fork + 0.1)], 0.01),
-            lathe([(0.08, 0.0), (0.18, 0.1), (0.18, 0.2), (0.12, 0.3)], 0.01),
+            lathe([(thick, fork - 0.36), (0.09, fork - 0.24), (0.07, fork - 0.12),
+                   (0.1, fork - 0.02), (0.075, fork + 0.1)], 0.01),
+            lathe([(0.04, 0.0), (0.085, 0.1), (0.085, 0.2), (0.06, 0.3)], 0.01),
         ),
-        "gem": both(egg((0, 0.19, fork + 0.02), (0.14, 0.1, 0.16)), 1),
+        "gem": both(egg((0, 0.09, fork + 0.02), (0.07, 0.05, 0.12)), 1),
     }  # fmt: skip
 
 

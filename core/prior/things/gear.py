@@ -19,6 +19,7 @@ from core.prior.solids import (
     taper,
     tube,
     turned,
+    within,
 )
 from core.prior.things.toys import TOYS
 
@@ -40,33 +41,36 @@ def screwdriver(draw: Draw) -> Parts:
 
 
 def wrench(draw: Draw) -> Parts:
-    """An open jaw above, a ring or a second jaw below."""
-    high, wide, jaw = draw(1.5, 1.9), draw(0.13, 0.18), draw(0.36, 0.44)
-    thick, gap = draw(0.11, 0.14), draw(0.16, 0.2)
-    top = high + jaw
-    head = tube((0, -thick, top), (0, thick, top), jaw, 0.02)
+    """Flat: an open jaw above, a ring or a second jaw below."""
+    high, wide, jaw = draw(1.85, 2.1), draw(0.11, 0.135), draw(0.29, 0.33)
+    thick, gap = draw(0.044, 0.05), draw(0.12, 0.145)
+    top, ring_radius = high + jaw, jaw * 0.85
+    head = tube((0, -thick, top), (0, thick, top), jaw, 0.015)
     mouth = turned(box((0, 0, jaw * 0.75), (gap, 1, jaw * 0.75)), 1, draw(-25, 25))
-    foot = tube((0, -thick, 0.1), (0, thick, 0.1), jaw * 0.85, 0.02)
-    hole = tube((0, -1, 0.06), (0, 1, 0.06), gap * 0.95)
+    foot = tube((0, -thick, 0.1), (0, thick, 0.1), ring_radius, 0.015)
+    hole = tube((0, -1, 0.1), (0, 1, 0.1), ring_radius - 0.14)
     if draw.chance(0.4):
-        hole = turned(box((0, 0, -jaw), (gap * 0.8, 1, jaw)), 1, -15)
+        hole = moved(turned(box((0, 0, -jaw), (gap * 0.85, 1, jaw)), 1, -15), (0, 0, 0.12))
+    neck = [(wide + 0.07, 0.2), (wide, 0.6), (wide, high - 0.25), (wide + 0.09, high + 0.12)]
     return {
         "head": join(cut(head, moved(mouth, (0, 0, top - 0.05))), cut(foot, hole)),
-        "handle": box((0, 0, high / 2 + 0.15), (wide, thick * 0.85, high / 2 - 0.05), 0.03),
+        "handle": prism(mirrored(neck), 1, thick * 0.82),
     }
 
 
 def shovel(draw: Draw) -> Parts:
-    """It stands on its pointed blade; the grip above is a D."""
-    wide, deep, top, shaft = draw(0.46, 0.58), draw(0.95, 1.15), draw(2.2, 2.5), draw(0.11, 0.13)
-    outline = mirrored([(0.04, 0), (wide * 0.6, deep * 0.16), (wide, deep * 0.4), (wide, deep)])
-    bar = capsule((-0.34, 0, top + 0.42), (0.34, 0, top + 0.42), 0.1)
+    """It stands on its pointed blade, which is hollow to the front; the grip above is a D."""
+    wide, deep, top, shaft = draw(0.29, 0.35), draw(0.8, 0.95), draw(2.4, 2.6), draw(0.055, 0.06)
+    side = [(0.03, 0), (wide * 0.6, 0.13), (wide * 0.95, 0.34), (wide, 0.5), (wide, deep)]
+    shell = (tube((0, -0.6, -1), (0, -0.6, 2), 0.6 + thick) for thick in (0.052, -0.052))
+    bar = box((0, 0, top + 0.36), (0.22, 0.06, 0.085), 0.05)
     return {
         "blade": join(
-            prism(outline, 1, 0.1), tube((0, 0, deep * 0.55), (0, 0, deep + 0.3), shaft + 0.06)
+            within(prism(mirrored(side), 1, 0.4), cut(*shell)),
+            taper((0, 0, deep * 0.5), (0, 0, deep + 0.3), shaft + 0.025, shaft + 0.03),
         ),
         "handle": tube((0, 0, deep), (0, 0, top), shaft),
-        "grip": join(bar, both(capsule((0, 0, top), (0.34, 0, top + 0.42), 0.1))),
+        "grip": join(bar, both(capsule((0, 0, top - 0.02), (0.17, 0, top + 0.34), 0.06))),
     }
 
 
@@ -189,22 +193,22 @@ def scissors(draw: Draw) -> Parts:
 
 def broom(draw: Draw) -> Parts:
     """It stands on its bristles; flat, or round as a witch's."""
-    top, low, neck, high = draw(2.4, 2.8), draw(0.5, 0.66), draw(0.26, 0.34), draw(0.7, 0.9)
+    top, low, neck, high = draw(2.8, 3.1), draw(0.36, 0.44), draw(0.13, 0.16), draw(0.75, 0.9)
     if draw.chance(0.35):
-        shape = [(low * 0.75, 0), (low * 0.85, high * 0.45), (0.2, high + 0.1)]
+        shape = [(low * 0.66, 0), (low * 0.74, high * 0.4), (0.09, high + 0.1)]
         bristles, tie = (
             lathe(smooth_curve(shape, 4), 0.02),
-            tube((0, 0, high - 0.12), (0, 0, high + 0.1), 0.3, 0.04),
+            tube((0, 0, high - 0.16), (0, 0, high + 0.06), 0.155, 0.03),
         )
     else:
-        fan = [(-low, 0), (low, 0), (neck, high), (-neck, high)]
-        notch = (box((low * u, 0, 0), (0.05, 1, 0.14)) for u in (-0.6, -0.2, 0.2, 0.6))
-        bristles = cut(prism(fan, 1, 0.18), *notch)
-        tie = box((0, 0, high), (neck + 0.06, 0.23, 0.15), 0.05)
+        fan = smooth_curve([(low, 0), (low * 0.88, high * 0.45), (neck * 1.6, high * 0.86)], 3)
+        notch = (box((low * u, 0, 0), (0.028, 1, 0.14)) for u in (-0.6, -0.2, 0.2, 0.6))
+        bristles = cut(prism(mirrored([*fan, (neck, high)]), 1, 0.1), *notch)
+        tie = box((0, 0, high), (neck + 0.04, 0.12, 0.11), 0.04)
     return {
         "bristles": bristles,
         "band": tie,
-        "handle": tube((0, 0, high - 0.1), (0, 0, top), draw(0.11, 0.13), 0.04),
+        "handle": tube((0, 0, high - 0.1), (0, 0, top), draw(0.05, 0.056), 0.02),
     }
 
 

@@ -235,25 +235,25 @@ def fishing_rod(draw: Draw) -> Parts:
 
 def oar(draw: Draw) -> Parts:
     """It stands on its blade: a long shaft with a sleeve, a knob or a bar across at its top."""
-    wide, blade, long = draw(0.36, 0.44), draw(1.0, 1.2), draw(2.75, 2.95)
-    thick, deep, broad = draw(0.095, 0.105), 0.095, draw.chance(0.5)
-    half = [(0.001, 0.0), (wide * 0.62, 0.07), (wide * 0.96, 0.34), (wide * 0.9, blade * 0.6)]
+    wide, blade, long = draw(0.17, 0.21), draw(0.95, 1.1), draw(2.9, 3.1)
+    thick, deep, broad = draw(0.047, 0.052), 0.045, draw.chance(0.5)
+    half = [(0.001, 0.0), (wide * 0.62, 0.05), (wide * 0.96, 0.24), (wide * 0.9, blade * 0.6)]
     if broad:
-        half = [(0.001, 0.0), (wide * 0.8, 0.02), (wide * 1.06, 0.2), (wide * 0.9, blade * 0.66)]
-    flat = mirrored(smooth_curve([*half, (wide * 0.4, blade * 0.88), (0.08, blade + 0.1)], 3))
-    low, up = draw(0.34, 0.42), draw(0.12, 0.15)
-    bar = capsule((-0.27, 0, long), (0.27, 0, long), 0.115)
+        half = [(0.001, 0.0), (wide * 0.85, 0.01), (wide * 1.06, 0.12), (wide * 0.9, blade * 0.66)]
+    flat = mirrored(smooth_curve([*half, (wide * 0.42, blade * 0.88), (0.04, blade + 0.1)], 3))
+    low, up = draw(0.3, 0.38), draw(0.1, 0.13)
+    bar = box((0, 0, long), (0.16, 0.06, 0.09), 0.05)
     knob = join(
-        tube((0, 0, long - 0.5), (0, 0, long), thick + 0.035, 0.02), ball((0, 0, long), 0.17)
+        tube((0, 0, long - 0.5), (0, 0, long), thick + 0.017, 0.01), ball((0, 0, long), 0.09)
     )
     sleeve = long * draw(0.54, 0.6)
     return {
         "shaft": tube((0, 0, blade * 0.2), (0, 0, long), thick),
         "blade": prism(flat, 1, deep),
-        "stripe": within(prism(flat, 1, deep + 0.03), box((0, 0, low), (2, 2, up))),
+        "stripe": within(prism(flat, 1, deep + 0.015), box((0, 0, low), (2, 2, up))),
         "grip": bar if draw.chance(0.5) else knob,
-        "sleeve": tube((0, 0, sleeve), (0, 0, sleeve + 0.34), thick + 0.035, 0.02),
-        "collar": tube((0, 0, sleeve + 0.1), (0, 0, sleeve + 0.24), thick + 0.08, 0.03),
+        "sleeve": tube((0, 0, sleeve), (0, 0, sleeve + 0.4), thick + 0.017, 0.01),
+        "collar": tube((0, 0, sleeve + 0.11), (0, 0, sleeve + 0.29), thick + 0.042, 0.02),
     }
 
 

@@ -7,7 +7,6 @@ from torch import Tensor, atan2, stack
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
     around,
     ball,
     blend,
@@ -18,7 +17,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
-    mirrored,
+    lozenge_blade,
     moved,
     prism,
     ring,
@@ -47,20 +46,11 @@ def chest(draw: Draw) -> Parts:
     }
 
 
-def _blade(high: float, wide: float, thick: float) -> Solid:
-    """Flat, with a ridge along its middle; both come to a point."""
-
-    def flat(w: float, top: float, half: float) -> Solid:
-        return prism(mirrored([(w, 0), (w, top - wide * 2.6), (0.01, top)]), 1, half)
-
-    return join(flat(wide, high, thick), flat(wide * 0.4, high - wide * 1.1, thick * 1.55))
-
-
 def sword(draw: Draw) -> Parts:
     """Point up: a slender blade with a ridge, a guard, a grip, a pommel."""
-    low = draw(0.6, 0.7)
+    low, high, wide = draw(0.6, 0.7), draw(2.2, 2.6), draw(0.12, 0.145)
     return {
-        "blade": _blade(draw(2.2, 2.6), draw(0.105, 0.13), 0.04),
+        "blade": lozenge_blade(0, high, wide, 0.07, wide * draw(2.4, 3.2), 0.85),
         "guard": box((0, 0, 0), (draw(0.38, 0.48), 0.085, 0.09)),
         "grip": tube((0, 0, -low), (0, 0, 0), 0.062),
         "pommel": ball((0, 0, -low - 0.05), draw(0.11, 0.13)),
@@ -69,9 +59,9 @@ def sword(draw: Draw) -> Parts:
 
 def dagger(draw: Draw) -> Parts:
     """A short broad blade."""
-    low = draw(0.46, 0.54)
+    low, high, wide = draw(0.46, 0.54), draw(1.1, 1.35), draw(0.14, 0.17)
     return {
-        "blade": _blade(draw(1.1, 1.35), draw(0.12, 0.15), 0.055),
+        "blade": lozenge_blade(0, high, wide, 0.09, wide * draw(2.4, 3.2), 0.85),
         "guard": box((0, 0, 0), (draw(0.32, 0.38), 0.1, 0.085)),
         "grip": tube((0, 0, -low), (0, 0, 0), 0.08),
         "pommel": ball((0, 0, -low - 0.05), draw(0.12, 0.14)),

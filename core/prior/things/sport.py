@@ -81,33 +81,32 @@ def treadmill(draw: Draw) -> Parts:
 
 def golf_club(draw: Draw) -> Parts:
     """A driver that stands on its head, which points to the left."""
-    long, thick, grip = draw(2.5, 2.7), draw(0.08, 0.09), draw(0.66, 0.8)
-    x, y, z = draw(0.48, 0.54), draw(0.36, 0.4), draw(0.27, 0.31)
-    top, lean = long + 0.1, 0.12
-    low = z * 1.05
+    long, thick, grip = draw(2.6, 2.8), draw(0.039, 0.043), draw(0.62, 0.74)
+    x, y, z = draw(0.25, 0.28), draw(0.18, 0.2), draw(0.15, 0.17)
+    top, lean, low = long + 0.1, 0.3, z * 1.05
     head = cut(
         ellipsoid((-x * 0.72, 0, low), (x, y, z)),
         box((-x * 0.72, -1 - y * 0.72, low), (2, 1, 2)),
-        box((0, 0, -1 + z * 0.16), (2, 2, 1)),
+        box((0, 0, -1 + z * 0.22), (2, 2, 1)),
     )
 
     def at(height: float) -> tuple[float, float, float]:
-        return (lean * height / long, 0, height)
+        return (lean * height / long - 0.02, 0, height)
 
     return {
         "shaft": tube(at(low), at(top - grip + 0.05), thick),
-        "grip": tube(at(top - grip), at(top), thick + 0.03, 0.03),
+        "grip": taper(at(top - grip), at(top), thick + 0.012, thick + 0.02),
         "head": head,
-        "neck": tube(at(low), at(low + 0.3), thick + 0.055, 0.02),
-        "face": box((-x * 0.72, -y * 0.7, low - 0.02), (x * 0.56, 0.055, z * 0.5), 0.02),
+        "neck": taper(at(low), at(low + 0.32), thick + 0.03, thick + 0.02),
+        "face": box((-x * 0.72, -y * 0.7, low - 0.01), (x * 0.56, 0.03, z * 0.54), 0.01),
     }
 
 
 def hockey_stick(draw: Draw) -> Parts:
     """An ice hockey stick, its blade on the ground to the left."""
-    long, lean, wide = draw(2.5, 2.7), draw(0.75, 0.9), draw(0.085, 0.1)
-    reach, blade, grip = draw(0.84, 0.96), draw(0.11, 0.13), draw(0.2, 0.26)
-    y = 0.09
+    long, lean, wide = draw(2.5, 2.7), draw(0.6, 0.72), draw(0.048, 0.054)
+    reach, blade, grip = draw(0.54, 0.62), draw(0.08, 0.092), draw(0.16, 0.2)
+    y = 0.04
 
     def bar(low: float, high: float, extra: float, deep: float) -> Solid:
         a, b = lean * low - 0.5, lean * high - 0.5
@@ -116,15 +115,16 @@ def hockey_stick(draw: Draw) -> Parts:
         return prism([*corners, (b - w, long * high)], 1, deep)
 
     heel = -0.5 + wide
-    tape = heel - reach * 0.5
-    foot = [(heel, 0), (heel + 0.04, 2 * blade), (heel - reach, 2 * blade + 0.04)]
-    foot += [(heel - reach - 0.08, blade), (heel - reach, 0.04)]
+    tape, tall = heel - reach * 0.56, 2 * blade
+    foot = [(heel - 0.02, 0), (heel + 0.03, tall), (heel - reach * 0.5, tall)]
+    foot += [(heel - reach + 0.02, tall + 0.05), (heel - reach - 0.04, tall * 0.8)]
+    foot += [(heel - reach, 0.05), (heel - reach * 0.7, 0)]
     return {
         "shaft": bar(0.02, 0.98, 0.0, y),
         "blade": prism(foot, 1, y),
-        "grip": bar(1 - grip, 1.0, 0.03, y + 0.03),
-        "tape": box((tape - reach * 0.1, 0, blade + 0.02), (reach * 0.24, y + 0.025, blade + 0.04)),
-        "band": bar(0.4, 0.56, 0.012, y + 0.02),
+        "grip": bar(1 - grip, 1.0, 0.012, y + 0.012),
+        "tape": box((tape, 0, blade + 0.01), (reach * 0.24, y + 0.012, blade + 0.025)),
+        "band": bar(0.42, 0.56, 0.006, y + 0.008),
     }
 
 

@@ -14,6 +14,7 @@ from core.prior.solids import (
     cut,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -255,20 +256,20 @@ def hairbrush(draw: Draw) -> Parts:
 
 def toothbrush(draw: Draw) -> Parts:
     """Upright, its bristles to the front, a soft grip on its handle."""
-    high, x, y = draw(2.5, 2.75), draw(0.15, 0.18), draw(0.1, 0.12)
-    head, out, neck = draw(0.3, 0.34), draw(0.26, 0.34), draw(0.1, 0.115)
+    high, x, y = draw(2.7, 2.9), draw(0.092, 0.105), draw(0.055, 0.065)
+    head, out, neck = draw(0.26, 0.3), draw(0.16, 0.2), draw(0.05, 0.056)
     z = high - head - 0.06
     tufts = [
-        box((0, -y * 0.7 - out / 2, z + head * s), (0.17, out / 2 + 0.05, head * 0.28), 0.02)
+        box((0, -y * 0.7 - out / 2, z + head * s), (0.092, out / 2 + 0.03, head * 0.28), 0.01)
         for s in (-0.62, 0.0, 0.62)
     ]
+    side = [(x * 0.7, 0.03), (x, 0.2), (x * 1.08, 0.7), (x * 0.92, 1.15), (neck, 1.6)]
     return {
         "handle": join(
-            prism([(u, v + 0.7) for u, v in rounded(x, 0.7, x * 0.9)], 1, y),
-            box((0, 0, (1.3 + high - head) / 2), (neck, y * 0.9, (high - head - 1.3) / 2 + 0.05)),
-            prism([(u, v + z) for u, v in rounded(0.2, head + 0.06, 0.18)], 1, y * 0.9),
+            prism(mirrored(smooth_curve([(0.001, 0), *side, (neck, z)], 3)), 1, y),
+            prism([(u, v + z) for u, v in rounded(0.115, head + 0.06, 0.1)], 1, y * 0.9),
         ),
-        "grip": prism([(u, v + 0.72) for u, v in rounded(x * 0.62, 0.46, x * 0.55)], 1, y + 0.045),
+        "grip": prism([(u, v + 0.74) for u, v in rounded(x * 0.66, 0.5, x * 0.6)], 1, y + 0.022),
         "bristles": join(tufts[0], tufts[2]),
         "stripe": tufts[1],
     }

@@ -70,6 +70,12 @@ from core.guidance.builtin.nouns.plants import PLANTS
 from core.guidance.builtin.nouns.props import PROPS
 from core.guidance.builtin.nouns.residence import RESIDENCE_BUILDINGS, RESIDENCE_FURNITURE
 from core.guidance.builtin.nouns.roadside import HARDWARE, MACHINES, PARTS_OF_CARS, ROADSIDE
+from core.guidance.builtin.nouns.showpieces import (
+    SHOWPIECE_DEVICES,
+    SHOWPIECE_FURNITURE,
+    SHOWPIECE_HOUSEHOLD,
+    SHOWPIECE_PROPS,
+)
 from core.guidance.builtin.nouns.small_things import SMALL_THINGS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sport import SPORT
@@ -82,11 +88,22 @@ from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
-    "Furniture": FURNITURE | RESIDENCE_FURNITURE,
-    "Household": HOUSEHOLD | KITCHEN_WARE | PARLOUR_THINGS | NOVEL_CLOCKS | CURIO_LAMPS,
+    "Furniture": FURNITURE | RESIDENCE_FURNITURE | SHOWPIECE_FURNITURE,
+    "Household": HOUSEHOLD
+    | KITCHEN_WARE
+    | PARLOUR_THINGS
+    | NOVEL_CLOCKS
+    | CURIO_LAMPS
+    | SHOWPIECE_HOUSEHOLD,
     "Fixtures and Utensils": FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL | STUDY_SMALL,
-    "Props": PROPS | HARDWARE | EQUIPMENT_PROPS | PASTIME_PROPS | PASTIME_FEASTS | CURIO_PROPS,
+    "Props": PROPS
+    | HARDWARE
+    | EQUIPMENT_PROPS
+    | PASTIME_PROPS
+    | PASTIME_FEASTS
+    | CURIO_PROPS
+    | SHOWPIECE_PROPS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
     "Fruit and Vegetables": FRUIT,
@@ -103,7 +120,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | ROADSIDE_MARKS
     | NOVEL_HOMES
     | RESIDENCE_BUILDINGS,
-    "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES,
+    "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES | SHOWPIECE_DEVICES,
     "Clothes": CLOTHES
     | JEWELLERY
     | EVERYDAY_CLOTHES

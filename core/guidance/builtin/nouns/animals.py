@@ -203,7 +203,8 @@ ANIMALS = {
         "captain, hiker, tourist, mailman, postman, plumber, carpenter, electrician, "
         "lumberjack, fisherman, gardener, janitor, cashier, barista, judge, lawyer, spy, "
         "hacker, singer, guitarist, drummer, hunter, bandit, guardian, trader, innkeeper, "
-        "shopkeeper, beggar, bride, groom, swimmer, runner, footballer, cyclist, old "
+        "shopkeeper, lighthouse keeper, beekeeper, zookeeper, "
+        "goalkeeper, beggar, bride, groom, swimmer, runner, footballer, cyclist, old "
         "man, old woman, young man, young woman",
         {
             "shirt": "*c23b34 . fabric",

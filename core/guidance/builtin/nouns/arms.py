@@ -30,7 +30,7 @@ ARMS = {
             "shaft": _WOOD,
             "butt": "&6e7379 . metal",
         },
-        Usual(2.1, WOOD, 0.026),
+        Usual(2.1, WOOD, 0.16),
     ),
     "mace": Noun(
         "maces, spiked mace, morning star, morningstar; flail, spiked club, warhammer, war hammer, "

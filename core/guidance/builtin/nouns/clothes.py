@@ -80,7 +80,7 @@ CLOTHES = {
         Usual(0.25, FABRIC, 0.21),
     ),
     "backpack": Noun(
-        "rucksack, school bag, schoolbag, knapsack, back pack; schoolbag bag, satchel",
+        "rucksack, school bag, schoolbag, knapsack, back pack; schoolbag bag",
         {
             "body": "*2f6f9e . fabric",
             "pocket": "&265a82 . fabric",
@@ -92,7 +92,8 @@ CLOTHES = {
         Usual(0.5, FABRIC, 0.12),
     ),
     "handbag": Noun(
-        "purse, hand bag, bag; briefcase, tote bag, clutch, wallet",
+        "purse, hand bag, bag; briefcase, tote bag, clutch, wallet, satchel, messenger bag, "
+        "shoulder bag",
         {
             "body": "*a8452e",
             "flap": "&8c3725",

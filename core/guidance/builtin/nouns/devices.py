@@ -161,7 +161,7 @@ DEVICES = {
     ),
     "desktop computer": Noun(
         "computer, pc, personal computer, home computer, desktop pc, retro computer, "
-        "old computer; workstation, gaming pc",
+        "old computer; workstation",
         {
             "body": "*ddd3b8",
             "screen": "-2f6f8f . glass",

@@ -192,7 +192,7 @@ FURNITURE = {
         Usual(1.5, STONE),
     ),
     "piano": Noun(
-        "upright piano; grand piano, harpsichord, pianoforte, synthesizer",
+        "upright piano; pianoforte, synthesizer",
         {
             "body": "*1d1b1c . paint",
             "keys": "-f6f2e8",

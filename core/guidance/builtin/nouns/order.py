@@ -690,4 +690,10 @@ ORDER = (
     "cassette",
     "vinyl record",
     "ruler",
+    "grand piano",
+    "stop sign",
+    "open chest",
+    "saddle",
+    "umbrella stand",
+    "computer tower",
 )

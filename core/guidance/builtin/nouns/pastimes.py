@@ -84,7 +84,7 @@ PASTIME_SPORT = {
             "sleeve": "-3a2a22 . leather",
             "collar": "-d0a24a . golden",
         },
-        Usual(1.9, WOOD, 0.035),
+        Usual(1.9, WOOD, 0.17),
     ),
     "pool table": Noun(
         "billiard table, billiards table, snooker table, pooltable; billiards, snooker, "
@@ -124,7 +124,7 @@ PASTIME_TOOLS = {
             "mouthpiece": "&b3b9c0 . metal",
             "hole": "-1d1a18",
         },
-        Usual(0.67, STEEL, 0.035),
+        Usual(0.67, STEEL, 0.13),
     ),
     "harmonica": Noun(
         "mouth organ, mouthorgan, blues harp, french harp, mouth harp, harmonicas; "

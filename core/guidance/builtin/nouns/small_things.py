@@ -115,7 +115,7 @@ SMALL_THINGS = {
     "toothbrush": Noun(
         "tooth brush; electric toothbrush",
         {"handle": "*2f86d6", "grip": "+f2f4f6", "bristles": "-f4f6f8", "stripe": "&2f86d6"},
-        Usual(0.19, PLASTIC, 0.17),
+        Usual(0.19, PLASTIC, 0.74),
     ),
     "lipstick": Noun(
         "lip stick, tube of lipstick; lip balm, chapstick, lip gloss, mascara",

@@ -44,7 +44,7 @@ SPORT = {
             "neck": "-2b2d31",
             "face": "+dfe2e5 . metal",
         },
-        Usual(1.15, STEEL, 0.0018),
+        Usual(1.15, STEEL, 0.013),
     ),
     "hockey stick": Noun(
         "ice hockey stick; field hockey stick, lacrosse stick",
@@ -55,7 +55,7 @@ SPORT = {
             "tape": "+26272b . fabric",
             "band": "-c8281f . paint",
         },
-        Usual(1.5, WOOD, 0.033),
+        Usual(1.5, WOOD, 0.13),
     ),
     "surfboard": Noun(
         "surf board, surfing board; snowboard, wakeboard, bodyboard, boogie board, "

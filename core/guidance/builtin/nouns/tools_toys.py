@@ -53,12 +53,12 @@ TOOLS_AND_TOYS = {
     "wrench": Noun(
         "spanner; adjustable wrench, monkey wrench",
         {"head": "*a3a9b0 . metal", "handle": "&8f959c . metal"},
-        Usual(0.25, STEEL, 0.22),
+        Usual(0.25, STEEL, 0.93),
     ),
     "shovel": Noun(
         "spade; trowel",
         {"blade": "*8c9299 . metal", "handle": "+a8713c grain", "grip": "-7a4d26 grain"},
-        Usual(1.1, 1500.0, 0.048),
+        Usual(1.1, 1500.0, 0.2),
     ),
     "pickaxe": Noun(
         "pick axe, pick; mattock, ice axe",
@@ -99,7 +99,7 @@ TOOLS_AND_TOYS = {
     "broom": Noun(
         "broomstick, besom; mop, sweeping brush, dustpan, squeegee",
         {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
-        Usual(1.4, 300.0, 0.03),
+        Usual(1.4, 300.0, 0.12),
     ),
     "toolbox": Noun(
         "tool box, tool chest; lunch box, lunchbox",

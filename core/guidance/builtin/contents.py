@@ -1,0 +1,116 @@
+"""What is on a plate or fills a chest is what one sees: the words put so that it is the thing.
+
+"A plate of pancakes" is pancakes with a plate, "a chest full of gold" an open chest. Standard
+library only.
+"""
+
+from core.guidance.builtin.colors import TASTES
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.words import ARTICLES, LOOKS, PHRASE_ENDS
+
+PLATES = frozenset("plate plates platter platters tray dish".split())
+FOOD = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
+HOLDING = (["of"], ["with"])
+SERVED_ON = ("platter", "board")  # behind the food's name: "a sushi platter"
+BETWEEN = 3  # words between "of" and the food, at most
+OPEN_CHEST = ["open", "chest"]
+CHESTS = ("chest", "open chest")
+FULL = [
+    way.split()
+    for way in (
+        "full of, filled with, overflowing with, brimming with, heaped with, loaded with, packed "
+        "with, bursting with, spilling over with, with"
+    ).split(", ")
+]
+HOARD = frozenset("coin coins doubloons treasure treasures riches loot".split())
+RICHES = HOARD | frozenset("jewels gems jewelry jewellery pearls gold silver".split())
+AMONG = RICHES | frozenset("golden copper bronze shiny shining glittering sparkling and".split())
+FLAVORS = frozenset((*TASTES, "mint", "pistachio", "caramel", "lavender"))  # the others: colours
+COINS = ("silver", "copper", "bronze")  # of gold they are anyway
+
+
+def set_contents_first(tokens: Tokens) -> None:
+    """Change the words where a thing is named by what is on it or in it."""
+    _serve(tokens)
+    _open_chests(tokens)
+    _taste(tokens)
+
+
+def _serve(tokens: Tokens) -> None:
+    for at, word in enumerate(tokens.words):
+        begin = tokens.qualities_begin(at, LOOKS)
+        holds = word in PLATES and tokens.words[at + 1 : at + 2] in HOLDING
+        if holds and _is_food(tokens, at + 2):
+            served = tokens.words[begin : at + 1]
+            tokens.cut(begin, at + 2)
+        elif word in SERVED_ON and _names_food(tokens, at):
+            served = [word]
+            tokens.cut(at, at + 1)
+        else:
+            continue
+        tokens.words += ["with", *served]
+        return
+
+
+def _is_food(tokens: Tokens, begin: int) -> bool:
+    """Whether what begins there is a food, with what it is like before."""
+    for at in range(begin, min(begin + BETWEEN + 1, len(tokens.words))):
+        if tokens.words[at] in ARTICLES:
+            continue
+        if tokens.first_thing(at):
+            return tokens.first_thing(at) in FOOD
+        if tokens.words[at] in PHRASE_ENDS or at in tokens.breaks:
+            return False
+    return False
+
+
+def _names_food(tokens: Tokens, end: int) -> bool:
+    """Whether a food's name ends there."""
+    return any(
+        tokens.thing(" ".join(tokens.words[begin:end])) in FOOD
+        for begin in range(max(end - 2, 0), end)
+        if tokens.breaks.isdisjoint(range(begin + 1, end + 1))
+    )
+
+
+def _open_chests(tokens: Tokens) -> None:
+    if not tokens.entry(" ".join(OPEN_CHEST)):
+        return
+    for at in range(len(tokens.words)):
+        name = next((p for p in tokens.phrases(at) if tokens.thing(p) in CHESTS), "")
+        behind = at + len(name.split())
+        full = next((w for w in FULL if tokens.words[behind : behind + len(w)] == w), None)
+        if not (name and full):
+            continue
+        begin = end = behind + len(full)
+        while end < len(tokens.words) and tokens.words[end] in AMONG:
+            end += 1
+        end -= tokens.words[end - 1] == "and"
+        inside = tokens.words[begin:end]
+        # "With gold bands" it is closed, "with gold coins" not.
+        is_open = tokens.thing(name) != "chest" or full != ["with"]
+        ended = tokens.ends_phrase(end) or tokens.words[end] == "and"
+        if (RICHES if is_open else HOARD).isdisjoint(inside) or not ended:
+            continue
+        tokens.breaks -= set(range(at + 1, end))
+        of = [word for word in inside if word in COINS]
+        first = at - (tokens.words[at - 1 : at] == OPEN_CHEST[:1])
+        tokens.put(first, end, [*OPEN_CHEST, "with", *of[:1], "coins"])
+        return
+
+
+def _taste(tokens: Tokens) -> None:
+    """ "Vanilla and chocolate ice cream" is vanilla."""
+    for at in range(1, len(tokens.words)):
+        if tokens.first_thing(at) != "ice cream" or tokens.words[at - 1] not in FLAVORS:
+            continue
+        first = at - 1
+        while first and tokens.words[first - 1] in FLAVORS | {"and"}:
+            first -= 1
+        first += tokens.words[first] == "and"
+        others = [word for word in tokens.words[first + 1 : at] if word != "and"]
+        tokens.notes += [f"{word}: left out, as one taste is taken." for word in others]
+        tokens.breaks -= set(range(first + 1, at + 1))
+        tokens.cut(first + 1, at)
+        return
