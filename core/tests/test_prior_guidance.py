@@ -253,8 +253,8 @@ def test_the_stated_colour_is_seen_in_much_noise(guidance, noun):
 @pytest.mark.usefixtures("made_once")
 @pytest.mark.parametrize("pattern", ["striped", "spotted", "checkered"])
 def test_a_stated_pattern_is_seen_in_much_noise(guidance, pattern, monkeypatch):
-    score = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
+    score = score_pattern(guidance.appearance, pattern, 12, torch.Generator().manual_seed(3))
     assert score > 0.35
     monkeypatch.setattr(hint_module, "stencil", lambda s, _: torch.zeros_like(s[:, :1]) > 0)
-    even = score_pattern(guidance.appearance, pattern, 6, torch.Generator().manual_seed(3))
+    even = score_pattern(guidance.appearance, pattern, 12, torch.Generator().manual_seed(3))
     assert even < 0.5 * score

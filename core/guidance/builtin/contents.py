@@ -39,9 +39,9 @@ def set_contents_first(tokens: Tokens) -> None:
 
 def _serve(tokens: Tokens) -> None:
     for at, word in enumerate(tokens.words):
-        begin = tokens.qualities_begin(at, LOOKS)
         holds = word in PLATES and tokens.words[at + 1 : at + 2] in HOLDING
         if holds and _is_food(tokens, at + 2):
+            begin = tokens.qualities_begin(at, LOOKS)
             served = tokens.words[begin : at + 1]
             tokens.cut(begin, at + 2)
         elif word in SERVED_ON and _names_food(tokens, at):
