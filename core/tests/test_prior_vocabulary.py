@@ -329,6 +329,8 @@ def test_two_things_are_refused_and_of_more_words_than_are_taken_the_first_count
         ("a red n black chair", Words("chair", color="red")),
         ("a lightsaber but purple", Words("lightsaber", color="purple")),
         ("a knight's shield with a lion on it", Words("shield")),
+        ("a knight sword", Words("sword")),
+        ("a knight shield", Words("shield")),
         ("a knight\u2019s shield", Words("shield")),
         ("a candle, soft pink lighting", Words("candle")),
         ("a graceful red vase, playful and colourful", Words("vase", color="red")),

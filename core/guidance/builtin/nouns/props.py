@@ -30,7 +30,7 @@ PROPS = {
         Usual(0.8, WOOD, 0.3),
     ),
     "sword": Noun(
-        "longsword, broadsword; katana, sabre, saber, rapier, claymore, cutlass, "
+        "longsword, broadsword, knight sword; katana, sabre, saber, rapier, claymore, cutlass, "
         "scimitar, excalibur, greatsword, machete, ninja sword",
         {
             "blade": "*b4bac2 . metal",
@@ -51,7 +51,7 @@ PROPS = {
         Usual(0.35, STEEL, 0.097),
     ),
     "shield": Noun(
-        "; buckler",
+        "knight shield; buckler",
         {"plate": "*b02a24", "rim": "+9aa0a6 . metal", "emblem": "+e0b84a . golden"},
         Usual(0.9, WOOD, 0.19),
     ),
