@@ -120,11 +120,13 @@ class KnownParts:
     def _bladed(self, piece: Piece, one: Primitive | None) -> Primitive | None:
         """The blade that a mostly flat piece is, where that is nearer: a small one is nearly a ball
         too."""
-        points = points_of(piece)
         if one is None or not self.forms.faces(piece.place.part).block:
             return one
+        points = points_of(piece)
         off = one.off(points, piece.error)
-        found = self._best(piece, [x for x in (blade(piece),) if x]) if off > CLEAR else None
+        if off <= CLEAR or (edged := blade(piece)) is None:
+            return one
+        found = self._best(piece, [edged])
         return found if found and found.off(points, piece.error) < BLADED * off else one
 
     def _turned(self, piece: Piece) -> Primitive | None:
