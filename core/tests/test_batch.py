@@ -371,6 +371,13 @@ def test_one_that_does_not_answer_is_ended_by_force(tmp_path, monkeypatch):
     assert end.code == OUT_OF_TIME
 
 
+def test_the_log_is_utf_8_whatever_the_terminal_takes(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYTHONIOENCODING", "latin-1")
+    running = Attempt(tmp_path, [sys.executable, "-c", "print('a chair of 木')"])
+    assert wait_for(running.poll).code == 0
+    assert (tmp_path / "log.txt").read_text(encoding="utf-8").strip() == "a chair of 木"
+
+
 def wait_for(found, seconds=60):
     until = time.monotonic() + seconds
     while time.monotonic() < until:
