@@ -30,6 +30,8 @@ def test_what_is_of_the_bodys_colour_by_nature_has_its_new_one():
         "handle": "blue",
     }
     assert parse("a robot with a red body").part_shades() == {"body": "red"}
+    # Its handle is black by nature.
+    assert parse("a kettle with a white body").part_shades() == {"body": "white", "spout": "white"}
 
 
 @pytest.mark.parametrize(

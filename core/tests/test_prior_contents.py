@@ -34,6 +34,7 @@ def test_what_is_served_is_the_thing(prompt, food):
         ("a wooden tray", "plate"),
         ("a plate with a gold rim", "plate"),
         ("a plate of armour", "plate"),
+        ("a plate with a rim and cheese", "plate"),
         ("cutting board with bread", "cutting board"),
         ("a bowl with a plate", "bowl"),
     ],
@@ -78,3 +79,5 @@ def test_the_coins_are_of_their_metal_and_the_bands_of_theirs():
     assert (words.material, words.part_materials()) == ("wooden", {"coins": "silver"})
     words = read("an open chest with iron bands")
     assert words.part_materials() == {"bands": "iron"}
+    words = read("an open chest with gold bands")
+    assert (words.material, words.part_materials()) == ("", {"bands": "golden"})

@@ -70,7 +70,6 @@ def _names_food(tokens: Tokens, end: int) -> bool:
     return any(
         tokens.thing(" ".join(tokens.words[begin:end])) in FOOD
         for begin in range(max(end - 2, 0), end)
-        if tokens.breaks.isdisjoint(range(begin + 1, end + 1))
     )
 
 
@@ -86,17 +85,14 @@ def _open_chests(tokens: Tokens) -> None:
         begin = end = behind + len(full)
         while end < len(tokens.words) and tokens.words[end] in AMONG:
             end += 1
-        end -= tokens.words[end - 1] == "and"
         inside = tokens.words[begin:end]
         # "With gold bands" it is closed, "with gold coins" not.
         is_open = tokens.thing(name) != "chest" or full != ["with"]
-        ended = tokens.ends_phrase(end) or tokens.words[end] == "and"
-        if (RICHES if is_open else HOARD).isdisjoint(inside) or not ended:
+        if (RICHES if is_open else HOARD).isdisjoint(inside) or not tokens.ends_phrase(end):
             continue
         tokens.breaks -= set(range(at + 1, end))
         of = [word for word in inside if word in COINS]
-        first = at - (tokens.words[at - 1 : at] == OPEN_CHEST[:1])
-        tokens.put(first, end, [*OPEN_CHEST, "with", *of[:1], "coins"])
+        tokens.put(at, end, [*OPEN_CHEST, "with", *of[:1], "coins"])
         return
 
 

@@ -24,7 +24,7 @@ from core.guidance.builtin.colors import (
     toned,
 )
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.living import is_animal, is_creature
+from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.part_tables import WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
@@ -315,7 +315,7 @@ def is_of(noun: str, look: Look, material: str) -> bool:
     if material == "glass" and noun in GLAZED:
         return look.material == "glass"
     if look.role == "-":  # "a brass floor lamp": its pole too
-        return material in COLORED_METALS and look.finish.metallic > 0.5 and not is_creature(noun)
+        return material in COLORED_METALS and look.finish.metallic > 0.5
     if look.role != "+" or not material:
         return True
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):
