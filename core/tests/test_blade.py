@@ -158,3 +158,8 @@ def test_a_board_is_a_box_and_fits_no_blade():
 def test_what_is_hardly_longer_than_wide_is_no_blade(long, is_long):
     shape = (-0.4, -0.4 + long, 0.4, 0.3, 0.4, 0.9)
     assert (blade(piece_of(drawn(lozenge_blade(*shape)))) is not None) == is_long
+
+
+def test_a_small_blade_is_none_of_the_round_forms_that_are_near_it():
+    small = lozenge_blade(-0.28, 0.29, 0.054, 0.042, 0.4, 2.5)
+    assert forms_of(small, 1.0) == ["blade"]
