@@ -23,8 +23,10 @@ FULL = [
         "with, bursting with, spilling over with, with"
     ).split(", ")
 ]
-HOARD = frozenset("coin coins doubloons treasure treasures riches loot".split())
-RICHES = HOARD | frozenset("jewels gems jewelry jewellery pearls gold silver".split())
+RICHES = frozenset(
+    """coin coins doubloons treasure treasures riches loot jewels gems jewelry jewellery pearls gold
+    silver""".split()
+)
 AMONG = RICHES | frozenset("golden copper bronze shiny shining glittering sparkling and".split())
 FLAVORS = frozenset((*TASTES, "mint", "pistachio", "caramel", "lavender"))  # the others: colours
 COINS = ("silver", "copper", "bronze")  # of gold they are anyway
@@ -87,8 +89,7 @@ def _open_chests(tokens: Tokens) -> None:
             end += 1
         inside = tokens.words[begin:end]
         # "With gold bands" it is closed, "with gold coins" not.
-        is_open = tokens.thing(name) != "chest" or full != ["with"]
-        if (RICHES if is_open else HOARD).isdisjoint(inside) or not tokens.ends_phrase(end):
+        if RICHES.isdisjoint(inside) or not tokens.ends_phrase(end):
             continue
         tokens.breaks -= set(range(at + 1, end))
         of = [word for word in inside if word in COINS]
