@@ -125,3 +125,8 @@ def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
         parts = one.parts()
         assert parts is not None
         assert legs not in parts.distances(verts).argmin(1).unique().tolist()
+
+
+def test_a_stop_signs_plate_and_rim_are_told_to_have_corners():
+    parts = load_builtin("cpu").prompted("a stop sign", "").of_object(0).parts()
+    assert list(parts.forms.cornered) == [0, 1]
