@@ -60,6 +60,10 @@ def test_a_plates_colour_is_not_the_foods():
         "a chest with gold coins",
         "an open treasure chest with jewels",
         "a chest full of gold coins and a skull",
+        "a chest, iron bands, gold glowing inside",
+        "a chest with jewels glittering inside",
+        "a treasure chest, slightly open",
+        "a chest with an open lid",
     ],
 )
 def test_a_chest_of_which_one_sees_the_gold_stands_open(prompt):
@@ -68,7 +72,13 @@ def test_a_chest_of_which_one_sees_the_gold_stands_open(prompt):
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a treasure chest", "a chest full of toys", "a chest with gold bands"]
+    "prompt",
+    [
+        "a treasure chest",
+        "a chest full of toys",
+        "a chest with gold bands",
+        "a chest, red velvet inside",
+    ],
 )
 def test_another_chest_is_closed(prompt):
     assert read(prompt).noun == "chest"
@@ -79,5 +89,12 @@ def test_the_coins_are_of_their_metal_and_the_bands_of_theirs():
     assert (words.material, words.part_materials()) == ("wooden", {"coins": "silver"})
     words = read("an open chest with iron bands")
     assert words.part_materials() == {"bands": "iron"}
+    words = read("a chest, oak planks with iron bands, half open, gold inside")
+    assert (words.noun, words.part_materials()["bands"]) == ("open chest", "iron")
     words = read("an open chest with gold bands")
     assert (words.material, words.part_materials()) == ("", {"bands": "golden"})
+
+
+def test_what_else_is_open_is_no_chest():
+    assert read("a bowl beside an open chest").noun == "bowl"
+    assert read("a chest of drawers with an open drawer").noun == "dresser"

@@ -205,6 +205,7 @@ def test_what_was_corrected_is_in_the_notes():
 def test_a_corrected_word_begins_a_phrase_like_any_other():
     assert parse("a wizzard hat").noun == "wizard hat"
     assert parse("a tedy bear").noun == "teddy bear"
+    assert parse("a teady bear").noun == "teddy bear"
     assert parse("a snowman witout a hat").part == "no hat"
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from core.errors import UserError
 from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.vocabulary import understood
+from core.guidance.builtin.vocabulary import parse, understood
 
 
 def read(prompt: str) -> dict:
@@ -379,3 +379,37 @@ def test_dots_on_a_part_are_the_parts() -> None:
     shade = {"part_colours": {"shade": "red"}, "part_patterns": {"shade": "spotted with white"}}
     assert found == shade
     assert read("a mug with white dots")["pattern"] == "spotted"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "color"),
+    [
+        ("a mushroom, red cap with white spots", ""),
+        ("a green mushroom, red and white spotted cap", "green"),
+        ("a mushroom, red, and a white spotted cap", "red"),
+    ],
+)
+def test_two_colours_of_a_part_are_its_own_behind_a_comma_too(prompt: str, color: str) -> None:
+    words = parse(prompt, known=SLOTS)
+    assert words.color == color
+    both = {"cap": "spotted with white"} if color != "red" else {"cap": "spotted"}
+    assert words.part_patterns() == both
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing"),
+    [
+        ("a pirate ship figurehead shaped like a mermaid", "mermaid"),
+        ("a trinket in the shape of a golden turtle", "turtle"),
+        ("a brass doorstop shaped like a dog", "dog"),
+        ("a mug shaped like a skull", "mug"),
+        ("a necklace in the form of a snake", "necklace"),
+    ],
+)
+def test_what_is_not_known_is_made_as_what_it_is_shaped_like(prompt: str, thing: str) -> None:
+    assert parse(prompt, known=SLOTS).noun == thing
+
+
+def test_the_numbers_and_dots_of_dice_are_their_pips() -> None:
+    for said in ("gold numbers", "gold dots", "gold spots"):
+        assert parse(f"red dice with {said}", known=SLOTS).part_materials() == {"pips": "golden"}

@@ -55,6 +55,7 @@ class Clauses:
         self._of_another = False  # whether all of it is about another thing
         self._begun: dict[str, int] = {}  # how many words each slot had when the phrase began
         self._late = False  # whether a comma has ended the clause that has the thing
+        self._clause: dict[str, int] = {}  # how many words each slot had when the clause began
         self._ended_by = ""  # the word that began the phrase
         self._has_article = False
         self._aside_end = -1  # the index behind the last noun that goes with the thing
@@ -66,7 +67,7 @@ class Clauses:
         self._end_phrase()
         self._without, self._ended_by = False, ""
         self._accessory, self._of_another = None, False
-        self._late = bool(self.got.found["noun"])
+        self._late, self._clause = bool(self.got.found["noun"]), self.got.counts()
 
     def _is_wider(self, token: str, at: int) -> bool:
         """Whether a word right behind the thing only says what it is a sort of, and begins no
@@ -183,10 +184,11 @@ class Clauses:
         return count
 
     def _color_before(self) -> Entry | None:
-        """Take back the one colour that the phrase about what goes with the thing began with."""
-        begun = (self._accessory or {}).get("color", 0)
+        """Take back the one colour that the phrase about what goes with the thing began with, or
+        the clause: ", red and white striped sails"."""
+        begun = self._accessory or (self._clause if self._late else {})
         colors = self.got.found["color"]
-        return colors.pop() if self._accessory and len(colors) == begun + 1 else None
+        return colors.pop() if begun and len(colors) == begun.get("color", 0) + 1 else None
 
     def _stands(self, end: int) -> bool:
         """Whether a phrase ends before the token ``end`` and is no quality of another: "a rock with

@@ -29,6 +29,9 @@ RICHES = frozenset(
 )
 AMONG = RICHES | frozenset("golden copper bronze shiny shining glittering sparkling and".split())
 FLAVORS = frozenset((*TASTES, "mint", "pistachio", "caramel", "lavender"))  # the others: colours
+SHINING = frozenset("glowing gleaming".split())
+OPENED = ("open", "opened", "ajar")
+HALF = ("half", "slightly", "partly", "wide")  # open
 COINS = ("silver", "copper", "bronze")  # of gold they are anyway
 
 
@@ -76,8 +79,53 @@ def _names_food(tokens: Tokens, end: int) -> bool:
 
 
 def _open_chests(tokens: Tokens) -> None:
-    if not tokens.entry(" ".join(OPEN_CHEST)):
+    if tokens.entry(" ".join(OPEN_CHEST)):
+        _open_full_chests(tokens)
+        _open_stated_chests(tokens)
+
+
+def _open_stated_chests(tokens: Tokens) -> None:
+    """ "A chest, slightly open", "a chest, gold glowing inside"."""
+    named = [p for p in map(tokens.first_thing, range(len(tokens.words))) if p in CHESTS]
+    if named[:1] != [CHESTS[0]]:
         return
+    full, opened = _cut_riches(tokens), _cut_open(tokens)
+    if full or opened:
+        at = next(k for k in range(len(tokens.words)) if tokens.first_thing(k) in CHESTS)
+        count = next(len(p.split()) for p in tokens.phrases(at) if tokens.thing(p) in CHESTS)
+        tokens.put(at, at + count, [*OPEN_CHEST, *(["with", "coins"] if full else [])])
+
+
+def _cut_riches(tokens: Tokens) -> bool:
+    """Take out the riches that are said to be inside; whether there were any."""
+    for at, word in enumerate(tokens.words):
+        if word == "inside" and tokens.ends_phrase(at + 1):
+            begin = _riches_begin(tokens, at)
+            with_them = begin and begin not in tokens.breaks and tokens.words[begin - 1] == "with"
+            if begin < at:
+                tokens.cut(begin - bool(with_them), at + 1)
+                return True
+    return False
+
+
+def _cut_open(tokens: Tokens) -> bool:
+    """Take out that it is open; whether it was said."""
+    at = next((k for k, word in enumerate(tokens.words) if word in OPENED), None)
+    if at is None:
+        return False
+    tokens.cut(at - (at > 0 and tokens.words[at - 1] in HALF), at + 1)
+    return True
+
+
+def _riches_begin(tokens: Tokens, end: int) -> int:
+    """Where the riches that end there begin, and there itself if it is something else."""
+    begin = end
+    while begin and begin not in tokens.breaks and tokens.words[begin - 1] in AMONG | SHINING:
+        begin -= 1
+    return end if RICHES.isdisjoint(tokens.words[begin:end]) else begin
+
+
+def _open_full_chests(tokens: Tokens) -> None:
     for at in range(len(tokens.words)):
         name = next((p for p in tokens.phrases(at) if tokens.thing(p) in CHESTS), "")
         behind = at + len(name.split())

@@ -149,7 +149,7 @@ def corrected_phrase(tokens: list[str]) -> str:
         wrong = [(token, word) for token, word in pairs if token != word]
         if len(wrong) == 1 and len(tokens) >= len(words):
             token, word = wrong[0]
-            if token not in SAID and any(_one_slip_away(token, [word], 6)):
+            if token not in SAID and any(_one_slip_away(token, [word], 5)):
                 return form
     return ""
 

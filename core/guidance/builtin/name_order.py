@@ -6,7 +6,7 @@
 from itertools import takewhile
 
 from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.lexicon import look_up
+from core.guidance.builtin.lexicon import corrected, look_up
 from core.guidance.builtin.look_order import STRANGE, looks_end
 from core.guidance.builtin.part_names import is_own, owns
 from core.guidance.builtin.part_tables import WITH_PARTS
@@ -30,11 +30,15 @@ SAYS_OF_WHAT = frozenset(
 )
 HOLDING = frozenset(("with", "containing", "holding"))
 MADE_OF = [way.split() for way in ("made of", "made from", "made out of")]
+SHAPED_LIKE = [
+    way.split() for way in ("shaped like, in the shape of, in the form of, in shape of").split(", ")
+]
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
 def set_names_in_order(tokens: Tokens) -> None:
     """Change the words' order where the thing comes late, or its name is in pieces."""
+    _take_its_shape(tokens)
     _take_owners_first(tokens)
     _take_the_thing_first(tokens)
     _take_plants_first(tokens)
@@ -46,6 +50,23 @@ def set_names_in_order(tokens: Tokens) -> None:
     _join_split_names(tokens)
     _set_qualifiers_first(tokens)
     _take_what_has_the_part(tokens)
+
+
+def _take_its_shape(tokens: Tokens) -> None:
+    """ "A doorstop shaped like a dog" is a dog, where nothing is known of doorstops."""
+    for at in range(1, len(tokens.words)):
+        way = next((w for w in SHAPED_LIKE if tokens.words[at : at + len(w)] == w), None)
+        if way is None or not tokens.breaks.isdisjoint(range(at, at + len(way))):
+            continue
+        word, end = tokens.words[at - 1], at + len(way)
+        end += tokens.words[end : end + 1] in [[article] for article in ARTICLES]
+        thing = tokens.first_thing(tokens.qualities_end(end, ("color", "material")))
+        if thing and tokens.entry(word) is None and not corrected(word):
+            names = (" ".join(tokens.words[k : at - 1]) for k in range(max(at - 3, 0), at - 1))
+            before = next(filter(tokens.thing, names), "")  # "a pirate ship figurehead"
+            tokens.notes.append(f"{word}: made as {with_article('noun', thing)}.")
+            tokens.cut(at - 1 - len(before.split()), end)
+        return
 
 
 def _take_owners_first(tokens: Tokens) -> None:

@@ -113,12 +113,12 @@ REAL = frozenset(
     condo condom condoms condos coney confer confines cong connector connectors connor connors conor
     contained conte controlled cooke cooked cookery cooks cooler cooper cope copied copies cora core
     cornea corner corners corny coroner corral corset coulter counted countess coup couple couples
-    coven cowell craft crafts cram crap crater craven creamy create creates cree creek creep
-    creeps crew crews crock crocker crooks crotch crouch crowd crowds crowe crunch crusade crusty
-    crutches curate curtail dairy dance danced dances danger dangers darth defective defer demo
-    demos denies denis deter deterrent devi diced dicey dictionaries dill dine ding dinner dinners
-    dion dirt dishy diva divas dive divert dives dogg dolly dolores done donor donors dont dover
-    dowry draft drafts draped draper drawer dressed driver drivers droughts drove ducking duet
+    coven cowell craft crafts cram crap crater craven creamy create creates cree creek creep creeps
+    crew crews crock crocker crooks crotch crouch crowd crowds crowe crunch crusade crusty crutches
+    curate curtail dairy dance danced dances danger dangers darth defective defer demo demos denies
+    denis deter deterrent devi diced dicey dictionaries dill dine ding dinner dinners dion dirt
+    dishy diva divas dive divert dives dogg dolly dolores done donor donors dont doorstop doorstops
+    dover dowry draft drafts draped draper drawer dressed driver drivers droughts drove ducking duet
     dumber dumped duress dust dustin duties duty dwell dyer each earle ease eater eaters eating
     eaves ebook ebooks eddy edge edges ellington elon email emails enchanted enveloped ester everett
     evils express extinguished facet facets factor factors fail fails fair fairly fallon famer
@@ -154,14 +154,14 @@ REAL = frozenset(
     overs pacing packaged paddock paid paine painter painters pair palate palin pane pant panting
     pantry para parameter parameters park parks parsons past pastries pasty pats patter paving
     paying peachy pearl pearson pellet pellets pendants persona peter peters phase phased phases
-    phoned phony photographs piazza pickled pickles picky piers pierson pilates piling pinky
-    piped piper pistil piston pistons pitched pitches place places placid plain plan planner
-    planners plans planted plat plated play pleasant plot plots plotter plumbers plumping pointer
-    pointers pointing poke policemen poole pools port porter portion portions portman postal posted
-    potted potter potty prattle preach prevent prevents price prices prick pricks printed printing
-    prison prisons probe probes prose protector protectors psalm psalms puddle punter pure pursue
-    push pushes quart quid quit quits rabbi racked rage raiding rail rain raining raising raked
-    raker rang ranged rangers rape rapes rapper rappers rate rattled rattler rave rayon read reads
+    phoned phony photographs piazza pickled pickles picky piers pierson pilates piling pinky piped
+    piper pistil piston pistons pitched pitches place places placid plain plan planner planners
+    plans planted plat plated play pleasant plot plots plotter plumbers plumping pointer pointers
+    pointing poke policemen poole pools port porter portion portions portman postal posted potted
+    potter potty prattle preach prevent prevents price prices prick pricks printed printing prison
+    prisons probe probes prose protector protectors psalm psalms puddle punter pure pursue push
+    pushes quart quid quit quits rabbi racked rage raiding rail rain raining raising raked raker
+    rang ranged rangers rape rapes rapper rappers rate rattled rattler rave rayon read reads
     recorded regret regrets rein reins remove removes resent resign resigns rested retrieve
     retrieved reuters revolve revolved revolves rick ride rides ridge ridges rife ringer ringo road
     roads robbed robberies robbers robbery robbins robo robyn rocked rockies rocky role roles roll
@@ -190,14 +190,13 @@ REAL = frozenset(
     thatcher theater theaters thermo thine thing things think thinks thorn thorne thorns those
     threat threats three throng ticks tier tiers tight time timer timers tipped tired toasted toll
     tolls tone tones tons tool tools toot toothy topper tore tori tories torque tort tote tourism
-    tours tout towels tracer tracy trade traded trades trailer trailers trailing trained
-    trainee trainees traitor traitors tramp tran trans trap traps transformed travers
-    tread trent trick tricks tries
-    trifle trope tropes trot truss trust trusted trusts trusty tsar tubed tuck turned tweak tweaks
-    twitch tyrone uber urban usage utter vail valentin valentina valentino vanished venues vets
-    vidal village villages violates violent viral vital vulcan waffled wail waited waiver waivers
-    wales walled waller wallis wally walter walters wanda warp washed washes weasel weed weeds
-    wellness while whisper whispers whistler whit whole wicked wicket wickets widen wider widow
-    widows wilde wolfe wolff wooded woody woolf word words worked worship wrath wrestle wrestled
-    writer writers""".split()
+    tours tout towels tracer tracy trade traded trades trailer trailers trailing trained trainee
+    trainees traitor traitors tramp tran trans transformed trap traps travers tread trent trick
+    tricks tries trifle trope tropes trot truss trust trusted trusts trusty tsar tubed tuck turned
+    tweak tweaks twitch tyrone uber urban usage utter vail valentin valentina valentino vanished
+    venues vets vidal village villages violates violent viral vital vulcan waffled wail waited
+    waiver waivers wales walled waller wallis wally walter walters wanda warp washed washes weasel
+    weed weeds wellness while whisper whispers whistler whit whole wicked wicket wickets widen wider
+    widow widows wilde wolfe wolff wooded woody woolf word words worked worship wrath wrestle
+    wrestled writer writers""".split()
 )

@@ -190,6 +190,7 @@ PART_ALSO = {
 CALLED = {
     "bench": dict.fromkeys("ends sides frame supports base".split(), "legs"),
     "castle": {"gate": "door", "gates": "door"},
+    "dice": dict.fromkeys("numbers number numerals".split(), "pips"),
     "drum kit": dict.fromkeys(
         ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"
     ),
@@ -216,6 +217,8 @@ SAID_OF_PARTS = {
     "jeans": "denim trousers",
     "clothes": "outfit",
     "clothing": "outfit",
+    "dots": "pips",
+    "spots": "pips",
 }
 # What a thing is with a part that it has not: "a horse with a horn".
 WITH_PARTS = {

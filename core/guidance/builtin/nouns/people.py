@@ -7,7 +7,7 @@ _SKIN, _EYES = "-e0ac86", "-141414"
 PEOPLE = {
     "astronaut": Noun(
         "spaceman, cosmonaut, spacewoman, space suit, spacesuit; taikonaut, space explorer, "
-        "space marine, hazmat suit",
+        "space marine, hazmat suit, diving suit, deep sea diver, wetsuit",
         {
             "suit": "*e8e8e4",
             "visor": "-d9a441 . golden",
