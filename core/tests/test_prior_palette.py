@@ -20,6 +20,7 @@ from core.guidance.builtin.palette import (
     painted,
     swatches,
 )
+from core.guidance.builtin.part_tables import FRAMES
 from core.guidance.builtin.patterns import Place
 from core.guidance.builtin.substances import (
     CLEAR,
@@ -94,7 +95,7 @@ def test_a_metal_is_a_metal_and_a_wood_has_grain():
 def test_a_material_is_that_of_all_parts_but_those_that_keep_their_nature():
     golden = coat("car", Caption("", "golden"), _draw())
     metallic = dict(zip(looks("car"), golden.metallic[:, 0].tolist(), strict=True))
-    assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 1, "hubs": 1}
+    assert metallic == {"body": 1, "windows": 0, "wheels": 0, "lamps": 0, "hubs": 1}
 
 
 @pytest.mark.parametrize("pattern", PATTERNS)
@@ -325,8 +326,8 @@ def test_of_a_coloured_metal_the_metal_parts_are_too():
 
     assert of("a brass floor lamp")["pole"] == "golden"
     assert of("a rusty train")["wheels"] == "rusty"
-    assert of("a metal floor lamp")["pole"] == ""  # stays of the dark one that it is
-    assert of("a wooden lamp")["pole"] == ""
+    assert of("a metal train")["wheels"] == ""  # stay of the one that they are
+    assert of("a wooden car")["wheels"] == ""
     assert of("a golden backpack")["buckles"] == "golden"
     assert of("a golden safe with a metal dial")["dial"] == "metal"
 
@@ -556,3 +557,37 @@ def test_what_is_of_cloth_on_a_wooden_thing_stays_so_and_an_animal_is_carved() -
     assert (boat["hull"].material, boat["sails"].material) == ("wooden", "")
     owl = {part.name: part for part in painted("owl", parse("a wooden owl"))}
     assert owl["belly"].material == "wooden"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "hard", "soft"),
+    [
+        ("a wooden lamp", {"pole", "foot"}, {"shade"}),
+        ("a brass floor lamp", {"pole", "foot"}, {"shade"}),
+        ("a wooden market stall", {"counter", "posts", "shelf"}, {"awning", "fruit"}),
+        ("a stone throne", {"frame", "knobs", "step"}, {"cushion"}),
+        ("a wooden armchair", {"arms", "legs"}, {"cushion", "back"}),
+        ("a metal tent", {"poles"}, {"canvas"}),
+    ],
+)
+def test_a_hard_material_is_that_of_the_frame(prompt, hard, soft):
+    words = parse(prompt)
+    of = {part.name for part in painted(words.noun, words) if part.material == words.material}
+    assert of == hard and not soft & of
+
+
+def test_a_soft_material_is_that_of_the_cloth():
+    words = parse("a velvet armchair")
+    of = {part.name for part in painted(words.noun, words) if part.material == "fabric"}
+    assert {"cushion", "back", "arms"} <= of and "legs" not in of
+
+
+def test_frames_are_of_parts_that_there_are():
+    for noun, parts in FRAMES.items():
+        assert parts < looks(noun).keys()
+
+
+def test_what_is_of_glass_stays_of_glass():
+    words = parse("a golden staff")
+    of = {part.name: part.material for part in painted(words.noun, words)}
+    assert of == {"shaft": "golden", "crystal": "", "fork": "golden"}

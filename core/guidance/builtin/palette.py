@@ -26,7 +26,7 @@ from core.guidance.builtin.colors import (
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.part_tables import WHOLE
+from core.guidance.builtin.part_tables import FRAMES, WHOLE
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import ROUGHNESS, natural_kind
 from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
@@ -34,6 +34,7 @@ from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
+FRAMING = {*HARD, "wooden"} - {"glass"}
 COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
@@ -289,7 +290,7 @@ def _of_words(
 ) -> tuple[str, str, Finish, Color, str]:
     """What the words say that a part is of and the form of it, its finish, colour and pattern."""
     material, form = accent.material, accent.material_form
-    if not material and (stated.is_statue or is_of(noun, look, stated.material)):
+    if not material and (stated.is_statue or is_of(noun, accent.part, stated.material)):
         material, form = stated.material, stated.material_form
     if not material:
         return "", "", look.finish, look.color, look.pattern
@@ -307,17 +308,22 @@ def _value(word: tuple[str, str]) -> Color | None:
     return color_value(*word) if word[0] else None
 
 
-def is_of(noun: str, look: Look, material: str) -> bool:
-    """Whether a material that is stated of the noun is one of such a part: not the metal fittings
-    of what is no metal, such as a wooden chest's bands (of a wooden sword the guard too); nor a
-    golden medal's ribbon; nor, where the thing is of it by nature, what else it has, such as a
-    glass bottle's cap."""
+def is_of(noun: str, part: str, material: str) -> bool:
+    """Whether a material that is stated of the noun is one of such a part: not a wooden lamp's
+    shade; nor the metal fittings of what is no metal, such as a wooden chest's bands (of a wooden
+    sword the guard too); nor a golden medal's ribbon or a golden staff's crystal; nor, where the
+    thing is of it by nature, what else it has, such as a glass bottle's cap."""
+    look = looks(noun)[part]
     if material == "glass" and noun in GLAZED:
         return look.material == "glass"
+    if material in FRAMING and noun in FRAMES:
+        return part in FRAMES[noun]
     if look.role == "-":  # "a brass floor lamp": its pole too
         return material in COLORED_METALS and look.finish.metallic > 0.5
     if look.role != "+" or not material:
         return True
+    if look.material == "glass" and material != "glass":
+        return False
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):
         return look.material == material
     if look.finish.metallic < 0.5:

@@ -220,6 +220,34 @@ SAID_OF_PARTS = {
     "dots": "pips",
     "spots": "pips",
 }
+# Of what has cloth, straw or the like, and a frame: what of it a hard material is that is stated of
+# the whole. "A wooden lamp" has a shade of cloth.
+FRAMES = {
+    noun: frozenset(parts.split())
+    for noun, parts in {
+        "armchair": "arms legs",
+        "broom": "handle",
+        "carousel": "floor column trim horses poles",
+        "flag": "pole knob",
+        "floor lamp": "pole foot",
+        "hammock": "bars posts base",
+        "high chair": "seat tray legs footrest",
+        "ironing board": "frame legs rest",
+        "kite": "spars",
+        "lamp": "pole foot",
+        "market stall": "counter posts shelf",
+        "office chair": "base arms",
+        "ottoman": "base feet",
+        "scarecrow": "post",
+        "sofa": "arms base feet",
+        "tent": "poles",
+        "throne": "frame knobs step",
+        "trampoline": "legs rail",
+        "umbrella": "stick handle",
+        "wall sconce": "plate arm cup",
+        "wheelchair": "frame spokes",
+    }.items()
+}
 # What a thing is with a part that it has not: "a horse with a horn".
 WITH_PARTS = {
     "pot": {"cooking pot": "handle handles lid"},

@@ -203,7 +203,7 @@ BUILDINGS = {
             "stripes": "+f6f0e2 . fabric",
             "posts": "-7c4f2a grain",
             "shelf": "-c08a4e grain",
-            "fruit": "+f29a1c",
+            "fruit": "-f29a1c",
         },
         Usual(2.6, WOOD, 0.2),
     ),

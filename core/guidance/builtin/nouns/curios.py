@@ -27,7 +27,7 @@ CURIO_PROPS = {
             "bowl": "*7a5530",
             "twigs": "&9c7443",
             "straw": "&c9a765",
-            "eggs": "+9ed3d6",
+            "eggs": "-9ed3d6",
         },
         Usual(0.25, PLANT, 0.08),
     ),

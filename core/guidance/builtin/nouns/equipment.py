@@ -89,9 +89,9 @@ EQUIPMENT_PROPS = {
         {
             "base": "*cf2027 . paint",
             "globe": "-cfe6ee . glass",
-            "gumballs": "+e8392f . plastic",
-            "sweets": "+2f7fdc . plastic",
-            "candies": "+f7c928 . plastic",
+            "gumballs": "-e8392f . plastic",
+            "sweets": "-2f7fdc . plastic",
+            "candies": "-f7c928 . plastic",
             "knob": "-cfd4d9 . metal",
         },
         Usual(0.45, GLASS, 0.3),
