@@ -35,6 +35,7 @@ from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 FRAMING = {*HARD, "wooden"} - {"glass"}
+CLEAR = ("glass", "liquid")
 COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
@@ -322,7 +323,7 @@ def is_of(noun: str, part: str, material: str) -> bool:
         return material in COLORED_METALS and look.finish.metallic > 0.5
     if look.role != "+" or not material:
         return True
-    if look.material == "glass" and material != "glass":
+    if look.material in CLEAR and material != "glass":
         return False
     if any(other.role == "*" and other.material == material for other in looks(noun).values()):
         return look.material == material
