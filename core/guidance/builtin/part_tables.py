@@ -79,6 +79,7 @@ PART_ALSO = {
     "top": "cap, lid, roof, seat, deck, board",
     "fretboard": "neck",
     "fingerboard": "neck",
+    "lips": "mouth",
     "headstock": "neck",
     "cabinets": "body, doors",
     "cabinet": "body",

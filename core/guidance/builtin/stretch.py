@@ -46,6 +46,11 @@ DRAWN_WIDER: dict[str, Vector] = {
     "golf club": (2.3, 2.3, 1.0),
     "hockey stick": (1.8, 2.5, 1.0),
     "toothbrush": (2.0, 2.0, 1.0),
+    "ukulele": (1.3, 1.5, 1.0),
+    "guitar": (1.3, 1.6, 1.0),
+    "banjo": (1.3, 1.6, 1.0),
+    "airplane": (1.0, 1.0, 1.7),
+    "person": (1.3, 1.3, 1.0),
 }
 
 

@@ -160,8 +160,8 @@ OF_A_THING = {
     ),
     "scales": "lizard feet",
     "skin": (
-        "monkey face, demon mouth, zombie mouth, yeti face, mouse tail, mouse ears, bat ears, "
-        "minotaur body, caterpillar feet, mouse feet, hedgehog feet"
+        "monkey face, demon mouth, zombie mouth, person mouth, yeti face, mouse tail, mouse ears, "
+        "bat ears, minotaur body, caterpillar feet, mouse feet, hedgehog feet"
     ),
     "soil": "dump truck load",
     "wet skin": "brain folds, yeti mouth, brain stem",

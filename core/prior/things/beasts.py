@@ -9,6 +9,7 @@ from core.prior.solids import (
     blend,
     both,
     box,
+    capsule,
     cut,
     egg,
     join,
@@ -185,27 +186,41 @@ def _arms(x: float, z: float, down: float, out: float, thick: float, raised: boo
 
 def person(draw: Draw) -> Parts:
     """Stands, in shirt and trousers; short or long hair."""
-    leg, wide, head = draw(0.85, 1.15), draw(0.3, 0.4), draw(0.27, 0.33)
-    top, raised, x = leg + draw(0.75, 0.9), draw.chance(0.3), wide + 0.06
-    out, down, z = draw(0.12, 0.35), 0.62, top + head + 0.05
-    a = max(wide * 0.56, 0.2)  # or the shoes would be one slab
-    trunk = taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.78, wide * 0.9)
+    leg, wide, head = draw(0.88, 1.08), draw(0.28, 0.34), draw(0.28, 0.31)
+    top, raised, x = leg + draw(0.74, 0.84), draw.chance(0.3), wide + 0.04
+    out, down, z = draw(0.1, 0.24), 0.66, top + head * 1.1 + 0.05
+    a, front = max(wide * 0.56, 0.17), -head * 0.92  # or the shoes would be one slab
+    trunk = taper((0, 0, leg), (0, 0, top - 0.2), wide * 0.8, wide * 0.92)
     hem = box((0, 0, leg - 0.92), (2, 2, 1))
-    hips = within(taper((0, 0, leg), (0, 0, top), wide * 0.79, wide * 0.85), hem)
-    hands = both(ball((x + out, -0.05, top - 0.15 - down), 0.14))
+    hips = within(taper((0, 0, leg), (0, 0, top), wide * 0.81, wide * 0.85), hem)
+    hand = egg((x + out, -0.06, top - 0.2 - down), (0.1, 0.12, 0.15))
+    hands = both(hand)
     if raised:
         half = box((2, 0, top), (2, 4, 8))
-        hands = join(cut(hands, half), ball((x + out + 0.15, -0.05, top - 0.15 + down * 0.7), 0.14))
-    cap = cut(ball((0, 0.05, z + 0.06), head * 1.08), box((0, -0.6, z - 0.15), (1, 0.5, 0.3)))
-    long_hair = egg((0, 0.16, z - 0.15), (head * 1.05, 0.22, head * 1.25))
-    nose = ball((0, -head - 0.02, z), 0.07)
+        hands = join(
+            cut(hands, half), egg((x + out + 0.15, -0.05, top - 0.1 + down * 0.7), (0.1, 0.1, 0.15))
+        )
+    skull = egg((0, 0, z), (head * 0.94, head, head * 1.12))
+    face = egg((0, -head * 0.9, z - head * 0.22), (head * 0.86, head * 0.9, head * 0.82))
+    cap = cut(
+        egg((0, 0.04, z + 0.05), (head * 1.08, head * 1.12, head * 1.2)),
+        face,
+        box((0, -head, z - head * 0.1 - 1), (2, head, 1)),
+        box((0, 0, z - head * 0.7 - 1), (2, 2, 1)),
+    )
+    fall = egg((0, 0.16, z - 0.16), (head * 1.06, 0.2, head * 1.3))
+    neck = tube((0, 0, top - 0.1), (0, 0, z), 0.11)
     return {
-        "shirt": join(cut(trunk, hem), _arms(x, top - 0.15, down, out, 0.14, raised)),
-        "skin": join(ball((0, 0, z), head), tube((0, 0, top - 0.1), (0, 0, z), 0.13), hands, nose),
-        "hair": join(cap, long_hair) if draw.chance(0.4) else cap,
-        "trousers": join(hips, both(taper((a, 0, leg), (a, 0, 0.14), 0.19, 0.14))),
-        "shoes": both(box((a, -0.1, 0.09), (0.13, 0.28, 0.11), 0.08)),
-        "eyes": both(ball((head * 0.4, -head * 0.87, z + 0.07), 0.075)),
+        "shirt": join(cut(trunk, hem), _arms(x, top - 0.17, down, out, 0.12, raised)),
+        "skin": join(skull, neck, hands, egg((0, front - 0.04, z - 0.06), (0.055, 0.08, 0.08))),
+        "hair": join(cap, fall) if draw.chance(0.4) else cap,
+        "trousers": join(hips, both(taper((a, 0, leg - 0.12), (a, 0, 0.14), 0.165, 0.12))),
+        "shoes": both(box((a, -0.08, 0.08), (0.12, 0.24, 0.1), 0.07)),
+        "eyes": both(egg((head * 0.4, front + 0.02, z + 0.03), (0.05, 0.06, 0.075))),
+        "mouth": capsule(
+            (-0.045, front + 0.08, z - head * 0.6), (0.045, front + 0.08, z - head * 0.6), 0.05
+        ),
+        "belt": tube((0, 0, leg), (0, 0, leg + 0.12), wide * 0.92, 0.02),
     }
 
 

@@ -5,34 +5,30 @@ import math
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
-    Solid,
     around,
     ball,
     blend,
     both,
     box,
     capsule,
+    chain,
     cut,
     egg,
+    grown,
     join,
     lathe,
     mirrored,
     moved,
+    outlined,
     prism,
     ring,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
+    within,
 )
-
-
-def _sole(long: float, wide: float, high: float, heel: float = 0.0) -> Solid:
-    """The outline of a foot, its toes to the front, extruded upwards from the floor."""
-    right = [(wide * 0.62, long), (wide * 0.8, long * 0.6), (wide * 0.6, 0.1)]
-    right += [(wide * 0.95, -long * 0.45), (wide * 0.85, -long * 0.8), (wide * 0.4, -long)]
-    outline = smooth_curve([*right, *((-u, v) for u, v in reversed(right))], 3)
-    return prism(outline, 2, high / 2, heel + high / 2)
 
 
 def watch(draw: Draw) -> Parts:
@@ -88,58 +84,60 @@ def sneaker(draw: Draw) -> Parts:
 
 
 def boot(draw: Draw) -> Parts:
-    """A high boot with a heel."""
-    long, wide, high, leg = draw(0.78, 0.9), draw(0.34, 0.4), draw(1.5, 1.8), draw(0.34, 0.4)
-    back = long - leg - 0.02
-    body = blend(
-        0.18,
-        egg((0, -long * 0.35, 0.36), (wide * 0.9, long * 0.62, 0.36)),
-        lathe([(leg * 0.92, 0.15), (leg * 0.88, 0.7), (leg * 1.08, high)], 0.01, (0, back)),
-    )
-    hole = tube((0, back, high - 0.3), (0, back, high + 1), leg * 0.78)
+    """A leather boot: a round toe, a welted sole with a heel, a harness strap, a padded cuff."""
+    long, wide, high, leg = draw(0.88, 1.0), draw(0.35, 0.39), draw(1.7, 1.95), draw(0.37, 0.42)
+    back, low, toe = long - leg, draw(0.2, 0.26), wide - long
+    ankle = (0, back - 0.02, 0.78)
+    foot = chain([(ankle, leg * 0.9), ((0, -0.1, 0.42), wide), ((0, toe, low + 0.06), wide)])
+    heel = chain([(ankle, leg * 0.9), ((0, back + 0.02, low + 0.08), leg * 0.9)])
+    shaft = lathe([(leg * 0.9, 0.7), (leg * 0.94, 1.0), (leg, high)], 0, (0, back))
+    hole = tube((0, back, high - 0.3), (0, back, high + 1), leg - 0.12)
+    floor = box((0, 0, low - 1.02), (2, 2, 1))
+    edge, rear = wide + 0.06, leg * 0.9 + 0.07
+    plan = [(0.0, toe - edge), (edge * 0.72, toe - edge * 0.7), (edge, toe)]
+    plan += [(edge * 0.94, -0.1), (rear * 0.92, back - 0.3), (rear, back + 0.02)]
+    plan += [(rear * 0.7, back + 0.02 + rear * 0.7), (0.0, back + 0.02 + rear)]
+    outline = mirrored(smooth_curve(plan, 3))
+    arch = box((0, -0.01, 0), (2, 0.24, 0.1))
+    band = tube((0, back, 0.68), (0, back, 0.86), leg * 0.9 + 0.06, 0.03)
     return {
-        "body": cut(body, hole, box((0, 0, -0.88), (2, 2, 1))),
-        "sole": join(
-            _sole(long, wide, 0.16, 0.08),
-            box((0, long * 0.66, 0.12), (wide * 0.78, 0.26, 0.12), 0.02),
-        ),
-        "cuff": cut(
-            tube((0, back, high - 0.2), (0, back, high + 0.04), leg * 1.08 + 0.07, 0.04), hole
-        ),
-        "strap": join(
-            tube((0, back, 0.62), (0, back, 0.78), leg + 0.07, 0.03),
-            box((leg + 0.05, back, 0.7), (0.07, 0.13, 0.12), 0.02),
-        ),
+        "body": cut(join(blend(0.12, foot, heel), shaft), hole, floor),
+        "sole": cut(prism(outline, 2, low / 2, low / 2), arch),
+        "cuff": cut(tube((0, back, high - 0.18), (0, back, high + 0.06), leg + 0.07, 0.07), hole),
+        "strap": join(band, box((leg * 0.9 + 0.03, back, 0.77), (0.08, 0.12, 0.13), 0.05)),
     }
 
 
 def high_heel(draw: Draw) -> Parts:
-    """A lady's shoe on a high heel, its toe to the front."""
-    long, wide, high = draw(0.95, 1.1), draw(0.3, 0.34), draw(0.62, 0.8)
-    front, seat = -long * 0.35, long - wide
-    arch = [(front, 0.0), (long * 0.38, high), (seat, high)]
-    side = [(v, z + 0.08) for v, z in arch]
-    side += [(seat, high + 0.6), (long * 0.2, high * 0.72 + 0.34), (front, 0.56)]
-    cup = tube((0, seat, high + 0.08), (0, seat, high + 0.6), wide)
-    room = [(-long * 0.2, 0.3), (long * 0.38, high + 0.16), (seat, high + 0.16)]
-    hole = prism([*room, (seat, 2), (-long * 0.2, 2)], 0, wide - 0.13)
-    upper = cut(
-        join(prism(side, 0, wide), cup),
-        hole,
-        tube((0, seat, high + 0.16), (0, seat, 3), wide - 0.13),
+    """A lady's pump on a high heel, its pointed toe to the front; the heel is slim or a block."""
+    long, wide, high = draw(1.0, 1.12), draw(0.29, 0.33), draw(0.7, 0.9)
+    seat, front, slim = long - 0.3, -0.4 * long, wide * 0.86
+    arch = smooth_curve([(-long, 0.1), (front, 0.1), (0.3 * long, high * 0.72)], 4)
+    arch += [(seat - 0.1, high), (long, high + 0.06)]
+    rim = [(long, high + 0.56), (seat, high + 0.46), (0.25 * long, high * 0.72 + 0.36)]
+    rim = smooth_curve([*rim, (front * 0.6, 0.36), (front * 1.1, 0.5)], 4)
+    foot = [((0, front, 0.2), wide), ((0, 0.3 * long, high * 0.72 + 0.24), slim)]
+    foot += [((0, seat, high + 0.24), slim)]
+    shell = chain([((0, 0.1 - long, 0.16), 0.1), *foot])
+    upper = within(shell, prism([*arch, *rim, (-2, 0.5), (-2, 0.1)], 0, 2))
+    room = [(v, z + 0.1) for v, z in arch if v >= front]
+    hollow = within(
+        chain((at, radius - 0.1) for at, radius in foot),
+        prism([*room, (long, 3), (front * 1.2, 3)], 0, 2),
     )
+    under = [*arch[:-1], (seat + 0.16, high + 0.03)]
+    plan = [(wide * 0.9, front), (slim * 0.7, 0.3 * long), (slim * 0.86, seat)]
+    plan = [(0.05, 0.03 - long), *smooth_curve([*plan, (0.1, seat + slim * 0.8)], 3)]
+    back = seat + 0.06
+    spike = [(0.085, 0), (0.085, high * 0.4), (0.13, high * 0.75), (0.22, high + 0.08)]
+    block = [(0.17, 0), (0.17, high * 0.5), (0.22, high + 0.08)]
+    wing = grown(prism([(0.08, -0.03), (0.2, -0.09), (0.2, 0.09), (0.08, 0.03)], 1, 0.03), 0.03)
+    bow = join(ball((0, 0, 0), 0.085), both(wing))
     return {
-        "body": join(upper, taper((0, front, wide), (0, -long * 0.88, 0.16), wide, 0.15)),
-        "heel": lathe([(0.09, 0), (0.2, high + 0.05)], 0, (0, seat + 0.04)),
-        "sole": join(
-            prism([*arch, *((v, z + 0.15) for v, z in reversed(arch))], 0, wide * 0.9),
-            tube((0, seat, high), (0, seat, high + 0.15), wide * 0.9),
-            prism(mirrored([(0.14, -long), (wide, front - 0.1), (wide, front)]), 2, 0.06, 0.06),
-        ),
-        "bow": join(
-            ball((0, front, 0.62), 0.12),
-            both(capsule((0.1, front, 0.62), (0.26, front, 0.62), 0.13)),
-        ),
+        "body": cut(upper, hollow),
+        "heel": lathe(block if draw.chance(0.25) else spike, 0, (0, back)),
+        "sole": outlined([*under, *((v, z - 0.1) for v, z in reversed(under))], plan),
+        "bow": tilted(bow, -70, (0, front * 1.12, 0.2 + wide * 0.94)),
     }
 
 

@@ -1,5 +1,7 @@
 """Electronic devices."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
@@ -177,14 +179,17 @@ def game_controller(draw: Draw) -> Parts:
 
 
 def light_bulb(draw: Draw) -> Parts:
-    """A bulb on its screw cap."""
-    neck, wide, high = draw(0.28, 0.33), draw(0.6, 0.72), draw(1.75, 2.05)
-    shape = [(neck, 0.6), (neck + 0.05, 0.8), (wide * 0.92, high * 0.6), (wide, high * 0.74)]
-    shape += [(wide * 0.7, high * 0.94), (0.05, high)]
+    """A round bulb that narrows to its screw cap."""
+    neck, wide, high = draw(0.26, 0.3), draw(0.6, 0.68), draw(1.8, 1.98)
+    middle = high - wide
+    shape = [(neck, 0.58), (neck + 0.03, 0.7), (wide * 0.7, middle - 0.46)]
+    shape += [(wide * 0.93, middle - 0.22)]
+    bends = (math.radians(angle) for angle in (0, 24, 46, 66, 80))
+    shape += [(wide * math.cos(bend), middle + wide * math.sin(bend)) for bend in bends]
     rings = (ring((0, 0, v), neck - 0.01, 0.08) for v in (0.24, 0.42, 0.6))
     return {
-        "bulb": lathe(smooth_curve(shape, 4), 0.02),
-        "cap": join(tube((0, 0, 0.14), (0, 0, 0.72), neck), *rings),
+        "bulb": lathe(smooth_curve([*shape, (0, high)], 4)),
+        "cap": join(tube((0, 0, 0.14), (0, 0, 0.66), neck), *rings),
         "tip": lathe([(0.12, 0.0), (neck - 0.03, 0.17)], 0.02),
     }
 

@@ -229,42 +229,19 @@ def grill(draw: Draw) -> Parts:
 
 
 def rope(draw: Draw) -> Parts:
-    """Coiled flat, two turns within two, its strands slanted; tied twice, its end to the front."""
-    wide, r = draw(0.78, 0.9), draw(0.18, 0.21)
-    inner = wide - 1.9 * r
-    turns = [(wide, r), (wide - 0.05, r * 2.75), (inner, r * 1.2), (inner, r * 3.0)]
+    """Four turns one upon another, tied together twice, an end that lies before them."""
+    wide, r = draw(0.8, 0.92), draw(0.17, 0.2)
+    heights = [r * (1 + 1.75 * k) for k in range(4)]
+    high = heights[-1] + r
+    turns = [ring((0, 0, z), wide, r) for z in heights]
     end = [(-wide, -0.02, r), (-wide * 0.8, -wide * 0.8, r), (-wide * 0.2, -wide - 0.3, r),
            (wide * 0.45, -wide - 0.4, r)]  # fmt: skip
-    filling = tube((0, 0, r * 0.3), (0, 0, r * 3.65), wide - 0.02)
-    hole = tube((0, 0, -1), (0, 0, 3), inner)
-    strands = []
-    for k, (radius, z) in enumerate(turns):
-        for j in range(16):
-            a, b = (math.radians(22.5 * j + 11 * k + s) for s in (-6, 6))
-            # On the outer side of the outer turns and on the top of the upper ones.
-            out = radius + r * 0.7
-            if k in (1, 3):
-                strands.append(
-                    capsule(((radius - r * 0.6) * math.cos(a), (radius - r * 0.6) * math.sin(a),
-                             z + r * 0.7),
-                            ((radius + r * 0.6) * math.cos(b), (radius + r * 0.6) * math.sin(b),
-                             z + r * 0.7), r * 0.38)
-                )  # fmt: skip
-            if k > 1:
-                continue
-            strands.append(
-                capsule((out * math.cos(a), out * math.sin(a), z - r * 0.55),
-                        (out * math.cos(b), out * math.sin(b), z + r * 0.55), r * 0.38)
-            )  # fmt: skip
-    bind = join(*(box((s * (wide - r), 0.1, r * 1.98), (2 * r + 0.08, 0.15, r * 2.08), 0.06)
-                  for s in (-1, 1)))  # fmt: skip
     tip = end[-1]
+    tie = box((wide, 0.1, high / 2), (r + 0.07, 0.14, high / 2 + 0.03), 0.06)
     return {
-        "coil": join(
-            cut(filling, hole),
-            *(ring((0, 0, z), radius, r) for radius, z in turns), chain((p, r) for p in end)),
-        "strands": join(*strands),
-        "ties": bind,
+        "coil": join(*turns[::2], chain((p, r) for p in end)),
+        "strands": join(*turns[1::2]),
+        "ties": both(tie),
         "end": tube((tip[0] - 0.1, tip[1], r), (tip[0] + 0.26, tip[1] - 0.03, r), r + 0.05, 0.04),
     }  # fmt: skip
 

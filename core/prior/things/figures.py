@@ -279,7 +279,7 @@ def mermaid(draw: Draw) -> Parts:
         ),
         "hair": join(cap, locks),
         "top": both(egg((0.145, -0.2, top - 0.24), (0.16, 0.16, 0.14))),
-        "eyes": eyes(head * 0.42, -head * 0.86, z + 0.03, 0.09),
+        "eyes": both(egg((head * 0.42, -head * 0.88, z + 0.03), (0.07, 0.07, 0.1))),
     }  # fmt: skip
 
 

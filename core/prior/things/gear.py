@@ -92,24 +92,23 @@ def pickaxe(draw: Draw) -> Parts:
 def saw(draw: Draw) -> Parts:
     """A handsaw along x, its teeth down, its handle to the right."""
     left, right, high, tip = -1.2, 0.62, draw(0.62, 0.75), draw(0.25, 0.35)
-    teeth, low = 7 + draw.which(3), 0.16
+    teeth, low = 7, 0.16
     step = (right - left) / teeth
     edge = []
     for k in range(teeth):
         edge += [(left + k * step, low), (left + (k + 0.5) * step, 0.0)]
     blade = [*edge, (right, low), (right, low + high), (left, low + tip)]
     z = low + high * 0.5
-    body = prism(
-        [(0.45, z - 0.36), (1.05, z - 0.5), (1.3, z - 0.2), (1.2, z + 0.5), (0.55, z + 0.46)],
-        1,
-        0.17,
-    )
-    hole = capsule((0.88, 0, z - 0.12), (0.92, 0, z + 0.14), 0.15)
+    back = [(0.45, z - 0.36), (0.98, z - 0.52), (1.26, z - 0.46), (1.3, z - 0.2), (1.22, z + 0.1),
+            (1.3, z + 0.44), (1.1, z + 0.56), (0.55, z + 0.46)]  # fmt: skip
+    grip = [(0.8, z - 0.24), (1.04, z - 0.32), (1.1, z - 0.16), (1.04, z + 0.12), (1.08, z + 0.32),
+            (0.86, z + 0.32)]  # fmt: skip
+    body, hole = prism(back, 1, 0.15), prism(smooth_curve([*grip, grip[0]], 3), 1, 1)
     return {
         "blade": prism(blade, 1, 0.09),
         "handle": cut(body, hole),
         "rivets": join(
-            *(tube((0.62, -0.21, z + v), (0.62, 0.21, z + v), 0.08, 0.02) for v in (-0.18, 0.26))
+            *(tube((0.62, -0.19, z + v), (0.62, 0.19, z + v), 0.08, 0.02) for v in (-0.18, 0.26))
         ),
     }
 

@@ -1,13 +1,12 @@
 """Furniture, kitchen, light and dress."""
 
-import math
-
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
     around,
     ball,
+    blend,
     both,
     box,
     capsule,
@@ -20,6 +19,7 @@ from core.prior.solids import (
     smooth_curve,
     taper,
     tube,
+    within,
 )
 
 
@@ -267,65 +267,49 @@ def bell(draw: Draw) -> Parts:
 
 
 def bust(draw: Draw) -> Parts:
-    """A bearded head with curls on shoulders that are cut off, on a turned plinth."""
-    head, wide, low = draw(0.38, 0.43), draw(0.62, 0.7), draw(0.46, 0.54)
-    neck = low + draw(0.66, 0.72)
-    z = neck + head * 1.2
-    face, brow = -head * 0.92, z + head * 0.2
-    chest = egg((0, 0, low + 0.3), (wide, 0.4, 0.46))
+    """A Roman's head on shoulders that are cut off, on a turned plinth; some are bearded."""
+    r, wide, low = draw(0.4, 0.44), draw(0.62, 0.7), draw(0.44, 0.5)
+    z, beard = low + draw(0.62, 0.68) + r * 1.2, draw.chance(0.4)
+    front, lean = -r * 0.94, -0.03
+    chest = egg((0, 0, low + 0.34), (wide, 0.38, 0.5))
     sliced = cut(
-        chest, box((0, 0, low - 1.0 + 0.08), (2, 2, 1)), both(box((wide + 0.9, 0, low), (1, 2, 2)))
+        chest, box((0, 0, low - 0.92), (2, 2, 1)), both(box((wide + 0.92, 0, low), (1, 2, 2)))
     )
-    ears = both(egg((head * 0.94, 0.04, z - 0.04), (0.1, 0.12, 0.16)))
-    sockets = both(ball((head * 0.38, face - 0.04, z + 0.04), 0.12))
-    skull = egg((0, 0, z), (head * 0.92, head, head * 1.16))
+    skull = blend(
+        0.1,
+        egg((0, 0.04, z + 0.06), (r * 0.86, r, r * 1.06)),
+        egg((0, -r * 0.26, z - r * 0.5), (r * 0.66, r * 0.66, r * 0.66)),
+        ball((0, front + 0.12, z - r * 0.98), 0.1),
+    )
+    nose = taper((0, front + 0.04, z + r * 0.14), (0, front - 0.07, z - r * 0.28), 0.08, 0.1)
+    brow = capsule((0.08, front + 0.02, z + r * 0.28), (r * 0.6, front + 0.12, z + r * 0.24), 0.075)
+    lips = join(
+        *(capsule((-0.07, front + 0.03, v), (0.07, front + 0.03, v), 0.065)
+          for v in (z - r * 0.56, z - r * 0.7))
+    )  # fmt: skip
     curls = [
-        ball((head * 0.86 * math.sin(a), -head * 0.72 * math.cos(a), z + head * 0.82), 0.15)
-        for a in (0.0, 0.62, 1.24)
+        egg((r * u, -r * v, z + r * t), (0.14, 0.13, 0.12))
+        for u, v, t in ((0.0, 0.78, 0.86), (0.36, 0.72, 0.84), (0.68, 0.5, 0.74), (0.88, 0.2, 0.5))
     ]
-    beard = [(0.08, z - head * 1.62), (head * 0.6, z - head * 1.1), (head * 0.78, z - head * 0.5)]
+    cap = cut(
+        egg((0, 0.08, z + 0.1), (r * 0.98, r * 1.06, r * 1.14)),
+        box((0, -r * 1.1, z - 0.4), (1, r, r * 0.66 + 0.4)),
+        box((0, 0, z - r * 0.5 - 1), (2, 2, 1)),
+    )
+    hair = [cap, both(join(*curls))]
+    if beard:
+        hair.append(within(egg((0, -r * 0.36, z - r * 0.86), (r * 0.72, r * 0.7, r * 0.62)),
+                           box((0, 0, z - r * 0.5 - 1), (2, 2, 1))))  # fmt: skip
+        moustache = (0.05, front + 0.02, z - r * 0.46), (0.2, front + 0.1, z - r * 0.62)
+        hair.append(both(capsule(*moustache, 0.065)))
+    plinth = [(0.44, 0.0), (0.44, 0.14), (0.28, 0.2), (0.21, 0.32), (0.28, low), (0.33, low)]
+    neck = tube((0, 0.06, low + 0.3), (0, lean + 0.06, z - 0.2), r * 0.56)
+    ears = both(egg((r * 0.86, 0.06, z - 0.04), (0.08, 0.12, 0.15)))
     return {
-        "body": join(
-            sliced,
-            tube((0, 0.02, low + 0.3), (0, 0.02, z - 0.2), head * 0.58),
-            cut(skull, sockets),
-            ears,
-        ),
-        "hair": join(
-            cut(
-                egg((0, 0.06, z + 0.08), (head * 1.06, head * 1.1, head * 1.2)),
-                box((0, -head * 1.2, z - 0.4), (1, head, head * 0.7 + 0.4)),
-                box((0, 0, z - head * 0.5 - 1), (2, 2, 1)),
-            ),
-            both(join(*curls)),
-            lathe(smooth_curve(beard), 0.03, (0, -head * 0.34)),
-            both(
-                capsule(
-                    (0.07, face - 0.08, z - head * 0.54),
-                    (0.26, face + 0.02, z - head * 0.66),
-                    0.085,
-                )
-            ),
-        ),
-        "base": lathe(
-            [
-                (0.46, 0.0),
-                (0.46, 0.16),
-                (0.3, 0.2),
-                (0.22, 0.34),
-                (0.3, low),
-                (0.34, low),
-                (0.34, low + 0.1),
-            ],
-            0.01,
-        ),
-        "face": join(
-            prism(
-                [(face + 0.1, z + 0.12), (face - 0.17, z - 0.16), (face + 0.1, z - 0.18)], 0, 0.085
-            ),
-            both(capsule((0.12, face - 0.02, brow), (head * 0.6, face + 0.1, brow), 0.075)),
-            both(ball((head * 0.38, face + 0.07, z + 0.02), 0.11)),
-        ),
+        "body": join(sliced, neck, skull, ears),
+        "hair": join(*hair),
+        "base": lathe([*plinth, (0.33, low + 0.12)], 0.01),
+        "face": join(nose, both(brow), both(ball((r * 0.36, front + 0.1, z + 0.01), 0.1)), lips),
     }
 
 

@@ -319,7 +319,7 @@ def clown(draw: Draw) -> Parts:
             )
         ),
         "nose": join(ball(f.face(-0.06, 0.06), 0.15), both(shoe), buttons, hat),
-        "eyes": f.eyes(0.09),
+        "eyes": f.eyes(),
     }
 
 

@@ -202,16 +202,16 @@ def umbrella_stand(draw: Draw) -> Parts:
 
 
 def computer_tower(draw: Draw) -> Parts:
-    """A PC's tall case: lit fans in front, panes at its sides, buttons on top."""
+    """A PC's tall case: two lit fans in front, panes at its sides, buttons on top."""
     x, y, high = draw(0.5, 0.56), draw(0.96, 1.06), draw(2.06, 2.2)
-    low, r, middle = 0.14, 0.27, (high + 0.14) / 2
-    spots = [middle + 0.64 * k for k in (-1, 0, 1)]
+    low, r, middle = 0.14, 0.3, (high + 0.14) / 2
+    spots = [middle + 0.46 * k for k in (-1, 1)]
     front = box((0, -y, middle), (x - 0.06, 0.12, middle - low - 0.06), 0.04)
     wells = (tube((0, -3, z), (0, -y - 0.02, z), r) for z in spots)
-    blade = [turned(box((0.16, 0, 0), (0.13, 0.06, 0.06)), 1, 72 * k) for k in range(5)]
     fan = join(
         tube((0, -0.03, 0), (0, 0.06, 0), r),
-        moved(join(*blade), (0, -0.06, 0)),
+        moved(box((0, 0, 0), (0.28, 0.06, 0.06)), (0, -0.06, 0)),
+        moved(box((0, 0, 0), (0.06, 0.06, 0.28)), (0, -0.06, 0)),
         ball((0, -0.04, 0), 0.12),
     )
     pane = box((x, 0.06, middle + 0.06), (0.08, y - 0.26, middle - low - 0.24), 0.02)

@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 from core.prior.draw import Draw
 from core.prior.solids import Solid, Vector, ball, both, box, cut, egg, join, taper, tube
-from core.prior.things.characters import eyes
 
 
 class Figure(NamedTuple):
@@ -54,9 +53,10 @@ class Figure(NamedTuple):
         """A round head with a nose."""
         return join(ball((0, 0, self.z), self.head), ball(self.face(-0.08, 0.02), 0.09))
 
-    def eyes(self, radius: float = 0.085) -> Solid:
-        """A round pair."""
-        return eyes(self.head * 0.4, -self.head * 0.88, self.z + 0.1, radius)
+    def eyes(self, radius: float = 0.07) -> Solid:
+        """An upright oval pair, far enough apart not to be taken for spectacles."""
+        at = (self.head * 0.42, -self.head * 0.88, self.z + 0.06)
+        return both(egg(at, (radius, radius, radius * 1.4)))
 
 
 def figure(draw: Draw) -> Figure:

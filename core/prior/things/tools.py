@@ -63,38 +63,43 @@ def axe(draw: Draw) -> Parts:
 
 
 def anvil(draw: Draw) -> Parts:
-    """Its horn to the left."""
-    top, long, waist = draw(0.95, 1.1), draw(0.6, 0.72), draw(0.26, 0.32)
-    foot = [(0.6, 0), (0.6, 0.16), (waist, 0.42), (waist, top - 0.3), (0.5, top - 0.12), (0.5, top)]
-    side = [*foot, *((-a, b) for a, b in reversed(foot))]
+    """Its horn to the left, a step between that and its face, its waist on a broad foot."""
+    top, long, waist = draw(1.0, 1.12), draw(0.58, 0.66), draw(0.26, 0.32)
+    deep, foot, high = draw(0.24, 0.28), draw(0.58, 0.66), draw(0.18, 0.22)
+    reach, low = draw(1.16, 1.26), top - 0.34
+    side = smooth_curve([(foot - 0.06, high), (waist, high + 0.22), (waist, low - 0.16),
+                         (waist + 0.18, low + 0.06)], 4)  # fmt: skip
     return {
-        "body": join(
-            prism(side, 1, draw(0.26, 0.32)),
-            box((0.2, 0, top), (long, 0.32, 0.17), 0.02),
-            taper((-0.3, 0, top - 0.02), (-1.15, 0, top + 0.06), 0.24, 0.07),
-        )
+        "body": box((0.24, 0, top - 0.16), (long, deep, 0.17), 0.02),
+        "horn": join(
+            taper((-0.46, 0, top - 0.18), (-reach, 0, top - 0.06), deep * 0.8, 0.06),
+            box((-0.42, 0, top - 0.2), (0.16, deep - 0.03, 0.14), 0.02),
+        ),
+        "waist": prism(mirrored(side), 1, deep - 0.04),
+        "foot": box((0, 0, high / 2), (foot, deep + 0.1, high / 2), 0.03),
     }
 
 
 def guitar(draw: Draw) -> Parts:
-    """Upright, its strings to the front; two pegs on either side of its head."""
-    low, half, neck = draw(0.66, 0.72), draw(0.18, 0.21), draw(0.74, 0.84)
-    waist, up, high = low * draw(0.6, 0.66), low * draw(0.74, 0.8), draw(1.32, 1.42)
-    right = [(0, 0), (low * 0.62, 0.04), (low, 0.4), (waist, 0.86), (up, 1.12), (up * 0.5, high)]
+    """Upright, its strings to the front; three pegs on either side of its head."""
+    low, half, neck = draw(0.52, 0.57), draw(0.14, 0.16), draw(0.86, 0.96)
+    waist, up, high = low * draw(0.64, 0.69), low * draw(0.76, 0.82), draw(1.32, 1.42)
+    right = [(0, 0), (low * 0.62, 0.04), (low, 0.38), (waist, 0.82), (up, 1.1), (up * 0.5, high)]
     side = smooth_curve([*right, (0, high + 0.02)], 6)
     top, front, z = high + neck, -half, high * 0.64
-    head = [(-0.18, top), (0.18, top), (0.25, top + 0.64), (-0.25, top + 0.64)]
-    pegs = (tube((-0.4, 0, k), (0.4, 0, k), 0.1, 0.03) for k in (top + 0.17, top + 0.49))
+    head = [(-0.11, top), (0.11, top), (0.17, top + 0.12), (0.15, top + 0.5), (-0.15, top + 0.5)]
+    head += [(-0.17, top + 0.12)]
+    pegs = (tube((-0.24, 0, k), (0.24, 0, k), 0.055, 0.02) for k in (0.14, 0.28, 0.42))
     return {
         "body": prism(mirrored(side), 1, half),
         "neck": join(
-            box((0, front, (z + 0.2 + top) / 2), (0.13, 0.11, (top - z) / 2)),
-            prism(head, 1, 0.11, front),
-            tube((0, front - 0.06, z), (0, 0, z), 0.31),
+            box((0, front, (z + 0.2 + top) / 2), (0.1, 0.08, (top - z) / 2)),
+            prism(head, 1, 0.07, front + 0.02),
+            tube((0, front - 0.04, z), (0, 0, z), 0.23),
         ),
-        "hole": tube((0, front - 0.1, z), (0, 0, z), draw(0.2, 0.22)),
-        "bridge": box((0, front, 0.36), (0.3, 0.11, 0.1)),
-        "pegs": moved(join(*pegs), (0, front, 0)),
+        "hole": tube((0, front - 0.07, z), (0, 0, z), draw(0.15, 0.17)),
+        "bridge": box((0, front, 0.36), (0.23, 0.07, 0.06), 0.02),
+        "pegs": moved(join(*pegs), (0, front + 0.02, top)),
     }
 
 

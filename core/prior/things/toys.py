@@ -14,6 +14,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -31,8 +32,8 @@ def _waisted(low: float, waist: float, up: float, high: float, half: float) -> S
     return prism([*side, *((-u, v) for u, v in reversed(side))], 1, half)
 
 
-def _pegs(x: float, z: float, rows: int) -> Solid:
-    pegs = (tube((-x, 0, z + 0.22 * k), (x, 0, z + 0.22 * k), 0.085, 0.02) for k in range(rows))
+def _pegs(x: float, z: float, rows: int, r: float = 0.085) -> Solid:
+    pegs = (tube((-x, 0, z + 0.22 * k), (x, 0, z + 0.22 * k), r, 0.02) for k in range(rows))
     return join(*pegs)
 
 
@@ -63,18 +64,21 @@ def violin(draw: Draw) -> Parts:
 
 def ukulele(draw: Draw) -> Parts:
     """A small guitar with a short neck and four pegs."""
-    low, high, half, neck = draw(0.56, 0.66), draw(1.15, 1.3), draw(0.18, 0.24), draw(0.65, 0.85)
-    top = high + neck
-    head = [(-0.13, top - 0.05), (0.13, top - 0.05), (0.24, top + 0.4), (-0.24, top + 0.4)]
+    low, high, half, neck = draw(0.44, 0.5), draw(1.12, 1.24), draw(0.14, 0.17), draw(0.68, 0.78)
+    top, front = high + neck, -half - 0.02
+    foot = high * 0.76
+    head = [(-0.1, top - 0.02), (0.1, top - 0.02), (0.17, top + 0.4), (-0.17, top + 0.4)]
+    right = [(0, 0), (low * 0.62, high * 0.03), (low, high * 0.27), (low * 0.7, high * 0.57)]
+    right += [(low * 0.78, high * 0.79), (low * 0.43, high * 0.98), (0, high)]
     return {
-        "body": _waisted(low, low * 0.72, low * 0.8, high, half),
+        "body": prism(mirrored(smooth_curve(right, 6)), 1, half),
         "neck": join(
-            box((0, -half, (high * 0.74 + top) / 2), (0.13, 0.11, (top - high * 0.74) / 2), 0.02),
-            prism(head, 1, 0.1, -half + 0.04),
+            box((0, -half + 0.02, (foot + top) / 2), (0.085, 0.085, (top - foot) / 2)),
+            prism(head, 1, 0.07, -half + 0.04),
         ),
-        "hole": tube((0, -half - 0.03, high * 0.58), (0, 0, high * 0.58), 0.2),
-        "bridge": box((0, -half - 0.02, high * 0.24), (0.24, 0.07, 0.09), 0.02),
-        "pegs": moved(_pegs(0.34, top + 0.1, 2), (0, -half + 0.04, 0)),
+        "hole": tube((0, front, high * 0.6), (0, 0, high * 0.6), 0.17),
+        "bridge": box((0, -half - 0.02, high * 0.24), (0.2, 0.06, 0.06), 0.02),
+        "pegs": moved(_pegs(0.26, top + 0.1, 2, 0.07), (0, -half + 0.04, 0)),
     }
 
 
@@ -93,7 +97,7 @@ def banjo(draw: Draw) -> Parts:
             prism([*head, (-0.22, top + 0.38)], 1, 0.1, -half + 0.04),
         ),
         "bridge": box((0, -half - 0.04, r * 0.72), (0.24, 0.09, 0.07), 0.02),
-        "pegs": moved(_pegs(0.34, top + 0.08, 2), (0, -half + 0.04, 0)),
+        "pegs": moved(_pegs(0.34, top + 0.08, 2, 0.07), (0, -half + 0.04, 0)),
     }
 
 
@@ -336,7 +340,7 @@ def slide(draw: Draw) -> Parts:
 
 def trampoline(draw: Draw) -> Parts:
     """A round mat in a padded ring on legs; some have posts with a rail around."""
-    r, high, count = draw(1.0, 1.2), draw(0.45, 0.65), 4 + 2 * draw.chance(0.5)
+    r, high, count = draw(1.0, 1.2), draw(0.45, 0.65), 6
     leg = join(
         capsule((r - 0.02, 0, high), (r - 0.02, 0, 0.1), 0.1),
         capsule((r - 0.02, -0.18, 0.1), (r - 0.02, 0.18, 0.1), 0.1),

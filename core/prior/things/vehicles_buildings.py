@@ -110,31 +110,32 @@ def truck(draw: Draw) -> Parts:
 
 
 def airplane(draw: Draw) -> Parts:
-    """Nose to the front."""
-    radius, nose, tail, span = draw(0.22, 0.26), -1.2, draw(1.1, 1.25), draw(1.2, 1.4)
-    sweep, chord = draw(0.1, 0.45), draw(0.26, 0.32)
-    wing = [
-        (0, -0.25 - chord),
-        (span, sweep - chord * 0.2),
-        (span, sweep + chord),
-        (0, -0.25 + chord * 1.4),
-    ]
-    rear = [(0, tail - 0.4), (0.52, tail - 0.1), (0.52, tail + 0.16), (0, tail + 0.08)]
-    fin = [
-        (tail - 0.5, 0.1),
-        (tail - 0.05, radius + draw(0.45, 0.55)),
-        (tail + 0.2, radius + 0.45),
-        (tail + 0.06, 0.1),
-    ]
+    """An airliner, its nose to the front: a dark windscreen and rows of windows."""
+    r, nose, tail, span = draw(0.17, 0.2), -1.22, draw(1.12, 1.22), draw(1.18, 1.3)
+    sweep, chord, long = draw(0.3, 0.5), draw(0.24, 0.28), draw(0.26, 0.3)
+    wing = [(0, -0.2 - chord), (span, sweep), (span, sweep + 0.2), (0, chord * 1.3)]
+    rear = [(0, tail - 0.34), (0.5, tail - 0.04), (0.5, tail + 0.14), (0, tail + 0.04)]
+    fin = [(tail - 0.46, r * 0.6), (tail - 0.04, r + 0.48), (tail + 0.18, r + 0.48),
+           (tail + 0.02, r * 0.6)]  # fmt: skip
+    x, y = span * 0.36, sweep * 0.36 - 0.34
     return {
         "body": join(
-            taper((0, nose + 0.2, 0), (0, 0.2, 0), radius * 0.9, radius),
-            taper((0, 0.2, 0), (0, tail, 0.08), radius, 0.1),
+            taper((0, nose + 0.08, -0.03), (0, nose + 0.3, 0), 0.08, r),
+            capsule((0, nose + 0.3, 0), (0, 0.3, 0), r),
+            taper((0, 0.3, 0), (0, tail, 0.07), r, 0.06),
         ),
-        "wings": both(prism(wing, 2, 0.085, -0.04)),
-        "windows": egg((0, nose + 0.38, radius * 0.55), (radius * 0.75, 0.26, radius * 0.7)),
-        "engines": both(tube((span * 0.45, -0.55, -0.16), (span * 0.45, 0.0, -0.16), 0.14, 0.04)),
-        "tail": join(both(prism(rear, 2, 0.085, 0.08)), prism(fin, 0, 0.085)),
+        "wings": both(prism(wing, 2, 0.04, -0.06)),
+        "windows": join(
+            box((0, nose + 0.27, r * 0.62), (r * 0.72, 0.09, 0.05), 0.02),
+            both(box((r - 0.02, -0.12, 0.05), (0.04, 0.6, 0.035), 0.01)),
+        ),
+        "engines": both(
+            join(
+                tube((x, y - long, -0.16), (x, y + long * 0.6, -0.16), 0.1, 0.02),
+                box((x, y + 0.04, -0.09), (0.05, 0.16, 0.06)),
+            )
+        ),
+        "tail": join(both(prism(rear, 2, 0.04, 0.06)), prism(fin, 0, 0.05)),
     }
 
 

@@ -321,7 +321,7 @@ def king(draw: Draw) -> Parts:
             moustache((0, face - 0.06, z - 0.14), 0.16),
             egg((0, 0.1, z - 0.06), (head * 1.06, head * 0.98, head * 0.9)),
         ),
-        "eyes": eyes(0.15, face + 0.02, z + 0.1, 0.095),
+        "eyes": both(egg((0.16, face + 0.03, z + 0.08), (0.07, 0.07, 0.1))),
     }
 
 

@@ -239,7 +239,7 @@ def arrow(draw: Draw) -> Parts:
     return {
         "head": head,
         "shaft": capsule((0, 0, 0.1), (0, 0, high + 0.1), 0.052),
-        "feathers": around(3 + draw.chance(0.5), feather, 0),
+        "feathers": around(4, feather),
     }
 
 

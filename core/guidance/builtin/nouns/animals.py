@@ -213,6 +213,8 @@ ANIMALS = {
             "trousers": "+2f4a7a . fabric",
             "shoes": "-2a2422",
             "eyes": "-141414",
+            "mouth": "-a8524a",
+            "belt": "-3a2618",
         },
         Usual(1.75, FLESH, 0.38),
     ),

@@ -12,7 +12,7 @@ INSTRUMENTS = {
             "bridge": "-3c2416",
             "pegs": "-e8dcc0",
         },
-        Usual(1.0, WOOD, 0.11),
+        Usual(1.0, WOOD, 0.15),
     ),
     "drum": Noun(
         "snare drum; bongo, bongos, taiko, timpani, conga, djembe, tambourine, bass drum, snare",
@@ -77,7 +77,7 @@ INSTRUMENTS = {
             "bridge": "-3c2416",
             "pegs": "-e6e2d8",
         },
-        Usual(0.55, WOOD, 0.11),
+        Usual(0.55, WOOD, 0.17),
     ),
     "saxophone": Noun(
         "sax; clarinet, oboe, bassoon",

@@ -15,7 +15,12 @@ TOOLS_AND_TOYS = {
     ),
     "anvil": Noun(
         "",
-        {"body": "*4a4d52 . metal"},
+        {
+            "body": "*4a4d52 . metal",
+            "horn": "*4a4d52 . metal",
+            "waist": "*4a4d52 . metal",
+            "foot": "*4a4d52 . metal",
+        },
         Usual(0.5, STEEL),
     ),
     "dumbbell": Noun(
