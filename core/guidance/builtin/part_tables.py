@@ -241,7 +241,6 @@ FRAMES = {
         "island": "rock",
         "kite": "spars",
         "lamp": "pole foot",
-        "light bulb": "cap",
         "market stall": "counter posts shelf",
         "mountain": "rock peaks",
         "office chair": "base arms",
