@@ -64,6 +64,7 @@ def test_a_plates_colour_is_not_the_foods():
         "a chest with jewels glittering inside",
         "a treasure chest, slightly open",
         "a chest with an open lid",
+        "an open old chest",
     ],
 )
 def test_a_chest_of_which_one_sees_the_gold_stands_open(prompt):
@@ -78,6 +79,7 @@ def test_a_chest_of_which_one_sees_the_gold_stands_open(prompt):
         "a chest full of toys",
         "a chest with gold bands",
         "a chest, red velvet inside",
+        "a chest beside an open window",
     ],
 )
 def test_another_chest_is_closed(prompt):

@@ -560,20 +560,20 @@ def test_what_is_of_cloth_on_a_wooden_thing_stays_so_and_an_animal_is_carved() -
 
 
 @pytest.mark.parametrize(
-    ("prompt", "hard", "soft"),
+    ("prompt", "hard"),
     [
-        ("a wooden lamp", {"pole", "foot"}, {"shade"}),
-        ("a brass floor lamp", {"pole", "foot"}, {"shade"}),
-        ("a wooden market stall", {"counter", "posts", "shelf"}, {"awning", "fruit"}),
-        ("a stone throne", {"frame", "knobs", "step"}, {"cushion"}),
-        ("a wooden armchair", {"arms", "legs"}, {"cushion", "back"}),
-        ("a metal tent", {"poles"}, {"canvas"}),
+        ("a wooden lamp", {"pole", "foot"}),
+        ("a brass floor lamp", {"pole", "foot"}),
+        ("a wooden market stall", {"counter", "posts", "shelf"}),
+        ("a stone throne", {"frame", "knobs", "step"}),
+        ("a wooden armchair", {"arms", "legs"}),
+        ("a metal tent", {"poles"}),
     ],
 )
-def test_a_hard_material_is_that_of_the_frame(prompt, hard, soft):
+def test_a_hard_material_is_that_of_the_frame_alone(prompt, hard):
     words = parse(prompt)
     of = {part.name for part in painted(words.noun, words) if part.material == words.material}
-    assert of == hard and not soft & of
+    assert of == hard
 
 
 def test_a_soft_material_is_that_of_the_cloth():

@@ -109,12 +109,20 @@ def _cut_riches(tokens: Tokens) -> bool:
 
 
 def _cut_open(tokens: Tokens) -> bool:
-    """Take out that it is open; whether it was said."""
-    at = next((k for k, word in enumerate(tokens.words) if word in OPENED), None)
+    """Take out that it is open, and not a window beside it; whether it was said."""
+    opened = (k for k, word in enumerate(tokens.words) if word in OPENED)
+    at = next((k for k in opened if _is_of_chest(tokens, k + 1)), None)
     if at is None:
         return False
     tokens.cut(at - (at > 0 and tokens.words[at - 1] in HALF), at + 1)
     return True
+
+
+def _is_of_chest(tokens: Tokens, end: int) -> bool:
+    """Whether what stands before the index is said of a chest or its lid."""
+    if tokens.ends_phrase(end) or tokens.words[end] == "lid":
+        return True
+    return tokens.first_thing(tokens.qualities_end(end, (*LOOKS, "weather"))) in CHESTS
 
 
 def _riches_begin(tokens: Tokens, end: int) -> int:

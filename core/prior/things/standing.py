@@ -53,10 +53,10 @@ class Figure(NamedTuple):
         """A round head with a nose."""
         return join(ball((0, 0, self.z), self.head), ball(self.face(-0.08, 0.02), 0.09))
 
-    def eyes(self, radius: float = 0.07) -> Solid:
+    def eyes(self) -> Solid:
         """An upright oval pair, far enough apart not to be taken for spectacles."""
         at = (self.head * 0.42, -self.head * 0.88, self.z + 0.06)
-        return both(egg(at, (radius, radius, radius * 1.4)))
+        return both(egg(at, (0.07, 0.07, 0.098)))
 
 
 def figure(draw: Draw) -> Figure:
