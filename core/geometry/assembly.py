@@ -174,12 +174,20 @@ class KnownParts:
 
     def extents(self) -> list[Float[np.ndarray, " 3"]]:
         """Of each part, how long its largest piece is along x, y, z; zeros where it has none."""
-        sizes = [np.zeros(3) for _ in self.forms.flat]
-        for piece in self.pieces:
-            part, verts = piece.place.part, piece.verts
-            size = (verts.amax(0) - verts.amin(0)).cpu().numpy() / self.wider
-            sizes[part] = max(sizes[part], size, key=np.linalg.norm)
-        return sizes
+        boxes = self.boxes()
+        return [np.zeros(3) if box is None else (box[1] - box[0]).numpy() for box in boxes]
+
+    def boxes(self) -> list[Float[Tensor, "2 3"] | None]:
+        """Of each part the lowest and the highest corner of its largest piece's box; None where it
+        has no piece."""
+        found: list[Float[Tensor, "2 3"] | None] = [None] * len(self.forms.flat)
+        for index, piece in enumerate(self.pieces):
+            verts, _ = self.surface_of(index)
+            box = torch.stack([verts.amin(0), verts.amax(0)]).cpu()
+            before = found[piece.place.part]
+            if before is None or (box[1] - box[0]).norm() > (before[1] - before[0]).norm():
+                found[piece.place.part] = box
+        return found
 
     def surface_of(self, index: int, exact: bool = True) -> Mesh:
         """A piece's exact surface, or the one that is drawn."""

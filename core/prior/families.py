@@ -7,6 +7,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.stretch import AS_IT_IS, NOT_STRETCHED, STRETCH, Vector, frame_of
 from core.prior.draw import Draw
 from core.prior.solids import Parts
@@ -193,6 +194,17 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
 )
 
 
+def family(noun: str) -> Callable[[Draw], Parts]:
+    """The noun's; of what is another thing's solid that one's, its parts by the noun's names."""
+    of = solid_of(noun)
+    if of == noun:
+        return FAMILIES[noun]
+    names = dict(zip(NOUNS[of].looks, NOUNS[noun].looks, strict=False))
+    return lambda draw: {
+        names[name]: part for name, part in FAMILIES[of](draw).items() if name in names
+    }
+
+
 def build(
     noun: str, adjective: str, draw: Draw, jitter: float = 0.06, wider: Vector = AS_IT_IS
 ) -> Shape:
@@ -202,7 +214,7 @@ def build(
     ``wider``: factors along x, y and z that the object is stretched by besides.
     """
     factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
-    parts = FAMILIES[noun](draw.formed(adjective))
+    parts = family(noun)(draw.formed(adjective))
     if adjective:
         x, y, z = (factor * draw(0.96, 1.04) for factor in factors)
         factors = (x, y, z)

@@ -49,7 +49,7 @@ def test_every_kind_is_read_with_its_size_and_named_once():
         ("a kraken 3 m tall", "octopus", 3),
         ("a 30 cm long sleigh", "sled", 0.3),
         ("a toy aircraft carrier", "cargo ship", TOY_SIZE),
-        ("a toy clownfish", "fish", 0.1),
+        ("a toy angelfish", "fish", 0.15),
         ("an orca plushie", "whale", TOY_SIZE),
         ("a stone statue of a dwarf", "gnome", 1.3),
         ("a cobblestone", "boulder", 0.12),

@@ -22,6 +22,7 @@ from core.guidance.builtin.guidance import (
 from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS
 from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
+from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.offered import WEIGHTS
 from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
@@ -77,7 +78,8 @@ def _error(guidance, x, prompt, cameras, t=700, scale=1.0):
 def test_the_weights_fit_their_slots_and_the_budget(guidance):
     pairs = ((guidance.geometry, GEOMETRY_SLOTS), (guidance.appearance, HINT_SLOTS[:-1]))
     for net, slots in pairs:
-        assert net.config.words == tuple(len(SLOTS[slot]) for slot in slots)
+        rows = {"noun": len(ORDER)}
+        assert net.config.words == tuple(rows.get(slot, len(SLOTS[slot])) for slot in slots)
         assert all(p.isfinite().all() for p in net.parameters())
     assert guidance.geometry.config.hint == 0
     assert guidance.appearance.config.hint == CHANNELS

@@ -8,7 +8,7 @@ import pytest
 from core.errors import UserError
 from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.nearest import NEAREST, REAL
-from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.nouns import GROUPS, NOUNS, solid_of
 from core.guidance.builtin.part_tables import OPTIONS, PART_WORDS
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.vocabulary import Words, parse
@@ -168,7 +168,9 @@ def test_the_readme_lists_all_things():
 
 
 def test_the_words_are_those_that_were_drawn_in_their_order():
-    assert tuple(NOUNS) == DRAWN
+    own, borrowed = ([n for n, row in NOUNS.items() if bool(row.solid) is b] for b in (False, True))
+    assert tuple(own) == DRAWN and [*own, *borrowed] == list(NOUNS)
+    assert {solid_of(noun) for noun in NOUNS} == set(DRAWN)
     rows = [noun for group in GROUPS.values() for noun in group]
     assert sorted(rows) == sorted(NOUNS), "each once, and in the networks' order"
     assert ["", *SHAPES] == ADJECTIVES == ["", *STRETCH]

@@ -6,8 +6,9 @@ normals. Both work on pictures of 64² without an autoencoder: the latent is the
 
 import math
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import torch
 from jaxtyping import Float, Int
@@ -23,7 +24,10 @@ from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.lexicon import SLOTS, Vocabulary
+from core.guidance.builtin.markings.drawn import Drawn
+from core.guidance.builtin.markings.markings import Marked, has_markings, is_marking
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
+from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import (
     NETWORKS,
     PARTS,
@@ -36,7 +40,7 @@ from core.guidance.builtin.offered import (
 from core.guidance.builtin.palette import FINISHES, Color, Finish, looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
-from core.guidance.builtin.part_map import has_parts, part_map, solid_part_map
+from core.guidance.builtin.part_map import known_part_map, part_map
 from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
@@ -161,10 +165,13 @@ class PromptedBuiltin(PromptedGuidance):
         formed = (words.noun, words.shape) in FORMS
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
-        absent = tuple(list(looks(words.noun)).index(part) for part in words.absent)
+        parts = list(looks(words.noun))
+        gone = [k for k, part in enumerate(parts) if part in words.absent]
+        gone += [k for k, part in enumerate(parts) if is_marking(words.noun, part)]
+        absent = (*gone, *range(len(parts), len(looks(solid_of(words.noun)))))
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, absent, words.kinds)
-        solid = solid.placed("" if formed else words.shape, known_wider(words.noun))
+        solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
@@ -183,7 +190,12 @@ class PromptedBuiltin(PromptedGuidance):
         """The drawn solid's parts, each in the colours of its pattern."""
         if self.solid is None:
             return None
-        parts = list(painted(self.words.noun, self.words))
+        known = self._known
+        assert known is not None  # of a drawn solid
+        parts, lies = list(painted(self.words.noun, self.words)), None
+        if self.words.emblem:
+            lies = Drawn(self.words.emblem, self.words.noun, known, parts)
+            parts = lies.seen(parts)
         axes = self._axes or (2,) * len(parts)
         laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
@@ -194,9 +206,13 @@ class PromptedBuiltin(PromptedGuidance):
             surface = surface_of(self.words, part)
             each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
         margins = [pattern.margins() for pattern in laid]
-        assert self._known is not None  # of a drawn solid
-        fields = (self._known.distances, self._known.near)
-        drawn, near = (patterned(depths(of, len(parts)), margins) for of in fields)
+        fields = [self._shown, lambda points: self._marked(known.near(points), points)]
+        if lies:
+            fields = [partial(_with, lies, field) for field in fields]
+            surface = surface_of(self.words, lies.paint)
+            each.append(Area(True, ranges_of(lies.paint.finish, lies.paint.color), surface))
+            margins.append(None)
+        drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         return SolidAreas(drawn, tuple(each), near)
 
     def parts(self) -> KnownParts | None:
@@ -213,10 +229,24 @@ class PromptedBuiltin(PromptedGuidance):
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
         # A guide may be as wide as the cube, beyond which nothing is looked at.
         is_guided = isinstance(self.solid, BentSolid)
-        wider = AS_IT_IS if is_guided else known_wider(self.words.noun)
-        corners = CORNERED.get(self.words.noun, ())
+        wider = AS_IT_IS if is_guided else known_wider(solid_of(self.words.noun))
+        corners = CORNERED.get(solid_of(self.words.noun), ())
         cornered = [part for part, name in enumerate(looks(self.words.noun)) if name in corners]
         return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
+
+    def _shown(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The drawn solid's distances with the markings among the parts."""
+        assert self.solid is not None
+        return self._marked(self.solid.distances(points), points)
+
+    @cached_property
+    def _marked(self) -> Marked:
+        assert self._known is not None
+        noun, gone = self.words.noun, set(self.words.absent)
+        if self.words.emblem and self.words.emblem.text:
+            gone |= {"letters", "number"}  # others are to be there
+        names = ["" if name in gone else name for name in looks(noun)]
+        return Marked(noun, names, self._known.boxes() if has_markings(noun) else ())
 
     @cached_property
     def _axes(self) -> tuple[int, ...]:
@@ -294,8 +324,8 @@ class PromptedBuiltin(PromptedGuidance):
             return surface.new_zeros(len(nouns), PART_COUNT, SIZE, SIZE)
         if self.solid is not None and not self.negative.noun:
             # The branch without words has no parts.
-            known = solid_part_map(self.solid, surface)
-            return known.repeat(branches, 1, 1, 1) * has_parts(nouns)
+            known = known_part_map(self._shown, surface)
+            return known.repeat(branches, 1, 1, 1) * (nouns > 0)[:, None, None, None]
         surface = surface.repeat(branches, 1, 1, 1)
         with torch.autocast(nouns.device.type, torch.bfloat16, enabled=self.builtin.half):
             return part_map(self.builtin.parts, surface, nouns, camera)
@@ -311,6 +341,12 @@ class PromptedBuiltin(PromptedGuidance):
     def _branches(self, slots: tuple[str, ...], apart: bool) -> list[Words]:
         none = apart and self.negative.indices(slots) != Words().indices(slots)
         return [self.words, *([Words()] if none else []), self.negative]
+
+
+def _with(
+    lies: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
+) -> Float[Tensor, "n p"]:
+    return lies(field(points), points)
 
 
 def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:

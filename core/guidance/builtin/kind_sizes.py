@@ -6,7 +6,7 @@ then who has it. A kind that is not here has the thing's own size. Standard libr
 
 _ROWS = {
     # solids
-    "ball": "0.074: baseball; 0.08: snowball; 0.4: beach ball",
+    "ball": "0.08: snowball",
     "torus": "0.07: bracelet; 0.38: steering wheel; 0.75: lifebuoy, life preserver, life buoy, "
     "life ring; 0.9: inner tube, swim ring, swimming ring, pool ring, inflatable ring, "
     "rubber ring, rubber tube; 1.1: pool float",
@@ -103,7 +103,6 @@ _ROWS = {
     "barrel": "2: vat",
     "crate": "0.3: ammo box; 0.9: lobster trap, lobster pot",
     "potion": "0.1: vial",
-    "coin": "0.04: poker chip",
     "staff": "0.35: wand, magic wand; 0.92: walking stick, walking cane, cane; 1: sceptre, "
     "scepter; 1.3: crutch",
     "book": "0.125: passport; 0.15: notepad; 0.18: paperback; 0.2: novel, diary; "
@@ -209,8 +208,8 @@ _ROWS = {
     "robot": "1.1: droid; 1.75: android, cyborg, automaton; 1.9: terminator",
     # animals
     "pig": "0.35: piglet",
-    "fish": "0.06: betta fish; 0.1: clownfish; 0.15: goldfish, angelfish; 0.4: trout; "
-    "0.6: koi, carp; 0.7: catfish; 0.75: salmon; 0.8: cod; 1.2: barracuda; 1.8: tuna; "
+    "fish": "0.06: betta fish; 0.15: goldfish, angelfish; 0.4: trout; "
+    "0.6: carp; 0.7: catfish; 0.75: salmon; 0.8: cod; 1.2: barracuda; 1.8: tuna; "
     "3: swordfish",
     "rabbit": "0.55: hare",
     "duck": "0.12: duckling; 0.55: mallard",

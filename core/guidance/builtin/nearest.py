@@ -90,7 +90,7 @@ REAL = frozenset(
     along alta amen amer amor amores amour ample amplified andy ange angela angelo anger angle
     angles anil ants applies aquarius arcane arched archery armory arose around arrest arrests
     artisan artisans asher astray atrophy audio audit audits automation babies backboard backer
-    backers badger badgers bain baird bake bakers banged banger banked banker bankers banned bans
+    backers bain baird bake bakers banged banger banked banker bankers banned bans
     banter barker barlow baron barons barre barred barren barrie barron basal basing basis bass
     batch batches bateman bathe batsman batter batters battle beacon beacons bead beale beamed beard
     bearer bearers beat beater beatles becker beefy bella belle bello bender bennet berger bernie
@@ -130,7 +130,7 @@ REAL = frozenset(
     going golf gomes gore gould graces grader graders grades grady graft grain grange granger graphs
     grasses grassy grate grated gravel graves gravy greater greaves greek greene grenada grim
     grizzlies grocer ground grounded grounds grover groves growing grown hack hacked hacks hades
-    hadley hailey haines hair hale haley hall handball handled handler handlers handy hanged hanley
+    hadley hailey haines hair hale haley hall handled handler handlers handy hanged hanley
     harbor harbors harem harlem harmonic harper harrow hart hartley harvey hatch hatched hatches
     hater haters hating hawke hawley hayley header headers heading healed healing health hear
     hearing hearings hears hearst hearty heat heated heath heather heats hebron heck helix hell

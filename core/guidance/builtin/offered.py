@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from core.errors import MissingError
+from core.guidance.builtin.nouns import NOUNS
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")  # whose words may be asked for
@@ -48,6 +49,8 @@ def offered_words() -> dict[str, list[str]]:
             words |= read_metadata(path)["words"]
         except (FileNotFoundError, ValueError, KeyError) as error:
             raise weights_error(path, error) from error
+    known = set(words["noun"])
+    words["noun"] += [noun for noun, row in NOUNS.items() if row.solid in known]
     return words
 
 

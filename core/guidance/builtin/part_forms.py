@@ -5,6 +5,8 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from core.guidance.builtin.nouns import NOUNS
+
 ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
 # Parts of corners that are too many for the network's errors to tell them from round.
@@ -29,6 +31,7 @@ def is_round(noun: str) -> bool:
 def part_forms_table() -> dict[str, PartForms]:
     """By noun."""
     rows = json.loads(TABLE.read_text("utf-8"))
-    return {
+    known = {
         noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"]))) for noun, r in rows.items()
     }
+    return known | {noun: known[row.solid] for noun, row in NOUNS.items() if row.solid}

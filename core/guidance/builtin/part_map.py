@@ -5,13 +5,14 @@ trained shape they are not, and this network finds them: a segmentation of the p
 appearance network is given, in one step and without noise.
 """
 
+from collections.abc import Callable
+
 import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.solid import Solid
 
 PARTS = 8  # of one noun, at most
 
@@ -35,13 +36,15 @@ def part_map(
     return sure * has * (surface[:, 3:4] > -1)
 
 
-def solid_part_map(solid: Solid, surface: Float[Tensor, "b 7 s s"]) -> Float[Tensor, "b 8 s s"]:
-    """The same of a drawn solid, whose parts are known: 1 where a place is of the part, else 0."""
+def known_part_map(
+    distances: Callable[[Tensor], Tensor], surface: Float[Tensor, "b 7 s s"]
+) -> Float[Tensor, "b 8 s s"]:
+    """The same of parts whose distances are known: 1 where a place is of the part, else 0."""
     seen = surface[:, 3] > -1
     covered = (surface[:, 3] + 1) / 2
     points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
     part = torch.zeros_like(seen, dtype=torch.long)
-    part[seen] = solid.part(points[seen])
+    part[seen] = distances(points[seen]).argmin(1)
     one = torch.nn.functional.one_hot(part, PARTS).permute(0, 3, 1, 2).to(surface)
     return one * seen[:, None]
 

@@ -6,7 +6,7 @@ is a kind of detail (``core.texture.detail.kinds``). Standard library only.
 
 from functools import cache
 
-from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.nouns import GROUPS, NOUNS, solid_of
 
 # How rough each kind is that is no material word.
 ROUGHNESS = {
@@ -96,7 +96,7 @@ OF_A_THING = {
     ),
     "fur": (
         "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks, tiger "
-        "stripes, zebra stripes, raccoon stripes"
+        "stripes, zebra stripes, raccoon stripes, skunk stripe"
     ),
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
@@ -134,11 +134,13 @@ OF_A_THING = {
         "picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, easel "
         "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, clipboard "
         "lines, clipboard boxes, notice board notes, notice board cards, atm notes, alarm clock "
-        "face, pocket watch face, gift box, envelope flap, popcorn stripes"
+        "face, pocket watch face, gift box, envelope flap, popcorn stripes, target board, target "
+        "blacks, target blues, target reds, target golds"
     ),
     "peel": (
         "snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath berries, "
-        "jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes"
+        "jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes, "
+        "watermelon stripes"
     ),
     "petal": "fairy wings",
     "plain": (
@@ -339,7 +341,8 @@ def natural_kind(noun: str, part: str) -> str:
 def substance(noun: str, part: str) -> str:
     """The kind of the noun's ``part``; "" where nothing is known of it."""
     of_things, of_parts, of_rest, of_groups = _by_name()
-    found = (of_things.get(f"{noun} {part}"), of_parts.get(part), of_rest.get(noun))
+    rest = of_rest.get(noun, of_rest.get(solid_of(noun)))
+    found = (of_things.get(f"{noun} {part}"), of_parts.get(part), rest)
     return next(filter(None, found), of_groups.get(noun, ""))
 
 

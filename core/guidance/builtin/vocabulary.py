@@ -15,10 +15,14 @@ from typing import Any
 
 from core.errors import UserError
 from core.guidance.builtin.accents import Accent
-from core.guidance.builtin.lexicon import MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.emblems import Emblem, emblem_in
+from core.guidance.builtin.findings import Findings
+from core.guidance.builtin.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.living import is_animal
 from core.guidance.builtin.measures import Size
+from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.part_names import own_name
 from core.guidance.builtin.prompt_errors import (
     ELSEWHERE,
     PromptError,
@@ -32,6 +36,8 @@ from core.guidance.builtin.sorts import sort_of
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
 from core.io.job import SIZES
+
+DENIM_BLUE = "denim blue"
 
 
 @dataclass(frozen=True)
@@ -59,12 +65,14 @@ class Words:
     material_form: str = field(default="", compare=False)  # the material as it was written
     size: Size | None = field(default=None, compare=False)
     absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
+    emblem: Emblem | None = None  # what is drawn on it
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
         """Each slot's row in its embedding; 0 is "not stated"."""
-        return [["", *SLOTS[slot]].index(getattr(self, slot)) for slot in slots]
+        own = {"noun": solid_of(self.noun)}
+        return [["", *SLOTS[slot]].index(own.get(slot, getattr(self, slot))) for slot in slots]
 
     def of_parts(self, what: str) -> dict[str, str]:
         """The "color", the "material", the "sheen" or the "pattern" of each part with its own."""
@@ -142,6 +150,7 @@ def understood(
         "part_patterns": words.part_patterns(),
         "materials": [words.named_material()] if words.material else [],
         "pattern": words.pattern or None,
+        "emblem": words.emblem and str(words.emblem),
         "weather": list(words.weather),
         "sheen": list(words.sheen),
         "size_m": size_m,
@@ -176,9 +185,10 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    got = Reading(prompt, known).got
-    if noun_needed and not got.found["noun"]:
-        got = Reading(prompt, known, alone=True).got
+    emblem, rest = emblem_in(prompt)
+    got = _read(rest, known, noun_needed)
+    if emblem and emblem.shape and own_name(got.thing, emblem.shape):
+        emblem, got = None, _read(prompt, known, noun_needed)  # a medal's star is a part of it
     # Before the missing noun: an error with the nearest known words says more.
     if got.refused and not ignore_unknown:
         raise unknown_error(got.refused, got.qualifiers, known)
@@ -209,6 +219,25 @@ def parse(
     )
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"
+    words["emblem"] = emblem
+    words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)
+
+
+def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
+    """The blue of blue jeans, and of what is of blue denim."""
+    denim = words["material_form"] == "denim" or names & {"jeans", "jean"}
+    if not denim or (words["color_form"] or words["color"]) != "blue":
+        return {}
+    _, color = LEXICON[DENIM_BLUE]
+    return {"color": color, "color_form": DENIM_BLUE}
+
+
+def _read(prompt: str, known: Vocabulary, noun_needed: bool) -> Findings:
+    """What the words are found to say; without a thing, what may be one by itself."""
+    got = Reading(prompt, known).got
+    if noun_needed and not got.found["noun"]:
+        got = Reading(prompt, known, alone=True).got
+    return got

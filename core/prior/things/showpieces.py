@@ -76,7 +76,7 @@ def grand_piano(draw: Draw) -> Parts:
 
 
 def stop_sign(draw: Draw) -> Parts:
-    """An octagon with a raised rim and a band across it, on a post."""
+    """An octagon with a raised rim and letters, as a band across it, on a post."""
     r, post = draw(0.84, 0.92), draw(0.9, 1.1)
     z, slope = post + r, math.tan(math.pi / 8)
 
@@ -89,7 +89,7 @@ def stop_sign(draw: Draw) -> Parts:
     return {
         "plate": octagon(r, 0.12),
         "rim": moved(cut(octagon(r + 0.02, 0.08), octagon(r - 0.14, 0.2)), (0, -0.11, 0)),
-        "band": box((0, -0.11, z), (r * 0.68, 0.1, draw(0.16, 0.19)), 0.03),
+        "letters": box((0, -0.11, z), (r * 0.68, 0.1, draw(0.16, 0.19)), 0.03),
         "post": tube((0, 0.2, 0), (0, 0.2, z + r * 0.6), draw(0.1, 0.12), 0.02),
         "base": lathe([(0.36, 0), (0.36, 0.08), (0.2, 0.2)], 0.02, (0, 0.2)),
     }

@@ -42,6 +42,17 @@ from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
 from core.guidance.builtin.nouns.leisure import GADGETS, GAMES, RIDES, SHOTS
+from core.guidance.builtin.nouns.marked import (
+    MARKED_ANIMALS,
+    MARKED_FLAGS,
+    MARKED_FOOD,
+    MARKED_HOUSEHOLD,
+    MARKED_PROPS,
+    MARKED_SIGNS,
+    MARKED_SPACE,
+    MARKED_SPORT,
+    MARKED_VEHICLES,
+)
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.novel import (
     NOVEL_ANIMALS,
@@ -94,7 +105,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | PARLOUR_THINGS
     | NOVEL_CLOCKS
     | CURIO_LAMPS
-    | SHOWPIECE_HOUSEHOLD,
+    | SHOWPIECE_HOUSEHOLD
+    | MARKED_HOUSEHOLD,
     "Fixtures and Utensils": FIXTURES,
     "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL | STUDY_SMALL,
     "Props": PROPS
@@ -103,16 +115,18 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | PASTIME_PROPS
     | PASTIME_FEASTS
     | CURIO_PROPS
-    | SHOWPIECE_PROPS,
+    | SHOWPIECE_PROPS
+    | MARKED_PROPS,
+    "Flags and Signs": MARKED_FLAGS | MARKED_SIGNS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
-    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD,
+    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD | MARKED_FOOD,
     "Fruit and Vegetables": FRUIT,
     "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
     "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
     "Animals": ANIMALS,
-    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS,
-    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES,
-    "Aircraft and Space": AIRCRAFT | STUDY_SPACE,
+    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS | MARKED_ANIMALS,
+    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES | MARKED_VEHICLES,
+    "Aircraft and Space": AIRCRAFT | STUDY_SPACE | MARKED_SPACE,
     "Buildings": BUILDINGS
     | STREET
     | ROADSIDE
@@ -127,11 +141,18 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | NOVELTY_CLOTHES
     | EQUIPMENT_CLOTHES
     | CURIO_CLOTHES,
-    "Sport": SPORT | GAMES | PASTIME_SPORT,
+    "Sport": SPORT | GAMES | PASTIME_SPORT | MARKED_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
     "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
+# The networks' rows; then what is another thing's solid.
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}
+NOUNS |= {noun: row for noun, row in _ALL.items() if row.solid}
 # The names of all parts; those of a new noun that are new come last.
 PART_NAMES = tuple(dict.fromkeys(part for noun in NOUNS.values() for part in noun.looks))
+
+
+def solid_of(noun: str) -> str:
+    """The thing whose solid the noun is, and whose rows the networks have: mostly itself."""
+    return (NOUNS[noun].solid if noun in NOUNS else "") or noun

@@ -9,7 +9,7 @@ ANIMALS = {
         Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
-        "; goldfish, clownfish, salmon, trout, tuna, koi, piranha, carp, cod, anglerfish,"
+        "; goldfish, salmon, trout, tuna, piranha, carp, cod, anglerfish,"
         " swordfish, lionfish, catfish, pufferfish, angelfish, betta fish, barracuda",
         {
             "body": "*ef7d1a",
@@ -65,7 +65,7 @@ ANIMALS = {
         Usual(0.45, FLESH, 0.56),
     ),
     "dog": Noun(
-        "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, dalmatian, "
+        "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, "
         "poodle, bulldog, shiba inu, shiba, pug, german shepherd, chihuahua, terrier, "
         "rottweiler, doberman, pitbull, great dane, greyhound, sheepdog, collie, border "
         "collie, saint bernard, spaniel, cocker spaniel, dingo, jack russell, akita, "
@@ -118,7 +118,8 @@ ANIMALS = {
         Usual(2.2, FLESH, 0.32),
     ),
     "cow": Noun(
-        "; bull, ox, calf, cattle, dairy cow, buffalo, bison, yak, longhorn, bullock",
+        "holstein, holstein cow, dairy cow; bull, ox, calf, cattle, buffalo, bison, yak, longhorn, "
+        "bullock",
         {
             "body": "*ece8e0",
             "muzzle": "+e0a8a0",
@@ -142,7 +143,13 @@ ANIMALS = {
     ),
     "giraffe": Noun(
         "",
-        {"body": "*d9a84e", "muzzle": "+ead6a8", "horns": "-6b4526", "eyes": "-111111"},
+        {
+            "body": "*d9a84e",
+            "muzzle": "+ead6a8",
+            "horns": "-6b4526",
+            "eyes": "-111111",
+            "patches": "-9a5a26",
+        },
         Usual(4.8, FLESH, 0.37),
     ),
     "horse": Noun(

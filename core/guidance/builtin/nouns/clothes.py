@@ -19,6 +19,7 @@ CLOTHES = {
             "case": "+d8b04a . golden",
             "face": "-f2efe6",
             "hands": "-1c1c20",
+            "marks": "-1c1c20",
         },
         Usual(0.08, STEEL, 0.21),
     ),

@@ -74,7 +74,7 @@ FOOD = {
         Usual(0.15, FLESH),
     ),
     "egg": Noun(
-        "; easter egg",
+        "",
         {"shell": "*ead2b4"},
         Usual(0.06, FLESH, 0.9),
     ),

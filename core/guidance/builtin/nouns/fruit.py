@@ -50,7 +50,7 @@ FRUIT = {
     ),
     "watermelon": Noun(
         "water melon; melon, cantaloupe, honeydew",
-        {"rind": "+2f7d36", "flesh": "*e2343f", "seeds": "-1f1512"},
+        {"rind": "+2f7d36", "flesh": "*e2343f", "seeds": "-1f1512", "stripes": "-1c4a24"},
         Usual(0.3, PLANT),
     ),
     "grapes": Noun(

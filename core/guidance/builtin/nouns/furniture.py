@@ -225,6 +225,7 @@ FURNITURE = {
             "hands": "-1a1614",
             "glass": "-2a1a10",
             "pendulum": "-e0b84a . golden",
+            "marks": "-1a1614",
         },
         Usual(2.1, WOOD, 0.1),
     ),

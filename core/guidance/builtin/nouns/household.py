@@ -203,6 +203,7 @@ HOUSEHOLD = {
             "hands": "-1a1a1c",
             "bells": "-d9ad45 . golden",
             "feet": "&8a211d",
+            "marks": "-1a1a1c",
         },
         Usual(0.2, STEEL, 0.1),
     ),

@@ -40,3 +40,6 @@ class Noun(NamedTuple):
     names: str
     looks: dict[str, str]
     usual: Usual
+    # The thing whose solid it is, and whose rows the networks have; "": its own. Its parts are that
+    # one's, in the same order, by whatever name, but for what is a marking or left out at the end.
+    solid: str = ""

@@ -16,8 +16,8 @@ CARDBOARD = 700.0  # kg/m³
 
 PARLOUR_THINGS = {
     "globe": Noun(
-        "world globe, earth globe, desk globe, terrestrial globe, school globe, earth, planet "
-        "earth; celestial globe, world map globe, antique globe",
+        "world globe, earth globe, desk globe, terrestrial globe, school globe; celestial globe, "
+        "world map globe, antique globe",
         {
             "ocean": "*2f78c4 . plastic",
             "land": "+4f9a45 . plastic",

@@ -88,7 +88,7 @@ PROPS = {
         Usual(0.1, STEEL, 0.4),
     ),
     "coin": Noun(
-        "pirate coin; token, poker chip",
+        "pirate coin; token",
         {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
         Usual(0.03, GOLD, 0.52),
     ),
@@ -235,7 +235,7 @@ PROPS = {
         Usual(0.75, WOOD, 0.058),
     ),
     "flag": Noun(
-        "banner, flagpole, flag pole; pennant, jolly roger",
+        "banner, flagpole, flag pole; pennant",
         {
             "cloth": "*c9211e . fabric",
             "pole": "-b0b4b8 . metal",

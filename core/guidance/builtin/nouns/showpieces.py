@@ -23,7 +23,7 @@ SHOWPIECE_PROPS = {
         {
             "plate": "*c4201d . paint",
             "rim": "+f4f2ee . paint",
-            "band": "+f4f2ee . paint",
+            "letters": "+f4f2ee . paint",
             "post": "-9aa0a5 . metal",
             "base": "-7d8083 . metal",
         },

@@ -197,6 +197,7 @@ TOOLS_AND_TOYS = {
             "greens": "-1f9a4a",
             "whites": "-f2f2f0",
             "yellows": "-f4d02a",
+            "oranges": "-e8741a",
         },
         Usual(0.057, PLASTIC, 0.5),
     ),

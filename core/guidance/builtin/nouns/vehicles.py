@@ -18,7 +18,7 @@ VEHICLES = {
         Usual(4.2, STEEL, 0.0215),
     ),
     "bus": Noun(
-        "coach; school bus",
+        "coach",
         {
             "body": "*f0b41a . paint",
             "windows": "-2a3842 . glass",

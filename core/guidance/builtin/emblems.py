@@ -1,0 +1,200 @@
+"""What a prompt wants written or drawn on the thing: "a sign that says OPEN", "a mug with a red
+heart", "a race car with the number 7", "a sports car with white racing stripes".
+
+It is taken out of the prompt before the rest is read. Standard library only.
+"""
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from core.guidance.builtin.lexicon import LEXICON
+
+MOST_LETTERS = 24  # of a text
+STRIPES = "racing stripes"
+
+
+class Emblem(NamedTuple):
+    """What is drawn: a text, or a shape."""
+
+    text: str = ""
+    shape: str = ""  # of ``SHAPES``, or ``STRIPES``
+    color: str = ""  # or a metal; "" is its own, or what stands out
+    color_form: str = ""
+    on: str = ""  # a part by its word, where that is said
+    side: str = ""  # front, side, top or back, where that is said
+
+    def __str__(self) -> str:
+        return f'"{self.text}"' if self.text else self.shape
+
+
+# By the words for each. What is always flat is drawn on a thing that comes with it.
+FLAT = {
+    "heart": "heart, love heart",
+    "star": "star",
+    "smiley": "smiley face, smiley, smile, happy face, smiling face, emoji face, emoji",
+    "skull and crossbones": "skull and crossbones, skull and cross bones, jolly roger",
+    "lightning bolt": "lightning bolt, thunderbolt, bolt of lightning, lightning",
+    "cross": "cross",
+    "peace sign": "peace sign, peace symbol",
+    "radiation sign": "radiation sign, radiation symbol, radioactive sign, radioactive symbol",
+    "check mark": "check mark, checkmark, tick mark",
+    "music note": "music note, musical note",
+    "paw print": "paw print, pawprint",
+}
+# These are things too, and are drawn where that is said: "with an anchor on it", "a crown logo".
+ALSO_THINGS = {
+    "skull": "skull",
+    "moon": "crescent moon, moon, crescent",
+    "sun": "sun",
+    "flower": "flower, daisy",
+    "snowflake": "snowflake",
+    "arrow": "arrow",
+    "crown": "crown",
+    "anchor": "anchor",
+    "diamond": "diamond",
+    "circle": "circle, disc, dot",
+    "ring": "ring",
+    "square": "square",
+    "triangle": "triangle",
+    "leaf": "leaf",
+    "paw print": "paw",
+}
+SIGNS = {  # by a letter of the font
+    "?": "question mark",
+    "!": "exclamation mark, exclamation point",
+    "$": "dollar sign, dollar symbol, dollar",
+    "€": "euro sign",
+    "£": "pound sign",
+    "@": "at sign",
+    "&": "ampersand",
+    "%": "percent sign",
+}
+
+
+def _forms(table: dict[str, str]) -> dict[str, str]:
+    return {form: name for name, forms in table.items() for form in forms.split(", ")}
+
+
+FLAT_FORMS, THING_FORMS, SIGN_FORMS = map(_forms, (FLAT, ALSO_THINGS, SIGNS))
+
+
+def _any(forms: "dict[str, str]") -> str:
+    return "|".join(form.replace(" ", "[ -]") for form in sorted(forms, key=len, reverse=True))
+
+
+def _rule(text: str) -> re.Pattern[str]:
+    return re.compile(rf"(?<![\w-]){text}", re.IGNORECASE)
+
+
+METALS = ("golden", "copper", "metal")  # that a shape or a text may be of
+_COLORS = {
+    form: word
+    for form, (slot, word) in LEXICON.items()
+    if slot == "color" or (slot == "material" and word in METALS)
+}
+_COLOR = rf"(?:(?P<color>{_any(_COLORS)})[ -])?"
+_A = r"(?:an? |the |one )?"
+_WITH = r"(?:with|featuring|bearing|showing|has|having) "
+_WORD = r"(?:words?|text|letters?|lettering|inscription|title|name|label|slogan|logo|message)"
+_SAYS = r"(?:(?:that |which )?(?:says?|reads?)|saying|reading)"
+_MADE = r"(?:painted|printed|drawn|stitched|embroidered|engraved|carved|stamped|written)"
+_MARK = (
+    r"(?:emblem|logo|symbol|label|print|design|patch|sticker|motif|badge|decal|icon|drawing|image|"
+    r"picture|insignia|crest|graphic|mark)s?"
+)
+_SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
+# What a text follows: any words, or only capitals and what is in quotes.
+_OPENERS = (
+    (
+        _rule(r"(?:(?:(?:that|which|who) )?says?|(?:that|which) reads|spelling|saying|titled):? "),
+        True,
+    ),
+    (_rule(rf"with {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
+    (_rule(rf"(?:with )?{_A}{_COLOR}(?:racing )?(?:number |no\. ?|# ?)(?=\w{{1,3}}\b)"), True),
+    (
+        _rule(
+            rf"(?:{_MADE}|labell?ed|marked|inscribed|lettered|branded|called|named|reading)"
+            rf"(?: with)?(?: the)?(?: {_WORD})?:? "
+        ),
+        False,
+    ),
+    (_rule(r"with (?=[\w' ]{2,24} written\b)"), True),
+    (_rule(rf"with {_A}{_COLOR}"), False),
+    (_rule(r"(?=[\"“”«'‘])"), False),
+)
+_QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]+)['’](?!\w)")
+_CAPITALS = re.compile(r"([A-Z0-9][A-Z0-9!?&.'-]+(?: [A-Z0-9][A-Z0-9!?&.'-]*){0,3})(?!\w)")
+_PLAIN = re.compile(
+    r"(?!(?:an?|the) )([\w!?&.'-]+"
+    r"(?: (?!(?:on|in|at|with|and|made|of|next|under|above|from|written) )[\w!?&.'-]+){0,3})"
+)
+# What may follow what is drawn: its colour, how it is made, where.
+_TAIL = re.compile(
+    rf"(?P<mark> {_MARK})?"
+    rf"(?: in (?P<color>{_any(_COLORS)})(?: (?:letter(?:s|ing)|text|paint|writing|ink))?(?!\w))?"
+    rf"(?: {_MADE})?"
+    rf"(?:,? (?:on|onto|across|in) (?:it\b|them\b|(?:the|its|his|her|both|each) "
+    rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?",
+    re.IGNORECASE,
+)
+_SHAPE = _rule(
+    rf"(?:(?:{_MADE} |marked |decorated )?{_WITH}{_A})?"
+    rf"(?:(?:big|bold|large|small|little|simple|cute|single|giant|painted) )*{_COLOR}"
+    rf"(?P<shape>{_any(FLAT_FORMS | THING_FORMS | SIGN_FORMS)})"
+    rf"(?P<mark>[ -](?:{_MARK}|sign))?(?![\w-]| shaped)"
+)
+_RACING = _rule(rf"(?:with {_A})?{_COLOR}(?:racing|go[ -]faster|rally) stripes?(?![\w-])")
+_BEHIND = re.compile(rf"({_MADE} |marked |decorated )?{_WITH}", re.IGNORECASE)
+
+
+def emblem_in(prompt: str) -> tuple[Emblem | None, str]:
+    """What is to be drawn on the thing, and the prompt without it."""
+    for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
+        rest = re.sub(r"\s+", " ", f"{prompt[:start]} {prompt[end:]}").strip(" ,")
+        if re.search("[a-z]{2}", rest, re.IGNORECASE):
+            return emblem, rest
+    return None, prompt
+
+
+def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
+    """The texts, and where in the prompt they are written about."""
+    for opener, any_words in _OPENERS:
+        for match in opener.finditer(prompt):
+            kinds = (_QUOTED, _CAPITALS, _PLAIN) if any_words else (_QUOTED, _CAPITALS)
+            found = next(filter(None, (kind.match(prompt, match.end()) for kind in kinds)), None)
+            tail = found and _TAIL.match(prompt, found.end())
+            if not found or not tail:
+                continue
+            text = next(filter(None, found.groups())).strip(" .,")
+            surely = any_words or match[0][:4].lower() != "with" or tail[0]
+            if surely and len(text) <= MOST_LETTERS:
+                color = _color(match.groupdict().get("color") or tail["color"])
+                yield Emblem(text, "", *color, *_place(tail)), match.start(), tail.end()
+
+
+def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
+    """The shapes, and where in the prompt they are written about."""
+    for match in _RACING.finditer(prompt):
+        yield Emblem("", STRIPES, *_color(match["color"])), match.start(), match.end()
+    for match in _SHAPE.finditer(prompt):
+        tail = _TAIL.match(prompt, match.end())
+        form = re.sub("[ -]", " ", match["shape"].lower())
+        follows = _BEHIND.match(match[0])  # "a mug with a heart", or "a heart print mug"
+        said = match["mark"] or (follows and (follows[1] or (tail and tail[0])))
+        if not tail or not (said or (follows and form not in THING_FORMS)):
+            continue
+        text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
+        emblem = Emblem(text, shape, *_color(match["color"]), *_place(tail))
+        yield emblem, match.start(), tail.end()
+
+
+def _place(tail: re.Match[str]) -> tuple[str, str]:
+    """The part, and the side."""
+    return (tail["on"] or "").lower(), (tail["side"] or "").lower()
+
+
+def _color(phrase: str | None) -> tuple[str, str]:
+    """The colour's or the metal's word, and its form."""
+    form = re.sub("[ -]+", " ", phrase or "").lower()
+    return _COLORS.get(form, ""), form

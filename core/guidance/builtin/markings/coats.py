@@ -1,0 +1,89 @@
+"""Markings of animals' coats and of skins and peels."""
+
+import math
+
+import torch
+
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Points,
+    any_of,
+    cells_around,
+    chance,
+    within,
+)
+
+
+def patches(points: Points, _half: Half, pitch: float, line: float) -> Margin:
+    """A giraffe's: the cells of a random set of points (Worley 1996), without a ``line`` between
+    them."""
+    away = []
+    for cell in cells_around(points, pitch):
+        moved = torch.stack([chance(cell, k) for k in range(3)], 1) - 0.5
+        away.append((points - (cell + 0.5 + 0.7 * moved) * pitch).norm(dim=1))
+    first, second = torch.stack(away, 1).topk(2, 1, largest=False).values.T
+    return (second - first) / 2 - line / 2
+
+
+def hoops(points: Points, half: Half, pitch: float) -> Margin:
+    """A zebra's stripes: about the trunk and the neck, level on the legs."""
+    x, y, z = points[:, 0].abs(), points[:, 1], points[:, 2]
+    leg = ((-0.2 - z / half[2]) * 6).clamp(0, 1)
+    slant = 0.35 * z.clamp_min(0)
+    wave = 0.025 * (9 * z + 5 * x).sin() + 0.015 * (21 * z).sin()
+    across = torch.lerp(y + slant + wave, 1.1 * z, leg)
+    return ((across * (math.tau / pitch)).sin() - 0.1) * (pitch / math.tau)
+
+
+def flames(points: Points, half: Half, pitch: float) -> Margin:
+    """A tiger's stripes: from the back downwards ever thinner, every other one shorter; rings on
+    the legs."""
+    y, z = points[:, 1], points[:, 2]
+    high = z / half[2]
+    along = y + 0.03 * (8 * z).sin() + 0.02 * (17 * z + 3 * y).sin()
+    row = (along / pitch).round()
+    end = torch.where(row.remainder(2) == 0, -0.25, 0.1)
+    wide = pitch * 0.26 * ((high - end) / (0.75 - end)).clamp(0, 1).sqrt()
+    upper = wide - (along - row * pitch).abs()
+    ring = 0.022 - ((z / pitch) - (z / pitch).round()).abs() * pitch
+    legs = torch.where(high < -0.45, ring, -pitch)
+    return torch.where(wide > 0, upper, any_of(upper - 0.01, legs))
+
+
+def ridge(points: Points, half: Half, wide: float) -> Margin:
+    """A stripe along the back, ``wide`` in halves of the width."""
+    return within(wide * half[0] - points[:, 0].abs(), points[:, 2] + points[:, 1] * 0.5)
+
+
+def fish_bands(points: Points, half: Half, wide: float) -> Margin:
+    """Three bands about a clownfish."""
+    y = points[:, 1] / half[1]
+    away = torch.stack([(y - at).abs() for at in (-0.42, 0.12, 0.72)]).amin(0)
+    return wide - away * half[1]
+
+
+def melon(points: Points, half: Half) -> Margin:
+    """The jagged dark stripes of a melon that lies along x."""
+    x, y, z = (points / half).unbind(1)
+    angle = torch.atan2(z, y)
+    jagged = 0.35 * (7 * x + 2 * angle.sin()).sin() + 0.25 * (19 * x + 5 * angle).sin()
+    count = 9
+    inside = (count * angle + 1.6 * jagged).sin() + 0.25 * (31 * x + 11 * angle).sin() - 0.25
+    return inside * points[:, 1:].norm(dim=1) / count
+
+
+def strawberry_seeds(points: Points, half: Half, rows: float = 6.0, count: int = 11) -> Margin:
+    """In rows about it, each shifted against the next; longer than wide."""
+    up = points[:, 2] / half[2] * rows
+    row = up.round()
+    turn = torch.atan2(points[:, 1], points[:, 0]) * (count / math.tau) + 0.5 * row.remainder(2)
+    side = (turn - turn.round()).abs() * (math.tau / count) * points[:, :2].norm(dim=1)
+    return 0.026 - torch.hypot(side * 1.4, (up - row) * half[2] / rows)
+
+
+def wing_cases(points: Points, half: Half) -> Margin:
+    """A ladybird's: three dots at either side, one in front, and the line between the wings."""
+    at = torch.stack([points[:, 0].abs() / half[0], points[:, 1] / half[1]], 1)
+    middles = at.new_tensor([(0.0, -0.72), (0.5, -0.4), (0.66, 0.18), (0.38, 0.58)])
+    return any_of((0.19 - torch.cdist(at, middles).amin(1)) * half[0], 0.02 - points[:, 0].abs())

@@ -1,0 +1,159 @@
+"""What a prompt wants drawn on the thing (:mod:`core.guidance.builtin.emblems`): where it comes to
+lie, and its colour."""
+
+import textwrap
+from collections.abc import Callable
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.assembly import KnownParts
+from core.guidance.builtin.colors import Color, color_value
+from core.guidance.builtin.emblems import METALS, STRIPES, Emblem
+from core.guidance.builtin.living import is_creature
+from core.guidance.builtin.markings.margins import within
+from core.guidance.builtin.markings.shapes import shape_margin
+from core.guidance.builtin.markings.stencils import lettering, text_size
+from core.guidance.builtin.markings.windows import Window, window_on
+from core.guidance.builtin.palette import FINISHES, PAINT, Painted, companion
+from core.guidance.builtin.part_names import own_names
+from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL
+
+FULL = 0.8  # of the place that there is, what a text or a shape fills
+BOLD = 0.03  # of a capital's height: how much farther out its strokes go than the font's
+LINE = 10  # letters, from which a text goes on in another line
+# Parts that are made to be written on; and what is on none.
+BOARDS = frozenset(
+    """label labels sign board boards plate paper pages page canvas cover covers badge panel panels
+    cloth doors door shield sail sticker wrapper sleeve screen belly""".split()
+)
+TRUNK = ("chest", "torso", "tummy", "breast")
+NOT_ON = frozenset("wheels hubs tyres windows eyes lamps hair legs feet hands".split())
+COLORS: dict[str, Color] = {  # where the prompt names none
+    "heart": (0.84, 0.10, 0.16),
+    "star": (0.96, 0.78, 0.20),
+    "lightning bolt": (0.98, 0.83, 0.15),
+    "cross": (0.84, 0.10, 0.14),
+    "check mark": (0.20, 0.62, 0.25),
+    "moon": (0.96, 0.84, 0.42),
+    "sun": (0.97, 0.75, 0.12),
+    "flower": (0.93, 0.47, 0.66),
+    "snowflake": (0.95, 0.97, 0.99),
+    "crown": (0.93, 0.73, 0.20),
+    "anchor": (0.10, 0.17, 0.36),
+    "leaf": (0.25, 0.55, 0.22),
+}
+CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
+STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
+
+OnParts = Callable[[Float[Tensor, "n p"], Float[Tensor, "n 3"]], Float[Tensor, "n q"]]
+
+
+class Drawn:
+    """An emblem on one object: its paint, and the distances of the parts with it as the last."""
+
+    def __init__(self, emblem: Emblem, noun: str, parts: KnownParts, paints: list[Painted]) -> None:
+        self.emblem, self.count = emblem, len(paints)
+        self.text = _in_lines(emblem.text)
+        wide, high = text_size(self.text) if self.text else (1.0, 1.0)
+        self.high = high
+        side = emblem.side or ("front" if is_creature(noun) else "")
+        on = "body" if emblem.on in TRUNK else emblem.on
+        asked = own_names(noun, on) if on else []
+        worth = [_worth(paint, asked, emblem) for paint in paints]
+        self.window: Window | None = None
+        self.stripes: Float[Tensor, "2 3"] | None = None
+        if emblem.shape == STRIPES:
+            self.on = worth.index(max(worth))
+            self.stripes = parts.boxes()[self.on]
+        else:
+            self.window = window_on(parts, worth, wide / high, side)
+            self.on = self.window.part if self.window else 0
+        self.bears = [part for part, much in enumerate(worth) if much]
+        self.paint = _painted(paints[self.on], emblem)
+
+    def seen(self, paints: list[Painted]) -> list[Painted]:
+        """The parts' paints, so that the emblem is seen where its colour is theirs by nature."""
+        on = paints[self.on]
+        if on.colored or on.material or differ(on.color, self.paint.color):
+            return paints
+        other = companion(self.paint.color)
+        paints[self.on] = on._replace(color=other, second=other, pattern="", colored=True)
+        return paints
+
+    def __call__(
+        self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
+    ) -> Float[Tensor, "n q"]:
+        """Of the parts, and of the emblem."""
+        found, margin = distances[:, : self.count].clone(), self._margin(points)
+        lies = found[:, self.bears]
+        found[:, self.bears] = torch.maximum(lies, margin[:, None])
+        return torch.cat([found, torch.maximum(lies.amin(1), -margin)[:, None]], 1)
+
+    def _margin(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """How far inside the emblem, training units."""
+        if self.stripes is not None:
+            low, high = self.stripes.to(points)[:, 0]
+            half, x = (high - low) / 2, (points[:, 0] - (low + high) / 2).abs()
+            return STRIPE * half - (x - APART * half).abs()
+        if self.window is None:
+            return torch.full_like(points[:, 0], -1.0)
+        at, half = self.window.at(points) / FULL, self.window.half * FULL
+        if not self.text:
+            return within(shape_margin(at, self.emblem.shape) * half, self.window.within(points))
+        letter = self.high / 2  # a capital's height, of half the text's
+        margin = (lettering(at * letter, self.text) + BOLD) * half / letter
+        return within(margin, self.window.within(points))
+
+
+def _in_lines(text: str) -> str:
+    if len(text) <= LINE or " " not in text:
+        return text
+    longest = max(map(len, text.split()))
+    return "\n".join(textwrap.wrap(text, max(longest, LINE, -(-len(text) // 3))))
+
+
+def _worth(paint: Painted, asked: list[str], emblem: Emblem) -> float:
+    """How well it is written on a part."""
+    if paint.name in asked:
+        return 1.0
+    glass = CLASS_OF.get(paint.look.material) == GLASS and paint.look.role != "*"
+    if asked or glass or paint.name in NOT_ON:
+        return 0.0
+    much = 1.6 if paint.name in BOARDS else 1.0 if paint.look.role == "*" else 0.6
+    return much if differ(paint.color, _color(paint.color, emblem)) else much / 2
+
+
+def _painted(on: Painted, emblem: Emblem) -> Painted:
+    """Its colour on what it lies on: the same stuff where that takes paint, or paint."""
+    color = _color(on.color, emblem)
+    look = on.look._replace(role="+", color=color, pattern="")
+    own = on._replace(name="emblem", look=look, color=color, second=color, pattern="", tone="")
+    if emblem.color in METALS:
+        return own._replace(
+            finish=FINISHES[emblem.color], material=emblem.color, material_form=emblem.color_form
+        )
+    own = own._replace(colored=True, apart=True)
+    kind = CLASS_OF.get(on.material or on.look.material, "")
+    if kind in (GLASS, METAL) or (on.material or on.look.material) in ("liquid", "paint"):
+        return own._replace(
+            finish=PAINT, material="", material_form="", look=look._replace(material="paint")
+        )
+    return own
+
+
+def _color(on: Color, emblem: Emblem) -> Color:
+    if emblem.color in METALS:
+        metal = FINISHES[emblem.color].color
+        assert metal is not None  # each has one
+        return metal
+    if emblem.color:
+        return color_value(emblem.color, emblem.color_form)
+    own = COLORS.get(emblem.shape)
+    return own if own and differ(own, on) else companion(on)
+
+
+def differ(one: Color, other: Color) -> bool:
+    """Whether the one is seen on the other."""
+    return max(abs(a - b) for a, b in zip(one, other, strict=True)) > CLEAR

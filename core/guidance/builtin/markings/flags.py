@@ -1,0 +1,79 @@
+"""The colours of flags, whose cloth hangs along x from its pole."""
+
+import math
+from functools import partial
+
+import torch
+from torch import Tensor
+
+from core.guidance.builtin.markings.margins import Half, Margin, Points, any_of, within
+from core.guidance.builtin.markings.shapes import shape_margin
+
+UNION = 0.4  # of the width, of a canton
+
+
+def bands(points: Points, half: Half, axis: int, low: float, high: float) -> Margin:
+    """Between two lines across x or z, in halves of the cloth."""
+    at = points[:, axis]
+    return within(at - low * half[axis], high * half[axis] - at)
+
+
+def stripes(points: Points, half: Half) -> Margin:
+    """The six white ones of thirteen."""
+    pitch = 2 * half[2] / 13
+    row = (points[:, 2] + half[2]) / pitch
+    inside = 0.5 - (row - row.floor() - 0.5).abs()
+    return torch.where(row.floor().remainder(2) == 1, inside, -inside) * pitch
+
+
+def canton(points: Points, half: Half) -> Margin:
+    """The upper corner at the pole, of seven stripes' height."""
+    right = (2 * UNION - 1) * half[0]
+    return within(right - points[:, 0], points[:, 2] + half[2] - 12 * half[2] / 13)
+
+
+def stars(points: Points, half: Half) -> Margin:
+    """Those on the canton: five rows of six."""
+    wide, high = 2 * UNION * half[0] / 6, (14 / 13) * half[2] / 5
+    x, z = (points[:, 0] + half[0]) / wide, (half[2] - points[:, 2]) / high
+    side = 0.3 * min(float(wide), float(high))
+    away = torch.stack(
+        [(x - x.floor() - 0.5) * wide / side, (0.5 - z + z.floor()) * high / side], 1
+    )
+    return within(shape_margin(away, "star") * side, canton(points, half))
+
+
+def _saltire(points: Points, half: Half) -> Tensor:
+    """How far from the nearer diagonal."""
+    x, z = points[:, 0].abs() / half[0], points[:, 2].abs() / half[2]
+    return (x - z).abs() / math.hypot(1 / float(half[0]), 1 / float(half[2]))
+
+
+def crosses(points: Points, half: Half, upright: float, saltire: float) -> Margin:
+    """An upright cross and a diagonal one, as wide as so many halves of the height."""
+    straight = torch.minimum(points[:, 0].abs(), points[:, 2].abs())
+    return any_of(upright * half[2] - straight, saltire * half[2] - _saltire(points, half))
+
+
+def nordic(points: Points, half: Half, wide: float) -> Margin:
+    """A cross whose upright stands nearer to the pole."""
+    away = torch.minimum((points[:, 0] + 0.28 * half[0]).abs(), points[:, 2].abs())
+    return wide * half[2] - away
+
+
+def emblem(points: Points, half: Half, shape: str, size: float) -> Margin:
+    """A shape in the middle, on both sides, in halves of the height."""
+    side = points[:, 1].sign() * -1  # from behind it is seen the other way round
+    at = torch.stack([points[:, 0] * side, points[:, 2]], 1) / (size * half[2])
+    return shape_margin(at, shape) * size * half[2]
+
+
+def lozenge(points: Points, half: Half) -> Margin:
+    """Nearly as large as the cloth."""
+    away = points[:, 0].abs() / half[0] + points[:, 2].abs() / half[2]
+    return (0.85 - away) / math.hypot(1 / float(half[0]), 1 / float(half[2]))
+
+
+LEFT, RIGHT = (partial(bands, axis=0, low=a, high=b) for a, b in ((-2, -1 / 3), (1 / 3, 2)))
+TOP, BOTTOM = (partial(bands, axis=2, low=a, high=b) for a, b in ((1 / 3, 2), (-2, -1 / 3)))
+LOWER = partial(bands, axis=2, low=-2, high=0)

@@ -1,0 +1,148 @@
+"""Markings of what is flat or upright: dials, boards, signs, bottles, cars."""
+
+import math
+
+import torch
+from torch import Tensor
+
+from core.guidance.builtin.markings.margins import Half, Margin, Points, any_of, in_front, within
+from core.guidance.builtin.markings.stencils import lettering
+
+SECTORS = 20  # of a dartboard
+
+
+def disc(points: Points, half: Half, radius: float) -> Margin:
+    """Within ``radius``, in halves of the width, of the middle of the front."""
+    return within(radius * half[0] - points[:, [0, 2]].norm(dim=1), in_front(points))
+
+
+def hours(points: Points, half: Half, radius: float) -> Margin:
+    """Twelve strokes along the rim of a dial, every third longer and bolder."""
+    x, z, r = points[:, 0], points[:, 2], radius * half[0]
+    hour = torch.atan2(x, z) * (6 / math.pi)
+    nearest, away = hour.round(), points[:, [0, 2]].norm(dim=1)
+    bold = nearest.remainder(3) == 0
+    across = away * ((hour - nearest) * (math.pi / 6)).sin().abs()
+    inner, wide = torch.where(bold, 0.7, 0.78) * r, torch.where(bold, 0.045, 0.026) * r
+    return within(wide - across, away - inner, 0.9 * r - away, in_front(points))
+
+
+def rim(points: Points, half: Half, low: float, high: float) -> Margin:
+    """Between two radii on the front, in halves of the width."""
+    away = points[:, [0, 2]].norm(dim=1)
+    return within(high * half[0] - away, away - low * half[0], in_front(points))
+
+
+def bar(points: Points, half: Half, size: tuple[float, float]) -> Margin:
+    """A level one across the middle of the front, in halves of the width."""
+    x, z = points[:, 0].abs(), points[:, 2].abs()
+    return within(size[0] * half[0] - x, size[1] * half[0] - z, in_front(points))
+
+
+def _darts(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """Of a dartboard: the distance from its middle, the margins of the sectors of one kind and of
+    the two rings, and the radius within which all lies."""
+    r = 0.79 * half[0]
+    away = points[:, [0, 2]].norm(dim=1)
+    angle = torch.atan2(points[:, 0], points[:, 2]) * (SECTORS / 2)
+    sectors = angle.cos() * away * (2 / SECTORS)
+    both = any_of(*(0.045 * r - (away - at * r).abs() for at in (0.955, 0.6)))
+    return away, sectors, both, r
+
+
+def pale_sectors(points: Points, half: Half) -> Margin:
+    """Every other sector of a dartboard."""
+    away, sectors, _, r = _darts(points, half)
+    return within(-sectors, r - away, in_front(points))
+
+
+def dart_reds(points: Points, half: Half) -> Margin:
+    """Its rings on the dark sectors, and the bull's eye."""
+    away, sectors, both, r = _darts(points, half)
+    return within(any_of(within(sectors, both), 0.065 * r - away), in_front(points))
+
+
+def dart_greens(points: Points, half: Half) -> Margin:
+    """Its rings on the pale ones, and the ring about the bull's eye."""
+    away, sectors, both, r = _darts(points, half)
+    bull = 0.035 * r - (away - 0.1 * r).abs()
+    return within(any_of(within(-sectors, both), bull), in_front(points))
+
+
+def spiral(points: Points, half: Half) -> Margin:
+    """A lollipop's, on both sides, from the middle outwards."""
+    pitch = 0.52 * half[0]
+    turn = torch.atan2(points[:, 2], points[:, 0]) / math.tau
+    phase = points[:, [0, 2]].norm(dim=1) / pitch + turn
+    return (0.24 - (phase - phase.round()).abs()) * pitch
+
+
+def frame(points: Points, half: Half, at: float, size: tuple[float, float], wide: float) -> Margin:
+    """The outline of a rectangle on the front: its middle's height, its half sides and half the
+    line's width, all in halves of the board's height."""
+    x, z = points[:, 0].abs() / half[2], (points[:, 2] / half[2] - at).abs()
+    away = torch.maximum(x - size[0], z - size[1]).abs()
+    return within((wide - away) * half[2], in_front(points))
+
+
+def lettered(
+    points: Points, half: Half, text: str, high: float, bold: float = 0.03, at: float = 0.0
+) -> Margin:
+    """Letters across the front, ``high`` in halves of its width, their middle ``at`` a height in
+    halves; ``bold``: how much farther out their strokes go than the font's, of their height."""
+    size = high * half[0]
+    place = torch.stack([points[:, 0], points[:, 2] - at * half[2]], 1) / size
+    return within((lettering(place, text) + bold) * size, in_front(points))
+
+
+def on_sides(points: Points, half: Half, text: str, high: float, at: tuple[float, float]) -> Margin:
+    """Letters on both sides of what looks to the front: ``high`` and ``at`` (back and up) in halves
+    of its length and height."""
+    size, right = high * half[1], points[:, 0].sign()
+    y, z = points[:, 1] - at[0] * half[1], points[:, 2] - at[1] * half[2]
+    letters = (lettering(torch.stack([right * y, z], 1) / size, text) + 0.05) * size
+    return within(letters, points[:, 0].abs() - 0.6 * half[0])
+
+
+def doors(points: Points, half: Half) -> Margin:
+    """A car's, on both sides, below the windows."""
+    x, y, z = points.unbind(1)
+    wide = 0.42 * half[1] - (y - 0.08 * half[1]).abs()
+    return within(wide, 0.12 * half[2] - z, x.abs() - 0.6 * half[0])
+
+
+def checks(points: Points, half: Half) -> Margin:
+    """The dark ones of eight by eight squares, seen from above; a1 is one."""
+    at = points[:, :2] / half[:2] * 4
+    dark = at.floor().sum(1).remainder(2) == 0
+    away = (at - at.round()).abs().amin(1) * (half[0] / 4)
+    return torch.where(dark, away, -away)
+
+
+def black_keys(points: Points, half: Half, octaves: int = 2) -> Margin:
+    """Of a piano, the front at -y, and the gaps between the white ones."""
+    pitch = 2 * half[0] / (7 * octaves)
+    at = (points[:, 0] + half[0]) / pitch
+    nearest = at.round()
+    away = (at - nearest).abs() * pitch
+    place = nearest.remainder(7)
+    key = within(0.3 * pitch - away, points[:, 1] + 0.2 * half[1])
+    return any_of(torch.where((place != 0) & (place != 3), key, -1.0), 0.005 - away)
+
+
+def belt(points: Points, half: Half, low: float, high: float) -> Margin:
+    """A label about a bottle, from height to height, in halves of its own."""
+    middle, wide = (low + high) / 2 * half[2], (high - low) / 2 * half[2]
+    return wide - (points[:, 2] - middle).abs()
+
+
+def slanted(points: Points, _half: Half, pitch: float) -> Margin:
+    """A necktie's stripes, one of ``pitch`` in three."""
+    phase = (points[:, 2] + 0.8 * points[:, 0]) / pitch
+    return (0.17 - (phase - phase.round()).abs()) * (pitch / math.hypot(1, 0.8))
+
+
+def edge_spots(points: Points, half: Half, count: int = 6) -> Margin:
+    """A poker chip's."""
+    turn = torch.atan2(points[:, 2], points[:, 0]) * (count / math.tau)
+    return (0.22 - (turn - turn.round()).abs()) * (math.tau / count) * half[0]

@@ -1,0 +1,216 @@
+"""Parts that lie on another as paint does: a die's pips, a zebra's stripes, the hours of a clock.
+
+What is flat on a surface has no shape of its own, and drawn as a solid its border is as ragged as
+the lattice. Here it is a margin, as a pattern's is (:mod:`core.guidance.builtin.patterns`), so that
+it is as sharp as the texture; and it is a part by name, with a colour and a material of its own.
+"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.markings import balls, coats, flags, fronts
+from core.guidance.builtin.markings.margins import Marks, blobs
+
+
+class Marking(NamedTuple):
+    """Where a part lies."""
+
+    on: str  # the part that bears it, or another marking that lies on that
+    marks: Marks
+
+
+STICKERS = ("reds", "blues", "greens", "whites", "yellows", "oranges")
+EIGHT = (0.25, -1.0, 0.45)  # where a billiard ball's number is
+HOLES = ((-0.1, -0.75, 0.75), (0.14, -0.75, 0.8), (0.03, -0.95, 0.5))  # a bowling ball's
+MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on top comes first
+    "soccer ball": {
+        "patches": Marking("ball", balls.pentagons),
+        "seams": Marking("ball", balls.football_seams),
+    },
+    "beach ball": {
+        name: Marking("body", partial(balls.gores, number=2 * k))
+        for k, name in enumerate(("reds", "yellows", "blues"))
+    },
+    "tennis ball": {"seam": Marking("body", balls.tennis_seam)},
+    "baseball": {"stitches": Marking("body", balls.stitches)},
+    "volleyball": {
+        "seams": Marking("body", balls.volleyball_seams),
+        "bands": Marking("body", balls.volleyball_bands),
+    },
+    "golf ball": {"dimples": Marking("body", balls.dimples)},
+    "bowling ball": {"holes": Marking("body", partial(balls.caps, wide=0.1, ways=HOLES))},
+    "billiard ball": {
+        "disc": Marking("body", partial(balls.cap, wide=0.46, way=EIGHT)),
+        "number": Marking("disc", partial(balls.number_on, text="8", way=EIGHT, high=0.48)),
+    },
+    "disco ball": {"gaps": Marking("body", balls.mirror_gaps)},
+    "earth": {"ice": Marking("body", balls.poles), "land": Marking("body", balls.lands)},
+    "globe": {
+        "ice": Marking("ocean", partial(balls.poles, lean=23)),
+        "land": Marking("ocean", partial(balls.lands, lean=23)),
+    },
+    "full moon": {"craters": Marking("body", balls.craters)},
+    "eyeball": {
+        "iris": Marking("white", partial(balls.cap, wide=0.56)),
+        "pupil": Marking("iris", partial(balls.cap, wide=0.27)),
+        "glint": Marking("pupil", partial(balls.cap, wide=0.09, way=(0.13, -1.0, 0.15))),
+    },
+    "easter egg": {
+        "stripes": Marking("shell", balls.egg_bands),
+        "dots": Marking("shell", balls.egg_dots),
+    },
+    "dice": {"pips": Marking("body", balls.pips)},
+    "puzzle cube": {
+        name: Marking("body", partial(balls.stickers, color=k)) for k, name in enumerate(STICKERS)
+    },
+    "clock": {
+        "face": Marking("body", partial(fronts.disc, radius=0.79)),
+        "marks": Marking("face", partial(fronts.hours, radius=0.79)),
+    },
+    "alarm clock": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "grandfather clock": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "pocket watch": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "watch": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "dartboard": {
+        "reds": Marking("board", fronts.dart_reds),
+        "greens": Marking("board", fronts.dart_greens),
+        "sectors": Marking("board", fronts.pale_sectors),
+    },
+    "target": {
+        name: Marking("board", partial(fronts.disc, radius=radius))
+        for name, radius in (("golds", 0.19), ("reds", 0.39), ("blues", 0.59), ("blacks", 0.79))
+    },
+    "chessboard": {"checks": Marking("squares", fronts.checks)},
+    "lollipop": {"swirl": Marking("candy", fronts.spiral)},
+    "stop sign": {"letters": Marking("plate", partial(fronts.lettered, text="STOP", high=0.4))},
+    "basketball hoop": {
+        "square": Marking("board", partial(fronts.frame, at=-0.1, size=(0.62, 0.45), wide=0.07))
+    },
+    "grand piano": {"black keys": Marking("keys", fronts.black_keys)},
+    "jar": {"label": Marking("body", partial(fronts.belt, low=-0.55, high=0.3))},
+    "necktie": {"stripes": Marking("blade", partial(fronts.slanted, pitch=0.3))},
+    "poker chip": {"spots": Marking("rim", fronts.edge_spots)},
+    "police car": {
+        "letters": Marking(
+            "doors", partial(fronts.on_sides, text="POLICE", high=0.12, at=(0.08, -0.12))
+        ),
+        "doors": Marking("body", fronts.doors),
+    },
+    "school bus": {
+        "letters": Marking(
+            "body", partial(fronts.on_sides, text="SCHOOL BUS", high=0.1, at=(0, 0.78))
+        ),
+        "stripe": Marking("body", partial(fronts.belt, low=-0.32, high=-0.2)),
+    },
+    "american flag": {
+        "stars": Marking("canton", flags.stars),
+        "canton": Marking("cloth", flags.canton),
+        "stripes": Marking("cloth", flags.stripes),
+    },
+    "british flag": {
+        "reds": Marking("cloth", partial(flags.crosses, upright=0.2, saltire=0.07)),
+        "whites": Marking("cloth", partial(flags.crosses, upright=0.34, saltire=0.2)),
+    },
+    "french flag": {"blues": Marking("cloth", flags.LEFT), "reds": Marking("cloth", flags.RIGHT)},
+    "italian flag": {"greens": Marking("cloth", flags.LEFT), "reds": Marking("cloth", flags.RIGHT)},
+    "german flag": {"blacks": Marking("cloth", flags.TOP), "golds": Marking("cloth", flags.BOTTOM)},
+    "japanese flag": {"disc": Marking("cloth", partial(flags.emblem, shape="circle", size=0.66))},
+    "brazilian flag": {
+        "disc": Marking("lozenge", partial(flags.emblem, shape="circle", size=0.45)),
+        "lozenge": Marking("cloth", flags.lozenge),
+    },
+    "swedish flag": {"cross": Marking("cloth", partial(flags.nordic, wide=0.2))},
+    "swiss flag": {"cross": Marking("cloth", partial(flags.emblem, shape="cross", size=0.6))},
+    "ukrainian flag": {"yellows": Marking("cloth", flags.LOWER)},
+    "polish flag": {"reds": Marking("cloth", flags.LOWER)},
+    "pirate flag": {
+        "skull": Marking("cloth", partial(flags.emblem, shape="skull and crossbones", size=0.85))
+    },
+    "speed limit sign": {
+        "number": Marking("plate", partial(fronts.lettered, text="50", high=0.66, bold=0.04)),
+        "ring": Marking("plate", partial(fronts.rim, low=0.72, high=0.94)),
+    },
+    "no entry sign": {"bar": Marking("plate", partial(fronts.bar, size=(0.66, 0.17)))},
+    "strawberry": {"seeds": Marking("body", coats.strawberry_seeds)},
+    "watermelon": {"stripes": Marking("rind", coats.melon)},
+    "ladybug": {"patches": Marking("shell", coats.wing_cases)},
+    "zebra": {"stripes": Marking("body", partial(coats.hoops, pitch=0.2))},
+    "tiger": {"stripes": Marking("body", partial(coats.flames, pitch=0.2))},
+    "giraffe": {"patches": Marking("body", partial(coats.patches, pitch=0.26, line=0.05))},
+    "cow": {"patches": Marking("body", partial(blobs, pitch=0.42, sizes=(0.1, 0.24), share=0.55))},
+    "leopard": {
+        "spots": Marking("body", partial(blobs, pitch=0.15, sizes=(0.03, 0.055), share=0.9))
+    },
+    "clownfish": {
+        "bands": Marking("body", partial(coats.fish_bands, wide=0.08)),
+        "edges": Marking("body", partial(coats.fish_bands, wide=0.115)),
+    },
+    "koi": {"patches": Marking("body", partial(blobs, pitch=0.36, sizes=(0.1, 0.22), share=0.75))},
+    "dalmatian": {
+        "spots": Marking("body", partial(blobs, pitch=0.2, sizes=(0.025, 0.075), share=0.85))
+    },
+    "skunk": {"stripe": Marking("body", partial(coats.ridge, wide=0.2))},
+}
+
+
+class Marked:
+    """The markings of one object: what turns the distances of its parts without them to those with
+    them."""
+
+    def __init__(
+        self, noun: str, names: Sequence[str], boxes: Sequence[Float[Tensor, "2 3"] | None]
+    ) -> None:
+        """
+        Args:
+            names: of the noun's parts; "" of those that the object is without.
+            boxes: of each the lowest and the highest corner; None of what has no solid.
+        """
+        self.laid: list[tuple[int, int, Marks, Float[Tensor, "2 3"]]] = []
+        for name, (on, marks) in sorted(
+            MARKINGS.get(noun, {}).items(), key=lambda one: _depth(noun, one[0])
+        ):
+            if name in names and on in names:
+                box = boxes[names.index(_bearer(noun, name))]
+                if box is not None:
+                    self.laid.append((names.index(name), names.index(on), marks, box))
+
+    def __call__(
+        self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
+    ) -> Float[Tensor, "n p"]:
+        """The parts' distances with the markings among them."""
+        found = distances.clone()
+        for part, on, marks, box in self.laid:
+            low, high = box.to(points)
+            margin = marks(points - (low + high) / 2, (high - low) / 2)
+            lies = found[:, on].clone()
+            found[:, part] = torch.maximum(lies, -margin)
+            found[:, on] = torch.maximum(lies, margin)
+        return found
+
+
+def _bearer(noun: str, part: str) -> str:
+    """The part with a solid that bears a marking: of a pupil the white."""
+    while is_marking(noun, part):
+        part = MARKINGS[noun][part].on
+    return part
+
+
+def _depth(noun: str, part: str) -> int:
+    """How many parts lie below a marking: what bears others comes first."""
+    on = MARKINGS[noun][part].on
+    return 1 + _depth(noun, on) if is_marking(noun, on) else 1
+
+
+def is_marking(noun: str, part: str) -> bool:
+    """Whether the part has no solid of its own."""
+    return part in MARKINGS.get(noun, {})
+
+
+def has_markings(noun: str) -> bool:
+    """Whether any part of the noun has no solid of its own."""
+    return noun in MARKINGS

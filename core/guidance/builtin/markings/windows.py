@@ -1,0 +1,174 @@
+"""Where on a thing a text or a shape has room: the largest even enough rectangle that looks to the
+front, to the sides or upwards."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Bool, Float, Int
+from scipy import ndimage
+from torch import Tensor
+
+from core.geometry.assembly import KnownParts
+from core.geometry.tet_grid import EXTENT
+
+CELLS = 72  # of the picture of a thing, along an edge
+SAMPLES = 240_000  # places of its surface
+ABOUT = 0.9  # of the largest rectangle's side: one nearer to the middle is taken before it
+HOLES = 0.05  # of a rectangle that need not be even
+FACING = 0.55  # cosine to the way that a place looks, at least
+ASIDE = 0.9  # less is a rectangle worth at a thing's edge than in its middle
+SMALL = 0.06  # of what is seen: a part that is smaller is written on by itself alone
+STEP = 0.3  # training units: no deeper from a cell to the next
+
+
+class Way(NamedTuple):
+    """A way that a thing is looked at from."""
+
+    to: tuple[int, int]  # the axis towards the eye, and its side
+    right: tuple[int, int]
+    up: tuple[int, int]
+    worth: float  # of a place there, where nobody asks for it
+
+
+WAYS = {
+    "front": Way((1, -1), (0, 1), (2, 1), 1.0),
+    "side": Way((0, 1), (1, 1), (2, 1), 0.45),  # the other side is its mirror
+    "top": Way((2, 1), (0, 1), (1, 1), 0.4),
+    "back": Way((1, 1), (0, -1), (2, 1), 0.0),
+}
+
+
+class Window(NamedTuple):
+    """A rectangle on a thing."""
+
+    part: int  # that most of it lies on
+    way: Way
+    middle: tuple[float, float]  # along the axes to the right and up
+    half: float  # of its height, training units
+    behind: float  # along ``way.to``: what lies farther off is not in it
+
+    def at(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, "p 2"]:
+        """Where places are seen, from its middle in its own halves; from the side, on both."""
+        (axis, side), (u, way_u), (v, way_v) = self.way.to, self.way.right, self.way.up
+        mirrored = points[:, axis].sign() * side if axis == 0 else 1.0
+        right = (points[:, u] - self.middle[0]) * way_u * mirrored
+        up = (points[:, v] - self.middle[1]) * way_v
+        return torch.stack([right, up], 1) / self.half
+
+    def within(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+        """How far on its side places are."""
+        axis, side = self.way.to
+        toward = points[:, axis].abs() if axis == 0 else points[:, axis] * side
+        return toward - self.behind
+
+
+class Seen(NamedTuple):
+    """A thing from one way, in cells as much wider than high as what is to be drawn on it."""
+
+    part: Int[np.ndarray, "r c"]  # -1 is none, or what looks elsewhere
+    near: Float[np.ndarray, "r c"]  # towards the eye
+    wide: float  # of a cell, training units
+
+
+def window_on(
+    parts: KnownParts, worth: Sequence[float], wide: float, asked: str = ""
+) -> Window | None:
+    """The best one for what is ``wide`` times as wide as high; None where there is none.
+
+    Args:
+        worth: of each part, of a place there; 0: not there.
+        asked: one of ``WAYS``, or any but the back.
+    """
+    surface = _surface(parts)
+    found = []
+    for name, way in WAYS.items():
+        if (name == asked) if asked else way.worth:
+            found += _windows(_seen(*surface, way, wide), way, np.array(worth))
+    return max(found, key=lambda one: one[0])[1] if found else None
+
+
+def _surface(
+    parts: KnownParts,
+) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Int[np.ndarray, " n"]]:
+    """Places on the exact surfaces of all pieces, their normals and parts."""
+    import trimesh  # half a second, of those that have something drawn on them alone
+
+    meshes = [
+        trimesh.Trimesh(*parts.surface_of(k), process=False) for k in range(len(parts.pieces))
+    ]
+    whole = sum(mesh.area for mesh in meshes)
+    found, normals, of = [], [], []
+    for piece, mesh in zip(parts.pieces, meshes, strict=True):
+        count = max(int(SAMPLES * mesh.area / whole), 1)
+        places, faces = trimesh.sample.sample_surface(mesh, count, seed=0)[:2]
+        found.append(places)
+        normals.append(mesh.face_normals[faces])
+        of.append(np.full(len(places), piece.place.part))
+    return np.concatenate(found), np.concatenate(normals), np.concatenate(of)
+
+
+def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wide: float) -> Seen:
+    """What of the places is nearest to the eye."""
+    (axis, side), (u, _), (v, _) = way.to, way.right, way.up
+    toward, cell = places[:, axis] * side, 2 * EXTENT / CELLS
+    columns = int(np.ceil(CELLS / wide)) + 1
+    column = ((places[:, u] + EXTENT) / (cell * wide)).astype(int)
+    row = ((places[:, v] + EXTENT) / cell).astype(int)
+    index = row * columns + column
+    order = np.lexsort((toward, index))
+    last = order[np.append(np.diff(index[order]) > 0, True)]
+    part, near = np.full((CELLS + 1) * columns, -1), np.full((CELLS + 1) * columns, -np.inf)
+    part[index[last]] = np.where(normals[last, axis] * side > FACING, of[last], -1)
+    near[index[last]] = toward[last]
+    return Seen(part.reshape(-1, columns), near.reshape(-1, columns), cell * wide)
+
+
+def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tuple[float, Window]]":
+    """The largest rectangles, on any of the parts and on those of the most worth, and what each is
+    worth."""
+    cell, found = 2 * EXTENT / CELLS, []
+    share = np.bincount(seen.part[seen.part >= 0], minlength=len(worth)) / max(
+        (seen.part >= 0).sum(), 1
+    )
+    worth = np.where(share >= SMALL, worth, 0.0)  # knobs and buttons
+    of_cell = np.where(seen.part >= 0, worth[seen.part], 0.0)
+    center = EXTENT / seen.wide  # the column of the middle
+    for least in np.unique(worth[worth > 0]):
+        mask = of_cell >= least
+        near, far = np.where(mask, seen.near, -np.inf), np.where(mask, seen.near, np.inf)
+        step = ndimage.maximum_filter(near, 3) - ndimage.minimum_filter(far, 3)
+        size, (top, left) = largest_square(mask & (step < STEP))
+        if not size:
+            continue
+        here = np.s_[top : top + size, left : left + size]
+        on = seen.part[here][mask[here]]
+        pure = np.bincount(on).max() / len(on)
+        middle = (left + size / 2) * seen.wide - EXTENT, (top + size / 2) * cell - EXTENT
+        behind = float(seen.near[here][mask[here]].min()) - cell
+        window = Window(int(np.bincount(on).argmax()), way, middle, size * cell / 2, behind)
+        aside = abs(left + size / 2 - center) / (mask.any(0).sum() / 2)
+        even = pure * (1 - ASIDE * min(aside, 1))
+        found.append(((way.worth or 1.0) * worth[on].mean() * size * even, window))
+    return found
+
+
+def largest_square(mask: Bool[np.ndarray, "r c"]) -> tuple[int, tuple[int, int]]:
+    """The side of about the largest square of which next to all is True, and its first row and
+    column: of those that are ``ABOUT`` as large the one that is nearest to the middle."""
+    before = np.pad(mask.astype(int).cumsum(0).cumsum(1), ((1, 0), (1, 0)))
+
+    def squares(side: int) -> Bool[np.ndarray, "n m"]:
+        a, b = before[:-side, :-side], before[:-side, side:]
+        c, d = before[side:, :-side], before[side:, side:]
+        return d - b - c + a >= (1 - HOLES) * side * side
+
+    sides = [side for side in range(1, min(mask.shape) + 1) if squares(side).any()]
+    if not sides:
+        return 0, (0, 0)
+    side = max(round(ABOUT * sides[-1]), 1)
+    places = np.stack(squares(side).nonzero(), 1)
+    away = np.abs(places + side / 2 - np.array(mask.nonzero()).mean(1) - 0.5).sum(1)
+    top, left = places[away.argmin()]
+    return side, (int(top), int(left))
