@@ -5,6 +5,7 @@ import math
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
     blend,
@@ -162,23 +163,25 @@ def helmet(draw: Draw) -> Parts:
 
 
 def baseball_cap(draw: Draw) -> Parts:
-    """A cap with its brim to the front."""
-    wide, high, reach = draw(0.72, 0.82), draw(0.72, 0.9), draw(0.6, 0.8)
-    dome = cut(
-        egg((0, 0, 0.06), (wide, wide * 1.08, high)),
-        egg((0, 0, 0.0), (wide - 0.13, wide * 1.08 - 0.13, high - 0.15)),
-        box((0, 0, -1), (2, 2, 1)),
-    )
-    flat = egg((0, -wide * 0.6, 0.1), (wide * 0.92, reach + 0.4, 1.0))
-    brim = cut(
-        flat, box((0, 0, 1.17), (3, 3, 1)), box((0, 0, -1), (3, 3, 1)), box((0, 1, 0), (3, 1.2, 3))
-    )
-    brim = cut(brim, egg((0, 0, 0), (wide - 0.14, wide * 1.08 - 0.14, high - 0.15)))
+    """A cap with its brim to the front, a round badge above it."""
+    wide, high, reach = draw(0.72, 0.8), draw(0.76, 0.9), draw(0.62, 0.78)
+    deep, side = wide * 1.06, wide * draw(0.86, 0.96)
+    half = [(0, -deep - reach), (side * 0.55, -deep - reach * 0.88), (side * 0.92, -deep - 0.2)]
+    plan = smooth_curve([*half, (side, -deep * 0.55), (side * 0.8, -deep * 0.2)], 5)
+    brim = grown(prism(mirrored(plan), 2, 0.05), 0.04)
+    # Where on the dome the badge sits, and the way out of it.
+    at, size = math.radians(draw(36, 42)), draw(0.23, 0.28)
+    y, z = -deep * math.cos(at), 0.04 + high * math.sin(at)
+    out = (math.cos(at) / deep, math.sin(at) / high)
+    dy, dz = (u / math.hypot(*out) for u in out)
+    dome = egg((0, 0, 0.04), (wide, deep, high))
     return {
-        "cap": dome,
-        "brim": turned(brim, 0, draw(0, 8)),
-        "button": egg((0, 0, high + 0.06), (0.13, 0.13, 0.09)),
-        "badge": tube((0, -wide * 1.02, high * 0.5), (0, 0, high * 0.5), draw(0.2, 0.28), 0.02),
+        "cap": cut(dome, box((0, 0, -1), (2, 2, 1))),
+        "brim": tilted(brim, draw(2, 7), (0, 0, 0.2)),
+        "button": egg((0, 0, high + 0.07), (0.15, 0.15, 0.1)),
+        "badge": tube(
+            (0, y + dy * 0.2, z - dz * 0.2), (0, y - dy * 0.09, z + dz * 0.09), size, 0.03
+        ),
     }
 
 
@@ -274,47 +277,62 @@ def suitcase(draw: Draw) -> Parts:
 
 
 def shirt(draw: Draw) -> Parts:
-    """A T-shirt or a shirt with long sleeves, as if worn by someone unseen."""
-    wide, high, y, long = draw(0.5, 0.58), draw(1.3, 1.5), draw(0.28, 0.34), draw.chance(0.4)
-    sleeve = draw(0.62, 0.74) if long else draw(0.35, 0.48)
-    drop = sleeve * draw(0.75, 1.1)
-    trunk = [(-wide * 1.03, 0), (wide * 1.03, 0), (wide, high - 0.16), (0.26, high), (-0.26, high)]
-    shoulder, wrist = (wide - 0.16, 0, high - 0.3), (wide + sleeve, 0, high - 0.28 - drop)
-    neck = egg((0, -0.06, high + 0.08), (0.26, 0.24, 0.3))
-    hem = box((0, 0, 0.05), (wide * 1.03 + 0.03, y + 0.03, 0.09), 0.03)
-    spots = (ball((0, -y - 0.01, high * v), 0.075) for v in (0.25, 0.45, 0.65))
-    body = join(
-        prism([*trunk, (-wide, high - 0.16)], 1, y), both(tube(shoulder, wrist, 0.23, 0.04))
-    )
-    length = (sleeve**2 + drop**2) ** 0.5
-    ux, uz = sleeve / length, drop / length
-    inner = (wrist[0] - 0.16 * ux, 0, wrist[2] + 0.16 * uz)
-    outer = (wrist[0] + 0.03 * ux, 0, wrist[2] - 0.03 * uz)
+    """A polo shirt, as if worn by someone unseen: short sleeves, a collar, three buttons."""
+    wide, high, y, soft = draw(0.47, 0.54), draw(1.4, 1.6), draw(0.3, 0.34), 0.2
+    reach, drop = draw(0.24, 0.32), draw(0.3, 0.42)
+    half = [(0, 0), (wide, 0), (wide - 0.02, high * 0.4), (wide + 0.02, high - 0.3)]
+    half += [(wide - 0.06, high - 0.13), (0.2, high), (0, high)]
+    trunk = [(max(u - soft, 0.0), min(max(v, soft), high - soft)) for u, v in half]
+    shoulder, end = (wide - 0.17, 0, high - 0.25), (wide + reach, 0, high - 0.22 - drop)
+    along = [e - s for s, e in zip(shoulder, end, strict=True)]
+    last = tuple(e - 0.25 * d for e, d in zip(end, along, strict=True))
+    start = tuple(e - 0.2 * d for e, d in zip(end, along, strict=True))
+    out = tuple(e + 0.16 * d for e, d in zip(end, along, strict=True))
+    neck = egg((0, -0.06, high + 0.06), (0.22, 0.2, 0.28))
+    flap = [(0.05, high - 0.08), (0.3, high - 0.02), (0.3, high - 0.22), (0.2, high - 0.34)]
+    spots = (egg((0, -y, high * v), (0.085, 0.08, 0.085)) for v in (0.22, 0.42, 0.62))
     return {
-        "body": cut(body, neck),
-        "cuffs": join(both(tube(inner, outer, 0.26, 0.04)), hem),
-        "collar": ring((0, -0.05, high), 0.27, 0.1),
+        "body": cut(
+            join(
+                both(grown(prism(trunk, 1, y - soft), soft)),
+                both(taper(shoulder, last, 0.25, 0.22)),
+            ),
+            neck,
+        ),
+        "cuffs": both(tube(start, out, 0.26, 0.05)),
+        "collar": join(
+            tilted(ring((0, 0, 0), 0.25, 0.1), 12, (0, -0.03, high + 0.01)),
+            both(grown(prism(flap, 1, 0.05, -y + 0.02), 0.05)),
+        ),
         "buttons": join(*spots),
     }
 
 
 def trousers(draw: Draw) -> Parts:
-    """A pair of trousers, or of shorts."""
-    long = draw(0.5, 0.7) if draw.chance(0.25) else draw(1.25, 1.5)
-    hip, leg, apart = draw(0.52, 0.6), draw(0.18, 0.23), draw(0.34, 0.4)
-    top, y = long + 0.62, draw(0.26, 0.31)
-    hose = [(apart - leg * 0.95, 0), (apart + leg * 1.05, 0), (hip, long + 0.1), (0, long + 0.1)]
-    seat = [(-hip, long), (hip, long), (hip * 0.92, top), (-hip * 0.92, top)]
-    hole = egg((0, 0, top + 0.1), (hip * 0.76, y * 0.72, 0.3))
-    body = join(both(prism(hose, 1, y * 0.86)), prism(seat, 1, y))
-    belt = box((0, 0, top - 0.1), (hip * 0.93 + 0.05, y + 0.05, 0.11), 0.03)
-    pocket = box((hip * 0.55, y, long + 0.28), (0.15, 0.06, 0.15), 0.02)
+    """Jeans as if worn: round legs, turned up, a belt, pockets in front and behind."""
+    hip, y, leg = draw(0.46, 0.51), draw(0.29, 0.32), draw(0.2, 0.23)
+    crotch, foot = draw(1.2, 1.4), draw(0.34, 0.4)
+    top = crotch + draw(0.44, 0.52)
+
+    def waist(by: float, low: float, high: float) -> Solid:
+        quarter = [
+            (0.0, -y - by),
+            (hip * 0.62, -y - by),
+            (hip * 0.96 + by, -y * 0.5),
+            (hip + by, 0),
+        ]
+        plan = smooth_curve([*quarter, *((u, -v) for u, v in reversed(quarter[:-1]))], 3)
+        return grown(prism(mirrored(plan), 2, (high - low) / 2 - 0.03, (low + high) / 2), 0.03)
+
+    hole = egg((0, 0, top + 0.06), (hip - 0.14, y - 0.13, 0.24))
+    hose = taper((hip - 0.25, 0, crotch + 0.06), (foot, 0, 0.22), 0.28, leg)
+    pocket = box((hip * 0.54, y - 0.03, crotch + 0.05), (0.14, 0.09, 0.14), 0.03)
     return {
-        "body": cut(body, hole),
-        "belt": cut(belt, hole),
-        "buckle": box((0, -y - 0.06, top - 0.1), (0.12, 0.06, 0.11), 0.02),
-        "cuffs": both(box((apart + leg * 0.05, 0, 0.05), (leg + 0.03, y * 0.86 + 0.04, 0.1), 0.03)),
-        "pockets": both(pocket),
+        "body": cut(blend(0.12, both(hose), waist(-0.03, crotch + 0.02, top - 0.05)), hole),
+        "belt": cut(waist(0.04, top - 0.18, top), hole),
+        "buckle": box((0, -y - 0.09, top - 0.09), (0.12, 0.08, 0.11), 0.03),
+        "cuffs": both(tube((foot, 0, 0), (foot, 0, 0.24), leg + 0.06, 0.04)),
+        "pockets": both(pocket, 0, 1),
     }
 
 
