@@ -23,6 +23,7 @@ from core.prior.solids import (
     ring,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
     within,
@@ -30,54 +31,43 @@ from core.prior.solids import (
 
 
 def jacket(draw: Draw) -> Parts:
-    """As if worn by someone unseen: open over a shirt, a collar or a hood, pockets, a zip."""
-    wide, high, y = draw(0.5, 0.58), draw(1.36, 1.6), draw(0.27, 0.32)
-    hood, zipped = draw.chance(0.4), draw.chance(0.5)
-    apart, low, soft = draw(0.2, 0.34), draw(0.1, 0.5) * high, 0.1
-    neck = 0.22
-    trunk = [(0.0, 0.0), (wide, 0.0), (wide * 0.98, high * 0.5), (wide + 0.02, high - 0.26)]
-    trunk += [(wide - 0.1, high - 0.13), (neck, high), (0.0, high)]
-
-    def layer(shrink: float, front: float) -> Solid:
-        half = [(max(u - soft - shrink, 0.0), v + soft * 0.6) for u, v in trunk]
-        return both(grown(prism(half, 1, y - soft - front), soft))
-
-    wrist = (wide + draw(0.3, 0.44), -0.06, high * draw(0.2, 0.3))
-    elbow, shoulder = (wide + 0.24, 0.04, high * 0.56), (wide - 0.12, 0, high - 0.3)
-    arm = limb([shoulder, elbow, wrist], 0.22, 0.17)
-    hand = tuple(e + (w - e) * 1.12 for e, w in zip(elbow, wrist, strict=True))
-    start = tuple(e + (w - e) * 0.86 for e, w in zip(elbow, wrist, strict=True))
-    gap = [(0.1, -0.1), (0.1, low), (apart, high), (apart, 3)]
-    opening = prism(mirrored(gap), 1, 1.0, -1.0)
-    throat = egg((0, -0.02, high + 0.06), (0.2, 0.18, 0.2))
-    edge = [(0.14, -y, 0.1), (0.14, -y, low), (apart + 0.03, -y, high - 0.12)]
+    """As if worn by someone unseen: zipped half way over a shirt, lapels or a hood, pockets."""
+    wide, high, y, soft = draw(0.48, 0.54), draw(1.45, 1.6), draw(0.3, 0.34), 0.2
+    hood, low = draw.chance(0.35), draw(0.42, 0.5) * high
+    half = [(0, 0), (wide, 0), (wide - 0.02, high * 0.4), (wide + 0.03, high - 0.3)]
+    half += [(wide - 0.06, high - 0.13), (0.2, high), (0, high)]
+    trunk = [(max(u - soft, 0.0), min(max(v, soft), high - soft)) for u, v in half]
+    shoulder, elbow = (wide - 0.12, 0, high - 0.26), (wide + 0.32, 0.03, high * 0.54)
+    wrist = (wide + draw(0.46, 0.54), -0.08, high * draw(0.2, 0.26))
+    last, start, end = (
+        tuple(e + (w - e) * t for e, w in zip(elbow, wrist, strict=True)) for t in (0.8, 0.75, 1.2)
+    )
+    arm = limb([shoulder, elbow, last], 0.23, 0.18)
+    neck = egg((0, -0.04, high + 0.08), (0.22, 0.2, 0.3))
+    lapel = [(0.02, low), (0.2, high * 0.74), (0.2, high - 0.06), (0.36, high - 0.08)]
+    lapel += [(0.42, high * 0.72)]
     if hood:
-        cowl = cut(
-            egg((0, 0.16, high + 0.16), (0.42, 0.36, 0.42)),
-            egg((0, -0.08, high + 0.3), (0.28, 0.36, 0.36)),
+        collar = cut(
+            egg((0, 0.06, high + 0.12), (0.46, 0.44, 0.5)),
+            egg((0, -0.3, high + 0.2), (0.29, 0.46, 0.34)),
         )
-        collar = join(cowl, both(capsule((0.3, -0.1, high), (0.17, -y - 0.02, high - 0.2), 0.1)))
     else:
-        lapel = [(apart - 0.03, high - 0.02), (apart + 0.2, high - 0.1)]
-        lapel += [(apart + 0.16, high - 0.34), (0.16, low + 0.3)]
         collar = join(
-            both(prism(lapel, 1, 0.08, -y - 0.01)),
-            cut(ring((0, 0.02, high), 0.29, 0.12), box((0, -1.12, high), (apart, 1, 1))),
+            both(grown(prism(lapel, 1, 0.07, -y), 0.03)),
+            tilted(ring((0, 0, 0), 0.27, 0.13), 12, (0, 0, high + 0.02)),
         )
-    if zipped:
-        teeth = both(limb(edge, 0.065, 0.065))
-    else:
-        teeth = join(*(ball((0.2, -y - 0.01, 0.22 + (low + 0.2) * k / 3), 0.08) for k in range(4)))
-    hem = box((0, 0, 0.09), (wide + 0.04, y + 0.04, 0.1), 0.05)
-    pocket = box((wide * 0.62, -y, high * 0.3), (0.17, 0.07, 0.16), 0.03)
-    chest = box((wide * 0.62, -y, high * 0.62), (0.14, 0.06, 0.07), 0.02)
+    pocket = box((wide * 0.58, -y, high * 0.3), (0.15, 0.08, 0.14), 0.03)
+    vee = mirrored([(0.02, low), (0.24, high * 0.76), (0.2, high - 0.1)])
     return {
-        "body": join(cut(layer(0.0, 0.0), opening, throat), both(arm)),
-        "shirt": cut(layer(0.06, 0.07), throat),
+        "body": cut(join(both(grown(prism(trunk, 1, y - soft), soft)), both(arm)), neck),
+        "shirt": cut(prism(vee, 1, 0.1, -y + 0.05), neck),
         "collar": collar,
-        "cuffs": join(both(tube(start, hand, 0.2, 0.04)), cut(hem, opening)),
-        "pockets": both(pocket if hood else join(pocket, chest)),
-        "zip": teeth,
+        "cuffs": join(
+            both(tube(start, end, 0.23, 0.05)),
+            box((0, 0, 0.1), (wide + 0.05, y + 0.05, 0.12), 0.08),
+        ),
+        "pockets": both(pocket),
+        "zip": box((0, -y, (low + 0.02) / 2), (0.06, 0.12, (low + 0.02) / 2), 0.02),
     }
 
 
