@@ -12,6 +12,7 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
+    grown,
     join,
     lathe,
     mirrored,
@@ -25,40 +26,35 @@ from core.prior.solids import (
 )
 
 
-def _waisted(low: float, waist: float, up: float, high: float, half: float) -> Solid:
-    """The body of a violin or a small guitar, its front at -Y, from the floor to ``high``."""
-    right = [(low * 0.45, 0), (low, high * 0.24), (waist, high * 0.55), (up, high * 0.8)]
-    side = smooth_curve([*right, (up * 0.5, high)], 3)
-    return prism([*side, *((-u, v) for u, v in reversed(side))], 1, half)
-
-
 def _pegs(x: float, z: float, rows: int, r: float = 0.085) -> Solid:
     pegs = (tube((-x, 0, z + 0.22 * k), (x, 0, z + 0.22 * k), r, 0.02) for k in range(rows))
     return join(*pegs)
 
 
 def violin(draw: Draw) -> Parts:
-    """Upright, its front to the front."""
-    low, high, half, neck = draw(0.48, 0.55), draw(1.25, 1.4), draw(0.16, 0.2), draw(0.75, 0.9)
-    top = high + neck
-    hole = capsule((low * 0.52, -half, high * 0.4), (low * 0.4, -half, high * 0.64), 0.06)
-    tail = [(-0.12, 0.06), (0.12, 0.06), (0.16, high * 0.3), (-0.16, high * 0.3)]
+    """Upright, its front to the front: a waist between four corners, a scroll, four pegs."""
+    wide, high, half, neck = draw(0.95, 1.05), draw(1.36, 1.46), draw(0.15, 0.18), draw(0.8, 0.9)
+    top, front, edge = high + neck, -half, 0.04
+    bouts = [(0, 0), (0.34, 0.02), (0.57, 0.14), (0.61, 0.3), (0.52, 0.42), (0.54, 0.46)]
+    waist = [(0.54, 0.46), (0.39, 0.5), (0.34, 0.59), (0.37, 0.69), (0.48, 0.73)]
+    upper = [(0.48, 0.73), (0.46, 0.77), (0.5, 0.86), (0.4, 0.95), (0.2, 0.99), (0, 1)]
+    right = [*smooth_curve(bouts), *smooth_curve(waist), *smooth_curve(upper)]
+    side = [(max(u * wide - edge, 0), edge + v * (high - 2 * edge)) for u, v in right]
+    tail = mirrored([(0.08, -0.02), (0.13, high * 0.27)])
+    hole = capsule((0.38, front, high * 0.34), (0.27, front, high * 0.53), 0.065)
+    low, x, y = high * 0.63, 0.36, front - 0.04
+    pegs = (tube((-x, y, top - v), (x, y, top - v), 0.08, 0.02) for v in (0.64, 0.31))
     return {
-        "body": _waisted(low, low * 0.56, low * 0.82, high, half),
+        "body": grown(prism(mirrored(side), 1, half - edge), edge),
         "neck": join(
-            box(
-                (0, -half - 0.05, (high * 0.62 + top) / 2),
-                (0.11, 0.1, (top - high * 0.62) / 2),
-                0.03,
-            ),
-            box((0, -half + 0.06, (high + top) / 2), (0.1, 0.1, neck / 2)),
-            tube((-0.13, -half + 0.05, top + 0.05), (0.13, -half + 0.05, top + 0.05), 0.17, 0.03),
-            prism(tail, 1, 0.1, -half),
+            box((0, front - 0.04, (low + top) / 2), (0.11, 0.12, (top - low) / 2), 0.02),
+            tube((-0.15, front - 0.02, top + 0.06), (0.15, front - 0.02, top + 0.06), 0.19, 0.04),
+            prism(tail, 1, 0.1, front),
         ),
         "holes": both(hole),
-        "bridge": box((0, -half - 0.05, high * 0.46), (0.22, 0.12, 0.07), 0.02),
-        "pegs": moved(_pegs(0.3, top - 0.3, 2), (0, -half + 0.02, 0)),
-        "chinrest": egg((low * 0.5, -half + 0.02, 0.16), (0.24, 0.13, 0.16)),
+        "bridge": box((0, front - 0.05, high * 0.43), (0.15, 0.14, 0.065), 0.02),
+        "pegs": join(*pegs),
+        "chinrest": egg((-0.43, front, 0.13), (0.2, 0.13, 0.15)),
     }
 
 
