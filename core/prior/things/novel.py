@@ -30,13 +30,13 @@ Point = tuple[float, float]
 # From the strap's end at the floor to a horn's tip, and from there to the neck.
 EVEN_SIDE = ((0.0, 0.0), (0.34, 0.03), (0.62, 0.18), (0.71, 0.46), (0.58, 0.8), (0.54, 1.0),
              (0.63, 1.24), (0.62, 1.5))  # fmt: skip
-EVEN_HORN = ((0.62, 1.5), (0.42, 1.36), (0.3, 1.18), (0.22, 1.02))
+EVEN_HORN = ((0.62, 1.5), (0.42, 1.38), (0.31, 1.24), (0.2, 1.14))
 LEFT_SIDE = ((0.0, 0.0), (-0.4, 0.03), (-0.68, 0.22), (-0.7, 0.52), (-0.54, 0.86), (-0.58, 1.2),
              (-0.6, 1.6))  # fmt: skip
-LEFT_HORN = ((-0.6, 1.6), (-0.42, 1.42), (-0.3, 1.22), (-0.22, 1.06))
+LEFT_HORN = ((-0.6, 1.6), (-0.42, 1.44), (-0.3, 1.27), (-0.2, 1.14))
 RIGHT_SIDE = ((0.0, 0.0), (0.4, 0.0), (0.7, 0.16), (0.75, 0.46), (0.57, 0.8), (0.55, 1.02),
-              (0.62, 1.34))  # fmt: skip
-RIGHT_HORN = ((0.62, 1.34), (0.42, 1.22), (0.3, 1.08), (0.22, 0.98))
+              (0.62, 1.42))  # fmt: skip
+RIGHT_HORN = ((0.62, 1.42), (0.42, 1.31), (0.3, 1.2), (0.2, 1.1))
 
 
 def _bent(*rows: tuple[Point, ...]) -> list[Point]:
@@ -53,7 +53,7 @@ def electric_guitar(draw: Draw) -> Parts:
         plate = mirrored([(0.1, 0.4), (0.36, 0.4), (0.4, 0.6), (0.36, 0.86), (0.42, 1.14),
                           (0.1, 1.14)])  # fmt: skip
         nut = mirrored([(0.13, top), (0.24, top + 0.14), (0.22, top + head), (0.08, top + head)])
-        pegs = both(join(*(ball((0.32, front, top + v), 0.15) for v in (0.22, 0.66))))
+        pegs = both(join(*(egg((0.32, front, top + v), (0.15, 0.1, 0.12)) for v in (0.24, 0.7))))
     else:
         left, right = _bent(LEFT_SIDE, LEFT_HORN), _bent(RIGHT_SIDE, RIGHT_HORN)
         outline = [*left, *reversed(right)]
@@ -61,18 +61,18 @@ def electric_guitar(draw: Draw) -> Parts:
                  (0.46, 1.1), (-0.44, 1.28), (-0.42, 0.9)]  # fmt: skip
         nut = [(0.13, top), (0.22, top + 0.12), (0.22, top + head - 0.06), (0.1, top + head + 0.04),
                (-0.06, top + head), (-0.2, top + head - 0.2), (-0.13, top)]  # fmt: skip
-        pegs = join(*(ball((0.31, front, top + v), 0.15) for v in (0.2, 0.64)))
+        pegs = join(*(egg((0.31, front, top + v), (0.15, 0.1, 0.12)) for v in (0.24, 0.68)))
     knobs = ((0.48, 0.67), (0.44, 0.28))
     controls = (tube((x, front - 0.2, z), (x, front, z), 0.125, 0.02) for x, z in knobs)
     return {
         "body": grown(prism([(x * wide, z) for x, z in outline], 1, thick - edge), edge),
         "neck": join(
-            box((0, front - 0.04, (1.02 + top) / 2), (0.13, 0.13, (top - 1.02) / 2 + 0.04), 0.02),
+            box((0, front - 0.04, (1.08 + top) / 2), (0.13, 0.13, (top - 1.08) / 2 + 0.04), 0.02),
             prism(nut, 1, 0.12, front - 0.01),
         ),
         "pickguard": prism([(x * wide, z) for x, z in plate], 1, 0.1, front + 0.03),
         "pickups": join(
-            *(box((0, front - 0.09, z), (0.23, 0.12, 0.1), 0.02) for z in (0.92, 0.56))
+            *(box((0, front - 0.09, z), (0.23, 0.12, 0.09), 0.02) for z in (0.84, 0.53))
         ),
         "bridge": box((0, front - 0.06, 0.22), (0.18, 0.13, 0.1), 0.02),
         "knobs": join(pegs, *controls),

@@ -8,6 +8,7 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
+    egg,
     join,
     mirrored,
     moved,
@@ -81,25 +82,24 @@ def anvil(draw: Draw) -> Parts:
 
 
 def guitar(draw: Draw) -> Parts:
-    """Upright, its strings to the front; three pegs on either side of its head."""
-    low, half, neck = draw(0.52, 0.57), draw(0.14, 0.16), draw(0.86, 0.96)
+    """Upright, its strings to the front; two pegs on either side of its head."""
+    low, half, neck = draw(0.54, 0.6), draw(0.16, 0.18), draw(0.76, 0.86)
     waist, up, high = low * draw(0.64, 0.69), low * draw(0.76, 0.82), draw(1.32, 1.42)
     right = [(0, 0), (low * 0.62, 0.04), (low, 0.38), (waist, 0.82), (up, 1.1), (up * 0.5, high)]
     side = smooth_curve([*right, (0, high + 0.02)], 6)
     top, front, z = high + neck, -half, high * 0.64
-    head = [(-0.11, top), (0.11, top), (0.17, top + 0.12), (0.15, top + 0.5), (-0.15, top + 0.5)]
-    head += [(-0.17, top + 0.12)]
-    pegs = (tube((-0.24, 0, k), (0.24, 0, k), 0.055, 0.02) for k in (0.14, 0.28, 0.42))
+    head = mirrored([(0.12, top), (0.22, top + 0.14), (0.2, top + 0.66)])
+    pegs = (egg((0.32, front, top + v), (0.14, 0.09, 0.1)) for v in (0.2, 0.54))
     return {
         "body": prism(mirrored(side), 1, half),
         "neck": join(
-            box((0, front, (z + 0.2 + top) / 2), (0.1, 0.08, (top - z) / 2)),
-            prism(head, 1, 0.07, front + 0.02),
-            tube((0, front - 0.04, z), (0, 0, z), 0.23),
+            box((0, front - 0.01, (z + 0.24 + top) / 2), (0.12, 0.12, (top - z - 0.16) / 2)),
+            prism(head, 1, 0.11, front),
+            tube((0, front - 0.05, z), (0, 0, z), 0.27),
         ),
-        "hole": tube((0, front - 0.07, z), (0, 0, z), draw(0.15, 0.17)),
-        "bridge": box((0, front, 0.36), (0.23, 0.07, 0.06), 0.02),
-        "pegs": moved(join(*pegs), (0, front + 0.02, top)),
+        "hole": tube((0, front - 0.1, z), (0, 0, z), draw(0.15, 0.17)),
+        "bridge": box((0, front, 0.34), (0.26, 0.1, 0.075), 0.02),
+        "pegs": both(join(*pegs)),
     }
 
 
