@@ -180,7 +180,7 @@ def baseball_cap(draw: Draw) -> Parts:
         "brim": tilted(brim, draw(2, 7), (0, 0, 0.2)),
         "button": egg((0, 0, high + 0.07), (0.15, 0.15, 0.1)),
         "badge": tube(
-            (0, y + dy * 0.2, z - dz * 0.2), (0, y - dy * 0.09, z + dz * 0.09), size, 0.03
+            (0, y + dy * 0.2, z - dz * 0.2), (0, y - dy * 0.08, z + dz * 0.08), size, 0.03
         ),
     }
 
@@ -285,12 +285,12 @@ def shirt(draw: Draw) -> Parts:
     trunk = [(max(u - soft, 0.0), min(max(v, soft), high - soft)) for u, v in half]
     shoulder, end = (wide - 0.17, 0, high - 0.25), (wide + reach, 0, high - 0.22 - drop)
     along = [e - s for s, e in zip(shoulder, end, strict=True)]
-    last = tuple(e - 0.25 * d for e, d in zip(end, along, strict=True))
+    last = tuple(e - 0.4 * d for e, d in zip(end, along, strict=True))
     start = tuple(e - 0.2 * d for e, d in zip(end, along, strict=True))
     out = tuple(e + 0.16 * d for e, d in zip(end, along, strict=True))
     neck = egg((0, -0.06, high + 0.06), (0.22, 0.2, 0.28))
     flap = [(0.05, high - 0.08), (0.3, high - 0.02), (0.3, high - 0.22), (0.2, high - 0.34)]
-    spots = (egg((0, -y, high * v), (0.085, 0.08, 0.085)) for v in (0.22, 0.42, 0.62))
+    spots = (egg((0, -y, high * v), (0.085, 0.08, 0.085)) for v in (0.19, 0.39, 0.59))
     return {
         "body": cut(
             join(

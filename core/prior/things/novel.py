@@ -48,12 +48,14 @@ def electric_guitar(draw: Draw) -> Parts:
     even, wide, thick = draw.chance(0.5), draw(0.97, 1.03), draw(0.15, 0.18)
     top, head = draw(1.94, 2.02), draw(0.86, 0.92)
     front, edge = -thick, 0.05
+    rows = (top + 0.22, top + 0.7)
+    tuners = join(*(capsule((0.28, front, v), (0.37, front, v), 0.105) for v in rows))
     if even:
         outline = mirrored(_bent(EVEN_SIDE, EVEN_HORN))
         plate = mirrored([(0.1, 0.4), (0.36, 0.4), (0.4, 0.6), (0.36, 0.86), (0.42, 1.14),
                           (0.1, 1.14)])  # fmt: skip
         nut = mirrored([(0.13, top), (0.24, top + 0.14), (0.22, top + head), (0.08, top + head)])
-        pegs = both(join(*(egg((0.32, front, top + v), (0.15, 0.1, 0.12)) for v in (0.24, 0.7))))
+        pegs = both(tuners)
     else:
         left, right = _bent(LEFT_SIDE, LEFT_HORN), _bent(RIGHT_SIDE, RIGHT_HORN)
         outline = [*left, *reversed(right)]
@@ -61,7 +63,7 @@ def electric_guitar(draw: Draw) -> Parts:
                  (0.46, 1.1), (-0.44, 1.28), (-0.42, 0.9)]  # fmt: skip
         nut = [(0.13, top), (0.22, top + 0.12), (0.22, top + head - 0.06), (0.1, top + head + 0.04),
                (-0.06, top + head), (-0.2, top + head - 0.2), (-0.13, top)]  # fmt: skip
-        pegs = join(*(egg((0.31, front, top + v), (0.15, 0.1, 0.12)) for v in (0.24, 0.68)))
+        pegs = tuners
     knobs = ((0.48, 0.67), (0.44, 0.28))
     controls = (tube((x, front - 0.2, z), (x, front, z), 0.125, 0.02) for x, z in knobs)
     return {

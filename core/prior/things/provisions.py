@@ -67,7 +67,7 @@ def jacket(draw: Draw) -> Parts:
             box((0, 0, 0.1), (wide + 0.05, y + 0.05, 0.12), 0.08),
         ),
         "pockets": both(pocket),
-        "zip": box((0, -y, (low + 0.02) / 2), (0.06, 0.12, (low + 0.02) / 2), 0.02),
+        "zip": box((0, -y, (low + 0.02) / 2), (0.075, 0.12, (low + 0.02) / 2), 0.02),
     }
 
 

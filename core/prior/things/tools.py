@@ -8,7 +8,6 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
-    egg,
     join,
     mirrored,
     moved,
@@ -88,8 +87,9 @@ def guitar(draw: Draw) -> Parts:
     right = [(0, 0), (low * 0.62, 0.04), (low, 0.38), (waist, 0.82), (up, 1.1), (up * 0.5, high)]
     side = smooth_curve([*right, (0, high + 0.02)], 6)
     top, front, z = high + neck, -half, high * 0.64
-    head = mirrored([(0.12, top), (0.22, top + 0.14), (0.2, top + 0.66)])
-    pegs = (egg((0.32, front, top + v), (0.14, 0.09, 0.1)) for v in (0.2, 0.54))
+    head = mirrored([(0.12, top), (0.22, top + 0.14), (0.2, top + 0.75)])
+    rows = (top + 0.18, top + 0.58)
+    pegs = (capsule((0.27, front, v), (0.37, front, v), 0.09) for v in rows)
     return {
         "body": prism(mirrored(side), 1, half),
         "neck": join(

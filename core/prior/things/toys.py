@@ -41,7 +41,7 @@ def violin(draw: Draw) -> Parts:
     right = [*smooth_curve(bouts), *smooth_curve(waist), *smooth_curve(upper)]
     side = [(max(u * wide - edge, 0), edge + v * (high - 2 * edge)) for u, v in right]
     tail = mirrored([(0.08, -0.02), (0.13, high * 0.27)])
-    hole = capsule((0.38, front, high * 0.34), (0.27, front, high * 0.53), 0.065)
+    hole = capsule((0.4, front, high * 0.34), (0.28, front, high * 0.51), 0.07)
     low, x, y = high * 0.63, 0.36, front - 0.04
     pegs = (tube((-x, y, top - v), (x, y, top - v), 0.08, 0.02) for v in (0.64, 0.31))
     return {
@@ -52,7 +52,7 @@ def violin(draw: Draw) -> Parts:
             prism(tail, 1, 0.1, front),
         ),
         "holes": both(hole),
-        "bridge": box((0, front - 0.05, high * 0.43), (0.15, 0.14, 0.065), 0.02),
+        "bridge": box((0, front - 0.05, high * 0.43), (0.13, 0.14, 0.07), 0.02),
         "pegs": join(*pegs),
         "chinrest": egg((-0.43, front, 0.13), (0.2, 0.13, 0.15)),
     }
