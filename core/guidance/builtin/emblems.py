@@ -5,6 +5,7 @@ It is taken out of the prompt before the rest is read. Standard library only.
 """
 
 import re
+import unicodedata
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -64,8 +65,6 @@ SIGNS = {  # by a letter of the font
     "?": "question mark",
     "!": "exclamation mark, exclamation point",
     "$": "dollar sign, dollar symbol, dollar",
-    "€": "euro sign",
-    "£": "pound sign",
     "@": "at sign",
     "&": "ampersand",
     "%": "percent sign",
@@ -166,9 +165,9 @@ def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
             tail = found and _TAIL.match(prompt, found.end())
             if not found or not tail:
                 continue
-            text = next(filter(None, found.groups())).strip(" .,")
+            text = _drawable(next(filter(None, found.groups())))
             surely = any_words or match[0][:4].lower() != "with" or tail[0]
-            if surely and len(text) <= MOST_LETTERS:
+            if surely and 0 < len(text) <= MOST_LETTERS and text.isascii():
                 color = _color(match.groupdict().get("color") or tail["color"])
                 yield Emblem(text, "", *color, *_place(tail)), match.start(), tail.end()
 
@@ -187,6 +186,12 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
         emblem = Emblem(text, shape, *_color(match["color"]), *_place(tail))
         yield emblem, match.start(), tail.end()
+
+
+def _drawable(text: str) -> str:
+    """The text in the letters that are there: without accents."""
+    plain = unicodedata.normalize("NFKD", text.replace("’", "'"))
+    return "".join(c for c in plain if not unicodedata.combining(c)).strip(" .,")
 
 
 def _place(tail: re.Match[str]) -> tuple[str, str]:
