@@ -123,6 +123,17 @@ def parser() -> argparse.ArgumentParser:
     train.add_argument(
         "--hold", action="store_true", help="let only the nouns learn that there are data of"
     )
+    train.add_argument(
+        "--anew",
+        action="store_true",
+        help="of solids: begin the kinds of the data's nouns anew; their families changed",
+    )
+    train.add_argument(
+        "--encoder",
+        type=Path,
+        metavar="FILE",
+        help="of solids: an older checkpoint's to begin with",
+    )
     train.add_argument("--learning-rate", type=positive, help="at its highest")
     train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
     train.add_argument("--seed", type=count, default=0)
@@ -202,9 +213,15 @@ def train(options: argparse.Namespace) -> None:
         training.resume(checkpoint)
     elif options.start:
         training.start_from(options.start)
+    samples = source(options.out)
+    if isinstance(training, SolidTraining) and not training.step:
+        if options.encoder:
+            training.encode_as(options.encoder)
+        if options.anew:
+            training.forget_kinds(samples)
     if options.hold and not training.held:
         training.hold()
-    run(training, source(options.out), checkpoint)
+    run(training, samples, checkpoint)
 
 
 def ship(options: argparse.Namespace) -> None:

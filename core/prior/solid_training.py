@@ -233,6 +233,7 @@ class SolidTraining(Training):
         "kind.weight",
     )
     unshipped: ClassVar = ("encoder.",)
+    held_until = HOLD
 
     def advance(self, source: Batches) -> None:
         """One step; what is mirrored is so by all objects that there are."""
@@ -261,7 +262,26 @@ class SolidTraining(Training):
         return {f"decoder.{name}": tensor for name, tensor in load_tensors(path).items()}
 
     def _held(self, gradient: Tensor) -> Tensor:
-        return gradient if self.step >= HOLD else torch.zeros_like(gradient)
+        return gradient if self.step >= self.held_until else torch.zeros_like(gradient)
+
+    def encode_as(self, checkpoint: Path) -> None:
+        """Begin with the encoder of an older training: what is taken over need not wait for one."""
+        old = load_file(checkpoint)
+        with torch.no_grad():
+            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                if name.startswith("encoder."):
+                    p.copy_(old[f"ema.{name}"])
+                    mean.copy_(p)
+        self.held_until = 0
+
+    def forget_kinds(self, source: SolidSource) -> None:
+        """Begin the kinds of the source's nouns anew: where a family has changed, an older kind is
+        of something else, and what comes out at first is between the two."""
+        with torch.no_grad():
+            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+                if name in ("decoder.words.3.weight", "decoder.kind.weight"):
+                    p[kinds_in(source)] = 0
+                    mean.copy_(p)
 
 
 def trained_solid_net(folder: Path, before: Path) -> SolidNet:
@@ -278,11 +298,16 @@ def trained_solid_net(folder: Path, before: Path) -> SolidNet:
     return kept(net.decoder, load_tensors(before), source) if held else net.decoder
 
 
+def kinds_in(source: SolidSource) -> Int[Tensor, " k"]:
+    """The rows of the kinds of the nouns that there are solids of."""
+    nouns = source.samples.words[:, 0].unique().long()
+    return (KINDS * nouns[:, None] + 1 + torch.arange(KINDS)).flatten()
+
+
 def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet:
     """``net`` with the older one's tensors, but for the rows of the source's nouns: a checkpoint
     rounds the others."""
-    learnt = source.samples.words[:, 0].unique().long() + 1
-    kinds = (KINDS * (learnt[:, None] - 1) + 1 + torch.arange(KINDS)).flatten()
+    learnt, kinds = source.samples.words[:, 0].unique().long() + 1, kinds_in(source)
     rows = {"words.0.weight": learnt, "own.weight": learnt, "counts": kinds}
     for name, tensor in net.state_dict().items():
         along = tensor.ndim - 1 if name == "counts" else 0

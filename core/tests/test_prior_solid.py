@@ -401,6 +401,38 @@ def test_a_training_goes_on_from_a_shipped_decoder_of_fewer_features(tmp_path):
     assert new.own.weight.grad.any()
 
 
+def test_kinds_begin_anew_and_the_encoder_is_an_older_trainings(folder, tmp_path):
+    trainings = [
+        SolidTraining(
+            partial(Autoencoder, TINY), TrainConfig(batch=4, seed=seed), objective=solid_loss
+        )
+        for seed in (0, 1)
+    ]
+    first, second = trainings
+    for training in trainings:
+        for table in (training.net.decoder.kind, training.net.decoder.words[3]):
+            torch.nn.init.normal_(table.weight)
+    first.save(tmp_path / "solid.safetensors")
+    second.encode_as(tmp_path / "solid.safetensors")
+    second.forget_kinds(SolidSource(folder))
+    assert torch.equal(
+        second.net.encoder.words.weight, first.ema[_place(first, "encoder.words.weight")]
+    )
+    rows = torch.tensor([NOUNS.index(noun) for noun in NOUN])
+    kinds = (KINDS * rows[:, None] + 1 + torch.arange(KINDS)).flatten()
+    for table in (second.net.decoder.kind, second.net.decoder.words[3]):
+        assert not table.weight[kinds].any() and table.weight.any(1).sum() == len(
+            table.weight
+        ) - len(kinds)
+    # What was taken over learns from the first step on.
+    assert torch.equal(second._held(torch.ones(2)), torch.ones(2))
+    assert not first._held(torch.ones(2)).any()
+
+
+def _place(training, name):
+    return [name for name, _ in training.net.named_parameters()].index(name)
+
+
 @pytest.mark.parametrize("known", [NOUNS.index("chair"), NOUNS.index("mug") + 1])
 def test_a_held_training_leaves_all_other_nouns_to_the_bit(folder, tmp_path, known):
     """Whether the older network knew the nouns or not."""

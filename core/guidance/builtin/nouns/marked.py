@@ -35,13 +35,13 @@ MARKED_SPORT = {
     ),
     "baseball": Noun(
         "base ball, hardball; softball, cricket ball",
-        {"body": "*f3f0e8 . leather", "stitches": "+c4232a . fabric"},
+        {"body": "*f3f0e8 . plastic", "stitches": "+c4232a . fabric"},
         Usual(0.074, LEATHER, 0.76),
         "ball",
     ),
     "volleyball": Noun(
         "volley ball; water polo ball, handball",
-        {"body": "*f4d23a . leather", "bands": "+2a57a8 . leather", "seams": "-3c3d40 . leather"},
+        {"body": "*f4d23a . plastic", "bands": "+2a57a8 . leather", "seams": "-3c3d40 . leather"},
         Usual(0.21, RUBBER, 0.05),
         "ball",
     ),

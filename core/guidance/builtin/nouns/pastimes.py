@@ -16,9 +16,9 @@ PASTIME_SPORT = {
     "soccer ball": Noun(
         "football, soccerball, foot ball, association football; futsal ball",
         {
-            "ball": "*f4f3ee . leather",
-            "patches": "+1d1e22 . leather",
-            "seams": "-b9bab8 . leather",
+            "ball": "*f4f3ee . plastic",
+            "patches": "+1d1e22 . plastic",
+            "seams": "-b9bab8 . plastic",
         },
         Usual(0.22, RUBBER, 0.07),
     ),
