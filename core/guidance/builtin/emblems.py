@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from core.guidance.builtin.lexicon import LEXICON
 
-MOST_LETTERS = 24  # of a text
+MOST_LETTERS = 48  # of a text
 STRIPES = "racing stripes"
 
 
@@ -33,7 +33,7 @@ class Emblem(NamedTuple):
 FLAT = {
     "heart": "heart, love heart",
     "star": "star",
-    "smiley": "smiley face, smiley, smile, happy face, smiling face, emoji face, emoji",
+    "smiley": "smiley face, smiley, emoji face, emoji",
     "skull and crossbones": "skull and crossbones, skull and cross bones, jolly roger",
     "lightning bolt": "lightning bolt, thunderbolt, bolt of lightning, lightning",
     "cross": "cross",
@@ -100,16 +100,18 @@ _SAYS = r"(?:(?:that |which )?(?:says?|reads?)|saying|reading)"
 _MADE = r"(?:painted|printed|drawn|stitched|embroidered|engraved|carved|stamped|written)"
 _MARK = (
     r"(?:emblem|logo|symbol|label|print|design|patch|sticker|motif|badge|decal|icon|drawing|image|"
-    r"picture|insignia|crest|graphic|mark)s?"
+    r"picture|insignia|crest|graphic|mark)s?(?!\w)"
 )
+_AFTER = "and|on|onto|across|in|at|with|plus"  # what may come right after a shape
+_INK = "(?:letter(?:s|ing)|text|paint|writing|ink|icing|frosting|thread|chalk)"
 _SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
 # What a text follows: any words, or only capitals and what is in quotes.
 _OPENERS = (
+    (_rule(rf"(?:with|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
     (
         _rule(r"(?:(?:(?:that|which|who) )?says?|(?:that|which) reads|spelling|saying|titled):? "),
         True,
     ),
-    (_rule(rf"with {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
     (_rule(rf"(?:with )?{_A}{_COLOR}(?:racing )?(?:number |no\. ?|# ?)(?=\w{{1,3}}\b)"), True),
     (
         _rule(
@@ -122,16 +124,14 @@ _OPENERS = (
     (_rule(rf"with {_A}{_COLOR}"), False),
     (_rule(r"(?=[\"“”«'‘])"), False),
 )
-_QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]+)['’](?!\w)")
+_QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
 _CAPITALS = re.compile(r"([A-Z0-9][A-Z0-9!?&.'-]+(?: [A-Z0-9][A-Z0-9!?&.'-]*){0,3})(?!\w)")
-_PLAIN = re.compile(
-    r"(?!(?:an?|the) )([\w!?&.'-]+"
-    r"(?: (?!(?:on|in|at|with|and|made|of|next|under|above|from|written) )[\w!?&.'-]+){0,3})"
-)
+_ENDS = r"(?!(?:on|in|at|with|and|or|made|of|next|under|above|from|written|for|to|by)\b)"
+_PLAIN = re.compile(rf"(?!(?:an?|the) )({_ENDS}[\w!?&.'-]+(?: {_ENDS}[\w!?&.'-]+){{0,7}})")
 # What may follow what is drawn: its colour, how it is made, where.
 _TAIL = re.compile(
     rf"(?P<mark> {_MARK})?"
-    rf"(?: in (?P<color>{_any(_COLORS)})(?: (?:letter(?:s|ing)|text|paint|writing|ink))?(?!\w))?"
+    rf"(?: in (?P<color>{_any(_COLORS)})(?: {_INK})?(?!\w))?"
     rf"(?: {_MADE})?"
     rf"(?:,? (?:on|onto|across|in) (?:it\b|them\b|(?:the|its|his|her|both|each) "
     rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?",
@@ -139,9 +139,14 @@ _TAIL = re.compile(
 )
 _SHAPE = _rule(
     rf"(?:(?:{_MADE} |marked |decorated )?{_WITH}{_A})?"
-    rf"(?:(?:big|bold|large|small|little|simple|cute|single|giant|painted) )*{_COLOR}"
+    rf"(?:(?:big|bold|large|small|little|simple|cute|single|giant|painted) ){{0,3}}{_COLOR}"
     rf"(?P<shape>{_any(FLAT_FORMS | THING_FORMS | SIGN_FORMS)})"
-    rf"(?P<mark>[ -](?:{_MARK}|sign))?(?![\w-]| shaped)"
+    rf"(?:(?P<mark>[ -](?:{_MARK}|sign))(?![\w-])|(?=$|[,.;!]| (?:{_AFTER}|{_MADE})\b))"
+)
+# What people have pictures on: what is with it is drawn.
+_BEARERS = _rule(
+    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
+    r"backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|rug|book|sticker|badge)\b"
 )
 _RACING = _rule(rf"(?:with {_A})?{_COLOR}(?:racing|go[ -]faster|rally) stripes?(?![\w-])")
 _BEHIND = re.compile(rf"({_MADE} |marked |decorated )?{_WITH}", re.IGNORECASE)
@@ -160,16 +165,21 @@ def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The texts, and where in the prompt they are written about."""
     for opener, any_words in _OPENERS:
         for match in opener.finditer(prompt):
-            kinds = (_QUOTED, _CAPITALS, _PLAIN) if any_words else (_QUOTED, _CAPITALS)
+            capitals = (_CAPITALS,) * (prompt != prompt.upper())  # all of it may be in capitals
+            kinds = (_QUOTED, *capitals, *((_PLAIN,) if any_words else ()))
             found = next(filter(None, (kind.match(prompt, match.end()) for kind in kinds)), None)
             tail = found and _TAIL.match(prompt, found.end())
             if not found or not tail:
                 continue
-            text = _drawable(next(filter(None, found.groups())))
+            written = next(filter(None, found.groups()))
+            if not match[0] and written in LEXICON:
+                continue  # "a 'golden' crown"
+            end = tail.end() if match[0] or not tail["mark"] else found.end()  # "a 'VIP' badge"
+            text = _drawable(written)
             surely = any_words or match[0][:4].lower() != "with" or tail[0]
             if surely and 0 < len(text) <= MOST_LETTERS and text.isascii():
                 color = _color(match.groupdict().get("color") or tail["color"])
-                yield Emblem(text, "", *color, *_place(tail)), match.start(), tail.end()
+                yield Emblem(text, "", *color, *_place(tail)), match.start(), end
 
 
 def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
@@ -181,7 +191,8 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         form = re.sub("[ -]", " ", match["shape"].lower())
         follows = _BEHIND.match(match[0])  # "a mug with a heart", or "a heart print mug"
         said = match["mark"] or (follows and (follows[1] or (tail and tail[0])))
-        if not tail or not (said or (follows and form not in THING_FORMS)):
+        flat = form not in THING_FORMS or _BEARERS.search(prompt)
+        if not tail or not (said or (follows and flat)):
             continue
         text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
         emblem = Emblem(text, shape, *_color(match["color"]), *_place(tail))

@@ -187,8 +187,10 @@ def parse(
     """
     emblem, rest = emblem_in(prompt)
     got = _read(rest, known, noun_needed)
-    if emblem and emblem.shape and own_name(got.thing, emblem.shape):
-        emblem, got = None, _read(prompt, known, noun_needed)  # a medal's star is a part of it
+    own = emblem and any(own_name(got.thing, w) for w in (emblem.shape, emblem.shape.split(" ")[0]))
+    if emblem and (own or (noun_needed and not got.found["noun"])):
+        # A medal's star is a part of it; and what is in quotes may be the thing.
+        emblem, rest, got = None, prompt, _read(prompt, known, noun_needed)
     # Before the missing noun: an error with the nearest known words says more.
     if got.refused and not ignore_unknown:
         raise unknown_error(got.refused, got.qualifiers, known)

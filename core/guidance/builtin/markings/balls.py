@@ -6,7 +6,7 @@ from functools import cache
 
 import torch
 import torch.nn.functional as F
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.markings.margins import (
@@ -225,16 +225,28 @@ def pips(points: Points, half: Half) -> Margin:
     return margin
 
 
+@cache
+def _scrambled() -> Int[Tensor, "6 3 3"]:
+    """A puzzle cube's colours by face, row and column: nine of each, the middles in place."""
+    others = torch.arange(6).repeat_interleave(8)[torch.randperm(48, generator=_generator())]
+    faces = torch.empty(6, 9, dtype=torch.long)
+    faces[:, 4] = torch.arange(6)
+    faces[:, [0, 1, 2, 3, 5, 6, 7, 8]] = others.view(6, 8)
+    return faces.view(6, 3, 3)
+
+
+def _generator() -> torch.Generator:
+    return torch.Generator().manual_seed(3)
+
+
 def stickers(points: Points, half: Half, color: int) -> Margin:
     """Those of one of a puzzle cube's six colours, as it lies when somebody has turned it."""
     margin = torch.full_like(points[:, 0], -1.0)
     for axis, side, here, at in _on_faces(points, half):
         cell = (at * 1.5).round().clamp(-1, 1)
         inside = 0.285 - (at - cell * 0.645).abs().amax(1)
-        face = 2 * axis + (side > 0)
         row, column = (cell + 1).long().T
-        scrambled = (5 * face + 7 * row + 4 * column + 3 * row * column + face * row) % 6
-        own = torch.where((row == 1) & (column == 1), face, scrambled)
+        own = _scrambled()[2 * axis + (side > 0)][row, column]
         margin[here] = torch.where(own == color, inside, -inside.abs() - 0.01) * half.mean()
     return margin
 

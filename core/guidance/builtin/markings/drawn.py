@@ -2,7 +2,6 @@
 lie, and its colour."""
 
 import textwrap
-from collections.abc import Callable
 
 import torch
 from jaxtyping import Float
@@ -46,8 +45,6 @@ COLORS: dict[str, Color] = {  # where the prompt names none
 }
 CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
 STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
-
-OnParts = Callable[[Float[Tensor, "n p"], Float[Tensor, "n 3"]], Float[Tensor, "n q"]]
 
 
 class Drawn:

@@ -63,7 +63,7 @@ def nordic(points: Points, half: Half, wide: float) -> Margin:
 
 def emblem(points: Points, half: Half, shape: str, size: float) -> Margin:
     """A shape in the middle, on both sides, in halves of the height."""
-    side = points[:, 1].sign() * -1  # from behind it is seen the other way round
+    side = torch.where(points[:, 1] > 0, -1.0, 1.0)  # from behind it is seen the other way round
     at = torch.stack([points[:, 0] * side, points[:, 2]], 1) / (size * half[2])
     return shape_margin(at, shape) * size * half[2]
 

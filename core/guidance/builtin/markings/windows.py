@@ -113,8 +113,8 @@ def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wid
     """What of the places is nearest to the eye."""
     (axis, side), (u, _), (v, _) = way.to, way.right, way.up
     toward, cell = places[:, axis] * side, 2 * EXTENT / CELLS
-    columns = int(np.ceil(CELLS / wide)) + 1
-    column = ((places[:, u] + EXTENT) / (cell * wide)).astype(int)
+    columns = int(np.ceil(CELLS / wide)) + 2
+    column = (places[:, u] / (cell * wide) + columns / 2).astype(int)
     row = ((places[:, v] + EXTENT) / cell).astype(int)
     index = row * columns + column
     order = np.lexsort((toward, index))
@@ -134,7 +134,7 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
     )
     worth = np.where(share >= SMALL, worth, 0.0)  # knobs and buttons
     of_cell = np.where(seen.part >= 0, worth[seen.part], 0.0)
-    center = EXTENT / seen.wide  # the column of the middle
+    center = seen.part.shape[1] / 2  # the column of the middle
     for least in np.unique(worth[worth > 0]):
         mask = of_cell >= least
         near, far = np.where(mask, seen.near, -np.inf), np.where(mask, seen.near, np.inf)
@@ -145,7 +145,8 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
         here = np.s_[top : top + size, left : left + size]
         on = seen.part[here][mask[here]]
         pure = np.bincount(on).max() / len(on)
-        middle = (left + size / 2) * seen.wide - EXTENT, (top + size / 2) * cell - EXTENT
+        across = (left + size / 2 - center) * seen.wide
+        middle = across, (top + size / 2) * cell - EXTENT
         behind = float(seen.near[here][mask[here]].min()) - cell
         window = Window(int(np.bincount(on).argmax()), way, middle, size * cell / 2, behind)
         aside = abs(left + size / 2 - center) / (mask.any(0).sum() / 2)
@@ -167,7 +168,8 @@ def largest_square(mask: Bool[np.ndarray, "r c"]) -> tuple[int, tuple[int, int]]
     sides = [side for side in range(1, min(mask.shape) + 1) if squares(side).any()]
     if not sides:
         return 0, (0, 0)
-    side = max(round(ABOUT * sides[-1]), 1)
+    most = max(round(ABOUT * sides[-1]), sides[0])
+    side = max(one for one in sides if one <= most)
     places = np.stack(squares(side).nonzero(), 1)
     away = np.abs(places + side / 2 - np.array(mask.nonzero()).mean(1) - 0.5).sum(1)
     top, left = places[away.argmin()]

@@ -1,0 +1,405 @@
+"""What a prompt wants written or drawn on the thing: taken out of the prompt, and put on it."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+import torch
+
+from core.errors import UserError
+from core.geometry.assembly import Forms, KnownParts
+from core.guidance.builtin import guidance as builtin
+from core.guidance.builtin.areas import SolidAreas
+from core.guidance.builtin.emblems import (
+    ALSO_THINGS,
+    FLAT,
+    MOST_LETTERS,
+    STRIPES,
+    Emblem,
+    emblem_in,
+)
+from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ
+from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
+from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
+from core.guidance.builtin.palette import FINISHES, painted
+from core.guidance.builtin.vocabulary import parse, understood
+
+# Of a prompt: the text, the shape, the colour, the part, the side; and what is left of the prompt.
+TAKEN = {
+    "a white mug with a red heart": ("", "heart", "red", "", "", "a white mug"),
+    "a wooden sign that says WELCOME": ("WELCOME", "", "", "", "", "a wooden sign"),
+    "a sign that says hello world in red letters": ("hello world", "", "red", "", "", "a sign"),
+    "a sign which reads keep out": ("keep out", "", "", "", "", "a sign"),
+    "a blue sports car with white racing stripes": (
+        ("", STRIPES, "white", "", "", "a blue sports car")
+    ),
+    "a red race car with the number 7": ("7", "", "", "", "", "a red race car"),
+    "a red car, number 5": ("5", "", "", "", "", "a red car"),
+    "a race car with #42 on the hood": ("42", "", "", "hood", "", "a race car"),
+    "a tombstone that says RIP": ("RIP", "", "", "", "", "a tombstone"),
+    "a birthday cake with happy birthday written on it": (
+        ("happy birthday", "", "", "", "", "a birthday cake")
+    ),
+    "a shield with a red cross": ("", "cross", "red", "", "", "a shield"),
+    "a crate labeled TNT": ("TNT", "", "", "", "", "a crate"),
+    'a jar labelled "HONEY"': ("HONEY", "", "", "", "", "a jar"),
+    "a barrel marked with a skull": ("", "skull", "", "", "", "a barrel"),
+    'an "OPEN" sign': ("OPEN", "", "", "", "", "an sign"),
+    "a wooden crate, marked 'EXPLOSIVE' in red paint": (
+        ("EXPLOSIVE", "", "red", "", "", "a wooden crate")
+    ),
+    "an old book with a golden moon on the cover": (
+        "",
+        "moon",
+        "golden",
+        "cover",
+        "",
+        "an old book",
+    ),
+    "a school bus with number 12 on the side": ("12", "", "", "", "side", "a school bus"),
+    "a blue cap with a lightning bolt on the front": (
+        ("", "lightning bolt", "", "", "front", "a blue cap")
+    ),
+    "a jersey with number 23 on the back": ("23", "", "", "", "back", "a jersey"),
+    "a white t-shirt with the word LOVE in pink letters": (
+        ("LOVE", "", "pink", "", "", "a white t-shirt")
+    ),
+    'a white mug with a blue "M" on it': ("M", "", "blue", "", "", "a white mug"),
+    "a mug that says World's Best Dad": ("World's Best Dad", "", "", "", "", "a mug"),
+    "a ring engraved with “LOVE”": ("LOVE", "", "", "", "", "a ring"),
+    "a mug with «LOVE» on it": ("LOVE", "", "", "", "", "a mug"),
+    "a ‘NO’ sign": ("NO", "", "", "", "", "a sign"),
+    'a sign that says "(.*)+$"': ("(.*)+$", "", "", "", "", "a sign"),
+    "a green bottle with a question mark on it": ("?", "", "", "", "", "a green bottle"),
+    "a teddy bear with a red heart on its belly": ("", "heart", "red", "belly", "", "a teddy bear"),
+    "a yellow taxi with the word TAXI on the door": ("TAXI", "", "", "door", "", "a yellow taxi"),
+    "a guitar with a star sticker": ("", "star", "", "", "", "a guitar"),
+    "a mug with a flower print": ("", "flower", "", "", "", "a mug"),
+    "a barrel with a black radiation symbol": ("", "radiation sign", "black", "", "", "a barrel"),
+    "a mug with a red heart and a golden handle": (
+        ("", "heart", "red", "", "", "a mug and a golden handle")
+    ),
+}
+LEFT = (
+    "a robot reading a book",
+    "a dog with a flower",
+    "a bear with a crown",
+    "a bow with an arrow",
+    "a ship with an anchor",
+    "a lamp with a star-shaped base",
+    "a chair with a heart-shaped back",
+    "a house with a red door",
+    "a house with 12 windows",
+    "a house with a number on the door",
+    "a jar with a label on the front",
+    "a bottle with a white label and a cork",
+    "a keyboard with white letters on black keys",
+    "a mug with text in red",
+    "a cat with a bell on its collar",
+    "a black mug with white polka dots",
+    "a ring with a heart shaped diamond",
+    "a golden star",
+    "a heart",
+    "a flower pot",
+    "a stop sign",
+    "a dog's bowl",
+    "the dogs' bowl and the cats' toy",
+    '"a red chair"',
+    "“a red chair”",
+    '"OPEN"',
+    '""',
+    'a mug with ""',
+    'a mug that says ""',
+    'a mug with "',
+    "a mug that says",
+    r"a mug (with [a] *chair*) + \d+ $^",
+    r"a mug that says (a|b)* \1 [",
+    "",
+    " ",
+)
+
+
+@pytest.mark.parametrize("prompt", TAKEN)
+def test_what_is_to_be_drawn_is_taken_out_of_the_prompt(prompt):
+    emblem, rest = emblem_in(prompt)
+    assert emblem is not None
+    assert (emblem.text, emblem.shape, emblem.color, emblem.on, emblem.side, rest) == TAKEN[prompt]
+
+
+@pytest.mark.parametrize("prompt", LEFT)
+def test_what_is_no_drawing_stays_in_the_prompt(prompt):
+    assert emblem_in(prompt) == (None, prompt)
+
+
+def test_a_text_that_is_too_long_is_not_taken():
+    assert emblem_in(f'a sign that says "{"x" * MOST_LETTERS}"')[0].text == "x" * MOST_LETTERS
+    long = f'a sign that says "{"x" * (MOST_LETTERS + 1)}"'
+    assert emblem_in(long) == (None, long)
+
+
+@pytest.mark.parametrize(
+    "text", ["a", "a ", '"', "' ", '" ', "AB ", "with a red ", "says ", "'a", "heart on the ", "🙂"]
+)
+def test_however_long_a_prompt_is_it_is_read(text):
+    prompt = (text * 5000)[:5000]
+    emblem, rest = emblem_in(prompt)
+    assert emblem or rest == prompt
+
+
+@pytest.mark.parametrize(
+    ("prompt", "noun", "part"),
+    [
+        ("a christmas tree with a star", "christmas tree", "star"),
+        ("an ambulance with a red cross", "ambulance", "cross"),
+        ("a medal with a star", "medal", "star"),
+    ],
+)
+def test_what_the_thing_has_by_nature_is_its_part(prompt, noun, part):
+    words = parse(prompt)
+    assert words.noun == noun and words.emblem is None and not words.left_out
+    assert part in [paint.name for paint in painted(noun, words)]
+
+
+def test_a_stated_colour_of_a_things_own_part_is_not_lost():
+    words = parse("a christmas tree with a blue star")
+    assert words.emblem is None and words.part_shades() == {"star": "blue"}
+
+
+def test_what_is_said_beside_the_drawing_is_read():
+    words = parse("a blue mug with a red heart and a golden handle")
+    assert words.color == "blue" and words.emblem == Emblem("", "heart", "red", "red")
+    assert words.of_parts("material") == {"handle": "golden"} and not words.left_out
+    words = parse("a striped mug that says NO ENTRY in crimson")
+    assert words.pattern == "striped" and str(words.emblem) == '"NO ENTRY"'
+    assert words.emblem.color_form == "crimson" and not words.color
+
+
+def test_what_was_understood_has_the_drawing():
+    assert understood("a tombstone that says RIP")["emblem"] == '"RIP"'
+    assert understood("a shield with a red cross")["emblem"] == "cross"
+    assert understood("a shield")["emblem"] is None
+
+
+def test_a_prompt_with_nothing_but_a_drawing_is_of_no_thing():
+    with pytest.raises(UserError):
+        parse('"(.*)"')
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_shape_fills_its_square_and_no_more(name):
+    line = torch.linspace(-1.3, 1.3, 131)
+    at = torch.cartesian_prod(line, line)
+    margin = shape_margin(at, name)
+    inside = at[margin > 0]
+    assert 0.75 < inside.abs().max() < 1.1
+    assert len(inside) > 0.04 * len(at)
+    assert (margin[at.abs().amax(1) > 1.1] < 0).all()
+
+
+def test_every_shape_that_may_be_named_can_be_drawn():
+    assert set(FLAT) | set(ALSO_THINGS) == set(SHAPES)
+    assert set(COLORS) <= set(SHAPES)
+
+
+def test_shapes_are_upright():
+    """A heart's tip is below, an arrow's to the right."""
+    down = torch.tensor([[0, -0.75], [0, 0.75]])
+    assert (shape_margin(down, "heart") > 0).tolist() == [True, False]
+    right = torch.tensor([[0.5, 0.3], [-0.5, 0.3]])
+    assert (shape_margin(right, "arrow") > 0).tolist() == [True, False]
+
+
+def mask(*rows):
+    return np.array([[one == "#" for one in row] for row in rows])
+
+
+@pytest.mark.parametrize(
+    ("rows", "found"),
+    [
+        (("...", "..."), (0, (0, 0))),
+        (("#",), (1, (0, 0))),
+        (("....", "..#.", "...."), (1, (1, 2))),
+        (("####",) * 4, (4, (0, 0))),
+        (("#" * 12,) * 4, (4, (0, 4))),  # in the middle
+        (("#" * 4,) * 12, (4, (4, 0))),
+        (("##...", "##...", ".....", "..###", "..###", "..###"), (3, (3, 2))),
+    ],
+)
+def test_the_largest_square_of_a_mask(rows, found):
+    side, (top, left) = largest_square(mask(*rows))
+    assert (side, (top, left)) == found
+    assert mask(*rows)[top : top + side, left : left + side].all()
+
+
+def test_a_square_may_have_a_small_hole_in_it_and_no_large_one():
+    holed = np.ones((12, 12), bool)
+    holed[5, 5] = False
+    assert largest_square(holed)[0] >= 10
+    holed[4:8, 4:8] = False
+    assert largest_square(holed)[0] == 4
+
+
+SIDE = 0.6
+
+
+def cube(points):
+    return (points.abs() - SIDE).amax(1, keepdim=True)
+
+
+@pytest.fixture(scope="module")
+def parts():
+    """Of a cube."""
+    return KnownParts(cube, Forms((1.0,), ((0.0, 0.0, 0.0),)))
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_the_window_of_a_cube_is_in_the_middle_of_a_face(parts, way):
+    window = window_on(parts, [1.0], 1.0, way)
+    assert window.part == 0 and window.way == WAYS[way]
+    assert window.middle == pytest.approx((0, 0), abs=0.03)
+    assert 0.85 * SIDE < window.half <= SIDE
+    assert 0.9 * SIDE < window.behind < SIDE
+    assert window_on(parts, [0.0], 1.0, way) is None
+
+
+def test_where_nobody_asks_it_is_the_front(parts):
+    assert window_on(parts, [1.0], 1.0).way == WAYS["front"]
+    wide = window_on(parts, [1.0], 3.0)
+    assert 0.25 * SIDE < wide.half <= SIDE / 3
+
+
+def test_a_text_on_the_side_is_read_from_both_sides():
+    window = Window(0, WAYS["side"], (0.1, 0.2), 0.5, 0.3)
+    right = torch.tensor([[0.6, 0.35, 0.2], [-0.6, -0.15, 0.2], [-0.6, 0.35, 0.45]])
+    # Seen from +x, +y is to the right; from -x it is to the left.
+    expected = torch.tensor([[0.5, 0], [0.5, 0], [-0.5, 0.5]])
+    torch.testing.assert_close(window.at(right), expected)
+    assert (window.within(right) > 0).all()
+    assert window.within(torch.tensor([[0.1, 0.0, 0.0]])) < 0
+
+
+@pytest.mark.parametrize(
+    ("way", "right", "up"),
+    [
+        ("front", (1, 0, 0), (0, 0, 1)),
+        ("back", (-1, 0, 0), (0, 0, 1)),
+        ("top", (1, 0, 0), (0, 1, 0)),
+    ],
+)
+def test_a_text_is_not_mirrored(way, right, up):
+    window = Window(0, WAYS[way], (0, 0), 1.0, 0.3)
+    at = window.at(torch.tensor([right, up]).float())
+    torch.testing.assert_close(at, torch.eye(2))
+    (axis, side), eye = window.way.to, torch.zeros(1, 3)
+    eye[0, axis] = side
+    assert window.within(eye) > 0 > window.within(-eye)
+    cross = torch.linalg.cross(torch.tensor(right).float(), torch.tensor(up).float())
+    assert torch.equal(cross[None], eye), "right, up and towards the eye are right-handed"
+
+
+def drawn(parts, prompt):
+    """On a cube, whatever the thing."""
+    words = parse(prompt)
+    paints = list(painted(words.noun, words))[:1]
+    return Drawn(words.emblem, words.noun, parts, paints), paints
+
+
+def test_what_is_drawn_is_on_its_face_alone(parts):
+    on, _ = drawn(parts, "a white cube with a red circle on it")
+    points = torch.tensor(
+        [[0, -SIDE, 0], [0.55, -SIDE, 0.55], [0, SIDE, 0], [SIDE, 0, 0], [0, 0, SIDE]]
+    )
+    found = on(cube(points), points)
+    assert found.shape == (5, 2)
+    assert found.argmin(1).tolist() == [1, 0, 0, 0, 0]
+    assert torch.allclose(found.amin(1), cube(points)[:, 0], atol=1e-6), "the surface stays"
+
+
+def test_a_text_on_a_part_is_as_large_as_there_is_room(parts):
+    on, _ = drawn(parts, "a cube that says II")
+    line = torch.linspace(-0.55, 0.55, 200)
+    front = torch.stack([line, 0 * line - SIDE, 0 * line + on.window.middle[1]], 1)
+    letters = on(cube(front), front).argmin(1) == 1
+    starts = (letters[1:] & ~letters[:-1]).sum()
+    assert starts == 2 and letters.any()
+    assert not letters[:10].any() and not letters[-10:].any()
+
+
+def test_racing_stripes_are_two_along_the_body(parts):
+    on, _ = drawn(parts, "a blue car with white racing stripes")
+    x = torch.tensor([-0.24, 0.24, 0.0, -0.5, 0.5]) * SIDE
+    for y in (-0.5, 0.5):
+        points = torch.stack([x, torch.full_like(x, y), torch.full_like(x, SIDE)], 1)
+        assert on(cube(points), points).argmin(1).tolist() == [1, 1, 0, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "color"),
+    [
+        ("a cube with a golden star", "golden"),
+        ("a cube that says OPEN in copper", "copper"),
+    ],
+)
+def test_a_metal_is_one(parts, prompt, color):
+    on, _ = drawn(parts, prompt)
+    assert on.paint.finish == FINISHES[color] and on.paint.color == FINISHES[color].color
+
+
+def test_a_stated_colour_that_the_part_has_by_nature_is_seen(parts):
+    on, paints = drawn(parts, "an apple with a red heart")
+    assert not differ(paints[0].color, on.paint.color)
+    (below,) = on.seen(list(paints))
+    assert differ(below.color, on.paint.color) and below.colored
+    # What the words say stays.
+    on, paints = drawn(parts, "a red apple with a red heart")
+    assert on.seen(list(paints)) == paints
+    on, paints = drawn(parts, "a yellow apple with a red heart")
+    assert on.seen(list(paints)) == paints
+
+
+def test_a_colour_that_nobody_says_is_seen(parts):
+    for prompt in (
+        "a white cube with a snowflake on it",
+        "a red cube with a heart",
+        "a cube, number 7",
+    ):
+        on, paints = drawn(parts, prompt)
+        assert differ(on.paint.color, paints[0].color), prompt
+    on, _ = drawn(parts, "a white cube with a heart")
+    assert on.paint.color == COLORS["heart"]
+
+
+@pytest.fixture(scope="module")
+def mug():
+    """With a heart, and its areas."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(builtin, "SolidAreas", partial(SolidAreas, cells=40))
+        prompted = load_builtin("cpu").prompted("a white mug with a red heart", "").of_object(0)
+        return prompted, prompted.areas()
+
+
+def test_a_drawing_is_an_area_of_its_own(mug):
+    prompted, areas = mug
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(builtin, "SolidAreas", partial(SolidAreas, cells=4))
+        words = parse("a white mug")
+        plain = PromptedBuiltin(prompted.builtin, words, prompted.negative, prompted.solid)
+        assert len(areas.each) == len(plain.areas().each) + 1
+    assert prompted.words == parse("a white mug with a red heart")
+
+
+def test_a_heart_is_on_the_front_and_nowhere_at_the_back(mug):
+    prompted, areas = mug
+    paints = list(painted("mug", prompted.words))
+    window = Drawn(prompted.words.emblem, "mug", prompted.parts(), paints).window
+    assert window.way == WAYS["front"]
+    x, z = window.middle
+    line = torch.linspace(-1, 1, 401)
+    across = torch.stack([0 * line + x, line, 0 * line + z], 1)
+    solid = (prompted.solid.distances(across).amin(1) < 0).nonzero()[:, 0]
+    front, back = areas.of(across[solid[[0, -1]]]).tolist()
+    assert front == len(areas.each) - 1 != back
+    (low, high), white = areas.each[front].ranges.color, areas.each[back].ranges.color
+    assert low[0] > max(high[1:]), "red"
+    assert min(white[0]) > 0.5
