@@ -123,7 +123,7 @@ def test_the_test_sees_what_is_drawn(addon):
 
 def test_the_words_groups_have_german_names():
     pytest.importorskip("torch")
-    from core.guidance.builtin.groups import word_groups
+    from core.guidance.builtin.words.groups import word_groups
 
     assert {group["name"] for group in word_groups()} <= set(GERMAN)
 

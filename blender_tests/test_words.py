@@ -143,8 +143,8 @@ def test_a_word_goes_where_it_belongs(prompt, kind, word, thing, result):
 def test_every_word_of_the_menu_makes_a_prompt_that_is_understood():
     sys.path.insert(0, str(ROOT))
     pytest.importorskip("torch")
-    from core.guidance.builtin.groups import word_groups
-    from core.guidance.builtin.vocabulary import words_report
+    from core.guidance.builtin.words.groups import word_groups
+    from core.guidance.builtin.words.vocabulary import words_report
 
     for group in word_groups():
         for word in group["words"]:

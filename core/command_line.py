@@ -299,8 +299,8 @@ def _report(args: argparse.Namespace) -> None:
 
 
 def _words(args: argparse.Namespace) -> None:
-    from core.guidance.builtin.groups import word_groups
-    from core.guidance.builtin.vocabulary import understood, words_report
+    from core.guidance.builtin.words.groups import word_groups
+    from core.guidance.builtin.words.vocabulary import understood, words_report
     from core.io.job import check_prompt
 
     if args.prompt is None:

@@ -21,8 +21,8 @@ from core.device import device_of
 from core.errors import Paused, UserError
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise, turned
-from core.guidance.builtin.part_words import of_whole
 from core.guidance.builtin.physical import usual_of
+from core.guidance.builtin.words.part_words import of_whole
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
 from core.io.asset import Asset, check_asset_folder, place, read_asset, write_asset

@@ -21,10 +21,10 @@ from core.benchmarks.likeness import Surface, likeness
 from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import health
-from core.guidance.builtin.colors import COLOR_VALUES
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.palette import FINISHES, looks
-from core.guidance.builtin.prompt_errors import known_things
+from core.guidance.builtin.words.colors import COLOR_VALUES
+from core.guidance.builtin.words.prompt_errors import known_things
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
 from core.io.maps import Maps

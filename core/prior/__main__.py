@@ -15,11 +15,11 @@ from pathlib import Path
 import torch
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.weights import load_weights, ship_weights
+from core.guidance.builtin.words.lexicon import SLOTS
 from core.io.atomic import disk_errors
 from core.io.input_file import check_file
 from core.prior.allocator import keep_freed_memory
@@ -228,7 +228,9 @@ def ship(options: argparse.Namespace) -> None:
     """Copy both networks into the project, with the words that may be asked for."""
     missing = [word for word in options.without if all(word not in SLOTS[s] for s in SLOTS)]
     if missing:
-        raise UserError(f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words.py.")
+        raise UserError(
+            f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words/words.py."
+        )
     known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
     for name in TRAININGS.keys() - {SOLID}:
         trained = options.out / f"{name}_ema.safetensors"

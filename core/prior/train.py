@@ -22,11 +22,11 @@ from torch import Tensor, nn
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import load_tensors, save_weights, write_tensors
+from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.sds import add_noise
 from core.prior.colored import CAPTION_SLOTS, Painter, blurred, lumpy
 from core.prior.data import (

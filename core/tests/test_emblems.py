@@ -10,7 +10,12 @@ from core.errors import UserError
 from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
-from core.guidance.builtin.emblems import (
+from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ
+from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
+from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
+from core.guidance.builtin.palette import FINISHES, painted
+from core.guidance.builtin.words.emblems import (
     ALSO_THINGS,
     FLAT,
     MOST_LETTERS,
@@ -18,12 +23,7 @@ from core.guidance.builtin.emblems import (
     Emblem,
     emblem_in,
 )
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
-from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ
-from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
-from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
-from core.guidance.builtin.palette import FINISHES, painted
-from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words.vocabulary import parse, understood
 
 # Of a prompt: the text, the shape, the colour, the part, the side; and what is left of the prompt.
 TAKEN = {

@@ -2,13 +2,13 @@
 
 import pytest
 
-from core.guidance.builtin.kind_sizes import KIND_SIZES, YOUNG_SCALE
-from core.guidance.builtin.lexicon import LEXICON, NARROWER, SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.physical import usual_of
-from core.guidance.builtin.sizes import TOY_SIZE
-from core.guidance.builtin.vocabulary import understood
-from core.guidance.builtin.words import ALONE
+from core.guidance.builtin.words.kind_sizes import KIND_SIZES, YOUNG_SCALE
+from core.guidance.builtin.words.lexicon import LEXICON, NARROWER, SLOTS
+from core.guidance.builtin.words.sizes import TOY_SIZE
+from core.guidance.builtin.words.vocabulary import understood
+from core.guidance.builtin.words.words import ALONE
 from core.io.job import SIZES
 
 KINDS = [(thing, form) for thing, kinds in KIND_SIZES.items() for form in kinds]

@@ -26,7 +26,7 @@ from core.guidance.builtin.markings.markings import (
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.palette import looks, painted
-from core.guidance.builtin.vocabulary import Words, parse
+from core.guidance.builtin.words.vocabulary import Words, parse
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.families import family

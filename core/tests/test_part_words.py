@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.guidance.builtin.part_words import of_whole
+from core.guidance.builtin.words.part_words import of_whole
 
 WHOLE = "a red wooden chair"
 

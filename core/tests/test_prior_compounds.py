@@ -3,11 +3,11 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.colors import COLOR_VALUES
 from core.guidance.builtin.palette import FINISHES, painted
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.variants import VARIANTS, has_own_look, split_tone
-from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words.colors import COLOR_VALUES
+from core.guidance.builtin.words.vocabulary import parse, understood
 
 
 @pytest.mark.parametrize(

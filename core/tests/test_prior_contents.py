@@ -2,8 +2,8 @@
 
 import pytest
 
-from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.vocabulary import Words, parse
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.vocabulary import Words, parse
 
 
 def read(prompt: str) -> Words:

@@ -12,8 +12,8 @@ from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import health
 from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.part_tables import OPTIONS
 from core.guidance.builtin.stretch import STRETCH
+from core.guidance.builtin.words.part_tables import OPTIONS
 from core.prior import families
 from core.prior.draw import Draw
 from core.prior.families import FAMILIES, Shape, build, surface_points

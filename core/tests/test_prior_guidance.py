@@ -20,10 +20,10 @@ from core.guidance.builtin.guidance import (
     load_builtin,
 )
 from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.offered import WEIGHTS
+from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.guidance import Views
 from core.guidance.load import make_guidance
 from core.guidance.sds import add_noise, predict_eps

@@ -3,9 +3,7 @@
 import pytest
 import torch
 
-from core.guidance.builtin.colors import toned
 from core.guidance.builtin.hint import CHANNELS, HINT_SLOTS, SURFACE, hint, stencil
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import COLOR_VALUES, FINISHES, looks, painted, swatches
 from core.guidance.builtin.part_map import PARTS
@@ -19,7 +17,9 @@ from core.guidance.builtin.patterns import (
     Place,
     axis_of,
 )
-from core.guidance.builtin.vocabulary import parse
+from core.guidance.builtin.words.colors import toned
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.vocabulary import parse
 
 NAMES = list(SLOTS["pattern"])
 

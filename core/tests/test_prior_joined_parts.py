@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words.vocabulary import parse, understood
 
 LEGS_SEAT_BACK = ("legs", "seat", "back")
 

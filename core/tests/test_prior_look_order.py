@@ -2,8 +2,8 @@
 
 import pytest
 
-from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.tokens import Tokens
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.tokens import Tokens
 from core.tests.test_prior_word_order import parts, read
 
 

@@ -3,9 +3,9 @@
 import pytest
 import torch
 
-from core.guidance.builtin.measures import Size, set_apart
 from core.guidance.builtin.physical import longest_side
-from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words.measures import Size, set_apart
+from core.guidance.builtin.words.vocabulary import parse, understood
 from core.io.job import Job
 from core.stages.preview import size_of
 

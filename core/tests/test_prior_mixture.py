@@ -3,16 +3,16 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import Entry
-from core.guidance.builtin.mixture import (
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.substances import natural_kind
+from core.guidance.builtin.words.lexicon import Entry
+from core.guidance.builtin.words.mixture import (
     SUITED,
     lesser_parts,
     parts_beside_color,
     parts_of_color,
     parts_of_each,
 )
-from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.substances import natural_kind
 from core.tests.test_prior_word_order import read
 
 

@@ -5,8 +5,6 @@ import colorsys
 import pytest
 import torch
 
-from core.guidance.builtin.colors import color_value
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.nouns import GROUPS, PART_NAMES
 from core.guidance.builtin.nouns import NOUNS as KNOWN
 from core.guidance.builtin.palette import (
@@ -20,7 +18,6 @@ from core.guidance.builtin.palette import (
     painted,
     swatches,
 )
-from core.guidance.builtin.part_tables import FRAMES
 from core.guidance.builtin.patterns import Place
 from core.guidance.builtin.substances import (
     CLEAR,
@@ -32,8 +29,11 @@ from core.guidance.builtin.substances import (
     ROUGHNESS,
 )
 from core.guidance.builtin.surfaces import SMOOTH, surface_of
-from core.guidance.builtin.vocabulary import parse
-from core.guidance.builtin.words import COLORS, MATERIALS, PATTERNS
+from core.guidance.builtin.words.colors import color_value
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.part_tables import FRAMES
+from core.guidance.builtin.words.vocabulary import parse
+from core.guidance.builtin.words.words import COLORS, MATERIALS, PATTERNS
 from core.ops import linear_to_srgb, srgb_to_linear
 from core.prior.colored import Painter, lumpy
 from core.prior.data import NOUNS, make

@@ -3,7 +3,7 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.vocabulary import Words, parse, understood
+from core.guidance.builtin.words.vocabulary import Words, parse, understood
 
 
 @pytest.mark.parametrize(

@@ -5,15 +5,21 @@ import random
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.kinds import KINDS, look_of_kind
-from core.guidance.builtin.lexicon import LEXICON, PARTS, SLOTS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.surfaces import CARVED_STONE, surfaces_of
-from core.guidance.builtin.tokens import MADE
 from core.guidance.builtin.variants import VARIANTS, Variant
-from core.guidance.builtin.vocabulary import parse, understood
-from core.guidance.builtin.words import COUNTS, FILLER, IGNORED_ADJECTIVES, SIZE_WORDS, WITHOUT
+from core.guidance.builtin.words.kinds import KINDS, look_of_kind
+from core.guidance.builtin.words.lexicon import LEXICON, PARTS, SLOTS
+from core.guidance.builtin.words.tokens import MADE
+from core.guidance.builtin.words.vocabulary import parse, understood
+from core.guidance.builtin.words.words import (
+    COUNTS,
+    FILLER,
+    IGNORED_ADJECTIVES,
+    SIZE_WORDS,
+    WITHOUT,
+)
 
 
 def read(prompt: str) -> dict:

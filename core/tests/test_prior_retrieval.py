@@ -14,9 +14,9 @@ from core.benchmarks.bench_prior import (
 )
 from core.geometry.marching_tets import marching_tets
 from core.geometry.tet_grid import tet_grid
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import COLOR_VALUES
-from core.guidance.builtin.vocabulary import parse
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.vocabulary import parse
 from core.io.maps import Maps
 from core.ops import lab, srgb_to_linear
 from core.prior.data import NOUNS

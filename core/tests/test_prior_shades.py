@@ -2,12 +2,12 @@
 
 import pytest
 
-from core.guidance.builtin.colors import COLOR_VALUES, SHADES, TOWARDS, color_value, shade
-from core.guidance.builtin.lexicon import LEXICON
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.surfaces import ALL_GLOWS, PART_GLOWS, SHINES, surface_of
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.vocabulary import Words, parse, understood
+from core.guidance.builtin.words.colors import COLOR_VALUES, SHADES, TOWARDS, color_value, shade
+from core.guidance.builtin.words.lexicon import LEXICON
+from core.guidance.builtin.words.vocabulary import Words, parse, understood
 from core.texture.detail.kinds import KINDS
 
 

@@ -12,8 +12,8 @@ from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.part_forms import is_round
 from core.guidance.builtin.solid_net import KINDS
-from core.guidance.builtin.sorts import SORTS, sort_of
-from core.guidance.builtin.vocabulary import parse
+from core.guidance.builtin.words.sorts import SORTS, sort_of
+from core.guidance.builtin.words.vocabulary import parse
 
 SEEN = 2  # objects of a kind, at the least
 EACH = [(noun, words) for noun, sorts in SORTS.items() for words in sorts]

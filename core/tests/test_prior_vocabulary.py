@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import LEXICON, SLOTS, corrected, forms_of
-from core.guidance.builtin.nearest import NEAREST, REAL
 from core.guidance.builtin.nouns import GROUPS, NOUNS, solid_of
-from core.guidance.builtin.part_tables import OPTIONS, PART_WORDS
 from core.guidance.builtin.stretch import STRETCH
-from core.guidance.builtin.vocabulary import Words, parse
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.lexicon import LEXICON, SLOTS, corrected, forms_of
+from core.guidance.builtin.words.nearest import NEAREST, REAL
+from core.guidance.builtin.words.part_tables import OPTIONS, PART_WORDS
+from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.words import (
     COLORS,
     COUNTS,
     FILLER,

@@ -3,12 +3,12 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import LEXICON, SLOTS
-from core.guidance.builtin.nearest import MISSPELLED
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.tokens import Tokens
-from core.guidance.builtin.vocabulary import parse, understood
-from core.guidance.builtin.wider import WIDER, is_wider
+from core.guidance.builtin.words.lexicon import LEXICON, SLOTS
+from core.guidance.builtin.words.nearest import MISSPELLED
+from core.guidance.builtin.words.tokens import Tokens
+from core.guidance.builtin.words.vocabulary import parse, understood
+from core.guidance.builtin.words.wider import WIDER, is_wider
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,8 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.vocabulary import parse, understood
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.vocabulary import parse, understood
 
 
 def read(prompt: str) -> dict:

@@ -10,12 +10,12 @@ import pytest
 
 from core.errors import MissingError, UserError
 from core.guidance.builtin import offered
-from core.guidance.builtin.groups import word_groups
-from core.guidance.builtin.lexicon import LEXICON, MEANT, NARROWER, SLOTS, nearest_words
-from core.guidance.builtin.nearest import NEAREST
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.offered import WEIGHTS, offered_words, read_metadata
-from core.guidance.builtin.vocabulary import (
+from core.guidance.builtin.words.groups import word_groups
+from core.guidance.builtin.words.lexicon import LEXICON, MEANT, NARROWER, SLOTS, nearest_words
+from core.guidance.builtin.words.nearest import NEAREST
+from core.guidance.builtin.words.vocabulary import (
     UnknownWordsError,
     Words,
     parse,
@@ -317,7 +317,7 @@ def test_the_report_of_a_refused_prompt_has_the_nearest_meanings_and_exit_code_2
 def test_the_words_are_read_without_torch_within_two_seconds():
     code = (
         "import sys, json\n"
-        "from core.guidance.builtin.vocabulary import words_report\n"
+        "from core.guidance.builtin.words.vocabulary import words_report\n"
         "print(json.dumps([words_report('an office chair'), sorted(sys.modules)]))"
     )
     before = os.times()
@@ -383,7 +383,7 @@ def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
 
 def test_a_reading_is_the_same_in_every_process():
     prompts = ["battle axe double bladed", "a teapot with a blu lidd", "an axe with a bladed head"]
-    code = "import sys; from core.guidance.builtin.vocabulary import words_report as f; "
+    code = "import sys; from core.guidance.builtin.words.vocabulary import words_report as f; "
     code += "print([f(prompt) for prompt in sys.argv[1:]])"
     told = {
         subprocess.run(

@@ -20,7 +20,7 @@ from core.errors import UserError
 from core.geometry.mesh import health
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.palette import COLOR_VALUES
-from core.guidance.builtin.vocabulary import understood
+from core.guidance.builtin.words.vocabulary import understood
 from core.reproduce import make as making
 from core.reproduce.figures import ASSETS, FIGURES
 from core.reproduce.guides import GUIDES, guide_file, triangle_volume

@@ -6,8 +6,8 @@ from core.command_line import job_of, parse
 from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.physical import usual_of
-from core.guidance.builtin.sizes import DENSITIES, UNKNOWN
-from core.guidance.builtin.words import MATERIALS
+from core.guidance.builtin.words.sizes import DENSITIES, UNKNOWN
+from core.guidance.builtin.words.words import MATERIALS
 from core.prior.masses import PAGE, cell, usual_mass
 
 

@@ -7,8 +7,8 @@ import torch
 from core.geometry.mesh import Mesh
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.surfaces import surface_of, surfaces_of
-from core.guidance.builtin.vocabulary import parse
-from core.guidance.builtin.words import WEATHERS as WORDS
+from core.guidance.builtin.words.vocabulary import parse
+from core.guidance.builtin.words.words import WEATHERS as WORDS
 from core.guidance.guidance import Surface
 from core.texture.detail.detail import Coat, Detail, Spots
 from core.texture.detail.grain import convexity

@@ -23,7 +23,6 @@ from core.guidance.builtin.areas import SolidAreas, depths, patterned
 from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
-from core.guidance.builtin.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.markings.drawn import Drawn
 from core.guidance.builtin.markings.markings import Marked, has_markings, is_marking
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
@@ -47,8 +46,9 @@ from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import surface_of, surfaces_of
-from core.guidance.builtin.vocabulary import Words, parse
 from core.guidance.builtin.weights import load_weights
+from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
+from core.guidance.builtin.words.vocabulary import Words, parse
 from core.guidance.guidance import (
     Area,
     Guidance,

@@ -9,11 +9,11 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.guidance.builtin.lexicon import SLOTS
 from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import RAINBOW_COLORS, Laid
-from core.guidance.builtin.vocabulary import Words
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.vocabulary import Words
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES

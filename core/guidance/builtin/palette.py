@@ -11,8 +11,11 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.guidance.builtin.accents import Accent
-from core.guidance.builtin.colors import (
+from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
+from core.guidance.builtin.substances import ROUGHNESS, natural_kind
+from core.guidance.builtin.words.accents import Accent
+from core.guidance.builtin.words.colors import (
     COLOR_VALUES,
     DARK,
     LIGHT,
@@ -23,13 +26,10 @@ from core.guidance.builtin.colors import (
     rainbow_tone,
     toned,
 )
-from core.guidance.builtin.lexicon import SLOTS
-from core.guidance.builtin.living import is_animal
-from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.part_tables import FRAMES, WHOLE
-from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
-from core.guidance.builtin.substances import ROUGHNESS, natural_kind
-from core.guidance.builtin.words import ALSO_COLORS, STRIPED_PARTS
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.part_tables import FRAMES, WHOLE
+from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS
 
 # Accents of the one are not of the other where that is stated of the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")

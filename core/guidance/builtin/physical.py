@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 
 from core.errors import UserError
-from core.guidance.builtin.measures import set_apart
-from core.guidance.builtin.vocabulary import Words, parse
+from core.guidance.builtin.words.measures import set_apart
+from core.guidance.builtin.words.vocabulary import Words, parse
 
 
 def usual_of(prompt: str) -> tuple[float, float]:

@@ -4,11 +4,11 @@ from functools import cache
 
 import torch
 
-from core.guidance.builtin.colors import Color, luma, toned
 from core.guidance.builtin.palette import FINISHES, Painted, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
-from core.guidance.builtin.vocabulary import Words
+from core.guidance.builtin.words.colors import Color, luma, toned
+from core.guidance.builtin.words.vocabulary import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
 

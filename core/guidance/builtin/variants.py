@@ -6,7 +6,7 @@ detail, and, where no colour is stated, its own colour; roughness too.
 
 from typing import NamedTuple
 
-from core.guidance.builtin.colors import OF_MATERIALS, Color
+from core.guidance.builtin.words.colors import OF_MATERIALS, Color
 
 
 class Variant(NamedTuple):

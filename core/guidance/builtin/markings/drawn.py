@@ -1,5 +1,5 @@
-"""What a prompt wants drawn on the thing (:mod:`core.guidance.builtin.emblems`): where it comes to
-lie, and its colour."""
+"""What a prompt wants drawn on the thing (``core.guidance.builtin.words.emblems``): where it comes
+to lie, and its colour."""
 
 import textwrap
 
@@ -8,16 +8,16 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.assembly import KnownParts
-from core.guidance.builtin.colors import Color, color_value
-from core.guidance.builtin.emblems import METALS, STRIPES, Emblem
-from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.markings.margins import within
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
 from core.guidance.builtin.markings.windows import Window, window_on
 from core.guidance.builtin.palette import FINISHES, PAINT, Painted, companion
-from core.guidance.builtin.part_names import own_names
 from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL
+from core.guidance.builtin.words.colors import Color, color_value
+from core.guidance.builtin.words.emblems import METALS, STRIPES, Emblem
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_names import own_names
 
 FULL = 0.8  # of the place that there is, what a text or a shape fills
 BOLD = 0.03  # of a capital's height: how much farther out its strokes go than the font's

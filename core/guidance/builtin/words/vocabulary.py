@@ -14,27 +14,27 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from core.errors import UserError
-from core.guidance.builtin.accents import Accent
-from core.guidance.builtin.emblems import Emblem, emblem_in
-from core.guidance.builtin.findings import Findings
-from core.guidance.builtin.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
-from core.guidance.builtin.living import is_animal
-from core.guidance.builtin.measures import Size
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.part_names import own_name
-from core.guidance.builtin.prompt_errors import (
+from core.guidance.builtin.variants import has_own_look
+from core.guidance.builtin.words.accents import Accent
+from core.guidance.builtin.words.emblems import Emblem, emblem_in
+from core.guidance.builtin.words.findings import Findings
+from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.measures import Size
+from core.guidance.builtin.words.part_names import own_name
+from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
     UnknownWordsError,
     known_things,
     unknown_error,
 )
-from core.guidance.builtin.reading import Reading
-from core.guidance.builtin.sizes import usual
-from core.guidance.builtin.sorts import sort_of
-from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
+from core.guidance.builtin.words.reading import Reading
+from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.sorts import sort_of
+from core.guidance.builtin.words.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
 from core.io.job import SIZES
 
 DENIM_BLUE = "denim blue"

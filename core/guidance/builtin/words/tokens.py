@@ -3,10 +3,10 @@
 import re
 from dataclasses import dataclass, field
 
-from core.guidance.builtin.colors import OF_MATERIALS, TOWARDS
-from core.guidance.builtin.lexicon import PARTS, Entry, Vocabulary, look_up
-from core.guidance.builtin.measures import Size, set_apart
-from core.guidance.builtin.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
+from core.guidance.builtin.words.colors import OF_MATERIALS, TOWARDS
+from core.guidance.builtin.words.lexicon import PARTS, Entry, Vocabulary, look_up
+from core.guidance.builtin.words.measures import Size, set_apart
+from core.guidance.builtin.words.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase

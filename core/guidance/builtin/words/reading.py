@@ -2,14 +2,16 @@
 
 import re
 
-from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.clauses import EITHER, NOT_SAID
-from core.guidance.builtin.colors import CALLED_SHADES, shade
-from core.guidance.builtin.compounds import set_parts_apart
-from core.guidance.builtin.contents import set_contents_first
-from core.guidance.builtin.findings import NOT_APART, with_article
-from core.guidance.builtin.kind_sizes import YOUNG
-from core.guidance.builtin.lexicon import (
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.variants import has_own_look
+from core.guidance.builtin.words.accents import StatedPart
+from core.guidance.builtin.words.clauses import EITHER, NOT_SAID
+from core.guidance.builtin.words.colors import CALLED_SHADES, shade
+from core.guidance.builtin.words.compounds import set_parts_apart
+from core.guidance.builtin.words.contents import set_contents_first
+from core.guidance.builtin.words.findings import NOT_APART, with_article
+from core.guidance.builtin.words.kind_sizes import YOUNG
+from core.guidance.builtin.words.lexicon import (
     LEXICON,
     MEANT,
     Entry,
@@ -19,12 +21,11 @@ from core.guidance.builtin.lexicon import (
     look_up,
     singulars,
 )
-from core.guidance.builtin.living import is_creature
-from core.guidance.builtin.look_order import set_looks_in_order
-from core.guidance.builtin.mixture import share_out
-from core.guidance.builtin.name_order import set_names_in_order
-from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import (
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.look_order import set_looks_in_order
+from core.guidance.builtin.words.mixture import share_out
+from core.guidance.builtin.words.name_order import set_names_in_order
+from core.guidance.builtin.words.part_names import (
     as_part,
     has_legs,
     is_own,
@@ -33,11 +34,10 @@ from core.guidance.builtin.part_names import (
     may_state,
     owns,
 )
-from core.guidance.builtin.part_tables import LEGS
-from core.guidance.builtin.stature import Stature
-from core.guidance.builtin.tokens import DOING, describes
-from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.part_tables import LEGS
+from core.guidance.builtin.words.stature import Stature
+from core.guidance.builtin.words.tokens import DOING, describes
+from core.guidance.builtin.words.words import (
     ALONE,
     ARTICLES,
     AS_MATERIAL,

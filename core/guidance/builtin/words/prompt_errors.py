@@ -1,7 +1,7 @@
 """Errors of a prompt that the built-in prior refuses."""
 
 from core.errors import UserError
-from core.guidance.builtin.lexicon import LEXICON, Vocabulary, nearest_words
+from core.guidance.builtin.words.lexicon import LEXICON, Vocabulary, nearest_words
 
 ELSEWHERE = (
     "For any other wording use Stable Diffusion: --guidance FOLDER, where FOLDER holds its weights."

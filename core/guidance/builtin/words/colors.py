@@ -3,7 +3,7 @@
 The networks know the eighteen words of ``COLOR_VALUES``; the texture is painted in the very shade.
 """
 
-from core.guidance.builtin.words import COLORS
+from core.guidance.builtin.words.words import COLORS
 
 Color = tuple[float, float, float]
 

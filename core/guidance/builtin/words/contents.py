@@ -4,10 +4,10 @@
 library only.
 """
 
-from core.guidance.builtin.colors import TASTES
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.tokens import Tokens
-from core.guidance.builtin.words import ARTICLES, LOOKS, PHRASE_ENDS
+from core.guidance.builtin.words.colors import TASTES
+from core.guidance.builtin.words.tokens import Tokens
+from core.guidance.builtin.words.words import ARTICLES, LOOKS, PHRASE_ENDS
 
 PLATES = frozenset("plate plates platter platters tray dish".split())
 FOOD = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])

@@ -4,18 +4,18 @@ A statue of a lion is a lion of one material; a stuffed bunny is a small one of 
 black bird.
 """
 
-from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.clauses import NOT_SAID, Clauses
-from core.guidance.builtin.colors import CALLED_SHADES, TASTES, shade
-from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.kinds import TABBY, TABBY_STRIPES, look_of_kind
-from core.guidance.builtin.lexicon import Entry, look_up
-from core.guidance.builtin.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.part_names import looks_of, own_name
-from core.guidance.builtin.sizes import TOY_SIZE, usual
 from core.guidance.builtin.substances import natural_kind
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.accents import StatedPart
+from core.guidance.builtin.words.clauses import NOT_SAID, Clauses
+from core.guidance.builtin.words.colors import CALLED_SHADES, TASTES, shade
+from core.guidance.builtin.words.findings import with_article
+from core.guidance.builtin.words.kinds import TABBY, TABBY_STRIPES, look_of_kind
+from core.guidance.builtin.words.lexicon import Entry, look_up
+from core.guidance.builtin.words.living import is_animal, is_creature, is_somebody
+from core.guidance.builtin.words.part_names import looks_of, own_name
+from core.guidance.builtin.words.sizes import TOY_SIZE, usual
+from core.guidance.builtin.words.words import (
     AGES,
     ALSO_OF_FUR,
     AS_MATERIAL,

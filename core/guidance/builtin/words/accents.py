@@ -3,9 +3,9 @@
 from collections.abc import Collection, Iterable, Iterator
 from typing import NamedTuple
 
-from core.guidance.builtin.lexicon import Entry
-from core.guidance.builtin.part_names import is_wide, looks_of, own_names
-from core.guidance.builtin.part_tables import LEGS
+from core.guidance.builtin.words.lexicon import Entry
+from core.guidance.builtin.words.part_names import is_wide, looks_of, own_names
+from core.guidance.builtin.words.part_tables import LEGS
 
 
 class StatedPart(NamedTuple):

@@ -7,10 +7,11 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from core.guidance.builtin.colors import SHADES
-from core.guidance.builtin.nearest import MISSPELLED, NEAREST, REAL
 from core.guidance.builtin.nouns import NOUNS, PART_NAMES
-from core.guidance.builtin.part_tables import (
+from core.guidance.builtin.variants import has_own_look
+from core.guidance.builtin.words.colors import SHADES
+from core.guidance.builtin.words.nearest import MISSPELLED, NEAREST, REAL
+from core.guidance.builtin.words.part_tables import (
     CALLED,
     PART_ALSO,
     PART_SYNONYMS,
@@ -19,8 +20,7 @@ from core.guidance.builtin.part_tables import (
     TRIM,
     WHOLE,
 )
-from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.words import (
     COLORS,
     FILLER,
     IGNORED_ADJECTIVES,

@@ -2,7 +2,7 @@
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.part_tables import OPTIONS
+from core.guidance.builtin.words.part_tables import OPTIONS
 
 ADJECTIVES = {"Shapes": "shape", "Colors": "color", "Materials": "material", "Patterns": "pattern"}
 

@@ -7,14 +7,21 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from core.guidance.builtin.colors import TOWARDS
-from core.guidance.builtin.joined_parts import first_begins, may_both_be, set_look_on_both
-from core.guidance.builtin.lexicon import NAMED, look_up
-from core.guidance.builtin.part_names import LIQUID, is_own, is_wide, own_name, owns, shows_liquid
-from core.guidance.builtin.part_tables import CONTENTS, SAID_OF_PARTS, SURFACE
 from core.guidance.builtin.substances import CLASS_OF, GLASS, natural_kind
-from core.guidance.builtin.tokens import LONGEST, MADE, Tokens
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.colors import TOWARDS
+from core.guidance.builtin.words.joined_parts import first_begins, may_both_be, set_look_on_both
+from core.guidance.builtin.words.lexicon import NAMED, look_up
+from core.guidance.builtin.words.part_names import (
+    LIQUID,
+    is_own,
+    is_wide,
+    own_name,
+    owns,
+    shows_liquid,
+)
+from core.guidance.builtin.words.part_tables import CONTENTS, SAID_OF_PARTS, SURFACE
+from core.guidance.builtin.words.tokens import LONGEST, MADE, Tokens
+from core.guidance.builtin.words.words import (
     ARTICLES,
     BANDS,
     COUNTS,

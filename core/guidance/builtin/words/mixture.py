@@ -7,13 +7,7 @@ steel a hammer has a wooden handle and a chair steel legs. Standard library only
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.colors import shade
-from core.guidance.builtin.findings import Findings
-from core.guidance.builtin.lexicon import Entry, forms_of, look_up
-from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.part_names import own_names
 from core.guidance.builtin.substances import (
     CLASS_OF,
     CLOTH,
@@ -25,9 +19,15 @@ from core.guidance.builtin.substances import (
     WOOD,
     natural_kind,
 )
-from core.guidance.builtin.tokens import LONGEST, Tokens
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.words import ARTICLES, COLORED, LOOKS, PHRASE_ENDS, PLAIN
+from core.guidance.builtin.words.accents import StatedPart
+from core.guidance.builtin.words.colors import shade
+from core.guidance.builtin.words.findings import Findings
+from core.guidance.builtin.words.lexicon import Entry, forms_of, look_up
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_names import own_names
+from core.guidance.builtin.words.tokens import LONGEST, Tokens
+from core.guidance.builtin.words.words import ARTICLES, COLORED, LOOKS, PHRASE_ENDS, PLAIN
 
 GEM_PARTS = ("gem", "gems", "stone")
 BY_NATURE, WELL = 2, 4  # how well a part suits the class that it is of by nature; and no doubt

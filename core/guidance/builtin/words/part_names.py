@@ -2,10 +2,11 @@
 
 from collections.abc import Collection
 
-from core.guidance.builtin.lexicon import PART_FORMS, Entry, forms_of
-from core.guidance.builtin.living import is_creature
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.part_tables import (
+from core.guidance.builtin.substances import CLASS_OF, METAL, natural_kind
+from core.guidance.builtin.words.lexicon import PART_FORMS, Entry, forms_of
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_tables import (
     BORNE,
     CALLED,
     FEET,
@@ -21,7 +22,6 @@ from core.guidance.builtin.part_tables import (
     TRIM,
     WHOLE,
 )
-from core.guidance.builtin.substances import CLASS_OF, METAL, natural_kind
 
 FOUR_LEGS = frozenset(
     """bench chair pig turtle cat dog wolf fox bear lion cow sheep elephant giraffe horse unicorn

@@ -3,16 +3,16 @@
 Standard library only.
 """
 
-from core.guidance.builtin.accents import StatedPart
-from core.guidance.builtin.colors import RAINBOW
-from core.guidance.builtin.findings import Findings
-from core.guidance.builtin.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
-from core.guidance.builtin.living import ROLES, is_creature
-from core.guidance.builtin.part_names import is_own, may_state, own_name, owns
-from core.guidance.builtin.part_tables import LEGS, SURFACE, WHOLE
-from core.guidance.builtin.tokens import MADE, Tokens
-from core.guidance.builtin.wider import is_wider
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.accents import StatedPart
+from core.guidance.builtin.words.colors import RAINBOW
+from core.guidance.builtin.words.findings import Findings
+from core.guidance.builtin.words.lexicon import LEXICON, SLOTS, Entry, Vocabulary, look_up
+from core.guidance.builtin.words.living import ROLES, is_creature
+from core.guidance.builtin.words.part_names import is_own, may_state, own_name, owns
+from core.guidance.builtin.words.part_tables import LEGS, SURFACE, WHOLE
+from core.guidance.builtin.words.tokens import MADE, Tokens
+from core.guidance.builtin.words.wider import is_wider
+from core.guidance.builtin.words.words import (
     ALONE,
     ARTICLES,
     COUNTED,

@@ -4,16 +4,16 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
-from core.guidance.builtin.accents import StatedPart, accents_of
-from core.guidance.builtin.colors import shade
-from core.guidance.builtin.kind_sizes import KIND_SIZES
-from core.guidance.builtin.lexicon import SLOTS, Entry, Vocabulary, look_up
-from core.guidance.builtin.measures import Size
-from core.guidance.builtin.part_names import always_has, borne, can_lack, lacked, may_state
-from core.guidance.builtin.part_tables import OPTIONS, WHOLE
-from core.guidance.builtin.prompt_errors import near_words, part_error, two_error, with_hint
-from core.guidance.builtin.sorts import Sort
-from core.guidance.builtin.words import COUNTS, LOOKS
+from core.guidance.builtin.words.accents import StatedPart, accents_of
+from core.guidance.builtin.words.colors import shade
+from core.guidance.builtin.words.kind_sizes import KIND_SIZES
+from core.guidance.builtin.words.lexicon import SLOTS, Entry, Vocabulary, look_up
+from core.guidance.builtin.words.measures import Size
+from core.guidance.builtin.words.part_names import always_has, borne, can_lack, lacked, may_state
+from core.guidance.builtin.words.part_tables import OPTIONS, WHOLE
+from core.guidance.builtin.words.prompt_errors import near_words, part_error, two_error, with_hint
+from core.guidance.builtin.words.sorts import Sort
+from core.guidance.builtin.words.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MANY_LEGS = "four legs"  # where several are meant and none is counted

@@ -1,12 +1,12 @@
 """How large, how round and how young a prompt's thing is to be. Standard library only."""
 
-from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.kind_sizes import YOUNG, YOUNG_KINDS, YOUNG_SCALE
-from core.guidance.builtin.likeness import Likeness
-from core.guidance.builtin.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.part_forms import is_round
-from core.guidance.builtin.sorts import sort_of
-from core.guidance.builtin.words import PLUMP, SIZE_WORDS
+from core.guidance.builtin.words.findings import with_article
+from core.guidance.builtin.words.kind_sizes import YOUNG, YOUNG_KINDS, YOUNG_SCALE
+from core.guidance.builtin.words.likeness import Likeness
+from core.guidance.builtin.words.living import is_animal, is_creature, is_somebody
+from core.guidance.builtin.words.sorts import sort_of
+from core.guidance.builtin.words.words import PLUMP, SIZE_WORDS
 
 
 class Stature(Likeness):

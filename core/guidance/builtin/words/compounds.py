@@ -6,10 +6,10 @@ library only.
 
 from collections.abc import Iterator
 
-from core.guidance.builtin.lexicon import PARTS, look_up
-from core.guidance.builtin.part_names import is_wide, own_name
-from core.guidance.builtin.tokens import LONGEST, Tokens
-from core.guidance.builtin.words import LOOKS
+from core.guidance.builtin.words.lexicon import PARTS, look_up
+from core.guidance.builtin.words.part_names import is_wide, own_name
+from core.guidance.builtin.words.tokens import LONGEST, Tokens
+from core.guidance.builtin.words.words import LOOKS
 
 ENDING = "ed"
 OF_ALL = (

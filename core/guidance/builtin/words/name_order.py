@@ -5,13 +5,13 @@
 
 from itertools import takewhile
 
-from core.guidance.builtin.findings import with_article
-from core.guidance.builtin.lexicon import corrected, look_up
-from core.guidance.builtin.look_order import STRANGE, looks_end
-from core.guidance.builtin.part_names import is_own, owns
-from core.guidance.builtin.part_tables import WITH_PARTS
-from core.guidance.builtin.tokens import LONGEST, Tokens
-from core.guidance.builtin.words import (
+from core.guidance.builtin.words.findings import with_article
+from core.guidance.builtin.words.lexicon import corrected, look_up
+from core.guidance.builtin.words.look_order import STRANGE, looks_end
+from core.guidance.builtin.words.part_names import is_own, owns
+from core.guidance.builtin.words.part_tables import WITH_PARTS
+from core.guidance.builtin.words.tokens import LONGEST, Tokens
+from core.guidance.builtin.words.words import (
     ARTICLES,
     COUNTS,
     FILLER,

@@ -3,12 +3,12 @@
 Standard library only.
 """
 
-from core.guidance.builtin.lexicon import NAMED, Entry
-from core.guidance.builtin.mixture import class_of, suits
-from core.guidance.builtin.part_names import is_wide, own_name
 from core.guidance.builtin.substances import CLASS_OF, CLOTH, GLASS, METAL, RUBBER, natural_kind
-from core.guidance.builtin.tokens import LONGEST, Tokens
-from core.guidance.builtin.words import ARTICLES, LOOKS, WITHOUT
+from core.guidance.builtin.words.lexicon import NAMED, Entry
+from core.guidance.builtin.words.mixture import class_of, suits
+from core.guidance.builtin.words.part_names import is_wide, own_name
+from core.guidance.builtin.words.tokens import LONGEST, Tokens
+from core.guidance.builtin.words.words import ARTICLES, LOOKS, WITHOUT
 
 # What is of one colour alone, whatever the part before it is of: "red petals and leaves".
 FIXED_KINDS = ("flesh", "leaf", "foliage", "flame", "embers", "eye", "liquid")

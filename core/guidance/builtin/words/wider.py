@@ -3,9 +3,9 @@
 Standard library only.
 """
 
-from core.guidance.builtin.lexicon import singulars
-from core.guidance.builtin.living import ANIMALS
 from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.words.lexicon import singulars
+from core.guidance.builtin.words.living import ANIMALS
 
 _OF_GROUPS: dict[str, tuple[str, ...]] = {  # the groups of the things that may be called so
     "animal creature beast pet critter cub pup calf chick foal hatchling baby": ANIMALS,

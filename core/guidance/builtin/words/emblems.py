@@ -9,7 +9,7 @@ import unicodedata
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from core.guidance.builtin.lexicon import LEXICON
+from core.guidance.builtin.words.lexicon import LEXICON
 
 MOST_LETTERS = 48  # of a text
 STRIPES = "racing stripes"
