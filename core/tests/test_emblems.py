@@ -11,7 +11,7 @@ from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
-from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ
+from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
 from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
 from core.guidance.builtin.palette import FINISHES, painted
@@ -22,6 +22,7 @@ from core.guidance.builtin.words.emblems import (
     STRIPES,
     Emblem,
     emblem_in,
+    emblems_in,
 )
 from core.guidance.builtin.words.vocabulary import parse, understood
 
@@ -157,28 +158,28 @@ def test_however_long_a_prompt_is_it_is_read(text):
 )
 def test_what_the_thing_has_by_nature_is_its_part(prompt, noun, part):
     words = parse(prompt)
-    assert words.noun == noun and words.emblem is None and not words.left_out
+    assert words.noun == noun and words.emblems == () and not words.left_out
     assert part in [paint.name for paint in painted(noun, words)]
 
 
 def test_a_stated_colour_of_a_things_own_part_is_not_lost():
     words = parse("a christmas tree with a blue star")
-    assert words.emblem is None and words.part_shades() == {"star": "blue"}
+    assert words.emblems == () and words.part_shades() == {"star": "blue"}
 
 
 def test_what_is_said_beside_the_drawing_is_read():
     words = parse("a blue mug with a red heart and a golden handle")
-    assert words.color == "blue" and words.emblem == Emblem("", "heart", "red", "red")
+    assert words.color == "blue" and words.emblems == (Emblem("", "heart", "red", "red"),)
     assert words.of_parts("material") == {"handle": "golden"} and not words.left_out
     words = parse("a striped mug that says NO ENTRY in crimson")
-    assert words.pattern == "striped" and str(words.emblem) == '"NO ENTRY"'
-    assert words.emblem.color_form == "crimson" and not words.color
+    assert words.pattern == "striped" and str(words.emblems[0]) == '"NO ENTRY"'
+    assert words.emblems[0].color_form == "crimson" and not words.color
 
 
 def test_what_was_understood_has_the_drawing():
-    assert understood("a tombstone that says RIP")["emblem"] == '"RIP"'
-    assert understood("a shield with a red cross")["emblem"] == "cross"
-    assert understood("a shield")["emblem"] is None
+    assert understood("a tombstone that says RIP")["emblems"] == ['"RIP"']
+    assert understood("a shield with a red cross")["emblems"] == ["cross"]
+    assert understood("a shield")["emblems"] == []
 
 
 def test_a_prompt_with_nothing_but_a_drawing_is_of_no_thing():
@@ -302,7 +303,7 @@ def drawn(parts, prompt):
     """On a cube, whatever the thing."""
     words = parse(prompt)
     paints = list(painted(words.noun, words))[:1]
-    return Drawn(words.emblem, words.noun, parts, paints), paints
+    return Drawn(words.emblems[0], words.noun, parts, paints), paints
 
 
 def test_what_is_drawn_is_on_its_face_alone(parts):
@@ -349,13 +350,14 @@ def test_a_metal_is_one(parts, prompt, color):
 def test_a_stated_colour_that_the_part_has_by_nature_is_seen(parts):
     on, paints = drawn(parts, "an apple with a red heart")
     assert not differ(paints[0].color, on.paint.color)
-    (below,) = on.seen(list(paints))
-    assert differ(below.color, on.paint.color) and below.colored
+    on.make_seen(paints)
+    assert differ(paints[0].color, on.paint.color) and paints[0].colored
     # What the words say stays.
-    on, paints = drawn(parts, "a red apple with a red heart")
-    assert on.seen(list(paints)) == paints
-    on, paints = drawn(parts, "a yellow apple with a red heart")
-    assert on.seen(list(paints)) == paints
+    for prompt in ("a red apple with a red heart", "a yellow apple with a red heart"):
+        on, paints = drawn(parts, prompt)
+        before = list(paints)
+        on.make_seen(paints)
+        assert paints == before
 
 
 def test_a_colour_that_nobody_says_is_seen(parts):
@@ -392,7 +394,7 @@ def test_a_drawing_is_an_area_of_its_own(mug):
 def test_a_heart_is_on_the_front_and_nowhere_at_the_back(mug):
     prompted, areas = mug
     paints = list(painted("mug", prompted.words))
-    window = Drawn(prompted.words.emblem, "mug", prompted.parts(), paints).window
+    window = Drawn(prompted.words.emblems[0], "mug", prompted.parts(), paints).window
     assert window.way == WAYS["front"]
     x, z = window.middle
     line = torch.linspace(-1, 1, 401)
@@ -403,3 +405,24 @@ def test_a_heart_is_on_the_front_and_nowhere_at_the_back(mug):
     (low, high), white = areas.each[front].ranges.color, areas.each[back].ranges.color
     assert low[0] > max(high[1:]), "red"
     assert min(white[0]) > 0.5
+
+
+def test_several_are_taken_and_lie_apart(parts):
+    emblems, rest = emblems_in(
+        "a crate labelled POISON with a skull on it and white stripes down the middle"
+    )
+    assert [str(one) for one in emblems] == ["racing stripes", '"POISON"', "skull"]
+    assert rest == "a crate"
+    paints = list(painted("cube", parse("a cube")))
+    first, second, third = drawn_on("cube", emblems, parts, paints)
+    assert first.window is None and second.window.way == WAYS["front"]
+    assert third.window.way != second.window.way  # the front is full
+    # Each is a column of its own, and the stripes are below the others.
+    nothing, stripe = torch.full((1, 8), -0.1), torch.tensor([[0.144, -0.6, 0.55]])
+    assert first(nothing, stripe).argmin() == 1 and first(nothing, stripe).shape == (1, 2)
+    beam = torch.linspace(-0.5, 0.5, 400)
+    front = torch.stack([beam, torch.full_like(beam, -0.6), torch.zeros(400)], 1)
+    nothing = torch.full((400, 8), -0.1)
+    found = third(second(first(nothing, front), front), front)
+    assert found.shape == (400, 4) and set(found.argmin(1).tolist()) == {0, 1, 2}
+    assert not (second(first(nothing, front), front).argmin(1)[found[:, 2] < -0.005] == 1).any()

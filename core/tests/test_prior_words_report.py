@@ -284,7 +284,7 @@ def test_what_is_understood_is_plain_data():
         "part_materials": {},
         "part_sheens": {},
         "part_patterns": {},
-        "emblem": None,
+        "emblems": [],
         "weather": [],
         "sheen": [],
         "materials": ["oak"],

@@ -23,7 +23,7 @@ from core.guidance.builtin.areas import SolidAreas, depths, patterned
 from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
-from core.guidance.builtin.markings.drawn import Drawn
+from core.guidance.builtin.markings.drawn import Drawn, drawn_on
 from core.guidance.builtin.markings.markings import Marked, has_markings, is_marking
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.nouns import solid_of
@@ -192,10 +192,8 @@ class PromptedBuiltin(PromptedGuidance):
             return None
         known = self._known
         assert known is not None  # of a drawn solid
-        parts, lies = list(painted(self.words.noun, self.words)), None
-        if self.words.emblem:
-            lies = Drawn(self.words.emblem, self.words.noun, known, parts)
-            parts = lies.seen(parts)
+        parts = list(painted(self.words.noun, self.words))
+        emblems = drawn_on(self.words.noun, self.words.emblems, known, parts)
         axes = self._axes or (2,) * len(parts)
         laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
@@ -207,10 +205,11 @@ class PromptedBuiltin(PromptedGuidance):
             each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
         margins = [pattern.margins() for pattern in laid]
         fields = [self._shown, lambda points: self._marked(known.near(points), points)]
-        if lies:
-            fields = [partial(_with, lies, field) for field in fields]
-            surface = surface_of(self.words, lies.paint)
-            each.append(Area(True, ranges_of(lies.paint.finish, lies.paint.color), surface))
+        for emblem in emblems:
+            fields = [partial(_with, emblem, field) for field in fields]
+            paint = emblem.paint
+            surface = surface_of(self.words, paint)
+            each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
             margins.append(None)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         return SolidAreas(drawn, tuple(each), near)
@@ -243,7 +242,7 @@ class PromptedBuiltin(PromptedGuidance):
     def _marked(self) -> Marked:
         assert self._known is not None
         noun, gone = self.words.noun, set(self.words.absent)
-        if self.words.emblem and self.words.emblem.text:
+        if any(emblem.text for emblem in self.words.emblems):
             gone |= {"letters", "number"}  # others are to be there
         names = ["" if name in gone else name for name in looks(noun)]
         return Marked(noun, names, self._known.boxes() if has_markings(noun) else ())
@@ -344,9 +343,9 @@ class PromptedBuiltin(PromptedGuidance):
 
 
 def _with(
-    lies: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
+    emblem: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
 ) -> Float[Tensor, "n p"]:
-    return lies(field(points), points)
+    return emblem(field(points), points)
 
 
 def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:

@@ -2,6 +2,7 @@
 to lie, and its colour."""
 
 import textwrap
+from collections.abc import Sequence
 
 import torch
 from jaxtyping import Float
@@ -47,11 +48,30 @@ CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
 STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
 
 
+def drawn_on(
+    noun: str, emblems: Sequence[Emblem], parts: KnownParts, paints: list[Painted]
+) -> "list[Drawn]":
+    """All of an object's; the paints of what one would not be seen on change."""
+    found: list[Drawn] = []
+    for emblem in emblems:
+        found.append(Drawn(emblem, noun, parts, paints, found))
+        found[-1].make_seen(paints)
+    return found
+
+
 class Drawn:
     """An emblem on one object: its paint, and the distances of the parts with it as the last."""
 
-    def __init__(self, emblem: Emblem, noun: str, parts: KnownParts, paints: list[Painted]) -> None:
-        self.emblem, self.count = emblem, len(paints)
+    def __init__(
+        self,
+        emblem: Emblem,
+        noun: str,
+        parts: KnownParts,
+        paints: list[Painted],
+        before: "Sequence[Drawn]" = (),
+    ) -> None:
+        """``before``: what is on the object already, and is at the end of the distances."""
+        self.emblem, self.count = emblem, len(paints) + len(before)
         self.text = _in_lines(emblem.text)
         wide, high = text_size(self.text) if self.text else (1.0, 1.0)
         self.high = high
@@ -65,19 +85,20 @@ class Drawn:
             self.on = worth.index(max(worth))
             self.stripes = parts.boxes()[self.on]
         else:
-            self.window = window_on(parts, worth, wide / high, side)
+            taken = [one.window for one in before if one.window]
+            self.window = window_on(parts, worth, wide / high, side, taken)
             self.on = self.window.part if self.window else 0
-        self.bears = [part for part, much in enumerate(worth) if much]
+        least = 1.0 if self.stripes is not None else 0.0  # no helmet has them, and no wing
+        self.bears = [part for part, much in enumerate(worth) if much > 0 and much >= least]
+        self.bears += range(len(paints), self.count)
         self.paint = _painted(paints[self.on], emblem)
 
-    def seen(self, paints: list[Painted]) -> list[Painted]:
-        """The parts' paints, so that the emblem is seen where its colour is theirs by nature."""
+    def make_seen(self, paints: list[Painted]) -> None:
+        """Change the paint that it is on, where that has its colour by nature."""
         on = paints[self.on]
-        if on.colored or on.material or differ(on.color, self.paint.color):
-            return paints
-        other = companion(self.paint.color)
-        paints[self.on] = on._replace(color=other, second=other, pattern="", colored=True)
-        return paints
+        if not (on.colored or on.material or differ(on.color, self.paint.color)):
+            other = companion(self.paint.color)
+            paints[self.on] = on._replace(color=other, second=other, pattern="", colored=True)
 
     def __call__(
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]

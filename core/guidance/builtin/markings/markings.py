@@ -95,6 +95,12 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "jar": {"label": Marking("body", partial(fronts.belt, low=-0.55, high=0.3))},
     "necktie": {"stripes": Marking("blade", partial(fronts.slanted, pitch=0.3))},
     "poker chip": {"spots": Marking("rim", fronts.edge_spots)},
+    "taxi": {
+        "letters": Marking("sign", partial(fronts.lettered, text="TAXI", high=0.5, bold=0.06))
+    },
+    "atm": {
+        "letters": Marking("panels", partial(fronts.lettered, text="ATM", high=0.5, bold=0.06))
+    },
     "police car": {
         "letters": Marking(
             "doors", partial(fronts.on_sides, text="POLICE", high=0.12, at=(0.08, -0.12))

@@ -48,6 +48,7 @@ class Window(NamedTuple):
     middle: tuple[float, float]  # along the axes to the right and up
     half: float  # of its height, training units
     behind: float  # along ``way.to``: what lies farther off is not in it
+    wide: float = 1.0  # times as wide as high
 
     def at(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, "p 2"]:
         """Where places are seen, from its middle in its own halves; from the side, on both."""
@@ -71,21 +72,38 @@ class Seen(NamedTuple):
     near: Float[np.ndarray, "r c"]  # towards the eye
     wide: float  # of a cell, training units
 
+    def within(self, window: Window) -> Bool[np.ndarray, "r c"]:
+        """Which cells are in a window from the same way."""
+        rows, columns = self.part.shape
+        u = (np.arange(columns) + 0.5 - columns / 2) * self.wide - window.middle[0]
+        v = (np.arange(rows) + 0.5) * (2 * EXTENT / CELLS) - EXTENT - window.middle[1]
+        here = np.abs(u) < window.half * window.wide, np.abs(v) < window.half
+        return here[1][:, None] & here[0]
+
 
 def window_on(
-    parts: KnownParts, worth: Sequence[float], wide: float, asked: str = ""
+    parts: KnownParts,
+    worth: Sequence[float],
+    wide: float,
+    asked: str = "",
+    taken: Sequence[Window] = (),
 ) -> Window | None:
     """The best one for what is ``wide`` times as wide as high; None where there is none.
 
     Args:
         worth: of each part, of a place there; 0: not there.
         asked: one of ``WAYS``, or any but the back.
+        taken: what has something on it already.
     """
     surface = _surface(parts)
     found = []
     for name, way in WAYS.items():
         if (name == asked) if asked else way.worth:
-            found += _windows(_seen(*surface, way, wide), way, np.array(worth))
+            seen = _seen(*surface, way, wide)
+            for other in taken:
+                if other.way == way:
+                    seen.part[seen.within(other)] = -1
+            found += _windows(seen, way, np.array(worth))
     return max(found, key=lambda one: one[0])[1] if found else None
 
 
@@ -148,7 +166,8 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
         across = (left + size / 2 - center) * seen.wide
         middle = across, (top + size / 2) * cell - EXTENT
         behind = float(seen.near[here][mask[here]].min()) - cell
-        window = Window(int(np.bincount(on).argmax()), way, middle, size * cell / 2, behind)
+        part, wide = int(np.bincount(on).argmax()), seen.wide / cell
+        window = Window(part, way, middle, size * cell / 2, behind, wide)
         aside = abs(left + size / 2 - center) / (mask.any(0).sum() / 2)
         even = pure * (1 - ASIDE * min(aside, 1))
         found.append(((way.worth or 1.0) * worth[on].mean() * size * even, window))

@@ -140,6 +140,7 @@ VEHICLES = {
             "lamps": "-f7eec2",
             "hubs": "+d8dadd . metal",
             "sign": "+f4f2ea",
+            "letters": "-17171a",
         },
         Usual(4.5, STEEL, 0.017),
     ),

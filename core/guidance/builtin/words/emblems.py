@@ -6,11 +6,12 @@ It is taken out of the prompt before the rest is read. Standard library only.
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from core.guidance.builtin.words.lexicon import LEXICON
 
+MOST = 3  # on one thing
 MOST_LETTERS = 48  # of a text
 STRIPES = "racing stripes"
 
@@ -94,10 +95,14 @@ _COLORS = {
 }
 _COLOR = rf"(?:(?P<color>{_any(_COLORS)})[ -])?"
 _A = r"(?:an? |the |one )?"
-_WITH = r"(?:with|featuring|bearing|showing|has|having) "
+_WITHS = "with|featuring|bearing|showing|has|having"
+_WITH = rf"(?:{_WITHS}) "
 _WORD = r"(?:words?|text|letters?|lettering|inscription|title|name|label|slogan|logo|message)"
 _SAYS = r"(?:(?:that |which )?(?:says?|reads?)|saying|reading)"
-_MADE = r"(?:painted|printed|drawn|stitched|embroidered|engraved|carved|stamped|written)"
+_MADE = (
+    r"(?:paint|print|draw|stitch|embroid|engrav|carv|stamp|writ|stencil|emboss|etch|spray|sew)"
+    r"\w*(?:ed|d|n)\b"
+)
 _MARK = (
     r"(?:emblem|logo|symbol|label|print|design|patch|sticker|motif|badge|decal|icon|drawing|image|"
     r"picture|insignia|crest|graphic|mark)s?(?!\w)"
@@ -107,7 +112,7 @@ _INK = "(?:letter(?:s|ing)|text|paint|writing|ink|icing|frosting|thread|chalk)"
 _SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
 # What a text follows: any words, or only capitals and what is in quotes.
 _OPENERS = (
-    (_rule(rf"(?:with|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
+    (_rule(rf"(?:{_WITHS}|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
     (
         _rule(r"(?:(?:(?:that|which|who) )?says?|(?:that|which) reads|spelling|saying|titled):? "),
         True,
@@ -120,12 +125,13 @@ _OPENERS = (
         ),
         False,
     ),
-    (_rule(r"with (?=[\w' ]{2,24} written\b)"), True),
-    (_rule(rf"with {_A}{_COLOR}"), False),
+    (_rule(r"with (?=(?:(?!and )[\w']+ ){1,5}written\b)"), True),
+    (_rule(rf"(?:with|and) {_A}{_COLOR}"), False),
     (_rule(r"(?=[\"“”«'‘])"), False),
 )
 _QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
 _CAPITALS = re.compile(r"([A-Z0-9][A-Z0-9!?&.'-]+(?: [A-Z0-9][A-Z0-9!?&.'-]*){0,3})(?!\w)")
+_TITLE = re.compile(r"((?:[A-Z0-9&][\w!?&.'-]*|-)(?: (?:[A-Z0-9&][\w!?&.'-]*|-)){0,7})(?!\w)")
 _ENDS = r"(?!(?:on|in|at|with|and|or|made|of|next|under|above|from|written|for|to|by)\b)"
 _PLAIN = re.compile(rf"(?!(?:an?|the) )({_ENDS}[\w!?&.'-]+(?: {_ENDS}[\w!?&.'-]+){{0,7}})")
 # What may follow what is drawn: its colour, how it is made, where.
@@ -134,7 +140,8 @@ _TAIL = re.compile(
     rf"(?: in (?P<color>{_any(_COLORS)})(?: {_INK})?(?!\w))?"
     rf"(?: {_MADE})?"
     rf"(?:,? (?:on|onto|across|in) (?:it\b|them\b|(?:the|its|his|her|both|each) "
-    rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?",
+    rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?"
+    rf"(?: in (?P<after>{_any(_COLORS)})(?: {_INK})?(?!\w))?",
     re.IGNORECASE,
 )
 _SHAPE = _rule(
@@ -145,18 +152,36 @@ _SHAPE = _rule(
 )
 # What people have pictures on: what is with it is drawn.
 _BEARERS = _rule(
-    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
+    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|bottle|potion|jar|box|bag|sack|"
     r"backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|rug|book|sticker|badge)\b"
 )
-_RACING = _rule(rf"(?:with {_A})?{_COLOR}(?:racing|go[ -]faster|rally) stripes?(?![\w-])")
+_RACING = _rule(
+    rf"(?:with {_A})?(?:two |twin |double )?{_COLOR}(?:(?:racing|go[ -]faster|rally) stripes?|"
+    r"stripes? (?:running )?(?:down|along|over) (?:the|its) "
+    r"(?:middle|cent(?:er|re)|hood|bonnet|top))(?![\w-])"
+)
 _BEHIND = re.compile(rf"({_MADE} |marked |decorated )?{_WITH}", re.IGNORECASE)
 
 
-def emblem_in(prompt: str) -> tuple[Emblem | None, str]:
-    """What is to be drawn on the thing, and the prompt without it."""
+def emblems_in(prompt: str, but: Collection[str] = ()) -> tuple[tuple[Emblem, ...], str]:
+    """What is to be drawn on the thing, stripes first, and the prompt without it; no shapes of
+    ``but``."""
+    found: list[Emblem] = []
+    while len(found) < MOST:
+        emblem, rest = emblem_in(prompt, but)
+        if emblem is None:
+            break
+        found.append(emblem)
+        prompt = rest
+    return tuple(sorted(found, key=lambda one: one.shape != STRIPES)), prompt
+
+
+def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, str]:
+    """The first of them, and the prompt without it."""
     for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
         rest = re.sub(r"\s+", " ", f"{prompt[:start]} {prompt[end:]}").strip(" ,")
-        if re.search("[a-z]{2}", rest, re.IGNORECASE):
+        rest = re.sub(r" and$|,? and(?=,)| ,(?= )", "", rest)
+        if emblem.shape not in but and re.search("[a-z]{2}", rest, re.IGNORECASE):
             return emblem, rest
     return None, prompt
 
@@ -165,8 +190,10 @@ def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The texts, and where in the prompt they are written about."""
     for opener, any_words in _OPENERS:
         for match in opener.finditer(prompt):
-            capitals = (_CAPITALS,) * (prompt != prompt.upper())  # all of it may be in capitals
-            kinds = (_QUOTED, *capitals, *((_PLAIN,) if any_words else ()))
+            by_the_way = match[0][:4].lower() in ("with", "and ") and not any_words
+            capitals = _TITLE if match[0] and not (by_the_way or any_words) else _CAPITALS
+            # All of it may be in capitals.
+            kinds = (_QUOTED, *(capitals,) * (prompt != prompt.upper()), *(_PLAIN,) * any_words)
             found = next(filter(None, (kind.match(prompt, match.end()) for kind in kinds)), None)
             tail = found and _TAIL.match(prompt, found.end())
             if not found or not tail:
@@ -176,9 +203,10 @@ def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
                 continue  # "a 'golden' crown"
             end = tail.end() if match[0] or not tail["mark"] else found.end()  # "a 'VIP' badge"
             text = _drawable(written)
-            surely = any_words or match[0][:4].lower() != "with" or tail[0]
+            surely = not by_the_way or tail[0]
             if surely and 0 < len(text) <= MOST_LETTERS and text.isascii():
-                color = _color(match.groupdict().get("color") or tail["color"])
+                said = match.groupdict().get("color") or tail["color"] or tail["after"]
+                color = _color(said)
                 yield Emblem(text, "", *color, *_place(tail)), match.start(), end
 
 
@@ -195,7 +223,8 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         if not tail or not (said or (follows and flat)):
             continue
         text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
-        emblem = Emblem(text, shape, *_color(match["color"]), *_place(tail))
+        color = _color(match["color"] or tail["color"] or tail["after"])
+        emblem = Emblem(text, shape, *color, *_place(tail))
         yield emblem, match.start(), tail.end()
 
 

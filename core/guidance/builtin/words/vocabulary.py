@@ -18,7 +18,7 @@ from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words.accents import Accent
-from core.guidance.builtin.words.emblems import Emblem, emblem_in
+from core.guidance.builtin.words.emblems import Emblem, emblems_in
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.living import is_animal
@@ -65,7 +65,7 @@ class Words:
     material_form: str = field(default="", compare=False)  # the material as it was written
     size: Size | None = field(default=None, compare=False)
     absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
-    emblem: Emblem | None = None  # what is drawn on it
+    emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
@@ -150,7 +150,7 @@ def understood(
         "part_patterns": words.part_patterns(),
         "materials": [words.named_material()] if words.material else [],
         "pattern": words.pattern or None,
-        "emblem": words.emblem and str(words.emblem),
+        "emblems": [str(emblem) for emblem in words.emblems],
         "weather": list(words.weather),
         "sheen": list(words.sheen),
         "size_m": size_m,
@@ -185,12 +185,15 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    emblem, rest = emblem_in(prompt)
+    emblems, rest = emblems_in(prompt)
     got = _read(rest, known, noun_needed)
-    own = emblem and any(own_name(got.thing, w) for w in (emblem.shape, emblem.shape.split(" ")[0]))
-    if emblem and (own or (noun_needed and not got.found["noun"])):
-        # A medal's star is a part of it; and what is in quotes may be the thing.
-        emblem, rest, got = None, prompt, _read(prompt, known, noun_needed)
+    shapes = {emblem.shape for emblem in emblems if emblem.shape}
+    own = {one for one in shapes if any(own_name(got.thing, w) for w in (one, one.split()[0]))}
+    if own:  # a medal's star is a part of it
+        emblems, rest = emblems_in(prompt, own)
+        got = _read(rest, known, noun_needed)
+    if emblems and noun_needed and not got.found["noun"]:  # what is in quotes may be the thing
+        emblems, got = (), _read(prompt, known, noun_needed)
     # Before the missing noun: an error with the nearest known words says more.
     if got.refused and not ignore_unknown:
         raise unknown_error(got.refused, got.qualifiers, known)
@@ -221,7 +224,7 @@ def parse(
     )
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"
-    words["emblem"] = emblem
+    words["emblems"] = emblems
     words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
