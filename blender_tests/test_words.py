@@ -48,6 +48,11 @@ def test_a_part_with_a_color_is_named_once():
     assert words.summary(report) == "mug, blue, glowing red handle"
 
 
+def test_what_is_written_or_drawn_on_it_is_named():
+    report = words.ask(CORE, ('a white mug with a red heart that says "HELLO"', False))
+    assert words.summary(report) == 'mug, white, "HELLO", red heart'
+
+
 def test_the_words_are_known_before_the_installation_by_blenders_own_python(tmp_path):
     core = Core(tmp_path / "no python", ROOT)
     assert words.ask(core, ("a mug", False))["thing"] == "mug"

@@ -121,7 +121,8 @@ def summary(report: Report) -> str:
     parts = [part for part in report["parts"] if part not in own]
     looks = [" ".join([*(of[part] for of in told if part in of), part]) for part in own]
     late = [*report.get("sheen", []), *report.get("weather", [])]
-    return ", ".join(filter(None, [*words, *report["materials"], *late, *parts, *looks]))
+    words += [*report["materials"], *late, *parts, *looks, *report.get("emblems", [])]
+    return ", ".join(filter(None, words))
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

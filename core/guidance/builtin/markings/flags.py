@@ -61,17 +61,24 @@ def nordic(points: Points, half: Half, wide: float) -> Margin:
     return wide * half[2] - away
 
 
-def emblem(points: Points, half: Half, shape: str, size: float) -> Margin:
-    """A shape in the middle, on both sides, in halves of the height."""
-    side = torch.where(points[:, 1] > 0, -1.0, 1.0)  # from behind it is seen the other way round
-    at = torch.stack([points[:, 0] * side, points[:, 2]], 1) / (size * half[2])
-    return shape_margin(at, shape) * size * half[2]
+def emblem(
+    points: Points, half: Half, shape: str, size: float, at: tuple[float, float] = (0.0, 0.0)
+) -> Margin:
+    """A shape through the cloth, its ``size`` in halves of the height, its middle in halves of the
+    cloth."""
+    x, z = points[:, 0] - at[0] * half[0], points[:, 2] - at[1] * half[2]
+    return shape_margin(torch.stack([x, z], 1) / (size * half[2]), shape) * size * half[2]
 
 
 def lozenge(points: Points, half: Half) -> Margin:
     """Nearly as large as the cloth."""
     away = points[:, 0].abs() / half[0] + points[:, 2].abs() / half[2]
     return (0.85 - away) / math.hypot(1 / float(half[0]), 1 / float(half[2]))
+
+
+def outer(points: Points, half: Half) -> Margin:
+    """The quarters at both ends."""
+    return points[:, 0].abs() - 0.5 * half[0]
 
 
 LEFT, RIGHT = (partial(bands, axis=0, low=a, high=b) for a, b in ((-2, -1 / 3), (1 / 3, 2)))

@@ -132,6 +132,31 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     },
     "swedish flag": {"cross": Marking("cloth", partial(flags.nordic, wide=0.2))},
     "swiss flag": {"cross": Marking("cloth", partial(flags.emblem, shape="cross", size=0.6))},
+    "canadian flag": {
+        "leaf": Marking("cloth", partial(flags.emblem, shape="maple leaf", size=0.75)),
+        "reds": Marking("cloth", flags.outer),
+    },
+    "irish flag": {
+        "greens": Marking("cloth", flags.LEFT),
+        "oranges": Marking("cloth", flags.RIGHT),
+    },
+    "belgian flag": {"blacks": Marking("cloth", flags.LEFT), "reds": Marking("cloth", flags.RIGHT)},
+    "dutch flag": {"reds": Marking("cloth", flags.TOP), "blues": Marking("cloth", flags.BOTTOM)},
+    "spanish flag": {"yellows": Marking("cloth", partial(flags.bands, axis=2, low=-0.5, high=0.5))},
+    "indian flag": {
+        "wheel": Marking("cloth", partial(flags.emblem, shape="ring", size=0.28)),
+        "oranges": Marking("cloth", flags.TOP),
+        "greens": Marking("cloth", flags.BOTTOM),
+    },
+    "chinese flag": {
+        "star": Marking("cloth", partial(flags.emblem, shape="star", size=0.4, at=(-0.6, 0.4)))
+    },
+    "turkish flag": {
+        "star": Marking("cloth", partial(flags.emblem, shape="star", size=0.22, at=(0.2, 0.0))),
+        "moon": Marking("cloth", partial(flags.emblem, shape="moon", size=0.5, at=(-0.25, 0.0))),
+    },
+    "danish flag": {"cross": Marking("cloth", partial(flags.nordic, wide=0.2))},
+    "finnish flag": {"cross": Marking("cloth", partial(flags.nordic, wide=0.26))},
     "ukrainian flag": {"yellows": Marking("cloth", flags.LOWER)},
     "polish flag": {"reds": Marking("cloth", flags.LOWER)},
     "pirate flag": {

@@ -221,6 +221,20 @@ def _leaf(pen: Pen) -> None:
     _stroke(pen, [(0, 0.6), (0, -0.6)], 0.025, 0)
 
 
+def _maple(pen: Pen) -> None:
+    right = [
+        (0, 1),
+        (0.17, 0.68),
+        (0.36, 0.76),
+        (0.3, 0.34),
+        (0.5, 0.53),
+        (0.57, 0.4),
+        (0.86, 0.44),
+    ]
+    right += [(0.77, 0.2), (0.93, 0.08), (0.55, -0.24), (0.6, -0.42), (0.07, -0.34), (0.05, -0.95)]
+    _polygon(pen, [*right, *((-x, y) for x, y in reversed(right))])
+
+
 def _ring(pen: Pen) -> None:
     _disc(pen, (0, 0), 0.95)
     _disc(pen, (0, 0), 0.68, 0)
@@ -247,6 +261,7 @@ SHAPES: dict[str, Callable[[Pen], None]] = {
     "crown": _crown,
     "anchor": _anchor,
     "leaf": _leaf,
+    "maple leaf": _maple,
     "ring": _ring,
     "diamond": lambda pen: _polygon(pen, [(0, 1), (0.7, 0), (0, -1), (-0.7, 0)]),
     "circle": lambda pen: _disc(pen, (0, 0), 0.9),

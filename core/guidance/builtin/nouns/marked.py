@@ -119,13 +119,25 @@ MARKED_FLAGS = {
     ),
     "swedish flag": _flag("flag of sweden, sweden flag", "1f5c9e", cross="f4c92f"),
     "swiss flag": _flag("flag of switzerland, switzerland flag", "cf2430", cross="f6f5f2"),
+    "canadian flag": _flag("flag of canada, canada flag", "f5f4f1", leaf="d0242e", reds="d0242e"),
+    "irish flag": _flag("flag of ireland", "f5f4f1", greens="219a58", oranges="f08a35"),
+    "belgian flag": _flag("flag of belgium", "f4d33a", blacks="18181a", reds="d8323a"),
+    "dutch flag": _flag("flag of the netherlands", "f5f4f1", reds="b02532", blues="254a8c"),
+    "spanish flag": _flag("flag of spain, spain flag", "b8202a", yellows="f3c42c"),
+    "indian flag": _flag(
+        "flag of india, india flag", "f5f4f1", wheel="1f2f7a", oranges="f29a3a", greens="1f8a3a"
+    ),
+    "chinese flag": _flag("flag of china, china flag", "d8261f", star="f8dc2c"),
+    "turkish flag": _flag("flag of turkey, turkey flag", "d81f2a", star="f6f5f2", moon="f6f5f2"),
+    "danish flag": _flag("flag of denmark, denmark flag", "c8202e", cross="f5f4f1"),
+    "finnish flag": _flag("flag of finland, finland flag", "f5f4f1", cross="1f4a8c"),
     "ukrainian flag": _flag("flag of ukraine, ukraine flag", "2a62b4", yellows="f6d33a"),
     "polish flag": _flag("flag of poland, poland flag", "f4f3ef", reds="cd2740"),
     "pirate flag": _flag("jolly roger", "161618", skull="f2f0ea"),
 }  # fmt: skip
 MARKED_SIGNS = {
     "speed limit sign": Noun(
-        "speed sign, speed limit",
+        "speed sign, speed limit road sign",
         {
             "plate": "*f3f3f1 . paint",
             "ring": "+c81f2a . paint",

@@ -27,7 +27,8 @@ class Emblem(NamedTuple):
     side: str = ""  # front, side, top or back, where that is said
 
     def __str__(self) -> str:
-        return f'"{self.text}"' if self.text else self.shape
+        drawn = f'"{self.text}"' if self.text else self.shape
+        return f"{self.color_form} {drawn}".strip()
 
 
 # By the words for each. What is always flat is drawn on a thing that comes with it.
@@ -59,6 +60,7 @@ ALSO_THINGS = {
     "ring": "ring",
     "square": "square",
     "triangle": "triangle",
+    "maple leaf": "maple leaf",
     "leaf": "leaf",
     "paw print": "paw",
 }

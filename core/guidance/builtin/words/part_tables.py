@@ -17,6 +17,7 @@ PART_WORDS = {
 }
 # Words for the parts that a noun always has: they change nothing but where a colour goes.
 PART_SYNONYMS = {
+    "marks": "numerals, hour marks",
     "legs": "leg, feet, foot, paws, paw",
     "wheels": "wheel, tyres, tyre, tires, tire",
     "windows": "window",
