@@ -246,7 +246,7 @@ def stickers(points: Points, half: Half, color: int) -> Margin:
         cell = (at * 1.5).round().clamp(-1, 1)
         inside = 0.285 - (at - cell * 0.645).abs().amax(1)
         row, column = (cell + 1).long().T
-        own = _scrambled()[2 * axis + (side > 0)][row, column]
+        own = _scrambled().to(row.device)[2 * axis + (side > 0)][row, column]
         margin[here] = torch.where(own == color, inside, -inside.abs() - 0.01) * half.mean()
     return margin
 

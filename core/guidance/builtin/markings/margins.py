@@ -4,7 +4,7 @@ A marking is given by its margin: how far inside it a place is, negative outside
 It is a function of places from the middle of what bears it, and of half of that part's extent.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import torch
 from jaxtyping import Float
@@ -37,10 +37,11 @@ def chance(cell: Float[Tensor, "p 3"], which: int) -> Float[Tensor, " p"]:
     return (mixed.sin() * 43758.5453).remainder(1)
 
 
-def cells_around(points: Points, pitch: float) -> Float[Tensor, "27 p 3"]:
-    """The cells of a lattice next to each place's, and its own."""
-    steps = torch.cartesian_prod(*[torch.arange(-1, 2)] * 3).to(points)
-    return (points / pitch).floor() + steps[:, None]
+def cells_around(points: Points, pitch: float) -> Iterator[Float[Tensor, "p 3"]]:
+    """The cells of a lattice next to each place's, and its own: 27, one by one."""
+    own = (points / pitch).floor()
+    for step in torch.cartesian_prod(*[torch.arange(-1, 2)] * 3).to(points):
+        yield own + step
 
 
 def blobs(
