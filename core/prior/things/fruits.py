@@ -114,34 +114,25 @@ def lemon(draw: Draw) -> Parts:
 
 
 def watermelon(draw: Draw) -> Parts:
-    """One from which a wedge is cut, or a slice that stands on its rind."""
-    if draw.chance(0.5):
-        size, thick, rind = draw(1.05, 1.2), draw(0.2, 0.3), 0.14
-        half = box((0, 0, 2), (2, 2, 2))
-        disc = tube((0, -thick, 0), (0, thick, 0), size)
-        inner = tube((0, -thick - 0.03, 0), (0, thick + 0.03, 0), size - rind)
-        seeds = [
-            both(egg((size * r, 0, -size * z), (0.07, thick + 0.07, 0.1)))
-            for r, z in ((0.2, 0.62), (0.5, 0.4), (0.18, 0.25))
-        ]
-        return {
-            "rind": cut(disc, half, inner),
-            "flesh": cut(inner, half),
-            "seeds": join(*seeds),
-        }
-    long, size = draw(1.0, 1.25), 0.95
-    wedge = moved(turned(box((0, -1.5, 1.5), (3, 1.5, 1.5)), 0, 8), (0, -0.05, 0.05))
-    inner = egg((0, 0, 0), (long - 0.13, size - 0.13, size - 0.13))
-    spots = [(0.0, -0.35), (0.4, -0.5), (-0.4, -0.5), (0.0, -0.66)]
-    seeds = [egg((x, y, 0.06 + (y + 0.05) * 0.14), (0.075, 0.1, 0.075)) for x, y in spots]
-    seeds += [
-        egg((x, -0.06 - z * 0.14, z), (0.075, 0.075, 0.1))
-        for x, z in ((0.0, 0.35), (0.4, 0.5), (-0.4, 0.5), (0.0, 0.68))
-    ]
+    """A whole one that lies, and before it a half slice that stands on its rind."""
+    long, r, slim = draw(1.15, 1.35), draw(0.86, 0.94), draw(0.17, 0.21)
+    size, y = draw(0.84, 0.9), -r - slim + 0.08
+    top, inner = box((0, 0, size + 2), (4, 4, 2)), size - 0.17
+    seeds = [(0.0, 0.74), (0.44, 0.74), (0.22, 0.4)]
     return {
-        "rind": cut(egg((0, 0, 0), (long, size, size)), inner, wedge),
-        "flesh": cut(egg((0, 0, 0), (long - 0.11, size - 0.11, size - 0.11)), wedge),
-        "seeds": join(*seeds),
+        "rind": join(
+            egg((0, 0, r), (long, r, r)),
+            cut(tube((0, y - slim, size), (0, y + slim, size), size), top),
+        ),
+        "flesh": cut(
+            tube((0, y - slim - 0.07, size), (0, y + slim + 0.07, size), inner),
+            moved(top, (0, 0, 0.07)),
+        ),
+        "seeds": both(
+            join(
+                *(egg((size * u, y - slim - 0.06, size * v), (0.075, 0.1, 0.11)) for u, v in seeds)
+            )
+        ),
     }
 
 
