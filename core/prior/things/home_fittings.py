@@ -16,6 +16,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     moved,
     prism,
     ring,
@@ -270,21 +271,20 @@ def grandfather_clock(draw: Draw) -> Parts:
 
 
 def fan(draw: Draw) -> Parts:
-    """Blades on a stand, within a ring."""
-    z, r, foot = draw(1.2, 2.0), draw(0.62, 0.74), draw(0.4, 0.52)
+    """Flat blades before a post on a round foot, within a ring."""
+    z, r, foot = draw(1.3, 1.5), draw(0.74, 0.84), draw(0.5, 0.6)
     count = 3 + draw.chance(0.5)
-    wing = around(count, egg((r * 0.5, 0, 0), (r * 0.46, 0.24, 0.1)), 90)
-    blades = turned(wing, 0, 90)  # its axis, upright, to lie along y
+    end, wide = r - 0.16, 0.27 if count == 4 else 0.36
+    half = [(0.09, 0.0), (0.1, 0.22), (wide * 0.8, 0.4), (wide, end - 0.18), (wide * 0.6, end)]
+    # Its outline (x, y), laid along +x and then its axis, upright, to lie along y.
+    blade = prism([(v, u) for u, v in mirrored(smooth_curve(half))], 2, 0.09)
     return {
-        "blades": moved(blades, (0, -0.16, z)),
-        "cage": join(
-            ring((0, -0.16, z), r, 0.09, axis=1),
-            box((0, -0.04, z), (r, 0.06, 0.06)),
-            box((0, -0.04, z), (0.06, 0.06, r)),
-        ),
-        "hub": tube((0, -0.32, z), (0, 0.26, z), 0.17, 0.05),
+        "blades": moved(turned(around(count, blade, 90), 0, 90), (0, -0.2, z)),
+        "cage": ring((0, -0.07, z), r, 0.11, axis=1),
+        "hub": tube((0, -0.36, z), (0, 0.3, z), 0.2, 0.05),
         "stand": join(
-            tube((0, 0.1, 0.05), (0, 0.1, z), 0.11), tube((0, 0.05, 0), (0, 0.05, 0.16), foot, 0.05)
+            tube((0, 0.14, 0.1), (0, 0.14, z), 0.12),
+            tube((0, 0.05, 0), (0, 0.05, 0.18), foot, 0.05),
         ),
     }
 
@@ -338,7 +338,7 @@ def television(draw: Draw) -> Parts:
                 box((0, 0.02, 0.25), (0.18, 0.1, 0.25)),
                 box((0, 0, 0.07), (draw(0.4, 0.75), 0.34, 0.08), 0.03),
             ),
-            "buttons": both(box((0.1, -0.12, 0.36), (0.05, 0.05, 0.05))),
+            "buttons": both(box((0.2, -0.12, 0.36), (0.08, 0.06, 0.06))),
         }
     x, z, y = draw(0.8, 0.95), draw(0.6, 0.7), draw(0.45, 0.6)
     m = z + 0.25
@@ -351,8 +351,8 @@ def television(draw: Draw) -> Parts:
         ),
         "buttons": join(
             *(
-                tube((x * 0.74, -y - 0.1, m + s), (x * 0.74, -y + 0.1, m + s), 0.12)
-                for s in (0.05, 0.38)
+                tube((x * 0.76, -y - 0.1, m + s), (x * 0.76, -y + 0.1, m + s), 0.12, 0.02)
+                for s in (-0.06, 0.36)
             )
         ),
     }
