@@ -255,39 +255,32 @@ def steamroller(draw: Draw) -> Parts:
 
 
 def minecart(draw: Draw) -> Parts:
-    """A box of planks in iron bands, heaped with ore, on four wheels, often on rails."""
-    x, y, low, top = draw(0.54, 0.64), draw(0.78, 0.94), 0.42, draw(1.06, 1.26)
-    rail, r, slope = draw.chance(0.6), draw(0.24, 0.29), draw(0.8, 0.88)
-
-    def tub(grow: float, first: float, last: float) -> Solid:
-        across = [(x * slope + grow, first), (x + grow, last)]
-        along = [(y * slope + grow, first), (y + grow, last)]
-        return within(prism(mirrored(across), 1, 3), prism(mirrored(along), 0, 3))
-
-    shell = cut(tub(0, low, top), tub(-0.15, low + 0.15, top + 0.1))
-    straps = join(*(box((0, s * y * 0.45, 0.8), (2, 0.09, 2)) for s in (-1, 1)))
-    edges = join(box((0, 0, top), (2, 2, 0.1)), box((0, 0, low), (2, 2, 0.1)), straps)
-    hole = tub(-0.13, low + 0.15, top + 0.3)
-    lumps, heap = draw.arranged(), []
-    for k in range(9):
-        u, v = (k % 3 - 1) * x * 0.52, (k // 3 - 1) * y * 0.56
-        size = lumps(0.17, 0.24)
-        rock = turned(turned(box((0, 0, 0), (size, size, size * 0.8), 0.05), 0, lumps(10, 80)), 2,
-                      lumps(0, 90))  # fmt: skip
-        heap.append(moved(rock, (u, v, top + lumps(0.0, 0.1) + (0.18 if k == 4 else 0))))
-    axle = join(*(tube((-x, s * y * 0.5, r), (x, s * y * 0.5, r), 0.1) for s in (-1, 1)))
-    wheel = join(tube((x - 0.16, y * 0.5, r), (x + 0.04, y * 0.5, r), r, 0.03),
-                 tube((x, y * 0.5, r), (x + 0.12, y * 0.5, r), r * 0.45, 0.02))  # fmt: skip
+    """A tub of planks in iron bands, heaped with ore, on four wheels, often on rails."""
+    x, y, top, r = draw(0.56, 0.64), draw(0.84, 0.94), draw(1.2, 1.34), draw(0.3, 0.34)
+    rail, low, slope, axle = draw.chance(0.6), 0.52, draw(0.74, 0.8), y * 0.5
+    side = [(-y * slope, low), (y * slope, low), (y, top), (-y, top)]
+    rim = cut(box((0, 0, top), (x + 0.1, y + 0.1, 0.11)), box((0, 0, top), (x - 0.12, y - 0.12, 1)))
+    straps = both(box((x - 0.02, y * 0.44, (low + top) / 2), (0.09, 0.1, (top - low) / 2)), 0, 1)
+    rocks = [box((u * x, v * y, top + 0.1), (0.19, 0.19, h), 0.05)
+             for u, v, h in ((0.42, 0.5, 0.16), (0.42, -0.5, 0.16), (-0.42, -0.5, 0.2),
+                             (-0.42, 0.5, 0.2))]  # fmt: skip
+    wheel = join(tube((x - 0.08, axle, r), (x + 0.15, axle, r), r, 0.03),
+                 tube((x, axle, r), (x + 0.24, axle, r), r * 0.45, 0.02))  # fmt: skip
     parts = {
-        "box": shell,
-        "bands": cut(within(tub(0.06, low - 0.06, top + 0.06), edges), hole),
-        "ore": join(*heap, tub(-0.1, low + 0.1, top + 0.03)),
-        "wheels": join(both(wheel, 0, 1), axle, box((0, 0, low - 0.06), (x * 0.6, y * 0.7, 0.1))),
+        "box": prism(side, 0, x),
+        "bands": join(rim, straps, box((0, 0, low), (x + 0.07, y * slope + 0.08, 0.1))),
+        "ore": join(
+            box((0, 0, top), (x - 0.14, y - 0.14, 0.06)),
+            *rocks,
+            turned(box((0, 0, top + 0.16), (0.25, 0.25, 0.24), 0.05), 2, 45),
+        ),
+        "wheels": join(both(wheel, 0, 1), both(tube((-x, axle, r), (x, axle, r), 0.1), 1)),
     }
-    ties = [box((0, v, -0.16), (x + 0.24, 0.13, 0.09), 0.02) for v in (-0.93, -0.31, 0.31, 0.93)]
     track = {
-        "rails": both(box((x - 0.06, 0, -0.02), (0.09, 1.2, 0.09), 0.02)),
-        "sleepers": join(*ties),
+        "rails": both(box((x + 0.04, 0, -0.05), (0.1, 1.25, 0.1), 0.02)),
+        "sleepers": both(
+            join(*(box((0, v, -0.2), (x + 0.32, 0.16, 0.1), 0.02) for v in (0.32, 0.96))), 1
+        ),
     }
     return parts | track if rail else parts
 
