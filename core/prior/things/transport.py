@@ -317,27 +317,33 @@ def excavator(draw: Draw) -> Parts:
 
 
 def wagon(draw: Draw) -> Parts:
-    """A cart on four wheels with a drawbar; often with a canvas cover."""
-    x, y, r, floor = draw(0.46, 0.54), draw(0.85, 0.98), draw(0.34, 0.42), draw(0.5, 0.58)
-    top, covered = floor + draw(0.38, 0.46), draw.chance(0.6)
-    hole = box((0, 0, top + 0.1), (x - 0.13, y - 0.13, top - floor - 0.06))
-    spokes = join(*(turned(box((0, 0, 0), (0.07, r, 0.07)), 0, k * 45) for k in range(4)))
-    wheel = join(ring((0, 0, 0), r - 0.1, 0.1, 0), spokes)
-    axle = tube((-x, y * 0.62, r), (x + 0.1, y * 0.62, r), 0.1)
-    body = box((0, 0, (floor + top) / 2), (x, y, (top - floor) / 2), 0.02)
-    hoop = join(
-        tube((0, -y, top + 0.1), (0, y, top + 0.1), x + 0.06, 0.05), box((0, 0, top), (x, y, 0.2))
+    """A cart on four spoked wheels with a shaft; often with a canvas cover on hoops."""
+    x, y, r, floor = draw(0.46, 0.54), draw(0.92, 1.0), draw(0.47, 0.51), draw(0.62, 0.7)
+    top, covered = floor + draw(0.36, 0.44), draw.chance(0.6)
+    tray = box((0, 0, (floor + top) / 2), (x, y, (top - floor) / 2), 0.02)
+    hole = box((0, 0, top + 0.1), (x - 0.15, y - 0.15, top - floor - 0.06))
+    bars = join(*(box((0, 0, 0), (0.07, *half)) for half in ((r - 0.1, 0.07), (0.07, r - 0.1))))
+    hub = tube((-0.1, 0, 0), (0.14, 0, 0), 0.13)
+    wheel = moved(join(ring((0, 0, 0), r - 0.09, 0.09, 0), bars, hub), (x + 0.14, y * 0.62, r))
+    axle, low, front = tube((-x, y * 0.62, r), (x + 0.1, y * 0.62, r), 0.1), floor - 0.06, -y - 0.42
+    shaft = join(
+        tube((0, -y + 0.2, low), (0, front, low), 0.1, 0.02),
+        tube((-0.32, front, low), (0.32, front, low), 0.11, 0.03),
     )
-    cover = cut(hoop, box((0, 0, top - 1.02), (2, 2, 1)))
-    bar = capsule((0, -y + 0.1, floor - 0.06), (0, -1.48, draw(0.2, 0.8)), 0.09)
+
+    def hoop(out: float, middle: float, half: float) -> Solid:
+        wide, rise = x + out, x * 0.3 + top
+        arch = [(wide * math.cos(math.pi * k / 16), rise + wide * math.sin(math.pi * k / 16))
+                for k in range(17)]  # fmt: skip
+        return prism([(wide, top - 0.06), *arch, (-wide, top - 0.06)], 1, half, middle)
+
+    hoops = [hoop(0.13, s * (y - 0.12), 0.12) for s in (-1, 0, 1)]
     parts = {
-        "body": join(
-            body if covered else cut(body, hole), box((0, 0, floor - 0.1), (0.12, y * 0.8, 0.14))
-        ),
-        "wheels": both(moved(wheel, (x + 0.12, y * 0.62, r)), 0, 1),
-        "handle": join(bar, both(axle, 1)),
+        "body": join(tray if covered else cut(tray, hole), both(axle, 1)),
+        "wheels": both(wheel, 0, 1),
+        "handle": shaft,
     }
-    return parts | {"cover": cover} if covered else parts
+    return parts | {"cover": join(hoop(0.05, 0, y - 0.05), *hoops)} if covered else parts
 
 
 def wheelbarrow(draw: Draw) -> Parts:
