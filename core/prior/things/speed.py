@@ -11,6 +11,7 @@ from core.prior.solids import (
     egg,
     grown,
     join,
+    lathe,
     limb,
     mirrored,
     moved,
@@ -18,7 +19,6 @@ from core.prior.solids import (
     prism,
     ring,
     smooth_curve,
-    taper,
     tilted,
     tube,
     turned,
@@ -93,38 +93,35 @@ def sports_car(draw: Draw) -> Parts:
 
 
 def fighter_jet(draw: Draw) -> Parts:
-    """A pointed nose, swept wings, twin tails that lean out, two nozzles, a canopy."""
-    r, nose, tail = draw(0.22, 0.26), -draw(1.36, 1.5), draw(1.12, 1.26)
-    span, sweep, lean = draw(1.0, 1.2), draw(0.42, 0.62), draw(10, 22)
-    x, up = draw(0.2, 0.24), draw(0.62, 0.76)
-    wing = [(0.1, -0.62), (0.34, -0.36), (span, sweep), (span, sweep + 0.36), (0.2, 0.92)]
-    rear = [(0.2, tail - 0.36), (0.68, tail + 0.04), (0.68, tail + 0.26), (0.2, tail + 0.14)]
-    fin = [(-0.36, 0.0), (0.02, up), (0.28, up), (0.24, 0.0)]
-    nozzle = tube((x, tail - 0.2, 0), (x, tail + 0.2, 0), 0.18, 0.02)
-    rail = (span + 0.02, sweep + 0.14, 0)
+    """A turned fuselage with a pointed nose, delta wings, twin tails that lean out, two nozzles, a
+    canopy, and missiles at the ends of the wings."""
+    r, nose, tail = draw(0.24, 0.27), draw(1.4, 1.55), draw(1.1, 1.2)
+    span, sweep, up = draw(1.05, 1.2), draw(0.4, 0.52), draw(0.62, 0.74)
+    x = 0.24
+    wing = [(0.1, -0.75), (span, sweep), (span, sweep + 0.4), (0.1, 0.86)]
+    rear = [(0.2, tail - 0.3), (0.72, tail + 0.02), (0.72, tail + 0.28), (0.2, tail + 0.16)]
+    fin = [(-0.46, 0.0), (0.02, up), (0.3, up), (0.24, 0.0)]
+    hull = [(r * 0.9, -tail), (r, 0.3), (r * 0.86, 0.7), (r * 0.52, nose - 0.24), (0.03, nose)]
+    at = sweep + 0.2
+    missile = join(
+        capsule((span, at - 0.52, 0), (span, at + 0.3, 0), 0.115),
+        box((span, at + 0.3, 0), (0.24, 0.12, 0.07)),
+        box((span, at + 0.3, 0), (0.07, 0.12, 0.24)),
+    )
     return {
+        # Its axis, upright, to lie along y, the nose to the front.
         "body": join(
-            taper((0, nose, -0.04), (0, -0.6, 0.0), 0.05, r),
-            capsule((0, -0.6, 0), (0, tail - 0.3, 0), r),
-            both(box((r + 0.06, (tail - 0.5) / 2, -0.02), (0.17, (tail + 0.4) / 2, 0.19), 0.06)),
+            turned(lathe(smooth_curve(hull), 0.02), 0, 90),
+            both(box((x, tail / 2 - 0.2, -0.03), (0.2, tail / 2 + 0.24, 0.2), 0.06)),
         ),
-        "wings": prism(mirrored(wing), 2, 0.085),
-        "canopy": egg((0, -0.5, r * 0.8), (0.17, 0.46, 0.24)),
+        "wings": prism(mirrored(wing), 2, 0.09),
+        "canopy": egg((0, -0.56, r * 0.8), (0.19, 0.46, 0.25)),
         "tails": join(
-            both(moved(turned(prism(fin, 0, 0.085), 1, lean), (x + 0.1, tail - 0.2, 0.12))),
+            both(moved(turned(prism(fin, 0, 0.085), 1, 16), (x + 0.08, tail - 0.24, 0.1))),
             both(prism(rear, 2, 0.085)),
         ),
-        "nozzles": both(
-            cut(nozzle, tube((x, tail + 0.08, 0), (x, tail + 1, 0), 0.11)),
-        ),
-        "missiles": both(
-            join(
-                capsule(
-                    (rail[0], rail[1] - 0.44, 0), (rail[0], rail[1] + 0.3, 0), draw(0.09, 0.11)
-                ),
-                box((rail[0], rail[1] + 0.28, 0), (0.19, 0.11, 0.06)),
-            )
-        ),
+        "nozzles": both(tube((x, tail - 0.2, 0), (x, tail + 0.26, 0), 0.17, 0.02)),
+        "missiles": both(missile),
     }
 
 
