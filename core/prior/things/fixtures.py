@@ -29,39 +29,34 @@ from core.prior.solids import (
 
 def faucet(draw: Draw) -> Parts:
     """A spout that bends over to the front, with two cross taps or with one lever."""
-    x, post, r = draw(0.6, 0.7), draw(0.42, 0.54), draw(0.14, 0.165)
+    x, post, r = draw(0.78, 0.86), draw(0.4, 0.48), draw(0.15, 0.17)
     lever = draw.chance(0.4)
-    bend, back = draw(0.4, 0.5), 0.18
-    high = draw(1.25, 1.5)
-    arc = [
-        (0, back - bend + bend * math.cos(a), high + bend * math.sin(a))
-        for a in (math.pi * k / 8 for k in range(9))
-    ]
+    bend, back, high = draw(0.42, 0.5), 0.2, draw(1.2, 1.36)
     front, drop = back - 2 * bend, high - draw(0.2, 0.3)
-    spout = limb([(0, back, 0.2), *arc, (0, front, drop)], r, r)
+    arch = cut(ring((0, back - bend, high), bend, r, 0), box((0, 0, high - 2), (4, 4, 2)))
+    spout = join(
+        tube((0, back, 0.1), (0, back, high), r), arch, tube((0, front, drop), (0, front, high), r)
+    )
     if lever:
         z = draw(0.66, 0.76)
         handles = join(
-            tube((0, back, z), (0.44, back, z), 0.19, 0.04),
-            taper((0.42, back, z), (0.5, back - 0.1, z + 0.62), 0.12, 0.1),
+            tube((0, back, z), (0.46, back, z), 0.19, 0.04),
+            capsule((0.46, back, z), (0.46, back, z + 0.6), 0.115),
         )
-        spots = [(0.14, back - 0.26, 0.46), (-0.14, back - 0.26, 0.46)]
-        marks = [ball((u, v, w), 0.15) for u, v, w in spots]
-        column = lathe([(0.3, 0.1), (0.26, z + 0.26), (0.2, z + 0.34)], 0.0, (0, back))
-        base = lathe([(0.5, 0.0), (0.5, 0.1), (0.4, 0.16)], 0.02, (0, back))
+        marks = [ball((s * 0.2, back - 0.24, 0.46), 0.12) for s in (1, -1)]
+        column = lathe([(0.32, 0.1), (0.26, z + 0.3)], 0.0, (0, back))
+        base = tube((0, back, 0), (0, back, 0.16), 0.5, 0.04)
     else:
         z = post + 0.2
         cross = join(
-            capsule((-0.28, 0, z), (0.28, 0, z), 0.09),
-            capsule((0, -0.28, z), (0, 0.28, z), 0.09),
-            tube((0, 0, z - 0.1), (0, 0, z + 0.12), 0.16, 0.03),
+            capsule((-0.3, 0, z), (0.3, 0, z), 0.11), capsule((0, -0.3, z), (0, 0.3, z), 0.11)
         )
         handles = both(moved(cross, (x, back, 0)))
-        marks = [tube((s * x, back, z), (s * x, back, z + 0.2), 0.17, 0.03) for s in (1, -1)]
-        feet = lathe([(0.22, 0.1), (0.16, 0.34), (0.13, z)], 0.0, (x, back))
-        column = join(both(feet), lathe([(0.27, 0.1), (0.2, 0.5), (0.2, 0.6)], 0.0, (0, back)))
-        base = box((0, back, 0.08), (x + 0.3, 0.3, 0.08), 0.04)
-    tip = tube((0, front, drop - 0.16), (0, front, drop + 0.04), r + 0.06, 0.03)
+        marks = [tube((s * x, back, z), (s * x, back, z + 0.2), 0.18, 0.03) for s in (1, -1)]
+        feet = lathe([(0.27, 0.1), (0.15, z)], 0.0, (x, back))
+        column = join(both(feet), tube((0, back, 0.1), (0, back, 0.5), r + 0.09, 0.03))
+        base = box((0, back, 0.09), (x + 0.34, 0.36, 0.09), 0.03)
+    tip = tube((0, front, drop - 0.18), (0, front, drop + 0.06), r + 0.07, 0.03)
     return {
         "body": join(column, base),
         "spout": spout,
