@@ -268,24 +268,25 @@ def solar_panel(draw: Draw) -> Parts:
 
 
 def battery(draw: Draw) -> Parts:
-    """A cell that stands on its flat end: a copper top, a nub, a plus on its label."""
-    r, high, share = draw(0.48, 0.85), draw(2.2, 2.75), draw(0.6, 0.76)
-    nub, plus, z = draw(0.17, 0.3), draw(0.08, 0.1), draw(0.34, 0.4)
-    at, bar = high * z, 0.26
-    front = -r + 0.02
-    bolt = [(0.06, 0.36), (-0.24, -0.06), (-0.04, -0.06), (-0.1, -0.36), (0.24, 0.1), (0.04, 0.1)]
+    """A cell that stands on its flat end: a copper top, a nub, a plus and a bolt on its label."""
+    r, high, share = draw(0.64, 0.8), draw(2.2, 2.5), draw(0.62, 0.7)
+    nub, band, front = draw(0.24, 0.32), high * share, -r + 0.04
+    plus, bar, at = 0.1, 0.3, (band + high) / 2 + 0.02
+    bolt = [(0.1, 0.5), (-0.34, -0.1), (-0.06, -0.1), (-0.14, -0.5), (0.34, 0.14), (0.06, 0.14)]
     return {
-        "body": tube((0, 0, 0.06), (0, 0, high * share + 0.05), r, 0.03),
-        "top": tube((0, 0, high * share), (0, 0, high), r, 0.06),
-        "nub": tube((0, 0, high - 0.05), (0, 0, high + 0.24), nub, 0.05),
-        "base": join(tube((0, 0, 0), (0, 0, 0.16), r - 0.08, 0.02), tube(
-            (0, 0, high * share - 0.06), (0, 0, high * share + 0.06), r + 0.04, 0.02)),
-        "plus": join(
-            box((0, front, high * (share + 1) / 2 - 0.02), (bar * 0.8, 0.1, plus), 0.01),
-            box((0, front, high * (share + 1) / 2 - 0.02), (plus, 0.1, bar * 0.8), 0.01),
+        "body": tube((0, 0, 0.12), (0, 0, band), r, 0.03),
+        "top": tube((0, 0, band - 0.1), (0, 0, high), r - 0.05, 0.06),
+        "nub": tube((0, 0, high - 0.1), (0, 0, high + 0.26), nub, 0.05),
+        "base": join(
+            tube((0, 0, 0), (0, 0, 0.3), r - 0.1, 0.02),
+            tube((0, 0, band - 0.1), (0, 0, band + 0.1), r + 0.07, 0.03),
         ),
-        "bolt": moved(prism([(u, v * 1.15) for u, v in bolt], 1, 0.14), (0, front + 0.04, at)),
-    }  # fmt: skip
+        "plus": join(
+            box((0, front + 0.04, at), (bar, 0.14, plus), 0.01),
+            box((0, front + 0.04, at), (plus, 0.14, bar), 0.01),
+        ),
+        "bolt": moved(prism(bolt, 1, 0.16), (0, front + 0.04, band / 2)),
+    }
 
 
 ROADSIDE = {
