@@ -220,26 +220,23 @@ def crab(draw: Draw) -> Parts:
 
 
 def snail(draw: Draw) -> Parts:
-    """A coiled shell on a long foot, eyes on stalks."""
-    size, up = draw(0.5, 0.6), draw(0.5, 0.7)
-    cy, cz, coil = 0.25, 0.3 + size, []
-    for i in range(20):
-        share, angle = i / 19, math.radians(-75 - 32 * i)
-        r = size * 0.72 * (1 - share)
-        at = (0, cy + r * math.cos(angle), cz + r * math.sin(angle))
-        coil.append((at, size * (0.33 + 0.13 * share)))
-    foot = blend(
-        0.15,
-        taper((0, 1.1, 0.09), (0, 0.3, 0.2), 0.09, 0.26),
-        taper((0, 0.3, 0.2), (0, -0.7, 0.17), 0.26, 0.2),
-        limb([(0, -0.55, 0.2), (0, -0.8, 0.35), (0, -0.9, up)], 0.22, 0.2),
-    )
-    stalk = taper((0.1, -0.92, up + 0.1), (0.24, -1.0, up + 0.5), 0.1, 0.08)
-    feeler = taper((0.1, -1.0, up), (0.14, -1.2, up - 0.05), 0.09, 0.075)
+    """A thick disc of a shell with a raised spiral, on a long foot, eyes on stalks."""
+    size, up, half = draw(0.66, 0.76), draw(0.56, 0.7), draw(0.28, 0.34)
+    cy, cz, ridge = 0.24, 0.24 + size, 0.085
+    spiral = []
+    for k in range(27):
+        a, r = math.radians(-60 + 24 * k), size * (1.0 - 0.88 * k / 26)
+        spiral.append((r, math.cos(a), math.sin(a)))
+    edges = [[(cy + (r + w) * c, cz + (r + w) * s) for r, c, s in spiral] for w in (ridge, -ridge)]
+    body = chain([((0, 1.1, 0.1), 0.1), ((0, 0.4, 0.22), 0.22), ((0, -0.6, 0.22), 0.22)])
+    stalk = capsule((0.12, -0.98, up), (0.26, -1.06, up + 0.52), 0.095)
     return {
-        "body": join(foot, both(join(stalk, feeler))),
-        "shell": chain(coil),
-        "eyes": both(ball((0.24, -1.0, up + 0.54), 0.12)),
+        "body": join(body, capsule((0, -0.6, 0.22), (0, -0.94, up), 0.23), both(stalk)),
+        "shell": join(
+            tube((-half, cy, cz), (half, cy, cz), size, 0.1),
+            prism([*edges[0], *reversed(edges[1])], 0, half + 0.09),
+        ),
+        "eyes": both(ball((0.26, -1.06, up + 0.56), 0.15)),
     }
 
 
