@@ -136,22 +136,23 @@ def temple(draw: Draw) -> Parts:
 
 
 def wall(draw: Draw) -> Parts:
-    """A straight garden wall between two piers with caps."""
-    x, y, high = draw(1.05, 1.18), draw(0.18, 0.24), draw(0.92, 1.15)
-    pier, more, cap = draw(0.24, 0.3), draw(0.14, 0.24), 0.075
-    top = high + more
-    tip = lathe([(pier * 1.2, top), (0.03, top + 0.26)], 0, (x, 0))
+    """A straight garden wall between two piers: blocks along its top, a ball on each pier."""
+    x, y, high = draw(1.08, 1.18), draw(0.18, 0.23), draw(0.92, 1.1)
+    pier, more, cap = draw(0.26, 0.31), draw(0.2, 0.28), 0.1
+    top, step = high + more, (x - pier) * 2 / 3
+    block = (step / 2 - 0.08, y + 0.1, cap)
     return {
         "body": box((0, 0, high / 2), (x, y, high / 2)),
         "piers": both(box((x, 0, top / 2), (pier, pier, top / 2))),
         "cap": join(
-            box((0, 0, high), (x, y + 0.1, cap)),
-            both(box((x, 0, top), (pier + 0.1, pier + 0.1, cap))),
-            both(cut(tip, box((x, 0, top - 1), (1, 1, 1)))),
+            box((0, 0, high), block, 0.02),
+            both(box((step, 0, high), block, 0.02)),
+            both(box((x, 0, top), (pier + 0.1, pier + 0.1, cap), 0.02)),
+            both(ball((x, 0, top + 0.24), 0.21)),
         ),
         "base": join(
-            box((0, 0, 0.1), (x, y + 0.09, 0.1)),
-            both(box((x, 0, 0.1), (pier + 0.09, pier + 0.09, 0.1))),
+            box((0, 0, 0.12), (x, y + 0.1, 0.12)),
+            both(box((x, 0, 0.12), (pier + 0.1, pier + 0.1, 0.12))),
         ),
     }
 
