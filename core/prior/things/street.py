@@ -142,29 +142,20 @@ def dumpster(draw: Draw) -> Parts:
 
 def shipping_container(draw: Draw) -> Parts:
     """A long box with upright ribs, a frame, and doors with bars at its front end."""
-    x, y, z = draw(0.56, 0.62), draw(1.3, 1.45), draw(0.58, 0.64)
-    edge, count = draw(0.09, 0.11), 6
-    step = 2 * (y - edge) / count
-    ribs = [
-        box((x - 0.03, -y + edge + step * (k + 0.5), z), (0.07, step * 0.27, z - edge))
-        for k in range(count)
-    ]
-    posts = both(box((x - edge + 0.04, y - edge + 0.04, z), (edge, edge, z + 0.02)), 0, 1)
-    rails = [
-        both(box((x - edge + 0.04, 0, v), (edge, y, edge)))
-        for v in (edge - 0.02, 2 * z - edge + 0.02)
-    ]
-    ends = [
-        both(box((0, y - edge + 0.04, v), (x, edge, edge)), 1)
-        for v in (edge - 0.02, 2 * z - edge + 0.02)
-    ]
-    bar = tube((x * 0.3, -y - 0.05, 0.1), (x * 0.3, -y - 0.05, 2 * z - 0.1), 0.065)
+    x, y, z, edge = draw(0.58, 0.64), draw(1.3, 1.45), draw(0.6, 0.66), 0.11
+    step = 2 * (y - edge) / 5
+    ribs = [box((x - 0.1, k * step, z), (0.09, step * 0.27, z - 0.12)) for k in range(-2, 3)]
+    posts = both(box((x - edge + 0.06, y - edge + 0.06, z), (edge, edge, z)), 0, 1)
+    rails = [both(box((x - edge + 0.06, 0, v), (edge, y, edge))) for v in (edge, 2 * z - edge)]
+    ends = [both(box((0, y - edge + 0.06, v), (x, edge, edge)), 1) for v in (edge, 2 * z - edge)]
+    bar = tube((x * 0.36, -y - 0.1, 0.1), (x * 0.36, -y - 0.1, 2 * z - 0.1), 0.08)
+    handle = box((x * 0.36 + 0.12, -y - 0.08, z * 0.85), (0.16, 0.12, 0.085), 0.02)
     return {
-        "body": box((0, 0, z), (x - 0.06, y - 0.06, z - 0.04)),
+        "body": box((0, 0, z), (x - 0.1, y - 0.12, z - 0.07)),
         "ribs": both(join(*ribs)),
         "frame": join(posts, *rails, *ends),
-        "doors": both(box((x * 0.46, -y + 0.02, z), (x * 0.41, 0.06, z - edge - 0.03))),
-        "bars": both(join(bar, box((x * 0.3 + 0.1, -y - 0.06, z * 0.85), (0.14, 0.07, 0.06)))),
+        "doors": both(box((x * 0.42, -y + 0.06, z), (x * 0.42 - 0.07, 0.08, z - 0.22))),
+        "bars": both(join(bar, handle)),
     }
 
 
