@@ -15,7 +15,6 @@ from core.prior.solids import (
     both,
     box,
     capsule,
-    chain,
     cut,
     egg,
     join,
@@ -62,33 +61,23 @@ def _surface(solid: Solid, start: Vector, way: Vector) -> float:
 
 
 def cucumber(draw: Draw) -> Parts:
-    """Long and bowed a little, pale stripes along it; a slice leans in front of it."""
-    long, r, bow = draw(1.0, 1.14), draw(0.3, 0.36), draw(0.06, 0.16)
-    z, y = r + 0.02, 0.3
+    """Long and straight, pale stripes along it; a thick slice stands before it."""
+    long, r = draw(1.05, 1.15), draw(0.33, 0.38)
+    big, y, thick = r + 0.1, 0.3, 0.13
+    front, at = y - r - thick + 0.03, draw(-0.12, 0.04)
+    stripes = [(y - math.cos(a) * (r - 0.03), r + math.sin(a) * (r - 0.03))
+               for a in map(math.radians, (5, 60, 115))]  # fmt: skip
+    seed = egg((big * 0.5, 0, 0), (0.1, 0.062, 0.11))
 
-    def along(dy: float, dz: float, radius: float, share: float) -> Solid:
-        stops = [(share * k / 4 * long, y + dy - bow * (1 - (k / 4) ** 2), z + dz)
-                 for k in range(-4, 5)]  # fmt: skip
-        return chain((at, radius) for at in stops)
+    def disc(radius: float, out: float) -> Solid:
+        return tube((at, front - thick - out, big), (at, front + thick, big), radius, 0.02)
 
-    angles = [math.radians(a) for a in (20, 75, 130)]
-    stripes = [along(-math.cos(a) * (r - 0.045), math.sin(a) * (r - 0.045), 0.085, 0.8)
-               for a in angles]  # fmt: skip
-    big = r + 0.08
-    at, lean = (draw(-0.4, 0.3), y - r - bow - 0.1, big * 0.96), 68
-
-    def leaning(solid: Solid) -> Solid:
-        return moved(turned(solid, 0, lean), at)
-
-    seed = egg((big * 0.46, 0, 0.1), (0.13, 0.075, 0.06))
     return {
-        "rind": join(along(0, 0, r, 0.92), leaning(tube((0, 0, -0.1), (0, 0, 0.1), big, 0.02))),
-        "stripes": join(*stripes),
-        "flesh": leaning(tube((0, 0, -0.1), (0, 0, 0.13), big - 0.09, 0.02)),
-        "seeds": leaning(around(6, moved(seed, (0, 0, 0.02)), 90)),
-        "stem": taper(
-            (long * 0.92 + r * 0.7, y, z), (long * 0.92 + r + 0.12, y, z + 0.04), 0.14, 0.09
-        ),
+        "rind": join(capsule((-long + r, y, r), (long - r, y, r), r), disc(big, 0)),
+        "stripes": join(*(capsule((-long + r, v, w), (long - r, v, w), 0.09) for v, w in stripes)),
+        "flesh": disc(big - 0.1, 0.06),
+        "seeds": moved(turned(around(5, seed, 90), 0, 90), (at, front - thick - 0.05, big)),
+        "stem": tube((long - 0.1, y, r), (long + 0.2, y, r), 0.13, 0.03),
     }
 
 
