@@ -26,24 +26,28 @@ Point = tuple[float, float]
 
 
 def helicopter(draw: Draw) -> Parts:
-    """A round cabin, a tail, a rotor of two crossed blades, skids."""
-    x, z, long = draw(0.44, 0.52), draw(0.86, 0.96), draw(0.62, 0.74)
-    top, tail, reach = z + x + 0.2, draw(1.05, 1.2), draw(1.05, 1.25)
-    fin = [(tail - 0.3, z + 0.1), (tail - 0.04, z + 0.62), (tail + 0.2, z + 0.62), (tail + 0.14, z)]
-    blade = turned(box((0, 0, top), (reach, 0.13, 0.075)), 2, 45)
-    mast, side = tube((0, 0, z), (0, 0, top + 0.14), 0.14), x * 0.86
-    legs = (capsule((x * 0.5, y, z - 0.2), (side, y, 0.1), 0.09) for y in (-0.5, 0.1))
+    """A round cabin with a glass nose, a tail boom, a rotor of two crossed blades, skids."""
+    x, z, long = draw(0.52, 0.58), draw(0.86, 0.94), draw(0.72, 0.82)
+    top, tail, reach = z + x + 0.22, draw(1.06, 1.16), draw(1.15, 1.3)
+    fin = [(tail - 0.34, z + 0.1), (tail - 0.06, z + 0.66), (tail + 0.24, z + 0.66)]
+    fin += [(tail + 0.16, z + 0.1)]
+    blades = [turned(box((0, 0, top), (reach, 0.15, 0.085)), 2, a) for a in (45, -45)]
+    cap = tube((0, 0, top - 0.1), (0, 0, top + 0.17), 0.22, 0.03)
+    mast = join(tube((0, 0, z), (0, 0, top + 0.1), 0.12), cap)
+    side, hub = x * 0.9, (tail + 0.04, z + 0.36)
+    legs = (capsule((x * 0.5, v, z - 0.3), (side, v, 0.11), 0.1) for v in (-0.66, -0.02))
     return {
         "body": join(
-            egg((0, -0.2, z), (x, long, x)),
-            capsule((0, 0, z + 0.1), (0, tail, z + 0.1), 0.15),
-            prism(fin, 0, 0.09),
+            egg((0, -0.36, z), (x, long, x)),
+            taper((0, 0, z + 0.12), (0, tail, z + 0.2), 0.26, 0.13),
+            prism(fin, 0, 0.1),
         ),
-        "windows": egg((0, -0.2 - long * 0.42, z + 0.06), (x * 0.86, long * 0.66, x * 0.8)),
-        "rotor": moved(join(both(blade, 0, 1), mast), (0, -0.2, 0)),
-        "skids": both(join(capsule((side, -0.95, 0.1), (side, 0.5, 0.1), 0.1), *legs)),
+        "windows": egg((0, -0.36 - long * 0.42, z + 0.09), (x * 0.88, long * 0.64, x * 0.78)),
+        "rotor": moved(join(*blades, mast), (0, -0.36, 0)),
+        "skids": both(join(capsule((side, -1.06, 0.11), (side, 0.38, 0.11), 0.11), *legs)),
         "tail rotor": join(
-            *(box((0.15, tail, z + 0.2), (0.07, *size)) for size in ((0.08, 0.32), (0.32, 0.08)))
+            *(box((0.22, *hub), (0.08, *size)) for size in ((0.1, 0.38), (0.38, 0.1))),
+            tube((0, *hub), (0.36, *hub), 0.13),
         ),
     }
 
