@@ -430,24 +430,19 @@ def medal(draw: Draw) -> Parts:
 
 
 def sunglasses(draw: Draw) -> Parts:
-    """Two dark glasses in a thick frame, its arms to the back."""
-    x, half, high, long = draw(0.5, 0.56), draw(0.38, 0.44), draw(0.3, 0.4), draw(0.8, 1.0)
+    """Two dark glasses in a thick frame, a bridge between, its arms straight to the back."""
+    gap, half, high, long = draw(0.07, 0.11), draw(0.38, 0.44), draw(0.32, 0.4), draw(0.85, 1.0)
     soft, z, round_ = draw(0.1, 0.2), 0.5, draw.chance(0.4)
-    y = -long / 2
+    x, y = gap + half + 0.05, -long / 2
     if round_:
-        rims = tube((x, y - 0.1, z), (x, y + 0.1, z), half, 0.04)
-        panes = tube((x, y - 0.14, z), (x, y + 0.14, z), half - 0.1)
+        rims = tube((x, y - 0.1, z), (x, y + 0.1, z), half + 0.05, 0.04)
+        panes = tube((x, y - 0.17, z), (x, y + 0.17, z), half - 0.08, 0.02)
     else:
-        rims = box((x, y, z), (half + 0.05, 0.1, high + 0.02), min(soft, 0.09))
-        panes = box((x, y, z - 0.01), (half - 0.06, 0.14, high - 0.1), 0.05)
-    arm = join(
-        box((x + half - 0.02, 0, z + high * 0.5), (0.1, long / 2 + 0.02, 0.1), 0.03),
-        capsule(
-            (x + half - 0.02, long / 2, z + 0.12), (x + half - 0.02, long / 2 + 0.2, z - 0.14), 0.1
-        ),
-    )
+        rims = box((x, y, z), (half + 0.05, 0.1, high + 0.03), min(soft, 0.09))
+        panes = box((x, y, z - 0.01), (half - 0.08, 0.17, high - 0.1), 0.05)
+    arm = box((x + half, 0.06, z + high * 0.45), (0.11, long / 2 + 0.1, 0.11), 0.03)
     return {
-        "frame": join(both(rims), box((0, y, z + high * 0.35), (0.2, 0.1, 0.15), 0.04)),
+        "frame": join(both(rims), box((0, y, z + high * 0.4), (gap + 0.12, 0.1, 0.11), 0.03)),
         "glasses": both(panes),
         "arms": both(arm),
     }
