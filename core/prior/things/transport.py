@@ -325,7 +325,11 @@ def wagon(draw: Draw) -> Parts:
     bars = join(*(box((0, 0, 0), (0.07, *half)) for half in ((r - 0.1, 0.07), (0.07, r - 0.1))))
     hub = tube((-0.1, 0, 0), (0.14, 0, 0), 0.13)
     wheel = moved(join(ring((0, 0, 0), r - 0.09, 0.09, 0), bars, hub), (x + 0.14, y * 0.62, r))
-    axle, low, front = tube((-x, y * 0.62, r), (x + 0.1, y * 0.62, r), 0.1), floor - 0.06, -y - 0.42
+    low, front, block = floor - 0.06, -y - 0.42, (floor - r) / 2 + 0.04
+    axle = join(
+        tube((-x - 0.1, y * 0.62, r), (x + 0.1, y * 0.62, r), 0.1),
+        box((0, y * 0.62, r + block), (x * 0.7, 0.13, block)),
+    )
     shaft = join(
         tube((0, -y + 0.2, low), (0, front, low), 0.1, 0.02),
         tube((-0.32, front, low), (0.32, front, low), 0.11, 0.03),
