@@ -275,8 +275,9 @@ def fan(draw: Draw) -> Parts:
     z, r, foot = draw(1.3, 1.5), draw(0.74, 0.84), draw(0.5, 0.6)
     count = 3 + draw.chance(0.5)
     end, wide = r - 0.16, 0.27 if count == 4 else 0.36
-    half = [(0.09, 0.0), (0.1, 0.22), (wide * 0.8, 0.4), (wide, end - 0.18), (wide * 0.6, end)]
-    # Its outline (x, y), laid along +x and then its axis, upright, to lie along y.
+    half = [(0.1, 0.05), (0.11, 0.2), (wide * 0.74, 0.34), (wide, end - 0.17)]
+    half += [(wide * 0.72, end - 0.03), (0, end)]
+    # Made along +x, flat on the ground; then the axis, upright, is laid along y.
     blade = prism([(v, u) for u, v in mirrored(smooth_curve(half))], 2, 0.09)
     return {
         "blades": moved(turned(around(count, blade, 90), 0, 90), (0, -0.2, z)),
