@@ -224,8 +224,8 @@ def snail(draw: Draw) -> Parts:
     size, up, half = draw(0.66, 0.76), draw(0.56, 0.7), draw(0.28, 0.34)
     cy, cz, ridge = 0.24, 0.24 + size, 0.085
     spiral = []
-    for k in range(27):
-        a, r = math.radians(-60 + 24 * k), size * (1.0 - 0.88 * k / 26)
+    for k in range(36):
+        a, r = math.radians(-90 + 18 * k), size * (1.0 - 0.88 * k / 35)
         spiral.append((r, math.cos(a), math.sin(a)))
     edges = [[(cy + (r + w) * c, cz + (r + w) * s) for r, c, s in spiral] for w in (ridge, -ridge)]
     body = chain([((0, 1.1, 0.1), 0.1), ((0, 0.4, 0.22), 0.22), ((0, -0.6, 0.22), 0.22)])

@@ -270,7 +270,7 @@ def minecart(draw: Draw) -> Parts:
         "box": prism(side, 0, x),
         "bands": join(rim, straps, box((0, 0, low), (x + 0.07, y * slope + 0.08, 0.1))),
         "ore": join(
-            box((0, 0, top), (x - 0.14, y - 0.14, 0.06)),
+            box((0, 0, top), (x - 0.08, y - 0.08, 0.06)),
             *rocks,
             turned(box((0, 0, top + 0.16), (0.25, 0.25, 0.24), 0.05), 2, 45),
         ),

@@ -138,7 +138,7 @@ def temple(draw: Draw) -> Parts:
 def wall(draw: Draw) -> Parts:
     """A straight garden wall between two piers: blocks along its top, a ball on each pier."""
     x, y, high = draw(1.08, 1.18), draw(0.18, 0.23), draw(0.92, 1.1)
-    pier, more, cap = draw(0.26, 0.31), draw(0.2, 0.28), 0.1
+    pier, more, cap = draw(0.26, 0.31), draw(0.38, 0.46), 0.1
     top, step = high + more, (x - pier) * 2 / 3
     block = (step / 2 - 0.08, y + 0.1, cap)
     return {

@@ -98,8 +98,8 @@ def fighter_jet(draw: Draw) -> Parts:
     r, nose, tail = draw(0.24, 0.27), draw(1.4, 1.55), draw(1.1, 1.2)
     span, sweep, up = draw(1.05, 1.2), draw(0.4, 0.52), draw(0.62, 0.74)
     x = 0.24
-    wing = [(0.1, -0.75), (span, sweep), (span, sweep + 0.4), (0.1, 0.86)]
-    rear = [(0.2, tail - 0.3), (0.72, tail + 0.02), (0.72, tail + 0.28), (0.2, tail + 0.16)]
+    wing = [(0.1, -0.75), (span, sweep), (span, sweep + 0.36), (0.1, 0.8)]
+    rear = [(0.2, tail - 0.2), (0.74, tail + 0.08), (0.74, tail + 0.34), (0.2, tail + 0.2)]
     fin = [(-0.46, 0.0), (0.02, up), (0.3, up), (0.24, 0.0)]
     hull = [(r * 0.9, -tail), (r, 0.3), (r * 0.86, 0.7), (r * 0.52, nose - 0.24), (0.03, nose)]
     at = sweep + 0.2
