@@ -50,9 +50,9 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "bowler, derby, round": (2, 3),
     },
     "television": {
-        "flat screen, flatscreen, flat, smart, modern, led, lcd, oled, widescreen, plasma": (1,),
+        "flat screen, flatscreen, flat, smart, modern, led, lcd, oled, widescreen, plasma": (0, 1),
         "retro, vintage, crt, tube, antenna, old fashioned, 1950s, 1960s, 1970s, 1980s, 50s, 60s, "
-        "70s, 80s": (0, 2, 3),
+        "70s, 80s": (2, 3),
     },
     "shield": {
         "round, viking, circular": (1,),
@@ -82,8 +82,8 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "rectangular, square": (0, 2),
     },
     "sunglasses": {
-        "round, circular, john lennon, hippie": (2,),
-        "square, rectangular": (0, 1, 3),
+        "round, circular, john lennon, hippie": (1,),
+        "square, rectangular": (0, 2, 3),
     },
     "clock": {
         "bell, twin bell": (1, 3),
@@ -105,4 +105,4 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
     },
 }
 # Usual sizes of what is larger or smaller than the thing's other sorts, metres.
-SIZES_M = {("television", (0, 2, 3)): 0.6, ("pizza", (0,)): 0.2}
+SIZES_M = {("television", (2, 3)): 0.6, ("pizza", (0,)): 0.2}
