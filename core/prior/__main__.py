@@ -198,6 +198,11 @@ def train(options: argparse.Namespace) -> None:
             f"There are no files {needed} in {options.out}.",
             f"Make them first: python -m core.prior data --out {options.out}",
         )
+    if (options.anew or options.encoder) and options.network != SOLID:
+        raise UserError(
+            f"--anew and --encoder are of solids, and this training is of {options.network}.",
+            "Leave them out.",
+        )
     make, source, config, objective = TRAININGS[options.network]
     config = replace(config, seed=options.seed)
     if options.minutes is not None:

@@ -228,6 +228,7 @@ class Training:
     """A network in training: weights, their moving average, the optimiser, the time spent."""
 
     noun_tables: ClassVar[tuple[str, ...]] = ("words.0.weight",)  # a row for each noun
+    held_until = 0  # the step up to which what was taken over stays
     unshipped: ClassVar[tuple[str, ...]] = ()  # what is trained along, and only for the training
 
     def __init__(
@@ -326,6 +327,7 @@ class Training:
                 tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
                 tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
         facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss, "held": self.held}
+        facts["held_until"] = self.held_until
         write_tensors(path, tensors, {"training": json.dumps(facts)})
         save_weights(
             path.with_name(path.stem + "_ema.safetensors"), self.net.config, self.averaged()
@@ -341,6 +343,7 @@ class Training:
         tensors = load_file(path)
         facts = read_metadata(path)["training"]
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
+        self.held_until = facts.get("held_until", self.held_until)
         if facts.get("held"):
             self.hold()
         # The generator's state is not in the file. Another seed, or the run would see its first

@@ -79,7 +79,7 @@ TAKEN = {
     "a mug with a flower print": ("", "flower", "", "", "", "a mug"),
     "a barrel with a black radiation symbol": ("", "radiation sign", "black", "", "", "a barrel"),
     "a mug with a red heart and a golden handle": (
-        ("", "heart", "red", "", "", "a mug and a golden handle")
+        ("", "heart", "red", "", "", "a mug with a golden handle")
     ),
 }
 LEFT = (
@@ -276,8 +276,8 @@ def test_a_text_on_the_side_is_read_from_both_sides():
     # Seen from +x, +y is to the right; from -x it is to the left.
     expected = torch.tensor([[0.5, 0], [0.5, 0], [-0.5, 0.5]])
     torch.testing.assert_close(window.at(right), expected)
-    assert (window.within(right) > 0).all()
-    assert window.within(torch.tensor([[0.1, 0.0, 0.0]])) < 0
+    assert (window.before(right) > 0).all()
+    assert window.before(torch.tensor([[0.1, 0.0, 0.0]])) < 0
 
 
 @pytest.mark.parametrize(
@@ -294,7 +294,7 @@ def test_a_text_is_not_mirrored(way, right, up):
     torch.testing.assert_close(at, torch.eye(2))
     (axis, side), eye = window.way.to, torch.zeros(1, 3)
     eye[0, axis] = side
-    assert window.within(eye) > 0 > window.within(-eye)
+    assert window.before(eye) > 0 > window.before(-eye)
     cross = torch.linalg.cross(torch.tensor(right).float(), torch.tensor(up).float())
     assert torch.equal(cross[None], eye), "right, up and towards the eye are right-handed"
 
@@ -426,3 +426,34 @@ def test_several_are_taken_and_lie_apart(parts):
     found = third(second(first(nothing, front), front), front)
     assert found.shape == (400, 4) and set(found.argmin(1).tolist()) == {0, 1, 2}
     assert not (second(first(nothing, front), front).argmin(1)[found[:, 2] < -0.005] == 1).any()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "emblems", "rest"),
+    [
+        ("a mug with a red heart and a blue star", ["red heart", "blue star"], "a mug"),
+        ("a mug with a star on it and a moon on it", ["star", "moon"], "a mug"),
+        ("a race car with number 7 and a driver", ['"7"'], "a race car with a driver"),
+        ("a dog with a paw print collar", ["paw print"], "a dog with a collar"),
+        ("a crate labeled TNT and made of oak", ['"TNT"'], "a crate and made of oak"),
+        ("a mug with a heart, made of clay", ["heart"], "a mug made of clay"),
+        ("a staff with a star on top", [], "a staff with a star on top"),
+        ("a 'medieval' sword", [], "a 'medieval' sword"),
+        ('a "low poly" fox', [], 'a "low poly" fox'),
+        ('a mug "World\'s Best Dad"', ['"World\'s Best Dad"'], "a mug"),
+    ],
+)
+def test_what_stands_beside_what_is_drawn_stays(prompt, emblems, rest):
+    found, left = emblems_in(prompt)
+    assert ([str(one) for one in found], left) == (emblems, rest)
+
+
+def test_stripes_of_the_bodys_own_colour_are_there(parts):
+    on, paints = drawn(parts, "a white sports car with white racing stripes")
+    assert on.bears == [0, 0] or on.bears == [0]
+    assert on(torch.full((1, 8), -0.1), torch.zeros(1, 3)).shape == (1, len(paints) + 1)
+
+
+def test_a_negative_prompt_has_none():
+    words = parse("a red mug with a star", noun_needed=False)
+    assert words.emblems == ()

@@ -13,9 +13,9 @@ from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
     Points,
+    all_of,
     any_of,
     blobs,
-    within,
 )
 from core.guidance.builtin.markings.stencils import land, lettering
 
@@ -76,7 +76,7 @@ def gores(points: Points, half: Half, number: int) -> Margin:
     angle = (angle + math.pi).remainder(math.tau) - math.pi
     flat = torch.hypot(x, y)
     cap = z.abs().clamp(max=1).acos() - 0.16
-    return within((math.pi / 6 - angle.abs()) * flat, cap) * half.mean()
+    return all_of((math.pi / 6 - angle.abs()) * flat, cap) * half.mean()
 
 
 def _seam(points: Points) -> tuple[Tensor, Tensor]:
@@ -100,7 +100,7 @@ def stitches(points: Points, half: Half) -> Margin:
     away, angle = _seam(points)
     way = angle * (72 / math.tau) + 5.0 * away.abs()
     stroke = (0.24 - (way - way.round()).abs()) * (math.tau / 72)
-    return any_of(0.012 - away.abs(), within(0.1 - away.abs(), stroke)) * half.mean()
+    return any_of(0.012 - away.abs(), all_of(0.1 - away.abs(), stroke)) * half.mean()
 
 
 def _panels(points: Points) -> tuple[Tensor, Tensor]:
@@ -115,7 +115,7 @@ def _panels(points: Points) -> tuple[Tensor, Tensor]:
 def volleyball_bands(points: Points, half: Half) -> Margin:
     """The middle ones."""
     band, border = _panels(points)
-    return within(math.pi / 12 - band, border) * half.mean()
+    return all_of(math.pi / 12 - band, border) * half.mean()
 
 
 def volleyball_seams(points: Points, half: Half) -> Margin:
@@ -164,7 +164,7 @@ def number_on(points: Points, half: Half, text: str, way: Vector, high: float) -
     up = torch.linalg.cross(-ahead, right)
     on = F.normalize(points, dim=1)
     at = torch.stack([on @ right, on @ up], 1) / high
-    return within((lettering(at, text) + 0.04) * high, on @ ahead) * half.mean()
+    return all_of((lettering(at, text) + 0.04) * high, on @ ahead) * half.mean()
 
 
 def _upright(points: Points, lean: float) -> Points:

@@ -8,10 +8,10 @@ from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
     Points,
+    all_of,
     any_of,
     cells_around,
     chance,
-    within,
 )
 
 
@@ -53,7 +53,7 @@ def flames(points: Points, half: Half, pitch: float) -> Margin:
 
 def ridge(points: Points, half: Half, wide: float) -> Margin:
     """A stripe along the back, ``wide`` in halves of the width."""
-    return within(wide * half[0] - points[:, 0].abs(), points[:, 2] + points[:, 1] * 0.5)
+    return all_of(wide * half[0] - points[:, 0].abs(), points[:, 2] + points[:, 1] * 0.5)
 
 
 def fish_bands(points: Points, half: Half, wide: float) -> Margin:

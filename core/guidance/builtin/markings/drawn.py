@@ -9,7 +9,8 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.assembly import KnownParts
-from core.guidance.builtin.markings.margins import within
+from core.guidance.builtin.markings.margins import all_of
+from core.guidance.builtin.markings.markings import bearer_of
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
 from core.guidance.builtin.markings.windows import Window, window_on
@@ -77,7 +78,8 @@ class Drawn:
         self.high = high
         side = emblem.side or ("front" if is_creature(noun) else "")
         on = "body" if emblem.on in TRUNK else emblem.on
-        asked = own_names(noun, on) if on else []
+        # What lies on another as paint does has no surface.
+        asked = [bearer_of(noun, name) for name in own_names(noun, on)] if on else []
         worth = [_worth(paint, asked, emblem) for paint in paints]
         self.window: Window | None = None
         self.stripes: Float[Tensor, "2 3"] | None = None
@@ -87,9 +89,13 @@ class Drawn:
         else:
             taken = [one.window for one in before if one.window]
             self.window = window_on(parts, worth, wide / high, side, taken)
+            if self.window is None and asked:  # there is no room: anywhere
+                worth = [_worth(paint, [], emblem) for paint in paints]
+                self.window = window_on(parts, worth, wide / high, side, taken)
             self.on = self.window.part if self.window else 0
-        least = 1.0 if self.stripes is not None else 0.0  # no helmet has them, and no wing
-        self.bears = [part for part, much in enumerate(worth) if much > 0 and much >= least]
+        self.bears = [part for part, much in enumerate(worth) if much > 0]
+        if self.stripes is not None:  # no helmet has them, and no wing
+            self.bears = [self.on, *(k for k, x in enumerate(paints) if x.look.role == "*")]
         self.bears += range(len(paints), self.count)
         self.paint = _painted(paints[self.on], emblem)
 
@@ -119,10 +125,10 @@ class Drawn:
             return torch.full_like(points[:, 0], -1.0)
         at, half = self.window.at(points) / FULL, self.window.half * FULL
         if not self.text:
-            return within(shape_margin(at, self.emblem.shape) * half, self.window.within(points))
+            return all_of(shape_margin(at, self.emblem.shape) * half, self.window.before(points))
         letter = self.high / 2  # a capital's height, of half the text's
         margin = (lettering(at * letter, self.text) + BOLD) * half / letter
-        return within(margin, self.window.within(points))
+        return all_of(margin, self.window.before(points))
 
 
 def _in_lines(text: str) -> str:

@@ -6,7 +6,7 @@ from functools import partial
 import torch
 from torch import Tensor
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, any_of, within
+from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of
 from core.guidance.builtin.markings.shapes import shape_margin
 
 UNION = 0.4  # of the width, of a canton
@@ -15,7 +15,7 @@ UNION = 0.4  # of the width, of a canton
 def bands(points: Points, half: Half, axis: int, low: float, high: float) -> Margin:
     """Between two lines across x or z, in halves of the cloth."""
     at = points[:, axis]
-    return within(at - low * half[axis], high * half[axis] - at)
+    return all_of(at - low * half[axis], high * half[axis] - at)
 
 
 def stripes(points: Points, half: Half) -> Margin:
@@ -29,7 +29,7 @@ def stripes(points: Points, half: Half) -> Margin:
 def canton(points: Points, half: Half) -> Margin:
     """The upper corner at the pole, of seven stripes' height."""
     right = (2 * UNION - 1) * half[0]
-    return within(right - points[:, 0], points[:, 2] + half[2] - 12 * half[2] / 13)
+    return all_of(right - points[:, 0], points[:, 2] + half[2] - 12 * half[2] / 13)
 
 
 def stars(points: Points, half: Half) -> Margin:
@@ -40,7 +40,7 @@ def stars(points: Points, half: Half) -> Margin:
     away = torch.stack(
         [(x - x.floor() - 0.5) * wide / side, (0.5 - z + z.floor()) * high / side], 1
     )
-    return within(shape_margin(away, "star") * side, canton(points, half))
+    return all_of(shape_margin(away, "star") * side, canton(points, half))
 
 
 def _saltire(points: Points, half: Half) -> Tensor:

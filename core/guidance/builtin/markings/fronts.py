@@ -5,7 +5,7 @@ import math
 import torch
 from torch import Tensor
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, any_of, in_front, within
+from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
 from core.guidance.builtin.markings.stencils import lettering
 
 SECTORS = 20  # of a dartboard
@@ -13,7 +13,7 @@ SECTORS = 20  # of a dartboard
 
 def disc(points: Points, half: Half, radius: float) -> Margin:
     """Within ``radius``, in halves of the width, of the middle of the front."""
-    return within(radius * half[0] - points[:, [0, 2]].norm(dim=1), in_front(points))
+    return all_of(radius * half[0] - points[:, [0, 2]].norm(dim=1), in_front(points))
 
 
 def hours(points: Points, half: Half, radius: float) -> Margin:
@@ -24,19 +24,19 @@ def hours(points: Points, half: Half, radius: float) -> Margin:
     bold = nearest.remainder(3) == 0
     across = away * ((hour - nearest) * (math.pi / 6)).sin().abs()
     inner, wide = torch.where(bold, 0.7, 0.78) * r, torch.where(bold, 0.045, 0.026) * r
-    return within(wide - across, away - inner, 0.9 * r - away, in_front(points))
+    return all_of(wide - across, away - inner, 0.9 * r - away, in_front(points))
 
 
 def rim(points: Points, half: Half, low: float, high: float) -> Margin:
     """Between two radii on the front, in halves of the width."""
     away = points[:, [0, 2]].norm(dim=1)
-    return within(high * half[0] - away, away - low * half[0], in_front(points))
+    return all_of(high * half[0] - away, away - low * half[0], in_front(points))
 
 
 def bar(points: Points, half: Half, size: tuple[float, float]) -> Margin:
     """A level one across the middle of the front, in halves of the width."""
     x, z = points[:, 0].abs(), points[:, 2].abs()
-    return within(size[0] * half[0] - x, size[1] * half[0] - z, in_front(points))
+    return all_of(size[0] * half[0] - x, size[1] * half[0] - z, in_front(points))
 
 
 def _darts(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
@@ -53,20 +53,20 @@ def _darts(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
 def pale_sectors(points: Points, half: Half) -> Margin:
     """Every other sector of a dartboard."""
     away, sectors, _, r = _darts(points, half)
-    return within(-sectors, r - away, in_front(points))
+    return all_of(-sectors, r - away, in_front(points))
 
 
 def dart_reds(points: Points, half: Half) -> Margin:
     """Its rings on the dark sectors, and the bull's eye."""
     away, sectors, both, r = _darts(points, half)
-    return within(any_of(within(sectors, both), 0.065 * r - away), in_front(points))
+    return all_of(any_of(all_of(sectors, both), 0.065 * r - away), in_front(points))
 
 
 def dart_greens(points: Points, half: Half) -> Margin:
     """Its rings on the pale ones, and the ring about the bull's eye."""
     away, sectors, both, r = _darts(points, half)
     bull = 0.035 * r - (away - 0.1 * r).abs()
-    return within(any_of(within(-sectors, both), bull), in_front(points))
+    return all_of(any_of(all_of(-sectors, both), bull), in_front(points))
 
 
 def spiral(points: Points, half: Half) -> Margin:
@@ -82,7 +82,7 @@ def frame(points: Points, half: Half, at: float, size: tuple[float, float], wide
     line's width, all in halves of the board's height."""
     x, z = points[:, 0].abs() / half[2], (points[:, 2] / half[2] - at).abs()
     away = torch.maximum(x - size[0], z - size[1]).abs()
-    return within((wide - away) * half[2], in_front(points))
+    return all_of((wide - away) * half[2], in_front(points))
 
 
 def lettered(
@@ -92,7 +92,7 @@ def lettered(
     halves; ``bold``: how much farther out their strokes go than the font's, of their height."""
     size = high * half[0]
     place = torch.stack([points[:, 0], points[:, 2] - at * half[2]], 1) / size
-    return within((lettering(place, text) + bold) * size, in_front(points))
+    return all_of((lettering(place, text) + bold) * size, in_front(points))
 
 
 def on_sides(points: Points, half: Half, text: str, high: float, at: tuple[float, float]) -> Margin:
@@ -101,14 +101,14 @@ def on_sides(points: Points, half: Half, text: str, high: float, at: tuple[float
     size, right = high * half[1], points[:, 0].sign()
     y, z = points[:, 1] - at[0] * half[1], points[:, 2] - at[1] * half[2]
     letters = (lettering(torch.stack([right * y, z], 1) / size, text) + 0.05) * size
-    return within(letters, points[:, 0].abs() - 0.6 * half[0])
+    return all_of(letters, points[:, 0].abs() - 0.6 * half[0])
 
 
 def doors(points: Points, half: Half) -> Margin:
     """A car's, on both sides, below the windows."""
     x, y, z = points.unbind(1)
     wide = 0.42 * half[1] - (y - 0.08 * half[1]).abs()
-    return within(wide, 0.12 * half[2] - z, x.abs() - 0.6 * half[0])
+    return all_of(wide, 0.12 * half[2] - z, x.abs() - 0.6 * half[0])
 
 
 def checks(points: Points, half: Half) -> Margin:
@@ -126,7 +126,7 @@ def black_keys(points: Points, half: Half, octaves: int = 2) -> Margin:
     nearest = at.round()
     away = (at - nearest).abs() * pitch
     place = nearest.remainder(7)
-    key = within(0.3 * pitch - away, points[:, 1] + 0.2 * half[1])
+    key = all_of(0.3 * pitch - away, points[:, 1] + 0.2 * half[1])
     return any_of(torch.where((place != 0) & (place != 3), key, -1.0), 0.005 - away)
 
 

@@ -16,7 +16,7 @@ Margin = Float[Tensor, " p"]
 Marks = Callable[[Points, Half], Margin]
 
 
-def within(*margins: Margin) -> Margin:
+def all_of(*margins: Margin) -> Margin:
     """Inside all of them."""
     return torch.stack(margins).amin(0)
 

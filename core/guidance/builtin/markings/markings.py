@@ -205,8 +205,9 @@ class Marked:
         for name, (on, marks) in sorted(
             MARKINGS.get(noun, {}).items(), key=lambda one: _depth(noun, one[0])
         ):
-            if name in names and on in names:
-                box = boxes[names.index(_bearer(noun, name))]
+            bearer = bearer_of(noun, name)
+            if {name, on, bearer} <= set(names):
+                box = boxes[names.index(bearer)]
                 if box is not None:
                     self.laid.append((names.index(name), names.index(on), marks, box))
 
@@ -224,7 +225,7 @@ class Marked:
         return found
 
 
-def _bearer(noun: str, part: str) -> str:
+def bearer_of(noun: str, part: str) -> str:
     """The part with a solid that bears a marking: of a pupil the white."""
     while is_marking(noun, part):
         part = MARKINGS[noun][part].on

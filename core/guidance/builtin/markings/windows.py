@@ -2,6 +2,7 @@
 front, to the sides or upwards."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ ABOUT = 0.9  # of the largest rectangle's side: one nearer to the middle is take
 HOLES = 0.05  # of a rectangle that need not be even
 FACING = 0.55  # cosine to the way that a place looks, at least
 ASIDE = 0.9  # less is a rectangle worth at a thing's edge than in its middle
-SMALL = 0.06  # of what is seen: a part that is smaller is written on by itself alone
+SMALL = 0.06  # of what is seen: nothing is written on a part that is smaller
 STEP = 0.3  # training units: no deeper from a cell to the next
 
 
@@ -58,7 +59,7 @@ class Window(NamedTuple):
         up = (points[:, v] - self.middle[1]) * way_v
         return torch.stack([right, up], 1) / self.half
 
-    def within(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
+    def before(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
         """How far on its side places are."""
         axis, side = self.way.to
         toward = points[:, axis].abs() if axis == 0 else points[:, axis] * side
@@ -72,7 +73,7 @@ class Seen(NamedTuple):
     near: Float[np.ndarray, "r c"]  # towards the eye
     wide: float  # of a cell, training units
 
-    def within(self, window: Window) -> Bool[np.ndarray, "r c"]:
+    def covered(self, window: Window) -> Bool[np.ndarray, "r c"]:
         """Which cells are in a window from the same way."""
         rows, columns = self.part.shape
         u = (np.arange(columns) + 0.5 - columns / 2) * self.wide - window.middle[0]
@@ -102,11 +103,12 @@ def window_on(
             seen = _seen(*surface, way, wide)
             for other in taken:
                 if other.way == way:
-                    seen.part[seen.within(other)] = -1
+                    seen.part[seen.covered(other)] = -1
             found += _windows(seen, way, np.array(worth))
     return max(found, key=lambda one: one[0])[1] if found else None
 
 
+@lru_cache(2)
 def _surface(
     parts: KnownParts,
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Int[np.ndarray, " n"]]:
@@ -132,8 +134,11 @@ def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wid
     (axis, side), (u, _), (v, _) = way.to, way.right, way.up
     toward, cell = places[:, axis] * side, 2 * EXTENT / CELLS
     columns = int(np.ceil(CELLS / wide)) + 2
-    column = (places[:, u] / (cell * wide) + columns / 2).astype(int)
-    row = ((places[:, v] + EXTENT) / cell).astype(int)
+    column = np.floor(places[:, u] / (cell * wide) + columns / 2).astype(int)
+    row = np.floor((places[:, v] + EXTENT) / cell).astype(int)
+    # What is bent by a guide may stand out of the cube.
+    here = (row >= 0) & (row <= CELLS) & (column >= 0) & (column < columns)
+    row, column, toward, normals, of = (x[here] for x in (row, column, toward, normals, of))
     index = row * columns + column
     order = np.lexsort((toward, index))
     last = order[np.append(np.diff(index[order]) > 0, True)]

@@ -108,7 +108,7 @@ MARKED_FLAGS = {
         "b3202e", canton="2a3560", stripes="f4f3ef", stars="f4f3ef",
     ),
     "british flag": _flag(
-        "union jack, uk flag, union flag, english flag", "1f2f6b", reds="c4202f", whites="f4f3ef"
+        "union jack, uk flag, union flag", "1f2f6b", reds="c4202f", whites="f4f3ef"
     ),
     "french flag": _flag("flag of france, france flag", "f4f3ef", blues="22397f", reds="cf2b33"),
     "italian flag": _flag("flag of italy, italy flag", "f4f3ef", greens="1f8a4a", reds="cb2b36"),
@@ -249,15 +249,15 @@ MARKED_VEHICLES = {
 }
 MARKED_SPACE = {
     "earth": Noun(
-        "planet earth, world, blue marble, earth planet",
+        "planet earth, blue marble, earth planet",
         {"body": "*2766b5 . plastic", "land": "+4d8f45 . plastic", "ice": "-f4f7f9 . plastic"},
-        Usual(0.4, STONE, 0.3),
+        Usual(0.4, STONE, 0.03),
         "ball",
     ),
     "full moon": Noun(
         "moon globe, lunar globe, moon ball",
         {"body": "*d2d0c9 . stone", "craters": "-a6a49f . stone"},
-        Usual(0.4, STONE, 0.6),
+        Usual(0.4, STONE, 0.03),
         "ball",
     ),
 }

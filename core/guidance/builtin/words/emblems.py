@@ -37,7 +37,7 @@ FLAT = {
     "star": "star",
     "smiley": "smiley face, smiley, emoji face, emoji",
     "skull and crossbones": "skull and crossbones, skull and cross bones, jolly roger",
-    "lightning bolt": "lightning bolt, thunderbolt, bolt of lightning, lightning",
+    "lightning bolt": "lightning bolt, thunderbolt, bolt of lightning",
     "cross": "cross",
     "peace sign": "peace sign, peace symbol",
     "radiation sign": "radiation sign, radiation symbol, radioactive sign, radioactive symbol",
@@ -64,6 +64,7 @@ ALSO_THINGS = {
     "leaf": "leaf",
     "paw print": "paw",
 }
+PARTS_TOO = ("ring", "square", "crown", "leaf")  # what else a thing may come with
 SIGNS = {  # by a letter of the font
     "?": "question mark",
     "!": "exclamation mark, exclamation point",
@@ -112,30 +113,38 @@ _MARK = (
 _AFTER = "and|on|onto|across|in|at|with|plus"  # what may come right after a shape
 _INK = "(?:letter(?:s|ing)|text|paint|writing|ink|icing|frosting|thread|chalk)"
 _SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
-# What a text follows: any words, or only capitals and what is in quotes.
+_QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
+_CAPITALS = re.compile(r"([A-Z0-9][A-Z0-9!?&.'-]+(?: [A-Z0-9][A-Z0-9!?&.'-]*){0,3})(?!\w)")
+_TITLE = re.compile(r"((?:[A-Z0-9&][\w!?&.'-]*|-)(?: (?:[A-Z0-9&][\w!?&.'-]*|-)){0,7})(?!\w)")
+_ENDS = rf"(?!(?:on|in|at|with|and|or|made|of|next|under|above|from|for|to|by|{_MADE})\b)"
+_PLAIN = re.compile(rf"(?!(?:an?|the) )({_ENDS}[\w!?&.'-]+(?: {_ENDS}[\w!?&.'-]+){{0,7}})")
+_NUMBER = re.compile(r"([A-Z]{0,3}-?\d{1,4}|[A-Z])\b")
+# What a text follows, and what it may be then.
 _OPENERS = (
-    (_rule(rf"(?:{_WITHS}|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "), True),
+    (
+        _rule(rf"(?:{_WITHS}|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "),
+        (_QUOTED, _CAPITALS, _PLAIN),
+    ),
     (
         _rule(r"(?:(?:(?:that|which|who) )?says?|(?:that|which) reads|spelling|saying|titled):? "),
-        True,
+        (_QUOTED, _CAPITALS, _PLAIN),
     ),
-    (_rule(rf"(?:with )?{_A}{_COLOR}(?:racing )?(?:number |no\. ?|# ?)(?=\w{{1,3}}\b)"), True),
+    (
+        _rule(rf"(?:with )?{_A}{_COLOR}(?:racing )?(?:number |no\. ?|# ?)"),
+        (_QUOTED, _NUMBER),
+    ),
     (
         _rule(
             rf"(?:{_MADE}|labell?ed|marked|inscribed|lettered|branded|called|named|reading)"
             rf"(?: with)?(?: the)?(?: {_WORD})?:? "
         ),
-        False,
+        (_QUOTED, _TITLE),
     ),
-    (_rule(r"with (?=(?:(?!and )[\w']+ ){1,5}written\b)"), True),
-    (_rule(rf"(?:with|and) {_A}{_COLOR}"), False),
-    (_rule(r"(?=[\"“”«'‘])"), False),
+    (_rule(r"with (?=(?:(?!and )[\w']+ ){1,5}written\b)"), (_QUOTED, _CAPITALS, _PLAIN)),
 )
-_QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
-_CAPITALS = re.compile(r"([A-Z0-9][A-Z0-9!?&.'-]+(?: [A-Z0-9][A-Z0-9!?&.'-]*){0,3})(?!\w)")
-_TITLE = re.compile(r"((?:[A-Z0-9&][\w!?&.'-]*|-)(?: (?:[A-Z0-9&][\w!?&.'-]*|-)){0,7})(?!\w)")
-_ENDS = r"(?!(?:on|in|at|with|and|or|made|of|next|under|above|from|written|for|to|by)\b)"
-_PLAIN = re.compile(rf"(?!(?:an?|the) )({_ENDS}[\w!?&.'-]+(?: {_ENDS}[\w!?&.'-]+){{0,7}})")
+# The same, where it is said how or where it is: "with FRAGILE on it".
+_BY_THE_WAY = _rule(rf"(?:with|and) {_A}{_COLOR}")
+_BARE = _rule(r"(?=[\"“”«'‘])")
 # What may follow what is drawn: its colour, how it is made, where.
 _TAIL = re.compile(
     rf"(?P<mark> {_MARK})?"
@@ -150,7 +159,8 @@ _SHAPE = _rule(
     rf"(?:(?:{_MADE} |marked |decorated )?{_WITH}{_A})?"
     rf"(?:(?:big|bold|large|small|little|simple|cute|single|giant|painted) ){{0,3}}{_COLOR}"
     rf"(?P<shape>{_any(FLAT_FORMS | THING_FORMS | SIGN_FORMS)})"
-    rf"(?:(?P<mark>[ -](?:{_MARK}|sign))(?![\w-])|(?=$|[,.;!]| (?:{_AFTER}|{_MADE})\b))"
+    rf"(?:(?P<mark>[ -](?:{_MARK}|sign))(?![\w-])|"
+    rf"(?=$|[,.;!]| (?!on top(?! of)\b)(?:{_AFTER}|{_MADE})\b))"
 )
 # What people have pictures on: what is with it is drawn.
 _BEARERS = _rule(
@@ -162,6 +172,8 @@ _RACING = _rule(
     r"stripes? (?:running )?(?:down|along|over) (?:the|its) "
     r"(?:middle|cent(?:er|re)|hood|bonnet|top))(?![\w-])"
 )
+_ALSO = re.compile(r"^(?:,? and (?!with\b)|, (?=(?:an?|two|three|\d) ))", re.IGNORECASE)
+_NOUN = re.compile(rf" (?!(?:{_AFTER})\b)\w")
 _BEHIND = re.compile(rf"({_MADE} |marked |decorated )?{_WITH}", re.IGNORECASE)
 
 
@@ -181,7 +193,10 @@ def emblems_in(prompt: str, but: Collection[str] = ()) -> tuple[tuple[Emblem, ..
 def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, str]:
     """The first of them, and the prompt without it."""
     for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
-        rest = re.sub(r"\s+", " ", f"{prompt[:start]} {prompt[end:]}").strip(" ,")
+        after = prompt[end:]
+        if _BEHIND.match(prompt, start):  # "with a heart and a star"
+            after = _ALSO.sub(" with ", after, count=1)
+        rest = re.sub(r"\s+", " ", f"{prompt[:start]} {after}").strip(" ,")
         rest = re.sub(r" and$|,? and(?=,)| ,(?= )", "", rest)
         if emblem.shape not in but and re.search("[a-z]{2}", rest, re.IGNORECASE):
             return emblem, rest
@@ -190,26 +205,32 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
 
 def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The texts, and where in the prompt they are written about."""
-    for opener, any_words in _OPENERS:
+    shouted = prompt == prompt.upper()  # all of it in capitals: these say nothing
+    for opener, kinds in (*_OPENERS, (_BY_THE_WAY, (_QUOTED, _CAPITALS)), (_BARE, (_QUOTED,))):
         for match in opener.finditer(prompt):
-            by_the_way = match[0][:4].lower() in ("with", "and ") and not any_words
-            capitals = _TITLE if match[0] and not (by_the_way or any_words) else _CAPITALS
-            # All of it may be in capitals.
-            kinds = (_QUOTED, *(capitals,) * (prompt != prompt.upper()), *(_PLAIN,) * any_words)
-            found = next(filter(None, (kind.match(prompt, match.end()) for kind in kinds)), None)
+            told = (k for k in kinds if not (shouted and k in (_CAPITALS, _TITLE)))
+            found = next(filter(None, (kind.match(prompt, match.end()) for kind in told)), None)
             tail = found and _TAIL.match(prompt, found.end())
             if not found or not tail:
                 continue
-            written = next(filter(None, found.groups()))
-            if not match[0] and written in LEXICON:
-                continue  # "a 'golden' crown"
-            end = tail.end() if match[0] or not tail["mark"] else found.end()  # "a 'VIP' badge"
-            text = _drawable(written)
-            surely = not by_the_way or tail[0]
-            if surely and 0 < len(text) <= MOST_LETTERS and text.isascii():
+            text, end = _drawable(next(filter(None, found.groups()))), tail.end()
+            if opener is _BARE and tail["mark"]:
+                end = found.end()  # "a 'VIP' badge"
+            if opener is _BY_THE_WAY and not tail[0]:
+                continue
+            if opener is _BARE and not (tail[0] or _is_written(text, prompt[end:])):
+                continue
+            if 0 < len(text) <= MOST_LETTERS and text.isascii():
                 said = match.groupdict().get("color") or tail["color"] or tail["after"]
-                color = _color(said)
-                yield Emblem(text, "", *color, *_place(tail)), match.start(), end
+                yield Emblem(text, "", *_color(said), *_place(tail)), match.start(), end
+
+
+def _is_written(text: str, after: str) -> bool:
+    """Whether a quoted text is meant to be there, and is no doubtful word: a 'vintage' car."""
+    if text.lower() in LEXICON and text != text.upper():
+        return False
+    beside = re.match(r"\W*$|[,.;]", after) or _BEARERS.match(after.lstrip())
+    return text == text.upper() or bool(beside)
 
 
 def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
@@ -221,13 +242,15 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         form = re.sub("[ -]", " ", match["shape"].lower())
         follows = _BEHIND.match(match[0])  # "a mug with a heart", or "a heart print mug"
         said = match["mark"] or (follows and (follows[1] or (tail and tail[0])))
-        flat = form not in THING_FORMS or _BEARERS.search(prompt)
+        flat = form not in THING_FORMS or (form not in PARTS_TOO and _BEARERS.search(prompt))
         if not tail or not (said or (follows and flat)):
             continue
         text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
         color = _color(match["color"] or tail["color"] or tail["after"])
-        emblem = Emblem(text, shape, *color, *_place(tail))
-        yield emblem, match.start(), tail.end()
+        # "With a paw print collar": the collar stays.
+        of_noun = match["mark"] and not tail[0] and _NOUN.match(prompt, tail.end())
+        start = match.start("shape") if of_noun else match.start()
+        yield Emblem(text, shape, *color, *_place(tail)), start, tail.end()
 
 
 def _drawable(text: str) -> str:

@@ -185,7 +185,7 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    emblems, rest = emblems_in(prompt)
+    emblems, rest = emblems_in(prompt) if noun_needed else ((), prompt)
     got = _read(rest, known, noun_needed)
     shapes = {emblem.shape for emblem in emblems if emblem.shape}
     own = {one for one in shapes if any(own_name(got.thing, w) for w in (one, one.split()[0]))}
