@@ -300,8 +300,11 @@ def test_an_export_that_hangs_or_cannot_start_is_a_sentence(addon, tmp_path, mon
     core = Core(tmp_path, tmp_path)  # a folder is no program
     with pytest.raises(OutputError, match="can't be started"):
         print_export.export_print(obj, tmp_path / "x.stl", core)
-    monkeypatch.setattr(print_export, "TIMEOUT", 0.01)
-    core = Core(Path(sys.executable), tmp_path)
+    hanging = tmp_path / "hanging"
+    hanging.write_text("#!/bin/sh\nexec sleep 30\n")
+    hanging.chmod(0o755)
+    monkeypatch.setattr(print_export, "TIMEOUT", 0.2)
+    core = Core(hanging, tmp_path)
     with pytest.raises(OutputError, match=r"x\.stl was not ready after"):
         print_export.export_print(obj, tmp_path / "x.stl", core)
 

@@ -21,7 +21,7 @@ from core.benchmarks.likeness import Surface, likeness
 from core.errors import UserError
 from core.generate import generate, prepare
 from core.geometry.mesh import health
-from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.words.colors import COLOR_VALUES
 from core.guidance.builtin.words.prompt_errors import known_things
@@ -60,7 +60,7 @@ def bench_prior(
     """
     nouns, known = known_nouns(nouns), offered_words()
     torch.set_num_threads(1)
-    references = kept_clouds(known["noun"])
+    references = kept_clouds(drawn_nouns())
     scores = []
     for noun in nouns:
         for seed in range(seeds):
@@ -74,12 +74,14 @@ def bench_prior(
 
 
 def known_nouns(nouns: list[str]) -> list[str]:
-    """The nouns, if the shipped weights offer them; all that they do, if there are none."""
-    known = offered_words()
+    """The nouns, if the shipped weights offer them; all that they do, if there are none. Not what
+    is another thing's solid."""
+    known = drawn_nouns()
     for noun in nouns:
-        if noun not in known["noun"]:
-            raise UserError(f"The built-in prior has no noun {noun!r}.", known_things(known))
-    return nouns or known["noun"]
+        if noun not in known:
+            own = f"The built-in prior has no noun {noun!r} with a solid of its own."
+            raise UserError(own, known_things(offered_words()))
+    return nouns or known
 
 
 def _scored(

@@ -21,7 +21,7 @@ from core.benchmarks.likeness import Points, Surface, likeness, objects
 from core.config import DRAFT
 from core.geometry.assembly import assembled
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
-from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.offered import drawn_nouns
 from core.io.job import write_text
 from core.prior.retrieval import Cloud, kept_clouds, mesh_cloud, ranking
 
@@ -36,7 +36,7 @@ def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
     """Score ``seeds`` shapes of each noun (all, if empty), print a table; JSON to ``out``."""
     torch.set_num_threads(1)
     nouns = known_nouns(nouns)
-    references = kept_clouds(offered_words()["noun"])
+    references = kept_clouds(drawn_nouns())
     guidance, scores = load_builtin("cpu"), {}
     for noun in nouns:
         scores[noun] = solid_scores(guidance, noun, seeds, references)

@@ -75,10 +75,10 @@ def rank(run: Path, noun: str) -> str:
 
 @cache
 def _references() -> dict[str, list[torch.Tensor]]:
-    from core.guidance.builtin.offered import offered_words
+    from core.guidance.builtin.offered import drawn_nouns
     from core.prior.retrieval import kept_clouds
 
-    return kept_clouds(offered_words()["noun"])
+    return kept_clouds(drawn_nouns())
 
 
 def color_error(run: Path, noun: str, color: str) -> float:

@@ -54,6 +54,11 @@ def offered_words() -> dict[str, list[str]]:
     return words
 
 
+def drawn_nouns() -> list[str]:
+    """The things among them that have a solid of their own."""
+    return [noun for noun in offered_words()["noun"] if not NOUNS[noun].solid]
+
+
 def weights_error(path: Path, error: Exception) -> MissingError:
     """The error for weights that are missing or broken."""
     return MissingError(

@@ -54,13 +54,13 @@ MARKED_SPORT = {
     "bowling ball": Noun(
         "",
         {"body": "*1b2f63 . plastic", "holes": "-0b0b0d . plastic"},
-        Usual(0.22, PLASTIC, 1.1),
+        Usual(0.22, RUBBER, 0.95),
         "ball",
     ),
     "billiard ball": Noun(
         "billiards ball, pool ball, 8 ball, eight ball, 8ball, snooker ball, magic 8 ball",
         {"body": "*17171a . plastic", "disc": "+f6f3ea . plastic", "number": "-17171a . plastic"},
-        Usual(0.057, PLASTIC, 1.7),
+        Usual(0.057, GLASS, 0.68),
         "ball",
     ),
     "target": Noun(
