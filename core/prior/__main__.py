@@ -192,16 +192,18 @@ def data(options: argparse.Namespace) -> None:
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
+    if (options.anew or options.encoder) and options.network != SOLID:
+        raise UserError(
+            f"--anew and --encoder are of solids, and this training is of {options.network}.",
+            "Leave them out.",
+        )
+    if options.encoder:
+        check_file(options.encoder, "checkpoint")
     needed = SOLIDS if options.network == SOLID else SHARDS
     if not any(options.out.glob(needed)):
         raise UserError(
             f"There are no files {needed} in {options.out}.",
             f"Make them first: python -m core.prior data --out {options.out}",
-        )
-    if (options.anew or options.encoder) and options.network != SOLID:
-        raise UserError(
-            f"--anew and --encoder are of solids, and this training is of {options.network}.",
-            "Leave them out.",
         )
     make, source, config, objective = TRAININGS[options.network]
     config = replace(config, seed=options.seed)

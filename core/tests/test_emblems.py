@@ -11,6 +11,7 @@ from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.markings import windows
 from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
 from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
@@ -450,10 +451,45 @@ def test_what_stands_beside_what_is_drawn_stays(prompt, emblems, rest):
 
 def test_stripes_of_the_bodys_own_colour_are_there(parts):
     on, paints = drawn(parts, "a white sports car with white racing stripes")
-    assert on.bears == [0, 0] or on.bears == [0]
+    assert set(on.bears) == {0}
+    # Of a thing without a main part too.
+    others = [paint._replace(look=paint.look._replace(role="+")) for paint in paints]
+    assert Drawn(on.emblem, "sports car", parts, others).bears == [0]
     assert on(torch.full((1, 8), -0.1), torch.zeros(1, 3)).shape == (1, len(paints) + 1)
 
 
 def test_a_negative_prompt_has_none():
     words = parse("a red mug with a star", noun_needed=False)
     assert words.emblems == ()
+
+
+def test_what_stands_out_of_the_cube_is_passed_over(parts, monkeypatch):
+    """As what a guide has bent may."""
+    places, normals, of = windows._surface(parts)
+    out = torch.tensor([[0.0, -9.0, 9.0], [9.0, -9.0, 0.0], [0.0, -9.0, -9.0]]).numpy()
+    more = tuple(
+        map(np.concatenate, ((places, out), (normals, [[0.0, -1.0, 0.0]] * 3), (of, [0] * 3)))
+    )
+    before = window_on(parts, [1.0], 1.0, "front")
+    monkeypatch.setattr(windows, "_surface", lambda _: more)
+    assert window_on(parts, [1.0], 1.0, "front") == before
+
+
+def test_where_the_asked_part_has_no_room_it_is_elsewhere(parts):
+    words = parse("a mug with a heart on the handle")
+    paints = list(painted(words.noun, words))
+    on = Drawn(words.emblems[0], words.noun, parts, paints)  # a cube, which is all body
+    assert words.emblems[0].on == "handle" and on.window is not None and on.on == 0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "shade"),
+    [
+        ("blue jeans", "denim blue"),
+        ("a blue denim jacket", "denim blue"),
+        ("a dark blue pair of jeans", "navy"),
+        ("a blue jacket", "blue"),
+    ],
+)
+def test_the_blue_of_denim(prompt, shade):
+    assert understood(prompt)["colours"] == [shade]

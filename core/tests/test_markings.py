@@ -11,6 +11,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from core.benchmarks.bench_prior import known_nouns
+from core.errors import UserError
 from core.geometry import pieces
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
@@ -25,6 +27,7 @@ from core.guidance.builtin.markings.markings import (
 )
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.nouns import NOUNS, solid_of
+from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import looks, painted
 from core.guidance.builtin.words.vocabulary import Words, parse
 from core.ops import srgb_to_linear
@@ -275,6 +278,12 @@ def test_an_areas_border_is_as_sharp_as_the_marking(football):
     assert torch.equal(dark[sure], margin[sure] > 0)
 
 
+def test_a_marking_has_no_solid(football):
+    """The network has learnt one, as a relief: it is not drawn."""
+    prompted, _, _ = football
+    assert {piece.place.part for piece in prompted.parts().pieces} == {0}
+
+
 def test_an_areas_colour_is_the_markings(football):
     prompted, areas, _ = football
     names = [paint.name for paint in painted("soccer ball", prompted.words)]
@@ -283,3 +292,19 @@ def test_an_areas_colour_is_the_markings(football):
     assert (low[0] > high[1]) and (low[0] > high[2]), "red"
     ball = areas.each[names.index("ball")].ranges
     assert min(ball.color[0]) > srgb_to_linear(torch.tensor(0.7)), "white"
+
+
+def test_a_marking_whose_bearer_is_gone_is_gone():
+    names = list(NOUNS["american flag"].looks)
+    boxes = [torch.tensor([[-1.0] * 3, [1.0] * 3])] * len(names)
+    whole = Marked("american flag", names, boxes)
+    assert [names[part] for part, *_ in whole.laid].count("stars") == 1
+    without = ["" if name == "cloth" else name for name in names]
+    assert Marked("american flag", without, boxes).laid == []
+
+
+def test_what_is_anothers_solid_is_not_benched():
+    assert "tennis ball" in offered_words()["noun"] and "ball" in drawn_nouns()
+    assert {solid_of(noun) for noun in drawn_nouns()} == set(drawn_nouns())
+    with pytest.raises(UserError, match="tennis ball"):
+        known_nouns(["tennis ball"])

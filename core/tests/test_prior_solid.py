@@ -427,6 +427,10 @@ def test_kinds_begin_anew_and_the_encoder_is_an_older_trainings(folder, tmp_path
     # What was taken over learns from the first step on.
     assert torch.equal(second._held(torch.ones(2)), torch.ones(2))
     assert not first._held(torch.ones(2)).any()
+    # And does so after a stop.
+    second.save(tmp_path / "second.safetensors")
+    first.resume(tmp_path / "second.safetensors")
+    assert torch.equal(first._held(torch.ones(2)), torch.ones(2))
 
 
 def _place(training, name):

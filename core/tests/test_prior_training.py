@@ -330,6 +330,8 @@ def test_turning_a_pictures_normals_turns_them_with_the_camera():
         ("train solid --batch 0", "it takes 1 or more"),
         ("train solid --device abacus", "invalid choice"),
         ("train solid --out FOLDER", "There are no files"),
+        ("train parts --anew --out FOLDER", "are of solids"),
+        ("train solid --encoder nowhere.safetensors --out FOLDER", "There is no checkpoint"),
         ("data --nouns blorb", "invalid choice"),
         ("evaluate geometry --views 0", "it takes 1 or more"),
         ("evaluate geometry --weights nowhere.safetensors", "There is no weights"),

@@ -164,8 +164,9 @@ _SHAPE = _rule(
 )
 # What people have pictures on: what is with it is drawn.
 _BEARERS = _rule(
-    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|bottle|potion|jar|box|bag|sack|"
-    r"backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|rug|book|sticker|badge)\b"
+    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
+    r"bottle|potion|jar|box|bag|sack|backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|"
+    r"rug|book|sticker|badge)\b"
 )
 _RACING = _rule(
     rf"(?:with {_A})?(?:two |twin |double )?{_COLOR}(?:(?:racing|go[ -]faster|rally) stripes?|"
