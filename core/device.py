@@ -48,3 +48,11 @@ def _device_of(name: str) -> torch.device:
     if kind == "cuda" and (device.index or 0) >= torch.cuda.device_count():
         raise MissingError(f"This torch finds no device {name}.", "Use --device cuda or auto.")
     return device
+
+
+def has_fast_bfloat16(device: torch.device) -> bool:
+    """Whether half precision is worth it: on a GPU, or on a CPU with its own units for it."""
+    if device.type != "cpu":
+        return True
+    flags = torch.cpu.get_capabilities()
+    return bool(flags.get("amx_bf16") or flags.get("avx512_bf16"))

@@ -230,6 +230,10 @@ class PromptedGuidance(ABC):
         """The areas of that object; None where its parts are not known."""
         return None
 
+    def left_out(self) -> tuple[str, ...]:
+        """A note on each thing that the prompt wants of the object and that is not so."""
+        return ()
+
     def parts(self) -> KnownParts | None:
         """The parts of that object, each a solid of its own; None: unknown."""
         return None

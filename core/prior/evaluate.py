@@ -17,8 +17,8 @@ import torch
 from torch import Tensor
 
 from core.camera import Cameras
+from core.device import has_fast_bfloat16
 from core.guidance.builtin.diffusion import alpha_bar_schedule
-from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import hint
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import looks

@@ -19,8 +19,8 @@ import torch
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
+from core.device import has_fast_bfloat16
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
-from core.guidance.builtin.guidance import has_fast_bfloat16
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
 from core.guidance.builtin.offered import read_metadata

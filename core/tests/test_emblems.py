@@ -1,4 +1,4 @@
-"""What a prompt wants written or drawn on the thing: taken out of the prompt, and put on it."""
+"""What a prompt wants written or drawn on the thing is put on it."""
 
 from functools import partial
 
@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import torch
 
-from core.errors import UserError
 from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.markings import drawn as placing
 from core.guidance.builtin.markings import windows
 from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
@@ -19,173 +19,9 @@ from core.guidance.builtin.palette import FINISHES, painted
 from core.guidance.builtin.words.emblems import (
     ALSO_THINGS,
     FLAT,
-    MOST_LETTERS,
-    STRIPES,
-    Emblem,
-    emblem_in,
     emblems_in,
 )
-from core.guidance.builtin.words.vocabulary import parse, understood
-
-# Of a prompt: the text, the shape, the colour, the part, the side; and what is left of the prompt.
-TAKEN = {
-    "a white mug with a red heart": ("", "heart", "red", "", "", "a white mug"),
-    "a wooden sign that says WELCOME": ("WELCOME", "", "", "", "", "a wooden sign"),
-    "a sign that says hello world in red letters": ("hello world", "", "red", "", "", "a sign"),
-    "a sign which reads keep out": ("keep out", "", "", "", "", "a sign"),
-    "a blue sports car with white racing stripes": (
-        ("", STRIPES, "white", "", "", "a blue sports car")
-    ),
-    "a red race car with the number 7": ("7", "", "", "", "", "a red race car"),
-    "a red car, number 5": ("5", "", "", "", "", "a red car"),
-    "a race car with #42 on the hood": ("42", "", "", "hood", "", "a race car"),
-    "a tombstone that says RIP": ("RIP", "", "", "", "", "a tombstone"),
-    "a birthday cake with happy birthday written on it": (
-        ("happy birthday", "", "", "", "", "a birthday cake")
-    ),
-    "a shield with a red cross": ("", "cross", "red", "", "", "a shield"),
-    "a crate labeled TNT": ("TNT", "", "", "", "", "a crate"),
-    'a jar labelled "HONEY"': ("HONEY", "", "", "", "", "a jar"),
-    "a barrel marked with a skull": ("", "skull", "", "", "", "a barrel"),
-    'an "OPEN" sign': ("OPEN", "", "", "", "", "an sign"),
-    "a wooden crate, marked 'EXPLOSIVE' in red paint": (
-        ("EXPLOSIVE", "", "red", "", "", "a wooden crate")
-    ),
-    "an old book with a golden moon on the cover": (
-        "",
-        "moon",
-        "golden",
-        "cover",
-        "",
-        "an old book",
-    ),
-    "a school bus with number 12 on the side": ("12", "", "", "", "side", "a school bus"),
-    "a blue cap with a lightning bolt on the front": (
-        ("", "lightning bolt", "", "", "front", "a blue cap")
-    ),
-    "a jersey with number 23 on the back": ("23", "", "", "", "back", "a jersey"),
-    "a white t-shirt with the word LOVE in pink letters": (
-        ("LOVE", "", "pink", "", "", "a white t-shirt")
-    ),
-    'a white mug with a blue "M" on it': ("M", "", "blue", "", "", "a white mug"),
-    "a mug that says World's Best Dad": ("World's Best Dad", "", "", "", "", "a mug"),
-    "a ring engraved with “LOVE”": ("LOVE", "", "", "", "", "a ring"),
-    "a mug with «LOVE» on it": ("LOVE", "", "", "", "", "a mug"),
-    "a ‘NO’ sign": ("NO", "", "", "", "", "a sign"),
-    'a sign that says "(.*)+$"': ("(.*)+$", "", "", "", "", "a sign"),
-    "a green bottle with a question mark on it": ("?", "", "", "", "", "a green bottle"),
-    "a teddy bear with a red heart on its belly": ("", "heart", "red", "belly", "", "a teddy bear"),
-    "a yellow taxi with the word TAXI on the door": ("TAXI", "", "", "door", "", "a yellow taxi"),
-    "a guitar with a star sticker": ("", "star", "", "", "", "a guitar"),
-    "a mug with a flower print": ("", "flower", "", "", "", "a mug"),
-    "a barrel with a black radiation symbol": ("", "radiation sign", "black", "", "", "a barrel"),
-    "a mug with a red heart and a golden handle": (
-        ("", "heart", "red", "", "", "a mug with a golden handle")
-    ),
-}
-LEFT = (
-    "a robot reading a book",
-    "a dog with a flower",
-    "a bear with a crown",
-    "a bow with an arrow",
-    "a ship with an anchor",
-    "a lamp with a star-shaped base",
-    "a chair with a heart-shaped back",
-    "a house with a red door",
-    "a house with 12 windows",
-    "a house with a number on the door",
-    "a jar with a label on the front",
-    "a bottle with a white label and a cork",
-    "a keyboard with white letters on black keys",
-    "a mug with text in red",
-    "a cat with a bell on its collar",
-    "a black mug with white polka dots",
-    "a ring with a heart shaped diamond",
-    "a golden star",
-    "a heart",
-    "a flower pot",
-    "a stop sign",
-    "a dog's bowl",
-    "the dogs' bowl and the cats' toy",
-    '"a red chair"',
-    "“a red chair”",
-    '"OPEN"',
-    '""',
-    'a mug with ""',
-    'a mug that says ""',
-    'a mug with "',
-    "a mug that says",
-    r"a mug (with [a] *chair*) + \d+ $^",
-    r"a mug that says (a|b)* \1 [",
-    "",
-    " ",
-)
-
-
-@pytest.mark.parametrize("prompt", TAKEN)
-def test_what_is_to_be_drawn_is_taken_out_of_the_prompt(prompt):
-    emblem, rest = emblem_in(prompt)
-    assert emblem is not None
-    assert (emblem.text, emblem.shape, emblem.color, emblem.on, emblem.side, rest) == TAKEN[prompt]
-
-
-@pytest.mark.parametrize("prompt", LEFT)
-def test_what_is_no_drawing_stays_in_the_prompt(prompt):
-    assert emblem_in(prompt) == (None, prompt)
-
-
-def test_a_text_that_is_too_long_is_not_taken():
-    assert emblem_in(f'a sign that says "{"x" * MOST_LETTERS}"')[0].text == "x" * MOST_LETTERS
-    long = f'a sign that says "{"x" * (MOST_LETTERS + 1)}"'
-    assert emblem_in(long) == (None, long)
-
-
-@pytest.mark.parametrize(
-    "text", ["a", "a ", '"', "' ", '" ', "AB ", "with a red ", "says ", "'a", "heart on the ", "🙂"]
-)
-def test_however_long_a_prompt_is_it_is_read(text):
-    prompt = (text * 5000)[:5000]
-    emblem, rest = emblem_in(prompt)
-    assert emblem or rest == prompt
-
-
-@pytest.mark.parametrize(
-    ("prompt", "noun", "part"),
-    [
-        ("a christmas tree with a star", "christmas tree", "star"),
-        ("an ambulance with a red cross", "ambulance", "cross"),
-        ("a medal with a star", "medal", "star"),
-    ],
-)
-def test_what_the_thing_has_by_nature_is_its_part(prompt, noun, part):
-    words = parse(prompt)
-    assert words.noun == noun and words.emblems == () and not words.left_out
-    assert part in [paint.name for paint in painted(noun, words)]
-
-
-def test_a_stated_colour_of_a_things_own_part_is_not_lost():
-    words = parse("a christmas tree with a blue star")
-    assert words.emblems == () and words.part_shades() == {"star": "blue"}
-
-
-def test_what_is_said_beside_the_drawing_is_read():
-    words = parse("a blue mug with a red heart and a golden handle")
-    assert words.color == "blue" and words.emblems == (Emblem("", "heart", "red", "red"),)
-    assert words.of_parts("material") == {"handle": "golden"} and not words.left_out
-    words = parse("a striped mug that says NO ENTRY in crimson")
-    assert words.pattern == "striped" and str(words.emblems[0]) == 'crimson "NO ENTRY"'
-    assert words.emblems[0].color_form == "crimson" and not words.color
-
-
-def test_what_was_understood_has_the_drawing():
-    assert understood("a tombstone that says RIP")["emblems"] == ['"RIP"']
-    assert understood("a shield with a red cross")["emblems"] == ["red cross"]
-    assert understood("a shield")["emblems"] == []
-
-
-def test_a_prompt_with_nothing_but_a_drawing_is_of_no_thing():
-    with pytest.raises(UserError):
-        parse('"(.*)"')
+from core.guidance.builtin.words.vocabulary import Words, parse
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -429,26 +265,6 @@ def test_several_are_taken_and_lie_apart(parts):
     assert not (second(first(nothing, front), front).argmin(1)[found[:, 2] < -0.005] == 1).any()
 
 
-@pytest.mark.parametrize(
-    ("prompt", "emblems", "rest"),
-    [
-        ("a mug with a red heart and a blue star", ["red heart", "blue star"], "a mug"),
-        ("a mug with a star on it and a moon on it", ["star", "moon"], "a mug"),
-        ("a race car with number 7 and a driver", ['"7"'], "a race car with a driver"),
-        ("a dog with a paw print collar", ["paw print"], "a dog with a collar"),
-        ("a crate labeled TNT and made of oak", ['"TNT"'], "a crate and made of oak"),
-        ("a mug with a heart, made of clay", ["heart"], "a mug made of clay"),
-        ("a staff with a star on top", [], "a staff with a star on top"),
-        ("a 'medieval' sword", [], "a 'medieval' sword"),
-        ('a "low poly" fox', [], 'a "low poly" fox'),
-        ('a mug "World\'s Best Dad"', ['"World\'s Best Dad"'], "a mug"),
-    ],
-)
-def test_what_stands_beside_what_is_drawn_stays(prompt, emblems, rest):
-    found, left = emblems_in(prompt)
-    assert ([str(one) for one in found], left) == (emblems, rest)
-
-
 def test_stripes_of_the_bodys_own_colour_are_there(parts):
     on, paints = drawn(parts, "a white sports car with white racing stripes")
     assert set(on.bears) == {0}
@@ -456,11 +272,6 @@ def test_stripes_of_the_bodys_own_colour_are_there(parts):
     others = [paint._replace(look=paint.look._replace(role="+")) for paint in paints]
     assert Drawn(on.emblem, "sports car", parts, others).bears == [0]
     assert on(torch.full((1, 8), -0.1), torch.zeros(1, 3)).shape == (1, len(paints) + 1)
-
-
-def test_a_negative_prompt_has_none():
-    words = parse("a red mug with a star", noun_needed=False)
-    assert words.emblems == ()
 
 
 def test_what_stands_out_of_the_cube_is_passed_over(parts, monkeypatch):
@@ -482,14 +293,25 @@ def test_where_the_asked_part_has_no_room_it_is_elsewhere(parts):
     assert words.emblems[0].on == "handle" and on.window is not None and on.on == 0
 
 
-@pytest.mark.parametrize(
-    ("prompt", "shade"),
-    [
-        ("blue jeans", "denim blue"),
-        ("a blue denim jacket", "denim blue"),
-        ("a dark blue pair of jeans", "navy"),
-        ("a blue jacket", "blue"),
-    ],
-)
-def test_the_blue_of_denim(prompt, shade):
-    assert understood(prompt)["colours"] == [shade]
+def test_what_has_no_place_is_said(mug, monkeypatch):
+    mug, _ = mug
+    assert mug.left_out() == ()
+    words = parse("a mug that says HELLO and a red heart")
+    of_mesh = PromptedBuiltin(mug.builtin, words, Words())
+    (note,) = {text for text in of_mesh.left_out() if "HELLO" in text}
+    assert "not on a mesh of yours" in note
+    monkeypatch.setattr(placing, "window_on", lambda *_: None)
+    full = PromptedBuiltin(mug.builtin, words, Words(), mug.solid)
+    assert [text for text in full.left_out() if "no room" in text and "HELLO" in text]
+
+
+def test_what_bears_what_is_drawn_stays():
+    """Without its border a rug would be nothing but fringes."""
+    builtin_prior = load_builtin("cpu")
+    whole = builtin_prior.prompted("a rug", "").of_object(0)
+    without = builtin_prior.prompted("a rug without a border", "").of_object(0)
+    at = torch.zeros(1, 3)
+    assert torch.equal(without.solid.distances(at), whole.solid.distances(at))
+    assert [text for text in without.left_out() if text.startswith("no border")]
+    plain = builtin_prior.prompted("a rug without a lozenge", "").of_object(0)
+    assert not plain.left_out()

@@ -18,6 +18,8 @@ from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import GEOMETRY_SLOTS, load_builtin
 from core.guidance.builtin.markings.balls import number_on, pentagons, pips
+from core.guidance.builtin.markings.coats import FORE, HIND
+from core.guidance.builtin.markings.margins import within
 from core.guidance.builtin.markings.markings import (
     MARKINGS,
     STICKERS,
@@ -173,12 +175,13 @@ def test_the_worlds_land_is_where_it_is(north, east, dry):
     assert (land(torch.tensor([place(north, east)])) > 0).item() == dry
 
 
-def seen(noun, points, gone=()):
-    """The names of the parts at places on a ball or on a disc that bears the markings."""
+def seen(noun, points, gone=(), on=""):
+    """The names of the parts at places on a ball or on a disc that bears the markings; ``on``: the
+    part that it is, where it is not the first."""
     names = ["" if name in gone else name for name in looks(noun)]
     boxes = [torch.stack([-UNIT, UNIT]) if name else None for name in names]
     distances = torch.full((len(points), len(names)), 9.0)
-    distances[:, 0] = 0.0
+    distances[:, list(looks(noun)).index(on) if on else 0] = 0.0
     return [names[k] for k in Marked(noun, names, boxes)(distances, points).argmin(1)]
 
 
@@ -209,6 +212,43 @@ def test_a_flags_colours_are_where_they_belong():
     assert american == ["canton", "cloth"]
     rows = torch.tensor([[0.5, 0, 2 * (k + 0.5) / 13 - 1] for k in range(13)])
     assert seen("american flag", rows) == ["cloth", "stripes"] * 6 + ["cloth"]
+
+
+def test_what_is_printed_is_where_it_belongs():
+    front = torch.tensor([[x, -0.9, z] for x, z in ((0, 0.0), (0, 0.4), (0.9, 0.9))])
+    assert seen("first aid kit", front) == ["cross", "body", "body"]
+    rug = torch.tensor([[x, y, 0.0] for x, y in ((0, 0), (0.5, 0), (0.6, 0.2), (0.97, 0))])
+    assert seen("rug", rug) == ["middle", "lozenge", "field", "border"]
+    record = torch.tensor([[x, y, 0.0] for y in (-0.1, 0.1) for x in (0.0, 0.2, 0.415, 0.95)])
+    assert seen("vinyl record", record) == ["hole", "label", "grooves", "disc"] * 2
+    picture = torch.tensor([[0.5, -0.1, 0.55], [0, -0.1, 0.9], [0, -0.1, -0.9]])
+    assert seen("easel", picture, on="picture") == ["sun", "picture", "hills"]
+    north = torch.tensor([[0.08 * x, -0.1, 0.72 + 0.08 * z] for x in (-1, 1) for z in (-1, 1)])
+    assert seen("compass", north, on="dial") == ["marks"] * 4, "the four feet of an N"
+
+
+def test_an_ambulance_has_a_cross_on_both_sides_and_none_on_its_back():
+    places = torch.tensor([[1.0, 0.38, 0.14], [-1.0, 0.38, 0.14], [0.0, 1.0, 0.14]])
+    assert seen("ambulance", places) == ["cross", "cross", "body"]
+    about = torch.tensor([[x, y, -0.56] for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])
+    assert seen("ambulance", about) == ["cross"] * 4, "the stripe"
+
+
+def test_a_polygons_margin_is_the_distance_to_its_border():
+    square = torch.tensor([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
+    at = torch.tensor([[0, 0], [0.7, 0.2], [2, 0], [1.3, 1.4]])
+    assert torch.allclose(within(at, square), torch.tensor([1, 0.3, -1, -0.5]))
+
+
+def test_a_butterflys_wings_mirror_one_another_and_have_dark_edges():
+    at = torch.cartesian_prod(torch.linspace(-1, 1, 41), torch.linspace(-1, 1, 41))
+    points = torch.cat([at, torch.zeros(len(at), 1)], 1)
+    names = seen("butterfly", points, on="edges")
+    assert names == seen("butterfly", points * torch.tensor([-1.0, 1, 1]), on="edges")
+    assert {"wings", "edges", "dots"} == set(names)
+    outlines = [torch.tensor(line) for line in (FORE[2:9], HIND[3:9])]
+    border = torch.cat([torch.cat([line, line[:, :1] * 0], 1) for line in outlines])
+    assert set(seen("butterfly", border, on="edges")) <= {"edges", "dots"}
 
 
 @pytest.mark.parametrize(
@@ -247,6 +287,9 @@ def test_a_borrowed_things_parts_are_its_bases(noun):
         ("a blue dice with yellow pips", "pips", "yellow"),
         ("a zebra with green stripes", "stripes", "green"),
         ("an earth with purple land", "land", "purple"),
+        ("a rug with a green border", "border", "green"),
+        ("a blue butterfly with yellow dots", "dots", "yellow"),
+        ("a fire truck with a yellow stripe", "stripe", "yellow"),
     ],
 )
 def test_a_marking_has_the_colour_that_is_said_of_it(prompt, part, color):

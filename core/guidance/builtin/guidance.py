@@ -16,6 +16,7 @@ from safetensors import SafetensorError
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
+from core.device import has_fast_bfloat16
 from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
@@ -24,7 +25,7 @@ from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
-from core.guidance.builtin.markings.markings import Marked, has_markings, is_marking
+from core.guidance.builtin.markings.markings import Marked, bearer_of, has_markings, is_marking
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import (
@@ -36,7 +37,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import FINISHES, Color, Finish, looks, painted
+from core.guidance.builtin.palette import FINISHES, Painted, looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -45,7 +46,7 @@ from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
-from core.guidance.builtin.surfaces import surface_of, surfaces_of
+from core.guidance.builtin.surfaces import ranges_of, surface_of, surfaces_of
 from core.guidance.builtin.weights import load_weights
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.words.vocabulary import Words, parse
@@ -61,12 +62,15 @@ from core.guidance.guidance import (
     coarse_latent,
 )
 from core.guidance.sds import eps_from_v
-from core.ops import srgb_to_linear
 
 SIZE = 64
-GLOSS = 0.03  # of a part's roughness, around what its finish has
-SHADE = 0.06  # of each channel of a part's colour, sRGB, around what the words make it
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
+NOT_DRAWN_ON = (
+    "left out, as only on what the built-in prior draws itself is something written or drawn; not "
+    "on a mesh of yours, nor where the shape is distilled."
+)
+BEARS = "it stays, as what is drawn lies on it."
+NO_ROOM = "left out, as the thing has no room for it."
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 
@@ -166,7 +170,7 @@ class PromptedBuiltin(PromptedGuidance):
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
         parts = list(looks(words.noun))
-        gone = [k for k, part in enumerate(parts) if part in words.absent]
+        gone = [k for k, part in enumerate(parts) if part in words.absent and not self._bears(part)]
         gone += [k for k, part in enumerate(parts) if is_marking(words.noun, part)]
         absent = (*gone, *range(len(parts), len(looks(solid_of(words.noun)))))
         generator = torch.Generator().manual_seed(seed)
@@ -188,12 +192,10 @@ class PromptedBuiltin(PromptedGuidance):
 
     def areas(self) -> SolidAreas | None:
         """The drawn solid's parts, each in the colours of its pattern."""
-        if self.solid is None:
-            return None
         known = self._known
-        assert known is not None  # of a drawn solid
-        parts = list(painted(self.words.noun, self.words))
-        emblems = drawn_on(self.words.noun, self.words.emblems, known, parts)
+        if known is None:
+            return None
+        parts, emblems = self._painted
         axes = self._axes or (2,) * len(parts)
         laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
         each = []
@@ -214,6 +216,21 @@ class PromptedBuiltin(PromptedGuidance):
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         return SolidAreas(drawn, tuple(each), near)
 
+    def left_out(self) -> tuple[str, ...]:
+        """A note on each emblem that is not there: on a mesh of the user's, where the shape is
+        distilled, and where the thing has no room for it; and on each part that stays."""
+        if self._known is None:
+            return tuple(f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
+        _, emblems = self._painted
+        stay = tuple(f"no {part}: {BEARS}" for part in self.words.absent if self._bears(part))
+        return stay + tuple(f"{one.emblem}: {NO_ROOM}" for one in emblems if not one.has_place)
+
+    def _bears(self, part: str) -> bool:
+        """Whether markings that are to be there lie on the part."""
+        marked = (name for name in looks(self.words.noun) if name not in self.words.absent)
+        noun = self.words.noun
+        return any(is_marking(noun, name) and bearer_of(noun, name) == part for name in marked)
+
     def parts(self) -> KnownParts | None:
         """The drawn solid's; what its adjective makes oval is not round."""
         return self._known
@@ -233,6 +250,13 @@ class PromptedBuiltin(PromptedGuidance):
         cornered = [part for part, name in enumerate(looks(self.words.noun)) if name in corners]
         return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
 
+    @cached_property
+    def _painted(self) -> tuple[list[Painted], list[Drawn]]:
+        """The drawn solid's parts, and what the prompt wants drawn on them."""
+        parts = list(painted(self.words.noun, self.words))
+        assert self._known is not None
+        return parts, drawn_on(self.words.noun, self.words.emblems, self._known, parts)
+
     def _shown(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The drawn solid's distances with the markings among the parts."""
         assert self.solid is not None
@@ -241,9 +265,12 @@ class PromptedBuiltin(PromptedGuidance):
     @cached_property
     def _marked(self) -> Marked:
         assert self._known is not None
-        noun, gone = self.words.noun, set(self.words.absent)
+        noun = self.words.noun
+        gone = {name for name in self.words.absent if not self._bears(name)}
+        if self.words.emblems:  # others are to be there
+            gone |= {"badge"}
         if any(emblem.text for emblem in self.words.emblems):
-            gone |= {"letters", "number"}  # others are to be there
+            gone |= {"letters", "number"}
         names = ["" if name in gone else name for name in looks(noun)]
         return Marked(noun, names, self._known.boxes() if has_markings(noun) else ())
 
@@ -255,7 +282,9 @@ class PromptedBuiltin(PromptedGuidance):
         lies = ALONG.intersection(one.pattern for one in parts)
         if not self._known or self.negative.noun or not lies:
             return ()
-        return tuple(axis_of(extent) for extent in self._known.extents()[: len(parts)])
+        extents, names = self._known.extents(), [one.name for one in parts]
+        borne = (names.index(bearer_of(self.words.noun, name)) for name in names)
+        return tuple(axis_of(extents[part]) for part in borne)
 
     @torch.no_grad()
     def restore(
@@ -346,27 +375,6 @@ def _with(
     emblem: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
 ) -> Float[Tensor, "n p"]:
     return emblem(field(points), points)
-
-
-def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
-    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached. Of
-    what is of one ``color`` (sRGB) a range around that: the pictures made black things green."""
-    rough = finish.roughness
-    low, high = max(rough - GLOSS, 0.05), min(rough + GLOSS, 0.95)
-    metallic = (finish.metallic, finish.metallic)
-    if color is None:
-        return MaterialRanges((low, high), metallic)
-    around = torch.tensor(color) + torch.tensor([[-SHADE], [SHADE]])
-    least, most = srgb_to_linear(around.clamp(0, 1)).tolist()
-    return MaterialRanges((low, high), metallic, (tuple(least), tuple(most)))
-
-
-def has_fast_bfloat16(device: torch.device) -> bool:
-    """Whether half precision is worth it: on a GPU, or on a CPU with its own units for it."""
-    if device.type != "cpu":
-        return True
-    flags = torch.cpu.get_capabilities()
-    return bool(flags.get("amx_bf16") or flags.get("avx512_bf16"))
 
 
 def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) -> BuiltinGuidance:

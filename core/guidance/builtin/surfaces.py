@@ -4,7 +4,8 @@ from functools import cache
 
 import torch
 
-from core.guidance.builtin.palette import FINISHES, Painted, painted
+from core.appearance.material_ranges import MaterialRanges
+from core.guidance.builtin.palette import FINISHES, Finish, Painted, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.words.colors import Color, luma, toned
@@ -22,6 +23,8 @@ PART_GLOWS, ALL_GLOWS = 0.8, 0.25
 # Between these lumas a colour of wood becomes paint, through which so much of the grain shows.
 PALE, PALE_DEPTH = (0.6, 0.9), 0.35
 WHITE = 0.8  # luma of what is painted by nature, such as a window's frame
+GLOSS = 0.03  # of a part's roughness, around what its finish has
+SHADE = 0.06  # of each channel of a part's colour, sRGB, around what the words make it
 SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
 
 
@@ -109,3 +112,16 @@ def _factor(known: Color, wanted: Color) -> Color:
     before, after = srgb_to_linear(torch.tensor([known, wanted]))
     red, green, blue = (after / before).tolist()
     return red, green, blue
+
+
+def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
+    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached. Of
+    what is of one ``color`` (sRGB) a range around that: the pictures made black things green."""
+    rough = finish.roughness
+    low, high = max(rough - GLOSS, 0.05), min(rough + GLOSS, 0.95)
+    metallic = (finish.metallic, finish.metallic)
+    if color is None:
+        return MaterialRanges((low, high), metallic)
+    around = torch.tensor(color) + torch.tensor([[-SHADE], [SHADE]])
+    least, most = srgb_to_linear(around.clamp(0, 1)).tolist()
+    return MaterialRanges((low, high), metallic, (tuple(least), tuple(most)))

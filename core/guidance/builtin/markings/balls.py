@@ -12,6 +12,7 @@ from torch import Tensor
 from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
+    Marks,
     Points,
     all_of,
     any_of,
@@ -88,6 +89,19 @@ def _seam(points: Points) -> tuple[Tensor, Tensor]:
     way = torch.stack([x, y, z], 1)
     slope = slope - (slope * way).sum(1, keepdim=True) * way
     return value / slope.norm(dim=1).clamp_min(0.2), torch.atan2(y, x)
+
+
+def sectors(points: Points, _half: Half, count: int) -> Margin:
+    """Every other one of a canopy's, ``count`` of them, from the top to the rim."""
+    turn = torch.atan2(points[:, 0], -points[:, 1]) * (count / math.tau)
+    away = (turn - turn.round()).abs() * (math.tau / count)
+    return math.pi / (2 * count) * points[:, :2].norm(dim=1) - away * points[:, :2].norm(dim=1)
+
+
+def at_top(points: Points, half: Half, marks: Marks) -> Margin:
+    """What is on the ball that the upper end of something is, of the same width."""
+    up = torch.stack([half[0] * 0, half[0] * 0, half[2] - half[0]])
+    return marks(points - up, half[0].expand(3))
 
 
 def tennis_seam(points: Points, half: Half) -> Margin:

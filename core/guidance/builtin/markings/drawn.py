@@ -99,6 +99,11 @@ class Drawn:
         self.bears += range(len(paints), self.count)
         self.paint = _painted(paints[self.on], emblem)
 
+    @property
+    def has_place(self) -> bool:
+        """Whether it is to be seen at all."""
+        return self.window is not None or self.stripes is not None
+
     def make_seen(self, paints: list[Painted]) -> None:
         """Change the paint that it is on, where that has its colour by nature."""
         on = paints[self.on]

@@ -1,6 +1,7 @@
 """Markings of what is flat or upright: dials, boards, signs, bottles, cars."""
 
 import math
+from collections.abc import Sequence
 
 import torch
 from torch import Tensor
@@ -134,6 +135,37 @@ def belt(points: Points, half: Half, low: float, high: float) -> Margin:
     """A label about a bottle, from height to height, in halves of its own."""
     middle, wide = (low + high) / 2 * half[2], (high - low) / 2 * half[2]
     return wide - (points[:, 2] - middle).abs()
+
+
+def belts(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> Margin:
+    """The same of several."""
+    return any_of(*(belt(points, half, low, high) for low, high in spans))
+
+
+def rings(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> Margin:
+    """Between radii about the middle of both its faces, in halves of the width."""
+    away = points[:, [0, 2]].norm(dim=1)
+    pairs = ((low * half[0], high * half[0]) for low, high in spans)
+    return any_of(*(all_of(high - away, away - low) for low, high in pairs))
+
+
+def plate_rings(points: Points, half: Half) -> Margin:
+    """One along a plate's edge, and one about its well from above."""
+    away = points[:, :2].norm(dim=1) / half[0]
+    line = all_of(0.025 - (away - 0.68).abs(), points[:, 2])
+    return any_of(away - 0.91, all_of(line, points[:, 2]), 0.012 - (away - 0.86).abs()) * half[0]
+
+
+def sock_heel(points: Points, half: Half) -> Margin:
+    """Of a sock whose toe is to the front."""
+    middle = points.new_tensor([0.0, float(half[1] - half[0]), float(1.05 * half[0] - half[2])])
+    from_it = points - middle
+    return all_of(1.08 * half[0] - from_it.norm(dim=1), from_it[:, 1])
+
+
+def sock_toe(points: Points, half: Half) -> Margin:
+    """The foremost part of it."""
+    return 0.8 * half[0] - points[:, 1] - half[1]
 
 
 def slanted(points: Points, _half: Half, pitch: float) -> Margin:

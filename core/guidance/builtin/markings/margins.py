@@ -31,6 +31,23 @@ def in_front(points: Points) -> Margin:
     return -points[:, 1]
 
 
+def within(at: Float[Tensor, "p 2"], corners: Float[Tensor, "c 2"]) -> Margin:
+    """Inside a polygon."""
+    following = corners.roll(-1, 0)
+    (x, y), (u, v), (a, b) = at.T[:, :, None], corners.T, following.T
+    crossed = ((v > y) != (b > y)) & (x < (a - u) * (y - v) / (b - v + 1e-12) + u)
+    away = -strokes(at, torch.cat([corners, corners[:1]]), 0.0)
+    return torch.where(crossed.sum(1) % 2 == 1, away, -away)
+
+
+def strokes(at: Float[Tensor, "p 2"], places: Float[Tensor, "c 2"], wide: float) -> Margin:
+    """Within ``wide`` of a line from place to place."""
+    way = places[1:] - places[:-1]
+    off = at[:, None] - places[:-1]
+    share = ((off * way).sum(2) / (way * way).sum(1).clamp_min(1e-12)).clamp(0, 1)
+    return wide - (off - share[..., None] * way).norm(dim=2).amin(1)
+
+
 def chance(cell: Float[Tensor, "p 3"], which: int) -> Float[Tensor, " p"]:
     """A number in [0, 1) that depends on the cell alone; ``which`` of many."""
     mixed = cell @ cell.new_tensor([12.9898, 78.233, 37.719]) + 4.7 * which

@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings import balls, coats, flags, fronts
+from core.guidance.builtin.markings import balls, coats, flags, fronts, prints
 from core.guidance.builtin.markings.margins import Marks, blobs
 
 
@@ -27,6 +27,23 @@ class Marking(NamedTuple):
 STICKERS = ("reds", "blues", "greens", "whites", "yellows", "oranges")
 EIGHT = (0.25, -1.0, 0.45)  # where a billiard ball's number is
 HOLES = ((-0.1, -0.75, 0.75), (0.14, -0.75, 0.8), (0.03, -0.95, 0.5))  # a bowling ball's
+BOARD_BANDS = ((0.26, 0.42), (0.45, 0.475), (-0.42, -0.26), (-0.475, -0.45))  # a surfboard's
+JUG_BANDS = ((-0.5, -0.06), (-0.02, 0.01), (-0.57, -0.54))
+GROOVES = tuple((0.4 + 0.065 * k, 0.43 + 0.065 * k) for k in range(9))  # a record's
+BAUBLE_BAND = partial(fronts.belt, low=-0.17, high=0.17)
+BAUBLE_EDGES = partial(fronts.belts, spans=((0.17, 0.23), (-0.23, -0.17)))
+BAUBLE_STARS = partial(
+    prints.scattered, shape="star", steep=1.3, places=[(45 * k, 0.6, 0.2) for k in range(8)]
+)
+BAUBLE_DOTS = partial(
+    prints.scattered,
+    shape="circle",
+    steep=1.2,
+    places=[(22.5 * k + 11, -0.38 - 0.24 * (k % 2), 0.075) for k in range(16)]
+    + [(45 * k + 22.5, 0.45, 0.06) for k in range(8)],
+)
+STARS = [(0, 0.0, 0.16), (48, -0.3, 0.09), (-42, 0.22, 0.08), (95, 0.05, 0.13), (-85, -0.2, 0.13)]
+STARS += [(145, -0.25, 0.1), (-150, 0.1, 0.11), (180, 0.45, 0.06), (25, 0.48, 0.055)]  # a wizard's
 MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on top comes first
     "soccer ball": {
         "patches": Marking("ball", balls.pentagons),
@@ -112,6 +129,89 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
             "body", partial(fronts.on_sides, text="SCHOOL BUS", high=0.1, at=(0, 0.78))
         ),
         "stripe": Marking("body", partial(fronts.belt, low=-0.32, high=-0.2)),
+    },
+    "ambulance": {"cross": Marking("body", prints.kit_on_sides)},
+    "fire truck": {"stripe": Marking("body", partial(fronts.belt, low=-0.6, high=-0.44))},
+    "double decker bus": {"stripe": Marking("body", partial(fronts.belt, low=0.13, high=0.25))},
+    "first aid kit": {
+        "cross": Marking("body", partial(prints.stamp, shape="cross", size=0.42, at=(0.0, -0.1)))
+    },
+    "popcorn": {
+        "badge": Marking("box", partial(prints.badge, radius=0.42, shape="star")),
+        "stripes": Marking("box", partial(prints.popcorn_stripes, clear=0.48)),
+    },
+    "rug": {
+        "middle": Marking("border", prints.rug_middle),
+        "lozenge": Marking("border", prints.rug_lozenge),
+        "field": Marking("border", prints.rug_field),
+    },
+    "surfboard": {
+        "stripe": Marking("board", partial(flags.bands, axis=0, low=-0.16, high=0.16)),
+        "bands": Marking("board", partial(fronts.belts, spans=BOARD_BANDS)),
+    },
+    "compass": {"marks": Marking("dial", partial(prints.rose, radius=0.9))},
+    "ruler": {"marks": Marking("body", prints.inches)},
+    "plate": {"rim": Marking("body", fronts.plate_rings)},
+    "jug": {
+        "band": Marking("body", partial(fronts.belts, spans=JUG_BANDS)),
+        "collar": Marking("body", partial(fronts.belts, spans=((0.44, 0.53), (0.57, 0.59)))),
+    },
+    "christmas bauble": {
+        "band": Marking("ball", partial(balls.at_top, marks=BAUBLE_BAND)),
+        "edges": Marking("ball", partial(balls.at_top, marks=BAUBLE_EDGES)),
+        "stars": Marking("ball", partial(balls.at_top, marks=BAUBLE_STARS)),
+        "dots": Marking("ball", partial(balls.at_top, marks=BAUBLE_DOTS)),
+    },
+    "kettlebell": {
+        "badge": Marking(
+            "body", partial(balls.at_top, marks=partial(prints.badge, radius=0.42, shape="star"))
+        )
+    },
+    "paper cup": {"badge": Marking("sleeve", partial(prints.badge, radius=0.38, shape="leaf"))},
+    "yo-yo": {
+        "stars": Marking("faces", partial(flags.emblem, shape="star", size=0.54)),
+        "faces": Marking("discs", partial(flags.emblem, shape="circle", size=0.74)),
+    },
+    "vinyl record": {
+        "hole": Marking("label", partial(fronts.rings, spans=((-1, 0.045),))),
+        "label": Marking("disc", partial(fronts.rings, spans=((-1, 0.33),))),
+        "grooves": Marking("disc", partial(fronts.rings, spans=GROOVES)),
+    },
+    "obelisk": {"signs": Marking("body", prints.glyphs)},
+    "clipboard": {
+        "boxes": Marking("paper", prints.ticked),
+        "lines": Marking("paper", prints.ruled),
+    },
+    "solar panel": {"cells": Marking("lines", prints.solar_cells)},
+    "battery": {
+        "plus": Marking("top", partial(prints.stamp, shape="cross", size=0.4, at=(0, 0.2))),
+        "bolt": Marking("body", partial(prints.stamp, shape="lightning bolt", size=0.7)),
+    },
+    "sock": {
+        "toe": Marking("body", fronts.sock_toe),
+        "heel": Marking("body", fronts.sock_heel),
+        "stripes": Marking("body", partial(fronts.belts, spans=((0.1, 0.26), (0.42, 0.58)))),
+    },
+    "cassette": {
+        "reels": Marking("window", prints.reels),
+        "window": Marking("label", partial(prints.oblong, at=0.1, size=(0.62, 0.24))),
+        "stripe": Marking("label", partial(prints.oblong, at=0.6, size=(2.0, 0.07))),
+        "label": Marking("body", partial(prints.oblong, at=0.2, size=(0.86, 0.6))),
+    },
+    **{
+        noun: {"sun": Marking("picture", prints.sun), "hills": Marking("picture", prints.hills)}
+        for noun in ("picture frame", "easel")
+    },
+    "wizard hat": {"stars": Marking("body", partial(prints.scattered, shape="star", places=STARS))},
+    "parachute": {"gores": Marking("canopy", partial(balls.sectors, count=6))},
+    "flask": {"marks": Marking("glass", prints.scale_marks)},
+    "violin": {"holes": Marking("body", prints.f_holes)},
+    "butterfly": {
+        "dots": Marking("edges", coats.wing_dots),
+        "wings": Marking("edges", coats.wing_cells),
+    },
+    "stingray": {
+        "patches": Marking("body", partial(blobs, pitch=0.17, sizes=(0.025, 0.055), share=0.8))
     },
     "american flag": {
         "stars": Marking("canton", flags.stars),

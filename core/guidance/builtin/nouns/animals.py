@@ -342,7 +342,13 @@ ANIMALS = {
     ),
     "butterfly": Noun(
         "butterflies; moth, monarch butterfly, butterfly wings",
-        {"wings": "*ee7d1a", "edges": "+1f1a17", "body": "-2b221c", "eyes": "-6b4a2c"},
+        {
+            "wings": "*ee7d1a",
+            "edges": "+1f1a17",
+            "body": "-2b221c",
+            "eyes": "-6b4a2c",
+            "dots": "-f6f2e8",
+        },
         Usual(0.1, FLESH, 0.011),
     ),
     "spider": Noun(

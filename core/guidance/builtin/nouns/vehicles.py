@@ -153,6 +153,7 @@ VEHICLES = {
             "wheels": TYRES_LOOK,
             "lockers": "-b9bec4 . metal",
             "light": "-2a5fd0",
+            "stripe": "+f4f1e6 . paint",
         },
         Usual(9.0, STEEL, 0.018),
     ),
