@@ -155,3 +155,34 @@ def test_of_two_tastes_the_first_is_taken_and_the_other_told(prompt, color, othe
 def test_what_edges_a_thing_without_edges_is_not_all_of_it(prompt):
     words = parse(prompt)
     assert (words.material, words.left_out) == ("", ("brass edges",))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "colors", "materials"),
+    [
+        (
+            "a canopy bed with mahogany posts and cream curtains",
+            "four-poster bed",
+            {"curtains": "cream"},
+            {"frame": "mahogany"},
+        ),
+        ("a hot air balloon with a wicker gondola", "hot air balloon", {}, {"basket": "wicker"}),
+        ("an arcade cabinet with purple sides", "arcade machine", {"body": "purple"}, {}),
+        (
+            "a rifle with white panels and blue accents",  # its trim is not all of it
+            "rifle",
+            {"body": "white", "barrel": "blue", "magazine": "blue", "scope": "blue"},
+            {},
+        ),
+        ("a farmhouse dining table with white legs", "table", {"legs": "white"}, {}),
+    ],
+)
+def test_a_part_goes_by_its_own_things_names(prompt, thing, colors, materials):
+    found = understood(prompt)
+    assert found["thing"] == thing
+    assert (found["part_colours"], found["part_materials"]) == (colors, materials)
+
+
+@pytest.mark.parametrize("prompt", ["a silver candelabra", "a silver bar"])
+def test_what_is_of_silver_is_not_of_gold(prompt):
+    assert understood(prompt)["materials"] == ["silver"]

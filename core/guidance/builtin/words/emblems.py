@@ -111,6 +111,7 @@ _MARK = (
     r"picture|insignia|crest|graphic|mark)s?(?!\w)"
 )
 _AFTER = "and|on|onto|across|in|at|with|plus"  # what may come right after a shape
+_BOLD = "(?:(?:big|bold|large|small|chunky|fat|block|capital|fancy|cursive|gothic|neat) ){0,2}"
 _INK = "(?:letter(?:s|ing)|text|paint|writing|ink|icing|frosting|thread|chalk)"
 _SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
 _QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
@@ -148,11 +149,11 @@ _BARE = _rule(r"(?=[\"“”«'‘])")
 # What may follow what is drawn: its colour, how it is made, where.
 _TAIL = re.compile(
     rf"(?P<mark> {_MARK})?"
-    rf"(?: in (?P<color>{_any(_COLORS)})(?: {_INK})?(?!\w))?"
+    rf"(?: in {_BOLD}(?P<color>{_any(_COLORS)})(?: {_BOLD}{_INK})?(?!\w))?"
     rf"(?: {_MADE})?"
     rf"(?:,? (?:on|onto|across|in) (?:it\b|them\b|(?:the|its|his|her|both|each) "
     rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?"
-    rf"(?: in (?P<after>{_any(_COLORS)})(?: {_INK})?(?!\w))?",
+    rf"(?: in {_BOLD}(?P<after>{_any(_COLORS)})(?: {_BOLD}{_INK})?(?!\w))?",
     re.IGNORECASE,
 )
 _SHAPE = _rule(
@@ -195,8 +196,10 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
     """The first of them, and the prompt without it."""
     for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
         after = prompt[end:]
-        if _BEHIND.match(prompt, start):  # "with a heart and a star"
-            after = _ALSO.sub(" with ", after, count=1)
+        also = _ALSO.sub(" with ", after, count=1)
+        # "With a heart and a star", "that says HELLO and a heart".
+        if _BEHIND.match(prompt, start) or (emblem.text and _SHAPE.match(also, 1)):
+            after = also
         rest = re.sub(r"\s+", " ", f"{prompt[:start]} {after}").strip(" ,")
         rest = re.sub(r" and$|,? and(?=,)| ,(?= )", "", rest)
         if emblem.shape not in but and re.search("[a-z]{2}", rest, re.IGNORECASE):

@@ -6,7 +6,7 @@ PEOPLE, ANIMALS = "Characters", ("Animals", "Wild Animals")
 # Of these groups what is made, or dead.
 LIFELESS = frozenset(
     """moai obelisk mask eyeball doll nutcracker mech golem skeleton scarecrow snowman bone
-    tooth""".split()
+    tooth gargoyle""".split()
 ) | {"totem pole", "teddy bear"}
 # What one that is alive may be besides: "a goblin archer" is a goblin.
 ROLES = frozenset(

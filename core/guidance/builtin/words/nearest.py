@@ -11,7 +11,6 @@ NEAREST = {
     "mug": "pen holder, pencil holder, pencil cup",
     "bottle": "cocktail shaker",
     "shelf": "rack",
-    "bucket": "jerrycan, jerry can, gas can, fuel can",
     "chest": "treasure",
     "monitor": "display",
     "teapot": "samovar",

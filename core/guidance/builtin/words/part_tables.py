@@ -192,6 +192,11 @@ PART_ALSO = {
 CALLED = {
     "bench": dict.fromkeys("ends sides frame supports base".split(), "legs"),
     "castle": {"gate": "door", "gates": "door"},
+    "arcade machine": dict.fromkeys(("sides", "panels"), "body"),
+    "four-poster bed": dict.fromkeys(("posts", "post", "poles", "columns", "headboard"), "frame"),
+    "hot air balloon": {"gondola": "basket"},
+    "bubble tea": {"cup": "tea", "drink": "tea", "liquid": "tea", "boba": "pearls"},
+    "rifle": dict.fromkeys(("panels", "frame", "casing"), "body"),
     "dice": dict.fromkeys("numbers number numerals".split(), "pips"),
     "drum kit": dict.fromkeys(
         ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"
