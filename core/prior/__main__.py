@@ -238,7 +238,8 @@ def ship(options: argparse.Namespace) -> None:
         raise UserError(
             f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words/words.py."
         )
-    known = {s: [word for word in SLOTS[s] if word not in options.without] for s in SLOTS}
+    words = SLOTS | {"noun": NOUNS}  # not what is another thing's solid
+    known = {s: [word for word in words[s] if word not in options.without] for s in words}
     for name in TRAININGS.keys() - {SOLID}:
         trained = options.out / f"{name}_ema.safetensors"
         if not trained.exists():  # the others are replaced, this one stays

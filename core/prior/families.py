@@ -75,6 +75,7 @@ from core.prior.things.study import STUDY
 from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
+from core.prior.things.travel import TRAVEL
 from core.prior.things.treats import TREATS
 from core.prior.things.utensils import UTENSILS
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
@@ -191,6 +192,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | RESIDENCE
     | STUDY
     | SHOWPIECES
+    | TRAVEL
 )
 
 

@@ -15,12 +15,15 @@ from core.prior.solids import (
     join,
     lathe,
     lozenge_blade,
+    mirrored,
     moved,
     prism,
+    ring,
     smooth_curve,
     taper,
     tube,
     turned,
+    within,
 )
 
 
@@ -206,33 +209,40 @@ def flattened(solid: Solid, along_y: float) -> Solid:
     return lambda p: solid(p * p.new_tensor([1, 1 / along_y, 1])) * along_y
 
 
+def _cross(z: float, half: float) -> list[tuple[float, float]]:
+    """A cross with flared arms about the height ``z``."""
+    arm, root = half * 0.5, half * 0.28
+    quarter = [(root, root), (arm, half), (-arm, half), (-root, root)]
+    turns = ((1, 0), (0, 1), (-1, 0), (0, -1))
+    return [(x * c - y * s, z + x * s + y * c) for c, s in turns for x, y in quarter[:3]]
+
+
 def chestplate(draw: Draw) -> Parts:
-    """A breastplate cut out for neck and arms, its shoulders in domes; a belt, a skirt."""
-    waist, chest, high = draw(0.54, 0.6), draw(0.76, 0.84), draw(1.62, 1.75)
-    deep, hem, wide = draw(0.58, 0.66), draw(0.7, 0.78), draw(0.3, 0.35)
-    half = [(waist, 0.3), (chest, 0.95), (chest * 0.84, high - 0.42), (chest, high - 0.1)]
-    half += [(0.36, high), (0.3, high - 0.22), (0.16, high - 0.34)]
-    outline = prism([*half, *((-a, b) for a, b in reversed(half))], 1, 1)
-    trunk, grown = (
-        flattened(lathe([(waist + more, 0.3), (chest + more, 0.95), (chest + more, 2)]), deep)
-        for more in (0.0, 0.1)
-    )
-    low = high - 0.9
-    pec = [(0.09, low), (0.4, low - 0.08), (0.6, low + 0.14), (0.58, low + 0.42), (0.3, low + 0.5)]
-    pec = prism([*pec, (0.09, low + 0.44)], 1, 0.6, -0.6)
-    dome = egg((0, 0, 0), (wide, 0.42, wide))
-    dome = cut(dome, box((0, 0, -1.02), (1, 1, 1)))
-    kite = [(0, 0.5), (0.17, low + 0.1), (0, low + 0.5), (-0.17, low + 0.1)]
+    """A knight's breastplate: a cross on a raised plate, a collar, shoulder plates, a skirt."""
+    waist, chest, high = draw(0.58, 0.63), draw(0.8, 0.86), draw(1.72, 1.82)
+    deep, hem, wide = draw(0.64, 0.7), draw(0.84, 0.9), draw(0.36, 0.4)
+    side = smooth_curve([(waist, 0.5), (chest * 0.94, 0.86), (chest, 1.16), (chest * 0.9, 1.46),
+                         (0.46, high - 0.06), (0.4, high)])  # fmt: skip
+    bust = [(0.0, 0.72), (0.44, 0.98), (0.52, 1.24), (0.42, high - 0.24), (0.22, high - 0.34),
+            (0.0, high - 0.38)]  # fmt: skip
+
+    def trunk(more: float) -> Solid:
+        return flattened(lathe(side, more), deep)
+
+    def emblem(half: float, deep: float) -> Solid:
+        return within(prism(_cross(1.2, half), 1, 0.6, -0.8), trunk(deep))
+
+    hollow = flattened(tube((0, 0, high - 0.3), (0, 0, 3), 0.3), 0.84)
+    dome = cut(egg((0, 0, 0), (wide + 0.04, 0.46, 0.34)), box((0, 0, -1.0), (1, 1, 0.98)))
+    lame = lathe([(0.33, -0.44), (0.27, -0.04), (0.24, 0.1)])
+    skirt = [(hem, 0.0), (waist + 0.04, 0.52)]
     return {
-        "plate": join(
-            lambda p: outline(p).maximum(trunk(p)),
-            flattened(lathe([(hem, 0), (waist, 0.34)], 0.01), deep),
-        ),
-        "muscles": both(lambda p: pec(p).maximum(grown(p))),
-        "pauldrons": both(moved(turned(dome, 1, 24), (chest - 0.04, 0, high - 0.26))),
-        "belt": flattened(tube((0, 0, 0.24), (0, 0, 0.46), waist + 0.09, 0.02), deep),
-        "crest": prism(kite, 1, 0.2, -chest * deep),
-        "lining": flattened(tube((0, 0, 0.6), (0, 0, high - 0.3), 0.29), 0.9),
+        "plate": join(cut(trunk(0.0), hollow), flattened(lathe(skirt), deep)),
+        "muscles": within(prism(mirrored(bust), 1, 1, -1.1), trunk(0.15)),
+        "pauldrons": both(moved(turned(join(dome, lame), 1, 32), (chest - 0.06, 0, high - 0.34))),
+        "belt": flattened(tube((0, 0, 0.4), (0, 0, 0.62), waist + 0.12, 0.03), deep),
+        "crest": join(emblem(0.32, 0.29), flattened(ring((0, 0, high), 0.4, 0.1), 0.84)),
+        "lining": flattened(tube((0, 0, 0.8), (0, 0, high - 0.12), 0.34), 0.84),
     }
 
 

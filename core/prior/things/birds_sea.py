@@ -1,7 +1,6 @@
 """Birds, and what lives in the sea."""
 
 import math
-from itertools import pairwise
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -14,9 +13,11 @@ from core.prior.solids import (
     both,
     box,
     capsule,
+    chain,
     egg,
     join,
     limb,
+    mirrored,
     moved,
     prism,
     smooth_curve,
@@ -218,32 +219,40 @@ def shark(draw: Draw) -> Parts:
 
 
 def dolphin(draw: Draw) -> Parts:
-    """Leaps in an arch: a beak, a curved dorsal fin, flukes."""
-    wide, bend, half = draw(0.36, 0.43), draw(0.3, 0.55), 0.085
-    z = 0.6 + bend
+    """Leaps in an arch: a beak, a curved dorsal fin, flippers, level flukes."""
+    wide, bend, half = draw(0.36, 0.4), draw(0.36, 0.44), 0.1
+    z = 1.0
 
     def spine(y: float, down: float = 0.0) -> Vector:
-        return (0, y, z - bend * y * y - down)
+        """On the back's arch, or below it at a right angle."""
+        slope = -2 * bend * (y + 0.15)
+        norm = math.hypot(1, slope)
+        return (0, y + down * slope / norm, z - bend * (y + 0.15) ** 2 - down / norm)
 
-    def bar(*stops: tuple[float, float], down: float = 0.0) -> list[Solid]:
-        return [
-            taper(spine(a, down), spine(b, down), wide * r, wide * s)
-            for (a, r), (b, s) in pairwise(stops)
-        ]
+    def along(girth: list[tuple[float, float]], share: float, down: float) -> Solid:
+        return chain(
+            (spine(y, down * r * wide), r * wide * share) for y, r in smooth_curve(girth, 3)
+        )
 
-    trunk = blend(0.2, *bar((-0.78, 0.68), (-0.35, 1), (0.1, 0.96), (0.6, 0.62), (1.1, 0.33)))
-    beak = taper(spine(-0.8, 0.08), spine(-1.18, 0.02), 0.19, 0.1)
-    top = z + wide
-    fin = [(-0.2, z), (0.05, top + 0.2), (0.32, top + draw(0.32, 0.42)),
-           (0.4, top + 0.28), (0.28, top), (0.35, z)]  # fmt: skip
-    vane = [(0, -0.16), (0.25, -0.1), (0.62, 0.26), (0.55, 0.36), (0.25, 0.2), (0, 0.16)]
-    flipper = moved(turned(prism(vane, 2, half), 1, draw(25, 45)), (wide * 0.6, -0.45, z - 0.22))
-    slope = -math.degrees(math.atan(2.2 * bend))
-    fluke = tilted(_fluke(draw(0.5, 0.62), 0.36, half), slope + draw(0, 30), spine(1.1))
+    girth = [(-0.86, 0.6), (-0.68, 0.8), (-0.32, 1.0), (0.06, 0.94), (0.5, 0.66), (0.9, 0.37),
+             (1.2, 0.27)]  # fmt: skip
+    beak = taper(spine(-0.86, 0.08), spine(-1.28, 0.13), 0.17, 0.1)
+    top = spine(0.06)[2]
+    fin = smooth_curve([(-0.2, top), (-0.04, top + wide + 0.14), (0.2, top + wide + 0.32),
+                        (0.42, top + wide + 0.34)])  # fmt: skip
+    fin += smooth_curve([(0.46, top + wide + 0.28), (0.32, top + wide + 0.14), (0.36, top)])
+    vane = [(0, -0.2), (0.26, -0.18), (0.56, 0.06), (0.7, 0.36), (0.62, 0.42), (0.34, 0.26),
+            (0, 0.18)]  # fmt: skip
+    _, y, low = spine(-0.46, wide * 0.5)
+    flipper = moved(turned(prism(smooth_curve(vane), 2, half), 1, 36), (wide * 0.6, y, low))
+    slope = -math.degrees(math.atan(2 * bend * 1.35))
+    tail = [(0, -0.24), (0.18, -0.12), (0.44, 0.06), (0.64, 0.36), (0.6, 0.46), (0.34, 0.34),
+            (0.1, 0.28), (0, 0.22)]  # fmt: skip
+    fluke = tilted(prism(mirrored(tail), 2, half), slope + 12, spine(1.24))
     return {
-        "body": join(trunk, beak, prism(fin, 0, half), both(flipper), fluke),
-        "belly": join(*bar((-0.7, 0.58), (-0.35, 0.88), (0.1, 0.84), (0.6, 0.5), down=0.1)),
-        "eyes": both(ball((wide * 0.66, -0.82, z - bend * 0.6 + 0.0), 0.08)),
+        "body": join(along(girth, 1.0, 0.0), beak, prism(fin, 0, half), both(flipper), fluke),
+        "belly": along([(y, r) for y, r in girth[:-1]], 0.96, 0.24),
+        "eyes": both(ball((wide * 0.66, *spine(-0.76, -0.05)[1:]), 0.11)),
     }
 
 

@@ -111,34 +111,36 @@ def boot(draw: Draw) -> Parts:
 
 def high_heel(draw: Draw) -> Parts:
     """A lady's pump on a high heel, its pointed toe to the front; the heel is slim or a block."""
-    long, wide, high = draw(1.0, 1.12), draw(0.29, 0.33), draw(0.7, 0.9)
-    seat, front, slim = long - 0.3, -0.4 * long, wide * 0.86
-    arch = smooth_curve([(-long, 0.1), (front, 0.1), (0.3 * long, high * 0.72)], 4)
-    arch += [(seat - 0.1, high), (long, high + 0.06)]
-    rim = [(long, high + 0.56), (seat, high + 0.46), (0.25 * long, high * 0.72 + 0.36)]
-    rim = smooth_curve([*rim, (front * 0.6, 0.36), (front * 1.1, 0.5)], 4)
-    foot = [((0, front, 0.2), wide), ((0, 0.3 * long, high * 0.72 + 0.24), slim)]
+    long, wide, high = draw(1.0, 1.08), draw(0.37, 0.41), draw(0.78, 0.92)
+    seat, front, slim = long - 0.34, -0.36 * long, wide * 0.86
+    arch = smooth_curve([(-long, 0.16), (front, 0.16), (0.3 * long, high * 0.74)], 4)
+    arch += [(seat - 0.1, high), (long + 0.1, high + 0.05)]
+    rim = [(long + 0.1, high + 0.6), (seat, high + 0.43), (0.25 * long, high * 0.74 + 0.36)]
+    rim = smooth_curve([*rim, (front * 0.55, 0.44), (front * 1.15, 0.62)], 4)
+    foot = [((0, front, 0.24), wide), ((0, 0.3 * long, high * 0.74 + 0.22), slim)]
     foot += [((0, seat, high + 0.24), slim)]
-    shell = chain([((0, 0.1 - long, 0.16), 0.1), *foot])
-    upper = within(shell, prism([*arch, *rim, (-2, 0.5), (-2, 0.1)], 0, 2))
-    room = [(v, z + 0.1) for v, z in arch if v >= front]
+    shell = chain([((0, 0.12 - long, 0.22), 0.12), *foot])
+    room = [(v, z + 0.16) for v, z in arch if v >= front]
     hollow = within(
-        chain((at, radius - 0.1) for at, radius in foot),
-        prism([*room, (long, 3), (front * 1.2, 3)], 0, 2),
+        chain(((0, v, z + 0.1), radius - 0.15) for (_, v, z), radius in foot),
+        prism([*room, (long, 3), (front * 1.1, 3)], 0, 2),
     )
-    under = [*arch[:-1], (seat + 0.16, high + 0.03)]
-    plan = [(wide * 0.9, front), (slim * 0.7, 0.3 * long), (slim * 0.86, seat)]
-    plan = [(0.05, 0.03 - long), *smooth_curve([*plan, (0.1, seat + slim * 0.8)], 3)]
-    back = seat + 0.06
-    spike = [(0.085, 0), (0.085, high * 0.4), (0.13, high * 0.75), (0.22, high + 0.08)]
-    block = [(0.17, 0), (0.17, high * 0.5), (0.22, high + 0.08)]
-    wing = grown(prism([(0.08, -0.03), (0.2, -0.09), (0.2, 0.09), (0.08, 0.03)], 1, 0.03), 0.03)
-    bow = join(ball((0, 0, 0), 0.085), both(wing))
+    under = [*arch[:-1], (seat + 0.1, high + 0.03)]
+    plan = [(wide * 0.78, front), (slim * 0.62, 0.3 * long), (slim * 0.74, seat)]
+    plan = [(0.06, 0.1 - long), *smooth_curve([*plan, (0.1, seat + slim * 0.7)], 3)]
+    spike = [(0.11, 0), (0.1, high * 0.4), (0.14, high * 0.7), (0.22, high + 0.08)]
+    block = [(0.2, 0), (0.19, high * 0.5), (0.23, high + 0.08)]
+    bow = join(
+        ball((0, 0, 0), 0.13),
+        both(prism([(0.04, -0.07), (0.34, -0.18), (0.34, 0.18), (0.04, 0.07)], 1, 0.09)),
+    )
     return {
-        "body": cut(upper, hollow),
-        "heel": lathe(block if draw.chance(0.25) else spike, 0, (0, back)),
-        "sole": outlined([*under, *((v, z - 0.1) for v, z in reversed(under))], plan),
-        "bow": tilted(bow, -70, (0, front * 1.12, 0.2 + wide * 0.94)),
+        "body": cut(within(shell, prism([*arch, *rim, (-2, 0.62), (-2, 0.16)], 0, 2)), hollow),
+        "heel": lathe(block if draw.chance(0.25) else spike, 0, (0, seat + 0.05)),
+        "sole": outlined(
+            [*((v, z + 0.04) for v, z in under), *((v, z - 0.16) for v, z in reversed(under))], plan
+        ),
+        "bow": tilted(bow, -60, (0, front * 1.2, 0.24 + wide * 0.92)),
     }
 
 

@@ -10,6 +10,7 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
+    grown,
     join,
     lathe,
     mirrored,
@@ -19,6 +20,7 @@ from core.prior.solids import (
     taper,
     tube,
     turned,
+    within,
 )
 from core.prior.things.transport import rods
 
@@ -139,26 +141,32 @@ def spaceship(draw: Draw) -> Parts:
 
 
 def canoe(draw: Draw) -> Parts:
-    """A slim open hull with raised ends, two seats, a paddle laid across."""
-    x, y, high, rise = draw(0.42, 0.5), draw(1.3, 1.42), draw(0.46, 0.54), draw(0.12, 0.22)
-
-    def hull(x: float, y: float) -> list[tuple[float, float]]:
-        bow = [(0.0, -y), (x * 0.52, -y * 0.7), (x * 0.9, -y * 0.36), (x, 0.0)]
-        return mirrored(smooth_curve([*bow, *((u, -v) for u, v in bow[-2::-1])], 3))
-
-    shell = cut(
-        prism(hull(x, y), 2, high / 2, high / 2),
-        prism(hull(x - 0.13, y - 0.26), 2, high / 2, high / 2 + 0.14),
+    """A slim open hull, its ends swept up; a wooden rail, two seats, a paddle laid across."""
+    x, y, high, rise = draw(0.46, 0.52), draw(1.32, 1.44), draw(0.44, 0.5), draw(0.44, 0.54)
+    bow = [(0.07, y + 0.12), (x * 0.4, y * 0.8), (x * 0.82, y * 0.42), (x, 0.0)]
+    plan = prism(mirrored(smooth_curve([*bow, *((u, -v) for u, v in bow[-2::-1])])), 2, 3)
+    chine = smooth_curve([(0.0, 0.0), (x * 0.5, 0.02), (x * 0.9, 0.22), (x + 0.08, high)])
+    bilge = prism(mirrored([*chine, (x + 0.08, 3)]), 1, 3)
+    sheer = smooth_curve([(0.0, high), (y * 0.45, high + rise * 0.14),
+                          (y * 0.78, high + rise * 0.46), (y * 0.98, high + rise)])  # fmt: skip
+    stem = smooth_curve([(y, high + rise * 0.4), (y * 0.95, high * 0.6), (y * 0.84, 0.16),
+                         (y * 0.62, 0.02), (0.0, 0.0)])  # fmt: skip
+    band = [(u * 1.03, v - 0.1) for u, v in reversed(sheer)]
+    well = within(grown(plan, -0.14), box((0, 0, 1.12), (x, y * 0.7, 1)))
+    rail = cut(grown(plan, 0.05), within(grown(plan, -0.17), box((0, 0, 0), (x, y * 0.67, 3))))
+    blade = [(0.5, -0.1), (0.66, -0.19), (1.02, -0.19), (1.1, -0.1)]
+    paddle = join(
+        capsule((-0.8, 0, 0), (0.6, 0, 0), 0.1),
+        capsule((-0.8, -0.14, 0), (-0.8, 0.14, 0), 0.1),
+        prism([*blade, *((u, -v) for u, v in reversed(blade))], 2, 0.09),
     )
-    tips = both(prism([(y - 0.34, 0.1), (y - 0.34, high), (y, high + rise), (y, 0.1)], 0, 0.08), 1)
-    seat = box((0, y * 0.36, high - 0.08), (x - 0.1, 0.15, 0.07), 0.02)
-    side = draw.chance(0.5)
-    blade = box((0.74, -0.1, high + 0.08), (0.24, 0.14, 0.075), 0.03)
-    oar = join(capsule((-0.5, 0.1, high + 0.08), (0.62, -0.08, high + 0.08), 0.08), blade)
     return {
-        "hull": join(shell, tips),
-        "seats": both(seat, 1),
-        "paddle": both(oar, 0) if side else oar,
+        "hull": cut(within(within(plan, bilge), prism(mirrored([*sheer, *stem]), 0, 2)), well),
+        "seats": join(
+            within(rail, prism(mirrored([*((u * 1.03, v + 0.1) for u, v in sheer), *band]), 0, 2)),
+            both(box((0, y * 0.4, high - 0.06), (x * 0.7, 0.15, 0.09), 0.02), 1),
+        ),
+        "paddle": moved(turned(paddle, 2, draw(-36, -28)), (-0.08, -0.02, high + 0.14)),
     }
 
 

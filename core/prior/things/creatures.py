@@ -30,32 +30,41 @@ from core.prior.solids import (
 from core.prior.things.animals import fitted
 
 
-def snake(draw: Draw) -> Parts:
-    """Coiled, its head raised, its tongue out."""
-    thick, up = draw(0.17, 0.21), draw(0.7, 1.0)
-    # Two turns, a ring each, the smaller upon the larger; the tail aside.
-    wide = draw(0.66, 0.78)
-    y, z = -wide * 0.72, thick * 2.5
-    bends = [(1.15, wide * 0.2, 0.1), (1.1, wide * 0.6, thick), (0.7, wide, thick)]
-    lying = join(
-        ring((0, 0, thick), wide, thick),
-        ring((0, 0, z), wide * 0.72, thick * 0.95),
-        limb([*bends, (0, wide, thick)], 0.085, thick),
+def _lowered(solid: Solid, z: float, by: float = 0.76) -> Solid:
+    """``solid`` made lower about the height ``z``; a lower bound of the distance."""
+    return lambda p: (
+        solid((p - p.new_tensor((0, 0, z))) / p.new_tensor((1, 1, by)) + p.new_tensor((0, 0, z)))
+        * by
     )
+
+
+def snake(draw: Draw) -> Parts:
+    """Coiled in three rings, its neck raised in a bend, its forked tongue out."""
+    thick, wide, up = draw(0.21, 0.23), draw(0.8, 0.88), draw(0.84, 0.96)
+    rings = [ring((0, 0, thick * (1 + 1.5 * k)), wide - 0.2 * k, thick) for k in range(3)]
+    z = thick * 4
+    # The tail comes off the lowest ring and lies in a bend to the front.
+    tail = [(wide * 0.5, wide * 0.86), (wide * 0.98, wide * 0.78), (wide + 0.36, wide * 0.3),
+            (wide + 0.4, -wide * 0.2), (wide + 0.26, -wide * 0.6)]  # fmt: skip
+    tip = limb([(x, y, thick - 0.04) for x, y in smooth_curve(tail)], thick, 0.1)
+    neck = smooth_curve([(0.1, z - 0.1), (0.34, z + up * 0.34), (0.26, z + up * 0.68),
+                         (0.04, z + up * 0.92), (-0.24, z + up)])  # fmt: skip
     top = z + up
-    rise = [(0, y, z), (0, y + 0.06, z + up * 0.4), (0, y + 0.05, z + up * 0.75),
-            (0, y - 0.08, top)]  # fmt: skip
-    head = egg((0, y - 0.26, top + 0.03), (thick * 1.4, 0.36, thick * 0.98))
-    fork = capsule((0, y - 0.7, top - 0.03), (0.09, y - 0.82, top - 0.01), 0.07)
+    snout = chain([((0, -0.12, top + 0.02), thick), ((0, -0.3, top + 0.03), thick * 1.36),
+                   ((0, -0.68, top - 0.04), thick * 0.84)])  # fmt: skip
+    front = [(0, y - thick * 0.5, h - thick * 0.16) for y, h in neck[2:-2]]
+    fork = capsule((0, -0.98, top - 0.1), (0.18, -1.2, top - 0.1), 0.09)
     return {
-        "body": join(lying, limb(rise, thick, thick * 0.85), head),
-        "belly": limb(
-            [(x, b - thick * 0.35, h) for x, b, h in rise[1:]], thick * 0.78, thick * 0.72
+        "body": join(
+            *rings,
+            tube((0, 0, thick), (0, 0, z - thick), wide - 0.42),
+            tip,
+            limb([(0, y, h) for y, h in neck], thick * 1.1, thick * 0.95),
+            _lowered(snout, top),
         ),
-        "eyes": both(ball((thick * 0.85, y - 0.38, top + thick * 0.6), 0.085)),
-        "tongue": join(
-            capsule((0, y - 0.5, top - 0.04), (0, y - 0.7, top - 0.03), 0.07), both(fork)
-        ),
+        "belly": limb(front, thick * 0.9, thick * 0.72),
+        "eyes": both(ball((thick * 1.02, -0.46, top + thick * 0.62), 0.12)),
+        "tongue": join(capsule((0, -0.7, top - 0.1), (0, -1.0, top - 0.1), 0.09), both(fork)),
     }
 
 

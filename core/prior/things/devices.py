@@ -16,12 +16,16 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    limb,
+    mirrored,
+    moved,
     prism,
     ring,
     smooth_curve,
     taper,
     tilted,
     tube,
+    within,
 )
 
 
@@ -195,23 +199,31 @@ def light_bulb(draw: Draw) -> Parts:
 
 
 def telephone(draw: Draw) -> Parts:
-    """An old telephone: a dial, and a receiver across its top."""
-    x, y, z = draw(0.62, 0.74), draw(0.62, 0.72), draw(0.68, 0.8)
-    back, reach = draw(0.1, 0.25), draw(0.8, 0.92)
-    side = [(-y, 0), (y, 0), (y - 0.12, z), (back - 0.15, z), (-y, 0.2)]
-    dial = (0, (back - 0.15 - y) / 2, (z + 0.2) / 2)
-    rise = z + 0.34
-    face = (lathe([(r, -0.1), (r, top)], 0.02) for r, top in ((0.4, 0.08), (0.17, 0.15)))
-    disc, hub = (tilted(part, 36, dial) for part in face)
-    grip = capsule((-reach, back + 0.15, rise), (reach, back + 0.15, rise), 0.14)
-    cup = tube((reach, back + 0.15, rise - 0.26), (reach, back + 0.15, rise + 0.1), 0.26, 0.07)
+    """A rotary telephone of the 1940s: a flared body, a dial with a hub, a receiver on a cradle."""
+    x, y, z = draw(0.78, 0.86), draw(0.9, 1.0), draw(0.86, 0.94)
+    reach, rise, ledge = draw(0.96, 1.04), z + 0.34, -0.12
+    side = [(-y, 0), (-y, 0.18), (ledge, z), (0.5, z), (0.62, z * 0.55), (0.8, 0.18), (0.8, 0)]
+    front = [(x, 0), (x, 0.16), (x - 0.14, z * 0.42), (x - 0.25, z * 0.7), (x - 0.31, z + 0.1)]
+    lean = math.degrees(math.atan2(z - 0.18, y + ledge))
+    dial = (0, (ledge - y) / 2, (z + 0.18) / 2)
+    plate = cut(tube((0, 0, -0.1), (0, 0, 0.15), 0.47, 0.02), tube((0, 0, 0.06), (0, 0, 1), 0.32))
+    hub = lathe([(0.16, -0.1), (0.16, 0.12), (0.1, 0.17)], 0.01)
+    top, half = z + 0.2, x - 0.36
+    cradle = join(
+        box((0, 0.2, top), (half, 0.2, 0.24), 0.04),
+        both(moved(both(box((half - 0.12, 0.24, top + 0.2), (0.12, 0.1, 0.2), 0.05), 1),
+                   (0, 0.2, 0))),
+    )  # fmt: skip
+    bow = [(-reach, rise), (-reach * 0.62, rise + 0.1), (reach * 0.62, rise + 0.1), (reach, rise)]
+    cup = lathe([(0.27, -0.34), (0.29, -0.28), (0.28, -0.16), (0.17, 0.06), (0.1, 0.12)], 0.01)
     return {
-        "body": join(
-            prism(side, 0, x), both(box((x * 0.5, back + 0.15, z + 0.1), (0.12, 0.2, 0.17), 0.04))
+        "body": join(within(prism(side, 0, 1), prism(mirrored(front), 1, 2)), cradle),
+        "dial": tilted(plate, lean, dial),
+        "hub": tilted(hub, lean, dial),
+        "receiver": join(
+            limb([(u, 0.2, v) for u, v in smooth_curve(bow)], 0.14, 0.14),
+            both(moved(cup, (reach, 0.2, rise))),
         ),
-        "dial": disc,
-        "hub": hub,
-        "receiver": join(grip, both(cup)),
     }
 
 

@@ -17,6 +17,7 @@ from core.prior.solids import (
     join,
     lathe,
     moved,
+    prism,
     ring,
     taper,
     tilted,
@@ -77,36 +78,40 @@ def sock(draw: Draw) -> Parts:
 
 
 def towel(draw: Draw) -> Parts:
-    """Two folded towels, a rolled one on them; bands near their edges."""
-    x, y, high = draw(0.95, 1.1), draw(0.62, 0.74), draw(0.2, 0.25)
-    r, short = draw(0.33, 0.4), draw(0.72, 0.84)
-    layers, folds, bands = [], [], []
-    for k in (0, 1):
-        half, z = x * (1 - 0.05 * k), 2 * high * k
-        for v in (0.5, 1.5):
-            layers.append(
-                box(
-                    (0, 0.03 * k, z + high * v), (half, y * (1 - 0.04 * k), high * 0.56), high * 0.5
-                )
-            )
-        folds.append(box((0, 0.06, z + high), (half - 0.08, y - 0.04, high * 0.4)))
-    # As the layers are, a little larger, where the bands are.
-    for k in (0, 1):
-        edge = both(box((x * (0.66 - 0.03 * k), 0, 0), (0.11, 3, 9)))
-        for v in (0.5, 1.5):
-            out = (x, y * (1 - 0.04 * k) + 0.035, high * 0.56 + 0.035)
-            bands.append(within(box((0, 0.03 * k, high * (2 * k + v)), out, high * 0.5), edge))
-    z = 4 * high + r - 0.05
-    coil = [tube((short - 0.05, 0, z), (short + 0.045, 0, z), r * 0.62, 0.02),
-            tube((short - 0.05, 0, z), (short + 0.09, 0, z), r * 0.3, 0.02)]  # fmt: skip
-    hoop = tube((short * 0.56, 0, z), (short * 0.8, 0, z), r + 0.035, 0.02)
-    lip = box((0, -r * 0.9, z - r * 0.62), (short, 0.12, 0.09), 0.05)
+    """Three folded towels, their folds to the front, a rolled one on them; bands across them."""
+    x, y, half = draw(0.98, 1.08), draw(0.64, 0.74), draw(0.25, 0.27)
+    r, short, inner = draw(0.36, 0.42), draw(0.78, 0.88), half - 0.17
+    turns = [math.radians(90 - 22.5 * k) for k in range(9)]
+
+    def fold(out: float) -> list[tuple[float, float]]:
+        """Round to the front, ``out`` larger than a towel, seen from its end."""
+        size = half + out
+        return [(half - y - size * math.cos(a), size * math.sin(a)) for a in turns]
+
+    gap = [(y, -inner), (half - y, -inner), (half - y, inner), (y, inner)]
+    sheet = [(y, half), *fold(0), (y, -half), *gap]
+    stripe = [(half - y + 0.3, half + 0.07), *fold(0.07), (half - y + 0.3, -half - 0.07)]
+    towels, folds, bands = [], [], []
+    for k in range(3):
+        at = (0.0, 0.0, half + k * (2 * half - 0.05))
+        towels.append(moved(prism(sheet, 0, x - 0.06 * (k % 2)), at))
+        folds.append(moved(box((0, 0.02, 0), (x - 0.14, y - 0.1, inner + 0.06)), at))
+        bands.append(moved(both(prism(stripe, 0, 0.13, x * 0.62)), at))
+    z = 6 * half - 0.16 + r
     return {
-        "towels": join(*layers),
-        "folds": join(*folds, both(coil[0])),
-        "bands": join(*bands, both(hoop)),
-        "roll": join(tube((-short, 0, z), (short, 0, z), r, 0.04), lip, both(coil[1])),
-    }  # fmt: skip
+        "towels": join(*towels),
+        "folds": join(
+            *folds, tube((0.1 - short - 0.2, 0, z), (short + 0.08, 0, z), r * 0.62, 0.02)
+        ),
+        "bands": join(
+            *bands, both(tube((short * 0.44, 0, z), (short * 0.74, 0, z), r + 0.07, 0.02))
+        ),
+        "roll": join(
+            tube((-short, 0, z), (short, 0, z), r, 0.04),
+            box((0, -r * 0.8, z - r + 0.09), (short - 0.02, 0.24, 0.1), 0.05),
+            tube((-short - 0.17, 0, z), (short + 0.17, 0, z), r * 0.3, 0.02),
+        ),
+    }
 
 
 def toilet_paper(draw: Draw) -> Parts:
@@ -135,32 +140,43 @@ def toilet_paper(draw: Draw) -> Parts:
     }
 
 
-def stack_of_books(draw: Draw) -> Parts:
-    """Four books that lie on one another, each smaller than the one below and turned a little."""
-    layout = draw.arranged(2)
-    groups: dict[str, list[Solid]] = {"books": [], "tomes": [], "volumes": []}
-    pages, bands = [], []
-    sizes = [(1.02, 0.74, 0.26), (0.88, 0.66, 0.21), (0.8, 0.6, 0.28), (0.64, 0.5, 0.22)]
-    z, thick, scale = 0.0, 0.08, draw(0.94, 1.06)
-    for k, size in enumerate(sizes):
-        x, y, high = size[0] * scale, size[1], size[2]
-        # The second one's back is behind.
-        turn = layout(4, 15) * (1, -1, 1, -1)[k] + 180 * (k == 1)
-        at = (layout(-0.08, 0.08), layout(-0.05, 0.05), z + high)
+def _tome(x: float, y: float, half: float) -> dict[str, Solid]:
+    """A thick book that lies, its round spine to the front, two bands about that."""
+    board, bulge, inner = 0.18, 0.12, half - 0.18
 
-        def laid(solid: Solid, turn: float = turn, at: tuple = at) -> Solid:
-            return moved(turned(solid, 2, turn), at)
+    def spine(out: float, high: float) -> list[tuple[float, float]]:
+        turns = (math.radians(90 - 22.5 * k) for k in range(9))
+        return [(-y - out * math.cos(a), high * math.sin(a)) for a in turns]
 
-        boards = [box((0, 0, s * (high - thick)), (x, y, thick)) for s in (-1, 1)]
-        cover = join(*boards, box((0, -y + thick, 0), (x, thick, high)))
-        list(groups.values())[k % 3].append(laid(cover))
-        pages.append(laid(box((0, 0, 0), (x - 0.08, y - 0.08, high - thick))))
-        bands.append(laid(both(box((x * 0.62, -y, 0), (0.085, 0.05, high)))))
-        z += 2 * high
+    cover = [(y, half), *spine(bulge, half), (y, -half), (y, -inner), (board - y, -inner),
+             (board - y, inner), (y, inner)]  # fmt: skip
+    band = [(0.1 - y, half - 0.05), *spine(bulge + 0.1, half - 0.05), (0.1 - y, 0.05 - half)]
     return {
-        **{name: join(*solids) for name, solids in groups.items()},
-        "pages": join(*pages),
-        "bands": join(*bands),
+        "cover": prism(cover, 0, x),
+        "pages": box((0, 0, 0), (x - 0.1, y - 0.1, inner + 0.05)),
+        "bands": both(prism(band, 0, 0.11, x * 0.58)),
+    }
+
+
+def stack_of_books(draw: Draw) -> Parts:
+    """Four thick books that lie on one another, each smaller than the one below and turned."""
+    layout, scale, z = draw.arranged(2), draw(0.95, 1.05), 0.0
+    sizes = [(1.04, 0.74, 0.3), (0.94, 0.68, 0.265), (0.84, 0.62, 0.285), (0.7, 0.54, 0.265)]
+    laid: list[dict[str, Solid]] = []
+    for k, (x, y, half) in enumerate(sizes):
+        # The second one's back is behind.
+        turn = layout(7, 13) * (1, -1, 1, -1)[k] + 180 * (k == 1)
+        at = (layout(-0.07, 0.07), layout(-0.04, 0.04), z + half)
+        tome = _tome(x * scale, y, half)
+        laid.append({name: moved(turned(solid, 2, turn), at) for name, solid in tome.items()})
+        z += 2 * half - 0.05
+    covers = [tome["cover"] for tome in laid]
+    return {
+        "books": join(covers[0], covers[3]),
+        "tomes": covers[1],
+        "volumes": covers[2],
+        "pages": join(*(tome["pages"] for tome in laid)),
+        "bands": join(*(tome["bands"] for tome in laid)),
     }
 
 

@@ -208,48 +208,52 @@ def christmas_bauble(draw: Draw) -> Parts:
 
 
 def wreath(draw: Draw) -> Parts:
-    """Upright: a ring of leafy sprigs, red berries in threes, golden balls, a bow below."""
-    major, minor = draw(0.8, 0.88), draw(0.24, 0.28)
-    layout, count = draw.arranged(3), 22
-    low = draw.chance(0.6)
-    sprigs, light = [], []
-    for k in range(count):
-        a = math.tau * (k + layout(-0.2, 0.2)) / count
-        for side, group in ((1, sprigs), (0, light), (-1, sprigs)):
-            out = major + side * minor * 0.55
-            c, s = math.cos(a + 0.12 * side), math.sin(a + 0.12 * side)
-            b = a + 0.12 * side + 0.3
-            far = out + side * 0.22 + (layout(-0.12, 0.12) if side == 0 else 0)
-            up = minor * (0.35 if side else 0.8)
-            tip = (far * math.cos(b), far * math.sin(b), up + (0.2 if side == 0 else 0.06))
-            group.append(taper((out * c, out * s, up), tip, 0.13, 0.075))
-    berries, balls = [], []
-    for k in range(5):
-        a = math.tau * (k + 0.5) / 5 - math.pi / 2
-        for da, dr in ((-0.1, 0.02), (0.1, 0.06), (0.0, -0.14)):
-            q, u = a + da, major + dr
-            berries.append(ball((u * math.cos(q), u * math.sin(q), minor + 0.07), 0.1))
-        if k != 2 or low:
-            q = a + math.tau / 10
-            at = (major * math.cos(q), major * math.sin(q), minor + 0.08)
-            if k != 4 or not low:
-                balls.append(ball(at, 0.155))
-    loop = [(0.0, 0.06), (0.42, 0.26), (0.5, 0.0), (0.42, -0.22), (0.0, -0.06)]
-    end = [(0.02, 0.05), (0.3, -0.56), (0.14, -0.5), (0.06, -0.62), (-0.06, -0.02)]
-    bow = join(both(grown(prism(loop, 2, 0.08), 0.03)), both(grown(prism(end, 2, 0.05), 0.025)))
-    y = -major if low else major
+    """Upright: a ring of pointed leaves, golden balls, berries in threes, a bow below or above."""
+    major, minor, long = draw(0.82, 0.88), draw(0.25, 0.28), draw(0.36, 0.42)
+    y = -major if draw.chance(0.6) else major
+    low = -90 if y < 0 else 90
+
+    def sprigs(count: int, up: float, thick: float, *tips: tuple[float, float]) -> Solid:
+        """Pointed leaves, each to so far from the ring's middle line and over its plane."""
+        step, leaves = math.tau / count, []
+        for k in range(count):
+            a = low / 180 * math.pi + step * (k + 0.5)
+            root = (major * math.cos(a), major * math.sin(a), up)
+            for out, high in tips:
+                b, far = a + 0.34, major + out
+                leaves.append(taper(root, (far * math.cos(b), far * math.sin(b), high), thick, 0.1))
+        return join(*leaves)
+
+    def spot(turn: float, out: float, up: float, radius: float) -> Solid:
+        a = math.radians(low + turn)
+        return ball(((major + out) * math.cos(a), (major + out) * math.sin(a), up), radius)
+
+    def cluster(turn: float) -> Solid:
+        trio = ((-9, -0.06), (9, -0.06), (0, 0.15))
+        return join(*(spot(turn + da, out, minor + 0.02, 0.15) for da, out in trio))
+
+    loop = smooth_curve([(0.0, 0.08), (0.3, 0.3), (0.58, 0.3), (0.68, 0.02), (0.56, -0.22),
+                         (0.28, -0.18), (0.0, -0.08)])  # fmt: skip
+    end = [(-0.06, 0.0), (0.12, 0.0), (0.52, -0.62), (0.34, -0.6), (0.22, -0.74)]
+    bow = join(
+        both(grown(prism(loop, 2, 0.1), 0.05)), both(grown(prism(end, 2, 0.06, -0.02), 0.04))
+    )
 
     def facing(solid: Solid) -> Solid:
         return tilted(solid, 90, (0, 0, major + minor + 0.25))
 
     return {
-        "leaves": facing(join(ring((0, 0, 0), major, minor), *sprigs)),
-        "tips": facing(join(*light)),
-        "berries": facing(join(*berries)),
-        "baubles": facing(join(*balls)),
-        "bow": facing(moved(bow, (0, y, minor + 0.07))),
-        "knot": facing(egg((0, y, minor + 0.16), (0.14, 0.13, 0.13))),
-    }
+        "leaves": facing(
+            join(ring((0, 0, 0), major, minor), sprigs(16, 0.0, 0.2, (long, 0.0), (-0.34, 0.0)))
+        ),
+        "tips": facing(sprigs(8, minor - 0.08, 0.2, (0.2, minor), (-0.18, minor))),
+        "berries": facing(join(*(cluster(turn) for turn in (-90, 90, 180)))),
+        "baubles": facing(
+            join(*(spot(turn, 0, minor + 0.02, 0.22) for turn in (-135, -45, 45, 135)))
+        ),
+        "bow": facing(moved(bow, (0, y, minor + 0.14))),
+        "knot": facing(egg((0, y, minor + 0.22), (0.19, 0.17, 0.17))),
+    }  # fmt: skip
 
 
 def grenade(draw: Draw) -> Parts:

@@ -232,36 +232,37 @@ def microscope(draw: Draw) -> Parts:
 
 
 def typewriter(draw: Draw) -> Parts:
-    """Its keys in rows to the front, a sheet in its carriage."""
-    x, y, top, low = draw(0.88, 0.98), draw(0.8, 0.9), draw(0.58, 0.68), 0.22
-    columns, pitch = 5, 0.31
-    slope = (top * 0.85 - low) / (y + 0.1)
+    """Round keys in straight rows on steps, a basket in the hood behind them, a sheet on the
+    roller."""
+    x, y, r = draw(1.04, 1.12), draw(0.88, 0.96), draw(0.115, 0.125)
+    low, rise, hood = draw(0.2, 0.26), draw(0.12, 0.16), draw(0.72, 0.82)
+    step, pitch, roll, sheet = 0.36, 0.39, draw(0.17, 0.2), draw(0.62, 0.84)
+    edges = [-y + step * k for k in range(4)]
+    stairs = [(v, low + rise * (k + e)) for k, v in enumerate(edges) for e in (-1, 0)]
+    side = [(-y, 0), *stairs[1:], (edges[-1] + 0.04, hood), (y, hood), (y, 0)]
+    back, z = y - 0.3, hood + roll * 0.6
     keys = [
-        tube((u, v, h), (u, v, h + 0.24), 0.11, 0.02)
-        for row in range(2)
-        for v in (-y + 0.3 + row * 0.32,)
-        for h in (low - 0.06 + slope * (v + y),)
-        for k in range(columns)
-        for u in (((k + 0.5 - columns / 2) + 0.4 * row - 0.2) * pitch,)
+        tube((pitch * k, v + step / 2, h - 0.06), (pitch * k, v + step / 2, h + 0.12), r, 0.02)
+        for v, h in ((edges[1], low + rise), (edges[2], low + 2 * rise))
+        for k in (0, 1, 2)
     ]
-    bar = box((0, -y - 0.02, low + 0.02), (0.5, 0.09, 0.1), 0.03)
-    side = [(-y, 0.05), (y, 0.05), (y, top), (0.1, top), (-0.02, top * 0.85), (-y, low)]
-    roll, sheet = draw(0.16, 0.19), draw(0.7, 0.95)
-    z = top + roll * 0.8
-    paper = box((0, 0, sheet / 2), (x * 0.6, 0.075, sheet / 2))
+    basket = tube((0, edges[3] - 0.12, low + 2 * rise), (0, edges[3] - 0.12, 2), 0.5)
+    paper = box((0, 0, sheet / 2), (x * 0.6, 0.08, sheet / 2))
     return {
         "body": join(
-            prism(side, 0, x),
-            box((0, 0.2, top), (x * 0.72, 0.2, 0.11), 0.06),
-            box((0, 0, 0.08), (x + 0.05, y + 0.06, 0.08), 0.04),
+            cut(prism(side, 0, x - 0.1), basket),
+            box((0, 0, 0.08), (x, y + 0.1, 0.09)),
         ),
-        "keys": join(*keys, bar),
-        "roller": tube((-x - 0.05, y - 0.24, z), (x + 0.05, y - 0.24, z), roll, 0.02),
+        "keys": join(
+            both(join(*keys)),
+            box((0, edges[0] + step / 2, low + 0.03), (pitch * 1.5, 0.1, 0.09), 0.02),
+        ),
+        "roller": tube((-x - 0.04, back, z), (x + 0.04, back, z), roll, 0.02),
         "knobs": join(
-            both(tube((x, y - 0.24, z), (x + 0.2, y - 0.24, z), roll + 0.05, 0.04)),
-            taper((-x - 0.06, y - 0.34, z + 0.08), (-x - 0.22, y - 0.62, z + 0.2), 0.1, 0.08),
+            both(tube((x - 0.02, back, z), (x + 0.18, back, z), roll + 0.06, 0.03)),
+            capsule((-x - 0.08, back, z + 0.06), (-x - 0.16, back - 0.5, z + 0.2), 0.1),
         ),
-        "paper": moved(turned(paper, 0, -draw(6, 20)), (0, y - 0.12, z - 0.2)),
+        "paper": moved(turned(paper, 0, -draw(8, 18)), (0, back + 0.14, z - 0.12)),
     }
 
 

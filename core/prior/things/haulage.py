@@ -73,33 +73,40 @@ def pane(low: Point, high: Point, out: int, half: float) -> Solid:
 
 
 def pickup_truck(draw: Draw) -> Parts:
-    """A car's front and cabin with an open bed behind, on large wheels; or with a roll bar."""
-    x, y, wheel, edge = draw(0.6, 0.68), draw(1.28, 1.4), draw(0.3, 0.36), 0.06
-    belt, roof, floor = draw(0.88, 0.96), draw(1.34, 1.46), wheel + 0.06
-    front, back, axles = -y * draw(0.36, 0.42), y * draw(0.08, 0.16), (-y * 0.6, y * 0.6)
-    side = [(-y + 0.07, floor), (-y + 0.07, belt - 0.28), (-y + 0.16, belt - 0.16),
-            (front, belt - edge), (y - edge, belt - edge), (y - edge, floor)]  # fmt: skip
-    middle, half = (back + y - 0.03) / 2, (y - back - 0.31) / 2
-    bed = box((0, middle, belt), (x - 0.17, half, 0.4))
-    arches = join(*(tube((x - 0.18, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles))
-    well = box((x - 0.2, axles[1], wheel + 0.18), (0.12, wheel + 0.14, wheel - 0.06))
-    cab, panes = cabin(x, belt, roof, (front - 0.04, front + 0.3, back - 0.06, back))
-    bar = box((0, back + 0.3, belt + 0.12), (x - 0.04, 0.09, 0.3), 0.03)
-    hoop = cut(bar, box((0, back + 0.3, belt), (x - 0.22, 1, 0.24)))
-    hull = cut(grown(prism(side, 0, x - edge), edge), bed)
-    hull = cut(join(hull, both(well)), both(arches))
-    tyres, hubs = wheels(x - 0.03, [(v, wheel) for v in axles], 0.14)
+    """A hood, a cab and an open bed, all of plane faces, on large wheels; or with a roll bar."""
+    x, y, wheel = draw(0.64, 0.7), draw(1.28, 1.4), draw(0.33, 0.36)
+    belt, roof, nose = 2 * wheel + draw(0.32, 0.36), draw(1.54, 1.64), 2 * wheel + draw(0.22, 0.26)
+    front, back, axles = -y * draw(0.38, 0.44), y * draw(0.22, 0.28), (-y * 0.58, y * 0.6)
+    side, cab, floor, eyes = x - 0.16, x - 0.09, wheel + 0.02, nose - 0.2  # side: where arches end
+    hull = [(-y, floor), (-y, nose - 0.08), (-y + 0.08, nose), (front, belt), (y, belt), (y, floor)]
+    roofline = [(front, belt - 0.1), (front + 0.38, roof), (back - 0.08, roof), (back, belt - 0.1)]
+    middle, half = (back + y) / 2 - 0.06, (y - back) / 2 - 0.12
+    flare = mirrored([(wheel + 0.18, floor), (wheel - 0.02, 2 * wheel + 0.16)])
+    flares = [moved(prism(flare, 0, x + 0.08), (0, v, 0)) for v in axles]
+    arches = join(*(tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles))
+    solid = join(prism(hull, 0, x), *flares)
+    low, high = belt + 0.06, roof - 0.12
+    light = [(front + 0.22, low), (front + 0.45, high), (back - 0.22, high), (back - 0.17, low)]
+    slants = ((front, front + 0.38, -1), (back, back - 0.08, 1))
+    panes = (pane((a, belt - 0.1), (b, roof), s, cab - 0.12) for a, b, s in slants)
+    bar = box((0, back + 0.28, roof - 0.37), (x - 0.07, 0.1, 0.32))
+    hoop = cut(bar, box((0, back, roof - 0.57), (x - 0.28, 1, 0.32)))
+    body = join(
+        cut(solid, box((0, middle, belt), (x - 0.18, half, 0.28)), both(arches)),
+        prism(roofline, 0, cab),
+    )
+    tyres, hubs = wheels(x - 0.05, [(v, wheel) for v in axles], 0.17)
     return {
-        "body": join(hull, cab, hoop) if draw.chance(0.4) else join(hull, cab),
-        "windows": panes,
+        "body": join(body, hoop) if draw.chance(0.4) else body,
+        "windows": join(*panes, both(prism(light, 0, 0.07, cab))),
         "wheels": tyres,
         "trim": join(
             hubs,
-            both(box((0, y - 0.02, floor + 0.02), (x * 0.94, 0.1, 0.1), 0.03), 1),
-            box((0, -y + 0.06, belt - 0.29), (x * 0.38, 0.1, 0.1), 0.02),
+            both(box((0, y + 0.02, floor), (x + 0.04, 0.12, 0.11)), 1),
+            box((0, -y, eyes), (x - 0.34, 0.08, 0.1)),
         ),
-        "lamps": both(box((x * 0.7, -y + 0.06, belt - 0.29), (0.14, 0.12, 0.1), 0.04)),
-        "bed": box((0, middle, belt - 0.38), (x - 0.14, half + 0.03, 0.09)),
+        "lamps": both(box((x - 0.18, -y, eyes), (0.13, 0.1, 0.11))),
+        "bed": box((0, middle, belt - 0.28), (x - 0.15, half + 0.03, 0.06)),
     }
 
 

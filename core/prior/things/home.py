@@ -98,23 +98,36 @@ def throne(draw: Draw) -> Parts:
 
 def bunk_bed(draw: Draw) -> Parts:
     """Two beds, one above the other, long sides to the front; a ladder there, the pillows left."""
-    x, y, low, high = draw(1.15, 1.3), draw(0.62, 0.7), draw(0.4, 0.46), draw(1.5, 1.65)
-    top, at, front, levels = high + draw(0.5, 0.6), x * 0.36, -y - 0.07, (low, high)
-    left, right = -x, at - 0.3
-    rungs = (box((at, front, low + (high - low) * k), (0.3, 0.085, 0.085)) for k in (0, 0.36, 0.7))
-    posts = both(box((x, y, top / 2), (0.12, 0.12, top / 2), 0.03), 0, 1)
-    ends = (both(box((x, 0, z + 0.2), (0.08, y, 0.24))) for z in levels)
-    guard = box(((left + right) / 2, -y, high + 0.42), ((right - left) / 2, 0.085, 0.09))
+    x, y, low, high = draw(1.08, 1.18), draw(0.6, 0.68), draw(0.4, 0.46), draw(1.46, 1.56)
+    top, at, front, levels = high + draw(0.54, 0.6), x * 0.3, -y - 0.16, (low, high)
+    left = (at - 0.3 - x) / 2
+    posts = both(
+        join(
+            box((x, y, top / 2), (0.15, 0.15, top / 2), 0.03),
+            ball((x, y, top + 0.1), 0.19),
+        ),
+        0,
+        1,
+    )
+    ends = (both(box((x, 0, z + 0.16), (0.1, y, 0.38))) for z in levels)
+    guards = (box((left, -y, high + 0.46), (at - 0.3 - left, 0.1, 0.1)),
+              box((0, y, high + 0.46), (x, 0.1, 0.1)))  # fmt: skip
+    rungs = (
+        tube((at - 0.3, front, z), (at + 0.3, front, z), 0.1)
+        for z in (low - 0.02, (low + high) / 2, high)
+    )
+    sides = (
+        box((at + s, front, (high + 0.42) / 2), (0.11, 0.15, (high + 0.42) / 2), 0.03)
+        for s in (-0.3, 0.3)
+    )
     return {
-        "blanket": join(*(box((0.2, 0, z + 0.2), (x - 0.3, y - 0.02, 0.17), 0.08) for z in levels)),
-        "mattress": join(
-            *(box((0, 0, z + 0.17), (x - 0.06, y - 0.06, 0.14), 0.05) for z in levels)
+        "blanket": join(*(box((0.26, 0, z + 0.2), (x - 0.34, y, 0.24), 0.1) for z in levels)),
+        "mattress": join(*(box((0, 0, z + 0.17), (x - 0.05, y - 0.1, 0.18), 0.06) for z in levels)),
+        "pillow": join(*(egg((0.42 - x, 0, z + 0.38), (0.28, y * 0.7, 0.19)) for z in levels)),
+        "frame": join(
+            posts, *(box((0, 0, z), (x, y + 0.08, 0.13)) for z in levels), *ends, *guards
         ),
-        "pillow": join(*(box((0.34 - x, 0, z + 0.36), (0.2, y * 0.66, 0.13), 0.1) for z in levels)),
-        "frame": join(posts, *(box((0, 0, z), (x, y, 0.11)) for z in levels), *ends, guard),
-        "ladder": join(
-            *rungs, *(box((at + s, front, top / 2), (0.09, 0.095, top / 2)) for s in (-0.3, 0.3))
-        ),
+        "ladder": join(*rungs, *sides),
     }
 
 

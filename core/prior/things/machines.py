@@ -1,60 +1,74 @@
 """Vehicles and machines of less common kinds."""
 
-import math
-
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     around,
     both,
     box,
-    chain,
     cut,
     egg,
     join,
     lathe,
+    limb,
+    mirrored,
     moved,
+    outlined,
     prism,
     ring,
+    smooth_curve,
     taper,
     tilted,
     tube,
     turned,
+    within,
 )
+from core.prior.things.animals import fitted
 from core.prior.things.transport import strip
 
 
 def longship(draw: Draw) -> Parts:
-    """Of vikings: a slim hull with high curled ends, shields along it, one striped sail."""
-    x, y, deep, high = draw(0.36, 0.42), draw(1.06, 1.16), draw(0.42, 0.5), draw(1.6, 1.8)
-    wide, tall, deck = draw(0.62, 0.72), draw(0.38, 0.44), 0.52
-    body = cut(egg((0, 0, deck), (x, y + 0.1, deep)), box((0, 0, deck + 1), (2, 2, 1)))
-    inner = egg((0, 0, deck + 0.1), (x - 0.13, y - 0.2, deep - 0.12))
-    end = y * 0.9
-    neck = [((0, end, 0.36), 0.14), ((0, end + 0.24, 0.74), 0.12), ((0, end + 0.26, 1.04), 0.11)]
-    head = [((0, -end - 0.26, 1.06), 0.15), ((0, -end - 0.42, 1.02), 0.1)]
-    tail = [
-        ((0, end + 0.26, 1.04), 0.11),
-        ((0, end + 0.1, 1.24), 0.1),
-        ((0, end - 0.08, 1.14), 0.09),
-    ]
-    sail = high - tall - 0.08
-    # Each at the hull's side, which is an ellipse.
-    shields = [
-        tube((side - 0.12, v, deck - 0.05), (side + 0.08, v, deck - 0.05), 0.16)
-        for v in (-0.6, -0.2, 0.2, 0.6)
-        for side in (x * math.sqrt(1 - (v / (y + 0.1)) ** 2),)
-    ]
-    half = wide / 5
+    """Of vikings: a long hull that sweeps up to a dragon's head and a curled tail, round shields
+    along it, one square sail in stripes."""
+    x, y, high, wide = draw(0.42, 0.47), draw(1.3, 1.4), draw(1.7, 1.84), draw(0.66, 0.74)
+    rail, top, full = draw(0.46, 0.52), draw(1.06, 1.16), draw(0.08, 0.13)
+    keel = smooth_curve([(-y - 0.08, 0.66), (-y * 0.84, 0.24), (-y * 0.5, 0.03), (0, 0),
+                         (y * 0.5, 0.03), (y * 0.84, 0.24), (y + 0.08, 0.66)])  # fmt: skip
+    sheer = smooth_curve([(y - 0.12, 0.86), (y * 0.74, rail + 0.12), (y * 0.4, rail),
+                          (0, rail - 0.02), (-y * 0.4, rail), (-y * 0.74, rail + 0.12),
+                          (-y + 0.12, 0.86)])  # fmt: skip
+    beam = smooth_curve([(0.1, -y - 0.1), (x * 0.66, -y * 0.7), (x, -y * 0.3), (x, y * 0.3),
+                         (x * 0.66, y * 0.7), (0.1, y + 0.1)])  # fmt: skip
+    well = [(u - 0.15, v * 0.84) for u, v in beam if u > x * 0.6]
+    bilge = prism(mirrored([(0.14, -0.1), (x * 0.76, 0.16), (x + 0.05, 0.42), (x + 0.05, 3)]), 1, 2)
+    hull = cut(within(outlined([*keel, *sheer], beam), bilge), prism(mirrored(well), 2, 1, 1.22))
+    # Seen from the side: of the front as far out, to -Y, as of the back to +Y.
+    neck = [(y - 0.3, 0.4), *smooth_curve([(y - 0.06, 0.34), (y + 0.17, 0.66), (y + 0.17, 0.9),
+                                           (y + 0.06, top)]),
+            *smooth_curve([(y - 0.16, top), (y - 0.05, 0.88), (y - 0.3, 0.62)])]  # fmt: skip
+    head = [(y - 0.18, top - 0.06), (y - 0.1, top + 0.16), (y + 0.06, top + 0.18),
+            (y + 0.2, top + 0.07), (y + 0.42, top + 0.06), (y + 0.38, top - 0.12),
+            (y + 0.06, top - 0.14)]  # fmt: skip
+    horn = taper((0.08, y - 0.04, top + 0.08), (0.22, y - 0.24, top + 0.24), 0.1, 0.09)
+    tail = [(0, y - 0.05, top - 0.08), (0, y - 0.1, top + 0.14), (0, y - 0.26, top + 0.26),
+            (0, y - 0.42, top + 0.16)]  # fmt: skip
+    dragon = turned(join(prism(head, 0, 0.13), both(horn)), 2, 180)
+    low, up = rail + 0.3, high - 0.14
+    wind = smooth_curve([(0, low), (-full * 0.9, low + (up - low) * 0.4), (0, up)])
+    cloth = [(v - 0.12, w) for v, w in wind] + [(v + 0.08, w) for v, w in reversed(wind)]
+    stripe = [(v - 0.18, w) for v, w in wind] + [(v + 0.12, w) for v, w in reversed(wind)]
+    round_ = lathe([(0.17, -0.1), (0.17, 0.05), (0.08, 0.1)], 0.02)
+    shields = (moved(turned(round_, 1, 90), (at - 0.02, v, rail - 0.06)) for v, at in
+               ((-0.81, x * 0.84), (-0.27, x), (0.27, x), (0.81, x * 0.84)))  # fmt: skip
     return {
-        "hull": cut(body, inner),
-        "prows": join(both(chain(neck), 1), chain(head), chain(tail)),
+        "hull": hull,
+        "prows": join(both(prism(neck, 0, 0.1), 1), dragon, limb(tail, 0.11, 0.1)),
         "mast": join(
-            tube((0, 0, 0.2), (0, 0, high + 0.12), 0.08),
-            tube((-wide - 0.08, 0.02, high - 0.06), (wide + 0.08, 0.02, high - 0.06), 0.075),
+            tube((0, 0.01, 0.14), (0, 0.01, high + 0.14), 0.1, 0.03),
+            tube((-wide - 0.1, 0, up), (wide + 0.1, 0, up), 0.1, 0.03),
         ),
-        "sail": join(*(box((half * 2 * k, -0.07, sail), (half, 0.07, tall)) for k in (-2, 0, 2))),
-        "stripes": both(box((half * 2, -0.07, sail), (half, 0.07, tall))),
+        "sail": prism(cloth, 0, wide),
+        "stripes": both(prism(stripe, 0, wide / 5, wide * 0.4)),
         "shields": both(join(*shields)),
     }
 
@@ -333,7 +347,7 @@ def camper(draw: Draw) -> Parts:
 
 
 MACHINES = {
-    "longship": longship,
+    "longship": fitted(longship),
     "biplane": biplane,
     "blimp": blimp,
     "rover": rover,

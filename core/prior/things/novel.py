@@ -1,6 +1,7 @@
 """Two clocks, a guitar with horns, a house in a mushroom, a caterpillar, a pin for a map."""
 
 import math
+from itertools import pairwise
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -11,7 +12,6 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
-    egg,
     grown,
     join,
     lathe,
@@ -83,33 +83,36 @@ def electric_guitar(draw: Draw) -> Parts:
 
 def mushroom_house(draw: Draw) -> Parts:
     """A stem with a round door and a round window or two, a chimney in the spotted cap."""
-    r, wall, cap, dome = draw(0.62, 0.67), draw(1.06, 1.14), draw(1.06, 1.14), draw(0.82, 0.9)
+    r, wall, cap, dome = draw(0.58, 0.63), draw(1.14, 1.22), draw(1.06, 1.14), draw(0.8, 0.88)
     turns = (-58, 58) if draw.chance(0.5) else (58,)
-    arch = [(0.24 * math.cos(a), 0.56 + 0.24 * math.sin(a)) for a in (0, 0.4, 0.8, 1.2)]
-    shell = [(r - 0.1, wall - 0.04), (cap - 0.14, wall - 0.12), (cap, wall),
-             (cap * 0.93, wall + dome * 0.4), (cap * 0.66, wall + dome * 0.78),
-             (cap * 0.32, wall + dome * 0.96), (0, wall + dome)]  # fmt: skip
+    quarter = [math.radians(9 * k) for k in range(11)]
+    over = [(cap * math.cos(a), wall + dome * math.sin(a)) for a in quarter]
+    arch = [(0.28 * math.cos(a), 0.56 + 0.28 * math.sin(a)) for a in quarter]
 
-    def spot(east: float, north: float, size: float) -> Solid:
+    def spot(east: float, north: float) -> Solid:
+        """A ball half sunk, so that it stands out by 0.12."""
         a, b = math.radians(east - 90), math.radians(north)
-        out = cap * math.cos(b) * 0.92
-        return ball((out * math.cos(a), out * math.sin(a), wall + dome * math.sin(b) * 0.92), size)
+        out, up = math.cos(b) / cap, math.sin(b) / dome  # along the cap's normal
+        out, up = (n * 0.2 / math.hypot(out, up) for n in (out, up))
+        out, up = cap * math.cos(b) - out, dome * math.sin(b) - up
+        return ball((out * math.cos(a), out * math.sin(a), wall + up), 0.32)
 
-    spots = [(0, 38, 0.26), (64, 26, 0.23), (-64, 26, 0.23), (128, 38, 0.26), (-128, 38, 0.26),
-             (180, 16, 0.22)]  # fmt: skip
-    frame = tube((0, -r - 0.05, 0.66), (0, 0, 0.66), 0.28, 0.02)
-    pane = tube((0, -r - 0.12, 0.66), (0, 0, 0.66), 0.19, 0.02)
-    x, y, top = cap * 0.48, 0.1, wall + dome
+    spots = [spot(72 * k, 30) for k in range(5)]
+    frame = tube((0, -r - 0.13, 0.64), (0, 0, 0.64), 0.25, 0.02)
+    pane = tube((0, -r - 0.21, 0.64), (0, 0, 0.64), 0.16, 0.02)
+    small = tube((0, -r - 0.32, 0.56), (0, -r, 0.56), 0.13, 0.02)
+    x, y, top = cap * 0.5, cap * 0.16, wall + dome
     return {
-        "stem": lathe(smooth_curve([(r + 0.14, 0), (r + 0.04, 0.2), (r - 0.02, wall * 0.6),
-                                    (r - 0.04, wall + 0.1)]), 0.02),
-        "cap": lathe(smooth_curve(shell)),
-        "dots": join(*(spot(*each) for each in spots)),
-        "door": join(prism(mirrored([(0.24, 0), *arch, (0, 0.8)]), 1, 0.13, -r - 0.02),
+        "stem": lathe(smooth_curve([(r + 0.08, 0), (r + 0.14, 0.16), (r + 0.04, 0.5),
+                                    (r - 0.04, wall * 0.8), (r - 0.02, wall + 0.1)])),
+        "cap": lathe([(r - 0.2, wall + 0.02), (cap - 0.14, wall - 0.14), (cap - 0.03, wall - 0.1),
+                      *over]),
+        "dots": join(*spots, spot(0, 90)),
+        "door": join(prism(mirrored([(0.28, 0), *arch]), 1, 0.22, -r - 0.02),
                      *(turned(frame, 2, angle) for angle in turns)),
-        "windows": join(*(turned(pane, 2, angle) for angle in turns)),
-        "chimney": join(tube((x, y, wall + 0.3), (x, y, top + 0.1), 0.15),
-                        tube((x, y, top), (x, y, top + 0.2), 0.21, 0.03)),
+        "windows": join(small, *(turned(pane, 2, angle) for angle in turns)),
+        "chimney": join(tube((x, y, wall + 0.3), (x, y, top + 0.08), 0.16),
+                        tube((x, y, top), (x, y, top + 0.18), 0.23, 0.02)),
     }  # fmt: skip
 
 
@@ -185,27 +188,46 @@ def alarm_clock(draw: Draw) -> Parts:
 
 
 def pocket_watch(draw: Draw) -> Parts:
-    """Upright, its dial to the front, a crown and a bow on top, which may hang on a chain."""
-    r, y, bow = draw(0.88, 0.94), draw(0.2, 0.24), draw(0.23, 0.26)
-    face, hands = _dial(-y - 0.04, r - 0.1, 0.095)
-    top = r + 0.3
+    """Upright, its dial to the front, a bow about its crown, from which a chain may hang."""
+    r, deep, neck = draw(0.9, 0.96), draw(0.24, 0.28), 0.3
+    top, bow, lip = r + 0.36, draw(0.4, 0.43), 0.1
+    back = [(0.0, -deep - 0.12), (r * 0.5, -deep - 0.08), (r * 0.8, -deep + 0.04), (r, -0.02)]
+    case = [*smooth_curve(back), (r, 0.08)]
+    bezel = [(r - 0.02, -0.1), (r + 0.07, 0.0), (r + 0.07, 0.14), (r - 0.04, 0.3), (r - 0.14, 0.3)]
+    inner = [(r - 0.22, 0.0), (r - 0.22, 0.14), (r - 0.08, 0.36)]
+
+    def hand(long: float, wide: float, turn: float) -> Solid:
+        leaf = [(-0.09, -0.12), (0.09, -0.12), (wide, long * 0.62), (0.06, long), (-0.06, long),
+                (-wide, long * 0.62)]  # fmt: skip
+        return turned(prism(leaf, 1, 0.1, -0.16), 1, turn)
+
+    def facing(solid: Solid) -> Solid:
+        return turned(solid, 0, 90)
+
     parts = {
-        "case": join(
-            tube((0, -y, 0), (0, y, 0), r, 0.05), egg((0, y, 0), (r - 0.1, 0.16, r - 0.1))
+        "case": facing(lathe(case)),
+        "face": facing(tube((0, 0, -0.06), (0, 0, 0.16), r - 0.14)),
+        "hands": join(
+            hand(r * 0.48, 0.15, -60),
+            hand(r * 0.7, 0.13, 60),
+            tube((0, -0.31, 0), (0, -0.1, 0), 0.14, 0.02),
         ),
-        "face": face,
-        "hands": hands,
-        "rim": ring((0, -y, 0), r - 0.05, 0.12, 1),
+        "rim": facing(cut(lathe(bezel), lathe(inner))),
         "crown": join(
-            tube((0, 0, r - 0.1), (0, 0, r + 0.14), 0.13),
-            tube((0, 0, r + 0.1), (0, 0, top), 0.2, 0.04),
-            ring((0, 0, top + bow), bow, 0.1, 1),
+            lathe([(neck + 0.04, r - 0.12), (neck - 0.04, r + 0.1), (0.12, r + 0.18)]),
+            lathe([(0.13, r + 0.1), (0.2, r + 0.26), (0.2, r + 0.42), (0.12, r + 0.5)]),
+            ring((0, 0, top), bow, lip, 1),
         ),
     }
     if draw.chance(0.5):
-        far = top + bow
-        links = (ring((0, 0, far), 0.22, 0.105, 1 + k % 2) for k in range(1, 5))
-        parts["chain"] = join(*(turned(link, 1, 14 * k) for k, link in enumerate(links, 1)))
+        far = [(0.44, top + bow - 0.02), (0.92, top + bow - 0.12), (1.24, top + bow - 0.48)]
+        links = (ring((u, 0, w), 0.2, 0.1, 1) for u, w in far)
+        bars = (
+            capsule((u, 0, w), (s, 0, v), 0.1)
+            for (u, w), (s, v) in pairwise([(0.1, top + bow), *far])
+        )
+        eyes = (tube((u, -1, w), (u, 1, w), 0.12) for u, w in far)
+        parts["chain"] = join(cut(join(*bars), *eyes), *links)
     return parts
 
 

@@ -7,6 +7,7 @@ from torch import Tensor, atan2, stack
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
+    Solid,
     around,
     ball,
     blend,
@@ -15,15 +16,19 @@ from core.prior.solids import (
     capsule,
     cut,
     egg,
+    grown,
     join,
     lathe,
     lozenge_blade,
+    mirrored,
     moved,
     prism,
     ring,
     smooth_curve,
     taper,
     tube,
+    turned,
+    within,
 )
 
 
@@ -69,26 +74,56 @@ def dagger(draw: Draw) -> Parts:
 
 
 def shield(draw: Draw) -> Parts:
-    """A heater shield with a rim and a boss, or a round one."""
-    high, wide, thick = draw(1.0, 1.2), draw(0.78, 0.95), draw(0.1, 0.13)
+    """A heater shield, bent about the arm, with a cross; or a round one, domed, with a boss."""
+    high, wide = draw(0.5, 0.62), draw(0.82, 0.9)
     if draw.chance(0.3):
-        plate = tube((0, -thick, high), (0, thick, high), wide, 0.03)
-        rim = ring((0, 0, high), wide, thick * 1.2, 1)
-        boss = egg((0, -thick, high), (0.26, 0.18, 0.26))
-    else:
-        side = smooth_curve(
-            [(0.0, 0.0), (wide * 0.62, high * 0.55), (wide, high * 1.3), (wide, high * 2)]
-        )
-        corners = side + [(-u, v) for u, v in reversed(side[1:])]
-        plate = prism(corners, 1, thick)
-        grown = prism([(u * 1.1, high + (v - high) * 1.08) for u, v in corners], 1, thick * 1.45)
-        inner = prism([(u * 0.86, high + (v - high) * 0.88) for u, v in corners], 1, 1.0)
-        rim = cut(grown, inner)
-        boss = join(
-            box((0, -thick, high * 1.15), (0.11, 0.1, high * 0.6), 0.02),
-            box((0, -thick, high * 1.35), (wide * 0.6, 0.1, 0.11), 0.02),
-        )
-    return {"plate": plate, "rim": rim, "emblem": boss}
+        return _round_shield(wide + 0.1, draw(0.28, 0.33))
+    low = wide * math.sqrt(3)  # where the two arcs about the other side's end begin
+    arcs = [math.radians(7.5 * k) for k in range(9)]
+    side = [(wide * (2 * math.cos(a) - 1), low - 2 * wide * math.sin(a)) for a in arcs]
+    plate = prism(mirrored([(wide, low + high), *side]), 1, 2)
+    c, arm, up = low + high - 0.72, draw(0.13, 0.15), wide * 0.45
+    flare = [(arm, arm), (arm * 1.7, up), (-arm * 1.7, up), (-arm, arm), (-up, arm * 1.7),
+             (-up, -arm * 1.7), (-arm, -arm), (-arm * 1.7, -up * 1.6), (arm * 1.7, -up * 1.6),
+             (arm, -arm), (up, -arm * 1.7), (up, arm * 1.7)]  # fmt: skip
+
+    def bent(region: Solid, inner: float, outer: float) -> Solid:
+        """What of a sheet about the vertical behind the shield lies in the region."""
+        tubes = (tube((0, 1.6, -1), (0, 1.6, 4), r) for r in (outer, inner))
+        return within(cut(*tubes), within(region, box((0, -1, 0), (4, 2.6, 4))))
+
+    return {
+        "plate": bent(plate, 1.56, 1.74),
+        "rim": bent(cut(grown(plate, 0.03), grown(plate, -0.15)), 1.49, 1.83),
+        "emblem": bent(prism([(u, v + c) for u, v in flare], 1, 2), 1.64, 1.86),
+    }
+
+
+def _round_shield(wide: float, boss: float) -> Parts:
+    """Domed boards in a thick ring, a boss on a flange between four straps; its front to -Y."""
+    bow = [0.2 * (1 - (k / 8) ** 2) for k in range(9)]
+    inner = [(wide * k / 8, v) for k, v in enumerate(bow)]
+    outer = [(u, v + 0.18) for u, v in reversed(inner)]
+    strap = [(-wide, 0.19), (-wide, -0.19), (0, -0.1), (wide, -0.19), (wide, 0.19), (0, 0.1)]
+    turns = [math.radians(9 * k) for k in range(11)]
+    dome = [(boss * math.cos(a), 0.44 + 0.3 * math.sin(a)) for a in turns]
+    cover = lathe([(0, 0.3), (wide * 0.7, 0.2), (wide * 0.7, 0.3), (boss, 0.46), (0, 0.47)])
+
+    def faced(solid: Solid) -> Solid:
+        return moved(turned(solid, 0, 90), (0, 0, wide))
+
+    straps = within(cover, join(prism(strap, 2, 1), turned(prism(strap, 2, 1), 2, 90)))
+    return {
+        "plate": faced(lathe([*inner, *outer])),
+        "rim": faced(ring((0, 0, 0.08), wide - 0.02, 0.14)),
+        "emblem": faced(
+            join(
+                lathe([(boss, 0.28), *dome]),
+                lathe([(boss + 0.13, 0.26), (boss + 0.11, 0.48)]),
+                straps,
+            )
+        ),
+    }
 
 
 def lantern(draw: Draw) -> Parts:
@@ -277,17 +312,20 @@ def scroll(draw: Draw) -> Parts:
 
 
 def cauldron(draw: Draw) -> Parts:
-    """A round pot on three feet, two ears, brew inside."""
-    r, high = draw(0.85, 1.0), draw(0.72, 0.85)
-    pot = cut(egg((0, 0, high + 0.15), (r, r, high)), tube((0, 0, high * 1.45), (0, 0, 4), 3))
-    pot = cut(pot, egg((0, 0, high + 0.2), (r - 0.16, r - 0.16, high - 0.12)))
-    rim = ring((0, 0, high * 1.45), r * 0.82, 0.12)
-    feet = around(3, taper((r * 0.5, 0, 0.35), (r * 0.62, 0, 0.1), 0.16, 0.11), -90)
+    """A pot-bellied pot on three stout legs, two rings at its rim, bubbling brew in it."""
+    r, neck, low, high = draw(0.95, 1.03), draw(0.68, 0.73), draw(0.36, 0.44), draw(1.16, 1.26)
+    rim, top = r * neck + 0.06, low + high
+    belly = [(0.34 * r, 0), (0.72 * r, 0.1), (0.96 * r, 0.32), (r, 0.52), (0.92 * r, 0.76),
+             (neck * r, 1)]  # fmt: skip
+    wall = [(u, low + high * v) for u, v in smooth_curve(belly)]
+    hollow = [(rim - 0.14, top), (rim - 0.14, low + high * 0.5)]
+    brew = tube((0, 0, low + high * 0.6), (0, 0, top - 0.02), rim - 0.08)
+    bubbles = (((0.2, -0.16), 0.2), ((-0.22, -0.04), 0.15), ((0.06, 0.26), 0.16))
     return {
-        "pot": join(pot, rim),
-        "brew": tube((0, 0, high * 0.9), (0, 0, high * 1.3), r * 0.86),
-        "feet": feet,
-        "handles": both(ring((r + 0.04, 0, high * 1.15), 0.2, 0.09, 1)),
+        "pot": join(lathe([*wall, *hollow]), ring((0, 0, top), rim, 0.15)),
+        "brew": join(brew, *(ball((u, v, top - 0.02), size) for (u, v), size in bubbles)),
+        "feet": around(3, taper((r * 0.56, 0, low + 0.16), (r * 0.7, 0, 0.15), 0.22, 0.15), -90),
+        "handles": both(ring((rim + 0.32, 0, top - 0.02), 0.27, 0.105, 1)),
     }
 
 

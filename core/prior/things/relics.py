@@ -287,6 +287,50 @@ def brain(draw: Draw) -> Parts:
     }  # fmt: skip
 
 
+def gargoyle(draw: Draw) -> Parts:
+    """Crouching on a block: knees up, arms between its feet, folded bat wings, a horned head."""
+    wide, top = draw(0.6, 0.68), 0.42
+    chest, head, peak = draw(1.3, 1.38), draw(1.72, 1.8), draw(2.62, 2.76)
+    y, z = -0.44, head
+    knee, foot = (wide + 0.04, -0.42, 1.02), (wide, -0.38, top + 0.12)
+    leg = join(
+        taper((0.28, 0.3, 0.74), knee, 0.3, 0.19),
+        taper(knee, foot, 0.18, 0.14),
+        egg((wide, -0.54, top + 0.08), (0.19, 0.32, 0.15)),
+    )
+    arm = limb([(0.4, -0.16, chest), (0.32, -0.5, 0.94), (0.22, -0.66, top + 0.1)], 0.19, 0.13)
+    paw = egg((0.22, -0.73, top + 0.06), (0.14, 0.2, 0.12))
+    outline = [(0.1, 0.7), (0.1, 1.5), (0.44, peak - 0.26), (0.6, peak), (0.76, peak - 0.1),
+               (1.12, 1.8), (1.2, 0.96), (1.04, 0.9), (0.86, 1.2), (0.74, 0.66), (0.58, 0.6),
+               (0.42, 0.9), (0.3, 0.62)]  # fmt: skip
+    bone = limb([(0.14, 0, 1.2), (0.54, 0, peak - 0.1), (1.1, 0, 1.78)], 0.14, 0.11)
+    wing = join(prism(outline, 1, 0.09), bone)
+    ear = prism([(0.2, z + 0.14), (0.66, z + 0.36), (0.28, z - 0.16)], 1, 0.1, y + 0.1)
+    snout = prism([(y + 0.1, z + 0.14), (y - 0.3, z + 0.06), (y - 0.54, z + 0.08),
+                   (y - 0.66, z - 0.04), (y - 0.62, z - 0.2), (y, z - 0.2)], 0, 0.2)  # fmt: skip
+    jaw = prism([(y + 0.1, z - 0.1), (y - 0.18, z - 0.28), (y - 0.52, z - 0.42),
+                 (y - 0.5, z - 0.58), (y - 0.1, z - 0.5), (y + 0.2, z - 0.3)], 0, 0.17)  # fmt: skip
+    brow = taper((0.06, y - 0.32, z + 0.12), (0.34, y - 0.14, z + 0.3), 0.13, 0.1)
+    fang = taper((0.16, y - 0.48, z - 0.16), (0.15, y - 0.43, z - 0.42), 0.09, 0.07)
+    bend = [(0.17, 0.06, 0.22), (0.27, 0.13, 0.4), (0.33, 0.12, 0.56), (0.34, 0.03, 0.72),
+            (0.31, -0.09, 0.84)]  # fmt: skip
+    horn = limb([(u, y + v, z + w) for u, v, w in bend], 0.15, 0.09)
+    return {
+        "body": join(
+            blend(0.12, taper((0, 0.24, 0.82), (0, -0.1, chest), 0.42, 0.38),
+                  taper((0, -0.1, chest), (0, y + 0.1, z - 0.14), 0.3, 0.24)),
+            both(join(leg, arm, paw)),
+        ),
+        "wings": both(moved(turned(wing, 2, 16), (0.06, 0.3, 0))),
+        "head": join(egg((0, y, z), (0.36, 0.36, 0.34)), snout, jaw, both(join(ear, brow, fang))),
+        "horns": both(horn),
+        "base": join(
+            box((0, 0, 0.1), (0.98, 1.04, 0.1), 0.02), box((0, 0, 0.25), (0.86, 0.92, 0.19), 0.02)
+        ),
+        "eyes": both(ball((0.23, y - 0.27, z + 0.06), 0.11)),
+    }  # fmt: skip
+
+
 RELICS = {
     "totem pole": fitted(totem),
     "moai": fitted(moai),
@@ -297,4 +341,5 @@ RELICS = {
     "tooth": fitted(tooth),
     "hand": fitted(hand),
     "brain": fitted(brain),
+    "gargoyle": fitted(gargoyle),
 }

@@ -11,7 +11,10 @@ from core.prior.solids import (
     box,
     capsule,
     join,
+    mirrored,
     prism,
+    smooth_curve,
+    tilted,
     tube,
     turned,
 )
@@ -105,30 +108,69 @@ def gate(draw: Draw) -> Parts:
 
 
 def four_poster_bed(draw: Draw) -> Parts:
-    """Four posts with a canopy or bare beams above, a mattress, a blanket, two pillows."""
-    x, y, low, high = draw(0.8, 0.92), draw(1.02, 1.12), draw(0.36, 0.44), draw(1.6, 1.8)
-    soft, fold, thick = draw(0.15, 0.19), draw(0.3, 0.5), 0.085
-    posts = both(box((x, y, high / 2), (thick, thick, high / 2)), 0, 1)
-    beams = join(
-        both(box((x, 0, high - thick), (thick, y, thick))),
-        both(box((0, y, high - thick), (x, thick, thick)), 1),
+    """Slender posts, a canopy with a scalloped valance, curtains gathered at the posts."""
+    x, y, low, high = draw(0.82, 0.92), draw(1.0, 1.1), draw(0.34, 0.4), draw(1.92, 2.06)
+    r, edge, tie = 0.11, high - 0.2, draw(0.46, 0.52)
+    post = join(
+        tube((x, y, 0), (x, y, high + 0.1), r),
+        box((x, y, low), (0.15, 0.15, 0.17), 0.02),
+        ball((x, y, high + 0.2), 0.135),
     )
-    head = box((0, y, low + 0.3), (x, 0.075, 0.42))
-    parts = {
-        "frame": join(posts, beams, head, box((0, 0, low - 0.06), (x, y, 0.12))),
-        "mattress": box((0, 0, low + soft), (x - 0.06, y - 0.08, soft), 0.05),
-        "blanket": box(
-            (0, (fold - y) / 2, low + soft), (x - 0.02, (fold + y) / 2 - 0.06, soft + 0.07), 0.06
+    crest = [(x - 0.02, low + 0.52), (x * 0.7, low + 0.56), (x * 0.42, low + 0.74),
+             (0, low + 0.82)]  # fmt: skip
+    panel = mirrored([(x - 0.02, low), *smooth_curve(crest)])
+    soft, fold = low + 0.34, y * draw(0.24, 0.32)
+
+    def valance(half: float, count: int) -> list[tuple[float, float]]:
+        """The outline of a strip that hangs from the canopy in bows."""
+        last = 8 * count
+        bows = [
+            (half * (2 * k / last - 1), edge - 0.09 * abs(math.sin(math.pi * k / 8)))
+            for k in range(last + 1)
+        ]
+        return [(half, high), (-half, high), *bows]
+
+    def drape(at: float) -> list[tuple[float, float]]:
+        """From along the rail to the tie at the post, then down; ``at`` is the post's."""
+        waist = low + (edge - low) * tie
+        inner = [
+            (at - 0.46, edge + 0.08),
+            (at - 0.38, edge - 0.18),
+            (at - 0.24, waist + 0.1),
+            (at - 0.18, waist),
+            (at - 0.23, waist - 0.14),
+            (at - 0.27, low + 0.05),
+        ]
+        return [(at, low + 0.05), (at, edge + 0.08), *smooth_curve(inner)]
+
+    return {
+        "frame": join(
+            both(post, 0, 1),
+            both(box((x, 0, low), (0.09, y, 0.12), 0.02)),
+            box((0, -y, low + 0.06), (x, 0.09, 0.17), 0.02),
+            prism(panel, 1, 0.09, y),
         ),
+        "mattress": join(
+            box((0, 0, low + 0.17), (x - 0.05, y - 0.05, 0.17), 0.05),
+            box((0, fold, soft + 0.04), (x + 0.04, 0.13, 0.12), 0.05),
+        ),
+        "blanket": box((0, (fold - y) / 2, soft - 0.08), (x, (fold + y) / 2 - 0.04, 0.17), 0.06),
         "pillow": both(
-            box((x * 0.44, y - 0.34, low + 2 * soft + 0.06), (x * 0.36, 0.2, 0.13), 0.1)
+            tilted(box((0, 0, 0), (x * 0.4, 0.22, 0.13), 0.1), 24, (x * 0.43, y - 0.3, soft + 0.1))
         ),
-        "canopy": box((0, 0, high + 0.03), (x + 0.06, y + 0.06, 0.06)),
+        "canopy": join(
+            box((0, 0, high - 0.02), (x + 0.2, y + 0.2, 0.1), 0.02),
+            both(prism(valance(y + 0.06, 3), 0, 0.09, x + 0.02)),
+            both(prism(valance(x + 0.06, 3), 1, 0.09, y + 0.02), 1),
+        ),
+        "curtains": both(
+            join(
+                prism(drape(y - 0.03), 0, 0.1, x - 0.08), prism(drape(x - 0.03), 1, 0.1, y - 0.08)
+            ),
+            0,
+            1,
+        ),
     }
-    if draw.chance(0.5):
-        curtain = box((x - 0.02, y - 0.16, (high + low) / 2), (0.11, 0.2, (high - low) / 2), 0.05)
-        parts["curtains"] = both(curtain, 0, 1)
-    return parts
 
 
 RESIDENCE = {

@@ -162,38 +162,32 @@ def megaphone(draw: Draw) -> Parts:
 
 
 def hammock(draw: Draw) -> Parts:
-    """A striped cloth that sags between two posts of a stand."""
-    x, high, y = draw(1.34, 1.44), draw(1.15, 1.3), draw(0.46, 0.55)
-    sag, reach, foot = draw(0.42, 0.52), draw(0.9, 0.98), draw(0.55, 0.65)
-    low, thick = high - sag - 0.12, 0.08
-
-    def depth(u: float) -> float:
-        return low + sag * 0.75 * (u / reach) ** 2
+    """A striped cloth that sags between the two posts of a stand, which lean apart."""
+    x, high, y, sag = draw(1.26, 1.36), draw(1.2, 1.34), draw(0.54, 0.62), draw(0.44, 0.54)
+    reach, foot, thick = x - 0.54, y + 0.1, 0.11
+    low = high - sag - 0.1
+    bar: Vector = (reach, 0, low + sag * 0.72)
 
     def cloth(first: float, last: float, out: float) -> list[tuple[float, float]]:
-        us = [first + (last - first) * k / 8 for k in range(9)]
-        upper = [(u, depth(u) + thick + out) for u in us]
-        return upper + [(u, depth(u) - thick - out) for u in us[::-1]]
+        us = [first + (last - first) * k / 12 for k in range(13)]
+        curve = [(u, low + sag * 0.72 * (u / reach) ** 2) for u in us]
+        return [(u, v + out) for u, v in curve] + [(u, v - out) for u, v in curve[::-1]]
 
-    end: Vector = (reach - 0.02, y - 0.1, depth(reach))
-    rope = join(
-        *(capsule((reach - 0.02, s * (y - 0.1), end[2]), (x, 0, high), 0.08) for s in (-1, 1))
-    )
-    edge = capsule((end[0], -y, end[2]), (end[0], y, end[2]), 0.12)
     width = reach / 7
-    stripes = [
-        prism(cloth(reach * s - width, reach * s + width, 0.025), 1, y + 0.01)
-        for s in (-0.56, 0.0, 0.56)
-    ]
+    stripes = (
+        prism(cloth(reach * s - width, reach * s + width, thick + 0.08), 1, y + 0.07)
+        for s in (-0.57, 0.0, 0.57)
+    )
+    hook = (x - 0.06, 0.0, high)
     return {
-        "cloth": prism(cloth(-reach, reach, 0), 1, y),
+        "cloth": prism(cloth(-reach, reach, thick), 1, y),
         "stripes": join(*stripes),
-        "bars": both(edge),
-        "ropes": both(rope),
-        "posts": both(tube((x, 0, 0.1), (x, 0, high + 0.16), 0.12, 0.03)),
+        "bars": both(tube((reach, -y - 0.14, bar[2]), (reach, y + 0.14, bar[2]), 0.15, 0.05)),
+        "ropes": both(both(capsule((reach, y - 0.16, bar[2]), hook, 0.1), 1)),
+        "posts": both(tube((x - 0.2, 0, 0.1), (x, 0, high + 0.2), 0.15, 0.04)),
         "base": join(
-            box((0, 0, 0.1), (x, 0.12, 0.1), 0.02),
-            both(box((x, 0, 0.1), (0.15, foot, 0.1), 0.02)),
+            box((0, 0, 0.12), (x - 0.2, 0.14, 0.12), 0.02),
+            both(box((x - 0.2, 0, 0.14), (0.19, foot, 0.14), 0.03)),
         ),
     }
 

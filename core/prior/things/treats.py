@@ -225,6 +225,35 @@ def waffle(draw: Draw) -> Parts:
     }
 
 
+def bubble_tea(draw: Draw) -> Parts:
+    """A tapered cup of milk tea, tapioca pearls about its foot, a lid and a straw that leans."""
+    foot, r, high = draw(0.46, 0.5), draw(0.64, 0.7), draw(1.44, 1.56)
+    pearl, lean, tall = draw(0.14, 0.15), draw(12, 16), draw(2.62, 2.78)
+
+    def row(z: float, count: int, first_deg: float) -> Solid:
+        out = foot + (r - foot) * z / high - 0.03
+        return around(count, ball((out, 0, z), pearl), first_deg)
+
+    if draw.chance(0.5):
+        top = high + 0.46
+        cap = [(r, high), *((r * 0.94 * math.cos(a / 10), high + 0.06 + 0.44 * math.sin(a / 10))
+                            for a in range(14))]  # fmt: skip
+    else:
+        top = high + 0.36
+        cap = [(r - 0.06, high), (r - 0.06, high + 0.2), (r - 0.24, high + 0.24), (r - 0.28, top)]
+    straw = cut(
+        tube((0, 0, -0.7), (0, 0, tall - top), 0.12),
+        moved(turned(box((0, 0, 1), (1, 1, 1)), 1, 35), (0, 0, tall - top - 0.1)),
+    )
+    return {
+        "tea": lathe([(foot - 0.04, 0), (foot, 0.06), (r, high + 0.02)]),
+        "pearls": join(row(0.22, 7, 0), row(0.52, 7, 180 / 7), row(0.82, 3, 50)),
+        "lid": lathe(cap),
+        "straw": moved(turned(straw, 1, lean), (0.08, 0, top)),
+        "rim": ring((0, 0, high), r - 0.01, 0.1),
+    }
+
+
 TREATS = {
     "candy cane": candy_cane,
     "sundae": sundae,
@@ -234,4 +263,5 @@ TREATS = {
     "steak": steak,
     "chicken drumstick": chicken_drumstick,
     "waffle": waffle,
+    "bubble tea": bubble_tea,
 }

@@ -18,7 +18,8 @@ from core.prior.solids import (
     mirrored,
     moved,
     prism,
-    taper,
+    smooth_curve,
+    tilted,
     tube,
     turned,
     within,
@@ -110,32 +111,39 @@ def truck(draw: Draw) -> Parts:
 
 
 def airplane(draw: Draw) -> Parts:
-    """An airliner, its nose to the front: a dark windscreen and rows of windows."""
-    r, nose, tail, span = draw(0.17, 0.2), -1.22, draw(1.12, 1.22), draw(1.18, 1.3)
-    sweep, chord, long = draw(0.3, 0.5), draw(0.24, 0.28), draw(0.26, 0.3)
-    wing = [(0, -0.2 - chord), (span, sweep), (span, sweep + 0.2), (0, chord * 1.3)]
-    rear = [(0, tail - 0.34), (0.5, tail - 0.04), (0.5, tail + 0.14), (0, tail + 0.04)]
-    fin = [(tail - 0.46, r * 0.6), (tail - 0.04, r + 0.48), (tail + 0.18, r + 0.48),
-           (tail + 0.02, r * 0.6)]  # fmt: skip
-    x, y = span * 0.36, sweep * 0.36 - 0.34
+    """An airliner, its nose to the front: swept wings over two engines, a windscreen, a band."""
+    r, span, sweep = draw(0.23, 0.26), draw(1.24, 1.36), draw(0.5, 0.62)
+    nose, tail, half = -1.3, draw(1.24, 1.32), 0.09
+    out = [(0.0, 0.0), (0.4, 0.02), (0.72, 0.12), (0.92, 0.28), (1.0, 0.5)]
+    shape = [(r * u, v) for u, v in smooth_curve(out)]
+    stern = [(r, tail - nose - 0.9), (r * 0.78, tail - nose - 0.4), (0.08, tail - nose)]
+
+    def fuselage(more: float) -> Solid:
+        return tilted(turned(lathe([*shape, *stern], more), 0, 180), 90, (0, nose, 0))
+
+    wing = [(0, -0.44), (r, -0.4), (span, sweep), (span, sweep + 0.22), (r + 0.2, 0.26), (0, 0.26)]
+    rear = [(0, tail - 0.46), (0.56, tail - 0.08), (0.56, tail + 0.14), (0, tail - 0.02)]
+    fin = [(tail - 0.62, 0.1), (tail - 0.54, r - 0.02), (tail - 0.1, r + 0.52),
+           (tail + 0.16, r + 0.52), (tail - 0.02, 0.1)]  # fmt: skip
+    x, z = span * 0.4, -0.34
+    y = sweep * 0.4 - 0.34
+    nacelle = [(0.1, 0.0), (0.14, 0.14), (0.18, 0.4), (0.17, 0.6), (0.13, 0.62)]
+    engine = join(
+        tilted(lathe(nacelle), 90, (x, y + 0.32, z)),
+        box((x, y + 0.1, z + 0.16), (0.09, 0.2, 0.12)),
+    )
+    screen = [(nose + 0.14, r * 0.3), (nose + 0.46, r * 0.3), (nose + 0.46, r * 0.74),
+              (nose + 0.3, r + 0.2), (nose + 0.14, r + 0.2)]  # fmt: skip
+    band = box((0, 0.08, 0.05), (1, tail * 0.52, 0.09))
     return {
-        "body": join(
-            taper((0, nose + 0.08, -0.03), (0, nose + 0.3, 0), 0.08, r),
-            capsule((0, nose + 0.3, 0), (0, 0.3, 0), r),
-            taper((0, 0.3, 0), (0, tail, 0.07), r, 0.06),
-        ),
-        "wings": both(prism(wing, 2, 0.04, -0.06)),
+        "body": fuselage(0.0),
+        "wings": both(prism(wing, 2, half, -0.1)),
         "windows": join(
-            box((0, nose + 0.27, r * 0.62), (r * 0.72, 0.09, 0.05), 0.02),
-            both(box((r - 0.02, -0.12, 0.05), (0.04, 0.6, 0.035), 0.01)),
+            within(fuselage(0.06), prism(screen, 0, 1)),
+            cut(within(fuselage(0.07), band), box((0, 0, 0), (r - 0.1, 2, 1))),
         ),
-        "engines": both(
-            join(
-                tube((x, y - long, -0.16), (x, y + long * 0.6, -0.16), 0.1, 0.02),
-                box((x, y + 0.04, -0.09), (0.05, 0.16, 0.06)),
-            )
-        ),
-        "tail": join(both(prism(rear, 2, 0.04, 0.06)), prism(fin, 0, 0.05)),
+        "engines": both(engine),
+        "tail": join(both(prism(rear, 2, half, 0.06)), prism(fin, 0, half)),
     }
 
 

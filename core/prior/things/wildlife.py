@@ -1,6 +1,7 @@
 """Animals with spots, wings, long necks or flat tails, and two figures of tales."""
 
 import math
+from itertools import pairwise
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -70,46 +71,35 @@ def leopard(draw: Draw) -> Parts:
 
 
 def bat(draw: Draw) -> Parts:
-    """Upright in the air, its scalloped wings spread; great ears, two fangs."""
-    head, wide, span = draw(0.38, 0.44), draw(0.32, 0.38), draw(1.28, 1.42)
-    up, ear = draw(0.25, 0.5), draw(0.34, 0.46)
-    low, y = 0.62, -0.16
-    z = low + 0.4 + head * 0.8
-    wrist = (span * 0.58, 0.1, z + 0.1 + up)
-    tip = (span, 0.1, low + 0.2 + up * 0.5)
-    skin = [(0.1, z - 0.12), (wrist[0], wrist[2]), (tip[0], tip[2]), (span * 0.84, low + 0.02)]
-    skin += [(span * 0.72, low - 0.3), (span * 0.56, low - 0.04), (span * 0.4, low - 0.34)]
-    skin += [(span * 0.28, low - 0.1), (0.1, low - 0.3)]
-    ends = (tip, (span * 0.72, 0.1, low - 0.24), (span * 0.4, 0.1, low - 0.28))
-    fingers = join(
-        capsule((wide * 0.7, 0.1, low + 0.28), wrist, 0.12),
-        *(taper(wrist, end, 0.12, 0.095) for end in ends),
-        ball((wrist[0], 0.1, wrist[2] + 0.06), 0.13),
+    """In the air, its scalloped wings spread: a round body, great ears, two fangs."""
+    wide, span, up, ear = draw(0.45, 0.49), draw(1.36, 1.46), draw(0.34, 0.46), draw(0.52, 0.62)
+    z, y = 1.0, 0.12
+    wrist, tip = (span * 0.6, z + 0.26 + up), (span, z + up * 0.6 - 0.02)
+    low = ((span * 0.76, z - 0.5), (span * 0.46, z - 0.62), (0.2, z - 0.42))
+    skin = [(0.1, z + 0.24), wrist, tip]
+    for (a, b), (c, d) in pairwise((tip, *low)):
+        # Between two points the edge is a bow, hollow below.
+        skin += smooth_curve([(a, b), ((a + c) / 2 - 0.02, (b + d) / 2 + 0.16), (c, d)])[1:]
+    bones = join(
+        limb([(wide * 0.6, y, z + 0.16), (wrist[0], y, wrist[1]), (tip[0], y, tip[1])], 0.13, 0.1),
+        *(taper((wrist[0], y, wrist[1]), (u, y, v + 0.04), 0.13, 0.1) for u, v in low[:2]),
     )
-    flap = taper((head * 0.56, y, z + head * 0.5), (head * 0.95, y, z + head + ear), 0.23, 0.06)
-    inner = taper(
-        (head * 0.56, y - 0.16, z + head * 0.6), (head * 0.9, y - 0.08, z + head + ear * 0.6),
-        0.13, 0.07,
-    )  # fmt: skip
-    foot = join(
-        taper((0.16, 0, low - 0.36), (0.17, -0.04, low - 0.6), 0.13, 0.1),
-        *(ball((x, -0.1, low - 0.62), 0.09) for x in (0.09, 0.25)),
-    )
-    belly = egg((0, -wide * 0.3, low - 0.02), (wide * 0.72, wide * 0.72, 0.4))
-    face = y - head * 0.94
+    flap = [(0.02, 0.0), (0.06, 0.3), (0.34, ear), (0.54, 0.3), (0.5, 0.0)]
+    inner = [(0.14, 0.0), (0.17, 0.24), (0.33, ear - 0.16), (0.43, 0.24), (0.4, 0.0)]
+    face = -wide * 0.94
     return {
         "body": join(
-            egg((0, 0, low), (wide, wide * 0.9, 0.52)),
-            ball((0, y, z), head),
-            both(join(flap, foot)),
-            egg((0, face - 0.02, z - 0.08), (0.16, 0.12, 0.1)),
+            ball((0, 0, z), wide),
+            both(moved(prism(smooth_curve(flap), 1, 0.12), (0, -0.06, z + wide * 0.72))),
+            both(capsule((0.2, -0.04, z - wide + 0.1), (0.22, -0.1, z - wide - 0.12), 0.13)),
+            ball((0, face - 0.02, z - 0.02), 0.12),
         ),
-        "wings": both(prism(skin, 1, 0.085, 0.12)),
-        "arms": both(fingers),
-        "ears": join(both(inner), belly),
-        "eyes": eyes(head * 0.46, face + 0.07, z + 0.1, 0.115),
-        "teeth": both(cone((0.12, face + 0.05, z - 0.2), 0.09, -0.24)),
-    }  # fmt: skip
+        "wings": both(prism(skin, 1, 0.1, y)),
+        "arms": both(bones),
+        "ears": both(moved(prism(smooth_curve(inner), 1, 0.1), (0, -0.18, z + wide * 0.72))),
+        "eyes": eyes(0.22, face + 0.02, z + 0.16, 0.15),
+        "teeth": both(cone((0.14, face + 0.06, z - 0.14), 0.11, -0.26)),
+    }
 
 
 def ostrich(draw: Draw) -> Parts:

@@ -93,6 +93,11 @@ from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.study import STUDY_SMALL, STUDY_SPACE
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
+from core.guidance.builtin.nouns.travel import (
+    TRAVEL_CLOTHES,
+    TRAVEL_PROPS,
+    TRAVEL_SMALL,
+)
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
 from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
@@ -108,7 +113,12 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | SHOWPIECE_HOUSEHOLD
     | MARKED_HOUSEHOLD,
     "Fixtures and Utensils": FIXTURES,
-    "Small Things": SMALL_THINGS | EVERYDAY_THINGS | EQUIPMENT_SMALL | NOVEL_SMALL | STUDY_SMALL,
+    "Small Things": SMALL_THINGS
+    | EVERYDAY_THINGS
+    | EQUIPMENT_SMALL
+    | NOVEL_SMALL
+    | STUDY_SMALL
+    | TRAVEL_SMALL,
     "Props": PROPS
     | HARDWARE
     | EQUIPMENT_PROPS
@@ -116,6 +126,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | PASTIME_FEASTS
     | CURIO_PROPS
     | SHOWPIECE_PROPS
+    | TRAVEL_PROPS
     | MARKED_PROPS,
     "Flags and Signs": MARKED_FLAGS | MARKED_SIGNS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
@@ -140,7 +151,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | EVERYDAY_CLOTHES
     | NOVELTY_CLOTHES
     | EQUIPMENT_CLOTHES
-    | CURIO_CLOTHES,
+    | CURIO_CLOTHES
+    | TRAVEL_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT | MARKED_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
     "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,

@@ -82,7 +82,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(1.8, FLESH, 0.3),
     ),
     "demon": Noun(
-        "devil; imp, satan, lucifer, fiend, gargoyle",
+        "devil; imp, satan, lucifer, fiend",
         {
             "skin": "*b3261e",
             "horns": "-2e2422",
@@ -92,6 +92,18 @@ CHARACTERS: dict[str, Noun] = {
             "mouth": "-2a0c0c",
         },
         Usual(2.0, FLESH, 0.25),
+    ),
+    "gargoyle": Noun(
+        "gargoyles, stone gargoyle, gothic gargoyle; grotesque, temple guardian",
+        {
+            "body": "*8d8a84 . stone",
+            "wings": "&85827c . stone",
+            "head": "*8d8a84 . stone",
+            "horns": "&7a7771 . stone",
+            "base": "&6f6c66 . stone",
+            "eyes": "-34322f . stone",
+        },
+        Usual(1.2, STONE),
     ),
     "santa claus": Noun(
         (

@@ -93,8 +93,7 @@ CLOTHES = {
         Usual(0.5, FABRIC, 0.12),
     ),
     "handbag": Noun(
-        "purse, hand bag, bag; briefcase, tote bag, clutch, wallet, satchel, messenger bag, "
-        "shoulder bag",
+        "purse, hand bag, bag; tote bag, clutch, wallet, satchel, messenger bag, shoulder bag",
         {
             "body": "*a8452e",
             "flap": "&8c3725",
@@ -183,7 +182,7 @@ CLOTHES = {
         Usual(0.14, GOLD, 0.043),
     ),
     "sunglasses": Noun(
-        "glasses, spectacles, eyeglasses, shades; goggles, aviators",
+        "glasses, spectacles, eyeglasses, shades; aviators",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
         Usual(0.16, PLASTIC, 0.16),
     ),

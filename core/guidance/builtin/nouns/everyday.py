@@ -141,9 +141,7 @@ EVERYDAY_THINGS = {
         "takeaway cup, coffee to go, takeaway coffee, to go cup, disposable cup, take away cup, "
         "paper coffee cup, takeaway coffee cup, disposable coffee cup, takeout cup, to go coffee, "
         "takeout coffee; coffee, coffee paper cup, latte, "
-        "cappuccino, espresso, tea, bubble tea, boba, boba tea, iced coffee, iced tea, "
-        "smoothie, frappuccino, soft drink, soda cup, plastic cup, lemonade, juice, yogurt, "
-        "yoghurt",
+        "cappuccino, espresso, tea, soda cup, plastic cup, yogurt, yoghurt",
         {
             "cup": "*f4efe6",
             "sleeve": "+9a6a3e",

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, STONE, WOOD
 
 FURNITURE = {
     "table": Noun(
-        "; altar",
+        "dining table, dinner table; kitchen table, altar, farmhouse table",
         {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
         Usual(1.4, WOOD, 0.24),
     ),

@@ -74,7 +74,7 @@ HOUSEHOLD = {
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
-        "top hat; tricorne, tricorn, pirate hat, elf hat, clown hat, turban, bonnet",
+        "top hat; elf hat, clown hat, turban, bonnet",
         {"body": "*1c1c20", "ribbon": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),
@@ -104,8 +104,10 @@ HOUSEHOLD = {
         Usual(0.38, WOOD, 0.48),
     ),
     "door": Noun(
-        "front door, house door; castle gate, castle door, portcullis, shoji screen, shoji, "
-        "barn door, church door, garage door, dungeon door, cell door, cellar door, prison door",
+        "front door, house door, house front door; mansion door, mansion front door, cabin door, "
+        "cottage door, hut door, shop door, shed door, tavern door, castle gate, "
+        "castle door, portcullis, shoji screen, shoji, barn door, church door, garage door, "
+        "dungeon door, cell door, cellar door, prison door",
         {
             "door": "*8f5a2e grain",
             "panels": "&9f6837 grain",

@@ -696,4 +696,11 @@ ORDER = (
     "saddle",
     "umbrella stand",
     "computer tower",
+    "jerrycan",
+    "goggles",
+    "spyglass",
+    "pirate hat",
+    "briefcase",
+    "gargoyle",
+    "bubble tea",
 )

@@ -52,7 +52,7 @@ PARLOUR_THINGS = {
         Usual(0.5, STEEL, 0.03),
     ),
     "candelabra": Noun(
-        "candelabrum, candle stand, three armed candelabra, silver candelabra, candelabras; "
+        "candelabrum, candle stand, three armed candelabra, candelabras; "
         "menorah, candle tree, three candles",
         {
             "stem": "*d4a63a . golden",

@@ -137,7 +137,7 @@ PROPS = {
             "feet": "&2e3033 . metal",
             "handles": "&3a3c40 . metal",
         },
-        Usual(0.6, STEEL, 0.25),
+        Usual(0.6, STEEL, 0.16),
     ),
     "cannon": Noun(
         "; howitzer, mortar, artillery, artillery gun",

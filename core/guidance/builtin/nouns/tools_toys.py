@@ -285,7 +285,7 @@ TOOLS_AND_TOYS = {
         Usual(0.25, 2500.0, 0.3),
     ),
     "telescope": Noun(
-        "refractor telescope; spyglass, spy glass",
+        "refractor telescope",
         {
             "tube": "*e6e8ea . paint",
             "bands": "+2d3136 . metal",
