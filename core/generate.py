@@ -131,6 +131,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     ranks = inputs.ranks
     inputs = in_proportion(facing(run, inputs, progress), job)
     guidance = inputs.guidance
+    for text in guidance.left_out():
+        progress.warn(text)
     if job.reshape and ranks.first:
         inputs = replace(inputs, shape=reshaped_mesh(run, inputs, progress))
     if job.reshape and not job.retexture:
@@ -169,8 +171,6 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     generator = torch.Generator().manual_seed(job.color_seed or job.seed + 1)
     ranges = within(config.appearance, guidance.ranges())
     areas = guidance.areas()
-    for text in guidance.left_out():
-        progress.warn(text)
     net = MaterialNet(ranges, generator, local_ranges(ranges, areas)).to(device)
     training = Training("appearance", net, generator, run)
     if config.geometry.pictures == "entangled":

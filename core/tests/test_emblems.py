@@ -15,7 +15,7 @@ from core.guidance.builtin.markings import windows
 from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
 from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
-from core.guidance.builtin.palette import FINISHES, painted
+from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.words.emblems import (
     ALSO_THINGS,
     FLAT,
@@ -313,5 +313,15 @@ def test_what_bears_what_is_drawn_stays():
     at = torch.zeros(1, 3)
     assert torch.equal(without.solid.distances(at), whole.solid.distances(at))
     assert [text for text in without.left_out() if text.startswith("no border")]
+    assert without._marked.laid
     plain = builtin_prior.prompted("a rug without a lozenge", "").of_object(0)
     assert not plain.left_out()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "there"), [("a kettlebell", True), ("a kettlebell that says GO", False)]
+)
+def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
+    prompted = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    badge = list(looks("kettlebell")).index("badge")
+    assert (badge in [part for part, *_ in prompted._marked.laid]) is there

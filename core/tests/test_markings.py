@@ -17,6 +17,7 @@ from core.geometry import pieces
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import GEOMETRY_SLOTS, load_builtin
+from core.guidance.builtin.markings import balls, prints
 from core.guidance.builtin.markings.balls import number_on, pentagons, pips
 from core.guidance.builtin.markings.coats import FORE, HIND
 from core.guidance.builtin.markings.margins import within
@@ -351,3 +352,26 @@ def test_what_is_anothers_solid_is_not_benched():
     assert {solid_of(noun) for noun in drawn_nouns()} == set(drawn_nouns())
     with pytest.raises(UserError, match="tennis ball"):
         known_nouns(["tennis ball"])
+
+
+def test_cells_lie_on_the_upper_side_of_a_leaning_panel():
+    half = torch.tensor([0.9, 0.4, 0.3])
+    line = torch.tensor([[0.15, 0.1, 0.1 * 0.3 / 0.4]])  # in the panel's plane, within a cell
+    out = torch.tensor([[0.0, -0.3, 0.4]]) * 0.1
+    assert prints.solar_cells(line + out, half) > 0 > prints.solar_cells(line - out, half)
+
+
+def test_a_popcorn_box_has_no_stripes_around_its_badge():
+    half = torch.full((3,), 0.5)
+    front = torch.tensor([[x, -0.5, 0.0] for x in torch.linspace(-0.1, 0.1, 41).tolist()])
+    assert (prints.popcorn_stripes(front, half, 0.48) <= 0).all()
+    assert (prints.popcorn_stripes(front, half, 0.0) > 0).any()
+    back = front * torch.tensor([1.0, -1.0, 1.0])
+    assert (prints.popcorn_stripes(back, half, 0.48) > 0).any()
+
+
+def test_a_mark_at_the_top_is_about_the_upper_balls_middle():
+    half = torch.tensor([0.3, 0.3, 0.5])
+    marks = partial(balls.cap, wide=0.2)  # about the front
+    at, below = torch.tensor([[0.0, -0.3, 0.2]]), torch.tensor([[0.0, -0.3, 0.0]])
+    assert balls.at_top(at, half, marks) > 0 > balls.at_top(below, half, marks)

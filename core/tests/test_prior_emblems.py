@@ -22,6 +22,8 @@ TAKEN = {
     'an arcade cabinet with the words "STAR BLASTER" across the marquee in chunky yellow letters': (
         ("STAR BLASTER", "", "yellow", "marquee", "", "an arcade cabinet")
     ),
+    "a mug that says HELLO in red block letters": ("HELLO", "", "red", "", "", "a mug"),
+    "a sign that says OPEN in bold letters": ("OPEN", "", "", "", "", "a sign"),
     "a sign which reads keep out": ("keep out", "", "", "", "", "a sign"),
     "a blue sports car with white racing stripes": (
         ("", STRIPES, "white", "", "", "a blue sports car")

@@ -174,6 +174,14 @@ def test_what_edges_a_thing_without_edges_is_not_all_of_it(prompt):
             {"body": "white", "barrel": "blue", "magazine": "blue", "scope": "blue"},
             {},
         ),
+        ("a briefcase with gold clasps", "briefcase", {}, {"latches": "golden"}),
+        ("a bubble tea with black tapioca", "bubble tea", {"pearls": "black"}, {}),
+        (  # what the first said of all its trim the second cannot say again
+            "a rifle with blue trim and red accents",
+            "rifle",
+            {"barrel": "blue", "magazine": "blue", "scope": "blue"},
+            {},
+        ),
         ("a farmhouse dining table with white legs", "table", {"legs": "white"}, {}),
     ],
 )
@@ -186,3 +194,15 @@ def test_a_part_goes_by_its_own_things_names(prompt, thing, colors, materials):
 @pytest.mark.parametrize("prompt", ["a silver candelabra", "a silver bar"])
 def test_what_is_of_silver_is_not_of_gold(prompt):
     assert understood(prompt)["materials"] == ["silver"]
+
+
+def test_what_finds_its_parts_taken_is_said():
+    (note,) = understood("a rifle with blue trim and red accents")["notes"]
+    assert note.startswith("red accents: left out")
+
+
+def test_a_gargoyle_may_be_old_and_a_kind_has_its_colours():
+    assert understood("an old stone gargoyle")["weather"] == ["worn"]
+    found = understood("a lemonade")
+    assert (found["thing"], found["colours"]) == ("bubble tea", ["yellow"])
+    assert understood("ski goggles")["notes"] == ["ski goggles: made as goggles."]

@@ -267,10 +267,12 @@ class PromptedBuiltin(PromptedGuidance):
         assert self._known is not None
         noun = self.words.noun
         gone = {name for name in self.words.absent if not self._bears(name)}
-        if self.words.emblems:  # others are to be there
-            gone |= {"badge"}
         if any(emblem.text for emblem in self.words.emblems):
-            gone |= {"letters", "number"}
+            gone |= {"letters", "number"}  # others are to be there
+        if self.words.emblems and is_marking(noun, "badge"):
+            parts, emblems = self._painted
+            taken = {parts[one.on].name for one in emblems if one.has_place}
+            gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
         names = ["" if name in gone else name for name in looks(noun)]
         return Marked(noun, names, self._known.boxes() if has_markings(noun) else ())
 

@@ -150,10 +150,10 @@ def rings(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> M
 
 
 def plate_rings(points: Points, half: Half) -> Margin:
-    """One along a plate's edge, and one about its well from above."""
+    """Along a plate's edge, with a line beside it; and one about its well, from above."""
     away = points[:, :2].norm(dim=1) / half[0]
-    line = all_of(0.025 - (away - 0.68).abs(), points[:, 2])
-    return any_of(away - 0.91, all_of(line, points[:, 2]), 0.012 - (away - 0.86).abs()) * half[0]
+    well = all_of((0.025 - (away - 0.68).abs()) * half[0], points[:, 2])
+    return any_of((away - 0.91) * half[0], (0.012 - (away - 0.86).abs()) * half[0], well)
 
 
 def sock_heel(points: Points, half: Half) -> Margin:

@@ -94,7 +94,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.0, FLESH, 0.25),
     ),
     "gargoyle": Noun(
-        "gargoyles, stone gargoyle, gothic gargoyle; grotesque, temple guardian",
+        "gargoyles, stone gargoyle, gothic gargoyle; temple guardian",
         {
             "body": "*8d8a84 . stone",
             "wings": "&85827c . stone",

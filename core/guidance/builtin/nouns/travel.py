@@ -5,7 +5,8 @@ from core.guidance.builtin.nouns.noun import COPPER, FABRIC, LEATHER, PLASTIC, S
 TRAVEL_PROPS = {
     "jerrycan": Noun(
         "jerrycans, jerry can, jerry cans, jerican, fuel can, gas can, petrol can, gasoline can, "
-        "fuel canister; water canister, oil canister, gasoline canister",
+        "fuel canister, gas canister, can of gas, can of petrol; oil can, water canister, "
+        "oil canister, gasoline canister",
         {
             "body": "*4b5a34 . paint",
             "cross": "&4b5a34 . paint",
@@ -32,7 +33,8 @@ TRAVEL_SMALL = {
     ),
     "bubble tea": Noun(
         "bubble teas, boba, boba tea, pearl milk tea, milk tea, boba milk tea, bubble milk tea, "
-        "tapioca tea; iced coffee, iced tea, ice tea, smoothie, frappuccino, soft drink, lemonade, "
+        "tapioca tea, cup of bubble tea, cup of boba, cup of milk tea; cup of iced coffee, cup of "
+        "iced tea, iced coffee, iced tea, ice tea, smoothie, frappuccino, soft drink, lemonade, "
         "iced latte, juice, slushie",
         {
             "tea": "*cf9f6e . plastic",
@@ -59,9 +61,9 @@ TRAVEL_CLOTHES = {
         Usual(0.19, LEATHER, 0.2),
     ),
     "pirate hat": Noun(
-        "pirate hats, tricorn, tricorne, tricorn hat, tricorne hat, three cornered hat, pirate "
-        "captain hat, captain hook hat, tricorns; bicorne, bicorn, musketeer hat, admiral hat, "
-        "colonial hat",
+        "pirate hats, tricorn, tricorne, captain hat, tricorn hat, tricorne hat, three cornered "
+        "hat, pirate captain hat, captain hook hat, tricorns; bicorne, bicorn, musketeer hat, "
+        "admiral hat, colonial hat",
         {
             "crown": "*211f22 . fabric",
             "brim": "*211f22 . fabric",

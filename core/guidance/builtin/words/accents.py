@@ -60,6 +60,10 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
         names = own_names(noun, part.name, accents)
         if part.name in LEGS and not names:  # "three legs made of oak"
             names = own_names(noun, "legs")
+        if not names and own_names(noun, part.name):  # all of it is taken
+            said = (part.pattern, part.sheen, part.color_form, part.color)
+            of = part.material.form if part.material else ""
+            again.append(f"{next(filter(None, (*said, of)))} {part.form}")
         for name in names:
             if name not in accents or not is_wide(noun, part.name):
                 accents[name], more = _joined(accents.get(name, Accent(name)), part)

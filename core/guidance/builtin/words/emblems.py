@@ -111,7 +111,10 @@ _MARK = (
     r"picture|insignia|crest|graphic|mark)s?(?!\w)"
 )
 _AFTER = "and|on|onto|across|in|at|with|plus"  # what may come right after a shape
-_BOLD = "(?:(?:big|bold|large|small|chunky|fat|block|capital|fancy|cursive|gothic|neat) ){0,2}"
+_BOLD = (
+    "(?:(?:big|bold|large|small|chunky|fat|block|capital|fancy|cursive|gothic|neat|huge|"
+    "bright|tiny|tall|thin|thick|giant) ){0,2}"
+)
 _INK = "(?:letter(?:s|ing)|text|paint|writing|ink|icing|frosting|thread|chalk)"
 _SIDES = r"(?:(?P<side>front|side|top|back)s?|middle|outside)"
 _QUOTED = re.compile(r"[\"“”«]([^\"“”«»]+)[\"“”»]|['‘]([^'’]{2,})['’](?!\w)")
@@ -149,11 +152,11 @@ _BARE = _rule(r"(?=[\"“”«'‘])")
 # What may follow what is drawn: its colour, how it is made, where.
 _TAIL = re.compile(
     rf"(?P<mark> {_MARK})?"
-    rf"(?: in {_BOLD}(?P<color>{_any(_COLORS)})(?: {_BOLD}{_INK})?(?!\w))?"
+    rf"(?: in {_BOLD}(?:(?P<color>{_any(_COLORS)})(?: {_BOLD}{_INK})?|{_INK})(?!\w))?"
     rf"(?: {_MADE})?"
     rf"(?:,? (?:on|onto|across|in) (?:it\b|them\b|(?:the|its|his|her|both|each) "
     rf"(?:{_SIDES}(?: of (?:it|the \w+))?|(?P<on>\w+))))?"
-    rf"(?: in {_BOLD}(?P<after>{_any(_COLORS)})(?: {_BOLD}{_INK})?(?!\w))?",
+    rf"(?: in {_BOLD}(?:(?P<after>{_any(_COLORS)})(?: {_BOLD}{_INK})?|{_INK})(?!\w))?",
     re.IGNORECASE,
 )
 _SHAPE = _rule(

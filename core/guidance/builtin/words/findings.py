@@ -228,9 +228,15 @@ class Findings:
         return tuple(dict.fromkeys(names))
 
 
+PLURAL = frozenset(
+    """headphones trousers sunglasses scissors grapes fries pancakes maracas binoculars pliers
+    goggles""".split()
+)
+
+
 def with_article(slot: str, word: str) -> str:
-    """A noun with its article; any other word as it is."""
-    if slot != "noun":
+    """A noun with its article; any other word as it is, and what is a pair or many."""
+    if slot != "noun" or word in PLURAL:
         return word
     voiced = word[0] in "aeiou" and not word.startswith(("uni", "uku", "ufo"))
     return f"{'an' if voiced else 'a'} {word}"

@@ -313,8 +313,8 @@ _ROWS = {
     "go-kart": "1.1: pedal car",
     "jet ski": "0.6: sea scooter",
     "parachute": "9: paraglider",
-    "wheel": "0.45: wheel rim, alloy wheel; 1: truck wheel; 1.1: wagon wheel, cart wheel; "
-    "1.7: monster truck wheel",
+    "wheel": "0.45: wheel rim, alloy wheel; 0.9: train wheel; 1: truck wheel; 1.1: wagon "
+    "wheel, cart wheel; 1.7: monster truck wheel",
     "dump truck": "13: mining truck, haul truck",
     "race car": "4.1: rally car; 7.5: drag racer",
     "double decker bus": "8.4: routemaster",

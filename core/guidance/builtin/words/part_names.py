@@ -69,9 +69,9 @@ def own_names(noun: str, part: str, taken: Collection[str] = ()) -> list[str]:
         metal = [name for name in others if CLASS_OF.get(natural_kind(noun, name)) == METAL]
         each = iter((metal, *each))
     found = named[:1] or next(filter(None, each), [])
-    if part in TRIM and len(found) > 1:  # "a rifle with blue accents"
-        found = [name for name in found if name != "body"]
-    if part in TRIM and set(found) <= set(SEATS):  # "a chair with metal accents"
+    if part in TRIM and any(one[0] in "+&" for name, one in looks.items() if name != "body"):
+        found = [name for name in found if name != "body"]  # "a rifle with blue accents"
+    if part in TRIM and found and set(found) <= set(SEATS):  # "a chair with metal accents"
         return [name for name in FEET if name in looks][:1] or found
     return found
 

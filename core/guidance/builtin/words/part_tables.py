@@ -195,7 +195,10 @@ CALLED = {
     "arcade machine": dict.fromkeys(("sides", "panels"), "body"),
     "four-poster bed": dict.fromkeys(("posts", "post", "poles", "columns", "headboard"), "frame"),
     "hot air balloon": {"gondola": "basket"},
-    "bubble tea": {"cup": "tea", "drink": "tea", "liquid": "tea", "boba": "pearls"},
+    "bubble tea": dict.fromkeys(("cup", "drink", "liquid"), "tea")
+    | dict.fromkeys(("boba", "tapioca"), "pearls"),
+    "briefcase": dict.fromkeys("clasp clasps lock locks buckle buckles".split(), "latches"),
+    "pirate": dict.fromkeys(("pirate hat", "tricorn", "tricorn hat"), "hat"),
     "rifle": dict.fromkeys(("panels", "frame", "casing"), "body"),
     "dice": dict.fromkeys("numbers number numerals".split(), "pips"),
     "drum kit": dict.fromkeys(
