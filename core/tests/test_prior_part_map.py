@@ -45,7 +45,7 @@ def test_a_place_is_of_its_nouns_parts_alone_and_outside_of_none():
 @pytest.mark.parametrize("noun", ["mug", "chair", "house", "teapot", "pumpkin"])
 def test_the_shipped_network_finds_the_parts_of_fresh_and_of_soft_objects(noun):
     net = load_weights(WEIGHTS / "parts.safetensors")
-    score = score_parts(net, noun, 4, 20_000_003)
+    score = score_parts(net, noun, 12, 20_000_003)
     # A house has had windows at its sides since the network was trained.
     least = 0.87 if noun == "house" else 0.92
     assert score.exact > least
