@@ -18,6 +18,7 @@ from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
 from core.prior.things.characters import CHARACTERS
+from core.prior.things.chess import CHESS
 from core.prior.things.chests import CHESTS
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
@@ -193,6 +194,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | STUDY
     | SHOWPIECES
     | TRAVEL
+    | CHESS
 )
 
 

@@ -1,11 +1,14 @@
 """What a prompt wants written or drawn on the thing is put on it."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
 import torch
 
+from core.config import DRAFT
+from core.generate import Inputs, generate
 from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
@@ -22,6 +25,9 @@ from core.guidance.builtin.words.emblems import (
     emblems_in,
 )
 from core.guidance.builtin.words.vocabulary import Words, parse
+from core.io.job import Job, read_events
+from core.io.progress import Progress
+from core.io.run_folder import RunFolder
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -325,3 +331,17 @@ def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
     prompted = load_builtin("cpu").prompted(prompt, "").of_object(0)
     badge = list(looks("kettlebell")).index("badge")
     assert (badge in [part for part, *_ in prompted._marked.laid]) is there
+
+
+def test_a_run_tells_what_of_the_prompt_is_left_out(tmp_path, monkeypatch):
+    """Before it makes anything."""
+    monkeypatch.setattr("core.generate.learned_shape", lambda *_, **__: pytest.fail("too late"))
+    prompt = "a mug that says HELLO"
+    config = replace(DRAFT, geometry=replace(DRAFT.geometry, start="ellipsoid"))
+    prompted, light = load_builtin("cpu").prompted(prompt, ""), torch.zeros(2, 4, 3)
+    inputs = Inputs(config, torch.device("cpu"), prompted, light, None)
+    run = RunFolder.create(tmp_path / "run", Job(prompt=prompt))
+    with pytest.raises(pytest.fail.Exception, match="too late"):
+        generate(run, inputs, Progress(run))
+    (event,) = [e for e in read_events(run.path) if e["type"] == "warning"]
+    assert event["text"].startswith('"HELLO": left out')

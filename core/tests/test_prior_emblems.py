@@ -187,6 +187,7 @@ def test_a_prompt_with_nothing_but_a_drawing_is_of_no_thing():
     [
         ("a mug with a red heart and a blue star", ["red heart", "blue star"], "a mug"),
         ("a mug that says HELLO and a red heart", ['"HELLO"', "red heart"], "a mug"),
+        ("a mug, star logo, and a heart", ["star", "heart"], "a mug"),
         ("a sign that says OPEN and a lamp", ['"OPEN"'], "a sign and a lamp"),
         ("a mug with a star on it and a moon on it", ["star", "moon"], "a mug"),
         ("a race car with number 7 and a driver", ['"7"'], "a race car with a driver"),

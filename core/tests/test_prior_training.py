@@ -1,6 +1,7 @@
 """The prior's network, its camera map, its diffusion, its data and its training loop."""
 
 import math
+import shutil
 from dataclasses import replace
 from functools import partial
 
@@ -12,7 +13,8 @@ from core.camera import Cameras
 from core.errors import UserError
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.network import MAP_CHANNELS, UNet, UNetConfig, camera_map
-from core.guidance.builtin.offered import WEIGHTS
+from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.offered import WEIGHTS, read_metadata
 from core.guidance.builtin.solid import load_solid_net
 from core.guidance.builtin.weights import (
     BULK,
@@ -345,3 +347,12 @@ def test_a_wrong_option_is_refused_before_anything_is_made(argv, part, tmp_path,
         main(words.split())
     assert part in f"{refused.value} {capfd.readouterr().err}"
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_shipped_network_knows_no_borrowed_things(tmp_path, monkeypatch):
+    """They would be offered twice: by the network, and as another thing's solid."""
+    monkeypatch.setattr("core.prior.__main__.WEIGHTS", tmp_path)
+    shutil.copy(WEIGHTS / "parts.safetensors", tmp_path / "parts_ema.safetensors")
+    main(["ship", "--out", str(tmp_path)])
+    found = read_metadata(tmp_path / "parts.safetensors")["words"]["noun"]
+    assert found == list(ORDER)

@@ -374,17 +374,6 @@ def hourglass(draw: Draw) -> Parts:
     }
 
 
-def pawn(draw: Draw) -> Parts:
-    """A pawn of chess."""
-    r, high = draw(0.6, 0.7), draw(1.4, 1.65)
-    side = smooth_curve([(r * 0.85, 0.25), (r * 0.5, 0.55), (0.24, 1.0), (0.3, high - 0.05)])
-    return {
-        "body": join(lathe(side, 0.01), ball((0, 0, high + 0.3), draw(0.38, 0.44))),
-        "base": lathe([(r, 0.0), (r, 0.16), (r * 0.82, 0.3)], 0.03),
-        "collar": tube((0, 0, high - 0.1), (0, 0, high + 0.05), r * 0.7, 0.05),
-    }
-
-
 PROPS = {
     "chest": chest,
     "sword": sword,
@@ -405,5 +394,4 @@ PROPS = {
     "cannon": cannon,
     "bomb": bomb,
     "hourglass": hourglass,
-    "pawn": pawn,
 }

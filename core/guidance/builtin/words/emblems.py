@@ -201,7 +201,7 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
         after = prompt[end:]
         also = _ALSO.sub(" with ", after, count=1)
         # "With a heart and a star", "that says HELLO and a heart".
-        if _BEHIND.match(prompt, start) or (emblem.text and _SHAPE.match(also, 1)):
+        if _BEHIND.match(prompt, start) or _SHAPE.match(also, 1):
             after = also
         rest = re.sub(r"\s+", " ", f"{prompt[:start]} {after}").strip(" ,")
         rest = re.sub(r" and$|,? and(?=,)| ,(?= )", "", rest)
